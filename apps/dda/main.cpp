@@ -1,0 +1,84 @@
+/// \file The program `dda`: one verb, one file.
+#include "check.hpp"
+#include "exit_status.hpp"
+#include "messages.hpp"
+#include "run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+
+namespace {
+
+struct Call {
+  dda::RunArguments run;
+  std::vector<std::string> scenes_to_check, check_settings;
+  std::string resume;
+  int threads = 1, steps = 0;
+};
+
+constexpr const char* not_available = "is not available in this version";
+
+int execute(const CLI::App& app, Call& call) {
+  if (app.got_subcommand("check")) return dda::check(call.scenes_to_check, call.check_settings);
+  if (!call.resume.empty()) {
+    dda::print_error(fmt::format("--resume {}", not_available));
+    return dda::wrong_input;
+  }
+  if (call.steps > 0) call.run.steps = call.steps;
+  return dda::run(call.run);
+}
+
+int parse_and_execute(int argc, char** argv) {
+  CLI::App app{"Discontinuous deformation analysis of blocks in contact"};
+  app.name("dda");
+  app.set_version_flag("--version", POLYDDA_VERSION);
+  app.require_subcommand(1);
+  Call call;
+
+  CLI::App* run = app.add_subcommand("run", "Run a scene and write its results");
+  run->add_option("SCENE", call.run.scene, "Scene file (TOML)")->required();
+  run->add_option("-o,--output", call.run.directory, "Result directory; left out: SCENE without its ending, plus -out");
+  run->add_option("--steps", call.steps, "Stop after this many steps from the start of the scene")
+      ->check(CLI::Range(1, 2'000'000'000));
+  run->add_option("--set", call.run.settings, "PATH=VALUE: replace a value of the scene")->take_all()->expected(1);
+  run->add_option("--resume", call.resume, "Checkpoint to go on from");
+  run->add_option("--threads", call.threads, "Threads; results are the same for any number (this version uses one)")
+      ->check(CLI::Range(1, 1024));
+  run->add_flag("--quiet", call.run.quiet, "Print problems only");
+
+  CLI::App* check = app.add_subcommand("check", "Read and check scenes, compute nothing");
+  check->add_option("SCENE", call.scenes_to_check, "Scene files (TOML)")->required();
+  check->add_option("--set", call.check_settings, "PATH=VALUE: replace a value of the scenes")->take_all()->expected(1);
+
+  for (const char* verb : {"plot", "info", "make", "view"})
+    if (argc > 1 && std::string_view(argv[1]) == verb) {
+      dda::print_error(fmt::format("\"{}\" {} (known: run, check)", verb, not_available));
+      return dda::wrong_input;
+    }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& answered) {
+    return app.exit(answered);
+  } catch (const CLI::ParseError& error) {
+    dda::print_error(fmt::format("{} (try dda --help)", error.what()));
+    return dda::wrong_input;
+  }
+  return execute(app, call);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_execute(argc, argv);
+  } catch (const std::bad_alloc&) {
+    dda::print_error("out of memory");
+    return dda::analysis_stopped;
+  } catch (const std::exception& error) {
+    dda::print_error(error.what());
+    return dda::analysis_stopped;
+  }
+}

@@ -1,0 +1,17 @@
+#include "messages.hpp"
+
+#include "exit_status.hpp"
+
+#include <fmt/format.h>
+
+namespace dda {
+
+void print_error(const std::string& text) { fmt::print(stderr, "dda: error: {}\n", text); }
+
+int report(const ddacontact::SceneReading& reading) {
+  for (const ddacontact::Problem& problem : reading.problems) fmt::print(stderr, "{}\n", problem.text());
+  if (reading.unreadable) return file_error;
+  return reading.scene ? done : wrong_input;
+}
+
+}  // namespace dda

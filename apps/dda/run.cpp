@@ -1,0 +1,168 @@
+#include "run.hpp"
+
+#include "exit_status.hpp"
+#include "messages.hpp"
+#include "progress.hpp"
+
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/result_directory.hpp>
+#include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/writer.hpp>
+#include <ddacontact/time/stopwatch.hpp>
+#include <fmt/format.h>
+#include <polyfem/assembly/blas.hpp>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace dda {
+
+using namespace ddacontact;
+
+namespace {
+
+volatile std::sig_atomic_t signal_received = 0;
+
+extern "C" void note_signal(int number) { signal_received = number; }
+
+std::filesystem::path default_directory(const std::string& scene) {
+  std::filesystem::path path(scene);
+  path.replace_extension();
+  return path += "-out";
+}
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
+  std::ofstream out(path, std::ios::binary);
+  write_scene(out, scene);
+  out.close();
+  if (!out) throw OutputError("cannot write \"" + path.string() + "\"");
+}
+
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
+  try {
+    auto log = std::make_shared<spdlog::logger>("dda", std::make_shared<spdlog::sinks::basic_file_sink_st>(path.string(), true));
+    log->set_pattern("%v");
+    return log;
+  } catch (const spdlog::spdlog_ex& error) {
+    throw OutputError(error.what());
+  }
+}
+
+/// Steps until the end, a stop or a signal; fills the summary's status and reason.
+void run_steps(Stepper& stepper, int steps, const std::vector<Probe>& probes, Progress& progress,
+               ResultDirectory& results, RunSummary& summary) {
+  {
+    const Stopwatch watch(summary.seconds_output);
+    results.write_step(stepper, probes);
+  }
+  summary.status = "completed";
+  while (stepper.counts().steps < steps) {
+    if (signal_received) {
+      summary.status = "interrupted";
+      summary.reason = fmt::format("signal {}", static_cast<int>(signal_received));
+      return;
+    }
+    bool stepped = false;
+    {
+      const Stopwatch watch(summary.seconds_steps);
+      stepped = stepper.step();
+    }
+    if (!stepped) {
+      summary.status = "stopped";
+      summary.reason = stepper.stop_reason();
+      return;
+    }
+    const Stopwatch watch(summary.seconds_output);
+    results.write_step(stepper, probes);
+    progress.show(stepper);
+  }
+}
+
+int finish(const RunArguments& arguments, const Stepper& stepper, const RunSummary& summary,
+           const std::filesystem::path& directory, spdlog::logger& log) {
+  const StepCounts& counts = stepper.counts();
+  const std::string outcome = fmt::format(
+      "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} open-close iterations, {} contacts",
+      summary.status, counts.steps, stepper.state().time, counts.substeps, counts.rejected, counts.unconverged,
+      counts.open_close_iterations, counts.contacts);
+  log.info("{}", outcome);
+  if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
+  log.flush();
+  if (!arguments.quiet) fmt::print("{}\nresults in {}\n", outcome, directory.string());
+  if (summary.status == "completed") return done;
+  print_error(fmt::format("{} at time {:.6g} s: {}", summary.status, stepper.state().time, summary.reason));
+  return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + signal_received;
+}
+
+int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& summary, double& total, double setup_before) {
+  const Stopwatch total_watch(total);
+  const std::string blas = polyfem::pin_blas_to_one_thread();
+  BuiltScene built;
+  summary.seconds_setup = setup_before;
+  {
+    const Stopwatch watch(summary.seconds_setup);
+    built = build(scene);
+  }
+  summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
+  const int steps = arguments.steps.value_or(scene.analysis.steps);
+
+  const std::filesystem::path directory =
+      arguments.directory.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.directory);
+  ResultDirectory results(directory, built.labels);
+  const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt");
+  write_scene_file(directory / "scene.toml", scene);
+  log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
+  log->info("{}: {} blocks, {} unknowns, {} steps of {} s", arguments.scene, scene.blocks.size(),
+            built.stepper->blocks().n_equations(), steps, scene.analysis.time_step);
+  for (const std::string& note : built.notes) {
+    log->warn("{}", note);
+    if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
+  }
+
+  signal_received = 0;
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
+  Progress progress(steps, arguments.quiet);
+  run_steps(*built.stepper, steps, built.probes, progress, results, summary);
+  progress.finish();
+
+  summary.peak_memory_mb = peak_memory_mb();
+  summary.seconds_total = summary.seconds_setup + summary.seconds_steps + summary.seconds_output;
+  results.finish(*built.stepper, summary);
+  return finish(arguments, *built.stepper, summary, directory, *log);
+}
+
+}  // namespace
+
+int run(const RunArguments& arguments) {
+  double reading_seconds = 0, total = 0;
+  SceneReading reading;
+  {
+    const Stopwatch watch(reading_seconds);
+    reading = read_scene(arguments.scene, arguments.settings);
+  }
+  if (const int status = report(reading); !reading.scene) return status;
+  RunSummary summary;
+  try {
+    return run_scene(arguments, *reading.scene, summary, total, reading_seconds);
+  } catch (const OutputError& error) {
+    print_error(error.what());
+    return file_error;
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, error.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,21 @@
+/// \file `dda run`: runs a scene and writes its results.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dda {
+
+struct RunArguments {
+  std::string scene;
+  std::string directory;                ///< empty: the scene's name without its ending, plus "-out"
+  std::optional<int> steps;             ///< where to stop, in steps from the start
+  std::vector<std::string> settings;    ///< PATH=VALUE
+  bool quiet = false;
+};
+
+/// Returns the exit status.
+int run(const RunArguments& arguments);
+
+}  // namespace dda

@@ -1,0 +1,118 @@
+#include <ddacontact/block/affine_block.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+/// T of (3) at distance r from the centroid.
+Eigen::Matrix<double, 2, 6> transformation(const Vec2& r) {
+  Eigen::Matrix<double, 2, 6> T;
+  T << 1, 0, -r.y(), r.x(), 0, r.y() / 2,  //
+      0, 1, r.x(), 0, r.y(), r.x() / 2;
+  return T;
+}
+
+/// Displacement gradients that go with r0, eps_x, eps_y and gamma_xy.
+const std::array<Mat2, 4>& gradients() {
+  static const std::array<Mat2, 4> G = [] {
+    std::array<Mat2, 4> g;
+    g[0] << 0, -1, 1, 0;
+    g[1] << 1, 0, 0, 0;
+    g[2] << 0, 0, 0, 1;
+    g[3] << 0, 0.5, 0.5, 0;
+    return g;
+  }();
+  return G;
+}
+
+/// Three vertices, held ones first, spread as widely as a greedy choice makes them.
+std::array<int, 3> choose_three(const PointsRef& outline, const std::vector<bool>& held) {
+  const int n = static_cast<int>(outline.cols());
+  const auto best = [&](const auto& score) {
+    int chosen = 0;
+    for (int v = 1; v < n; ++v)
+      if (std::pair(held[v] && score(v) > 0, score(v)) > std::pair(held[chosen] && score(chosen) > 0, score(chosen)))
+        chosen = v;
+    return chosen;
+  };
+  const int a = best([](int) { return 1.0; });
+  const Vec2 p = outline.col(a);
+  const int b = best([&](int v) { return (outline.col(v) - p).norm(); });
+  const Vec2 edge = outline.col(b) - p;
+  const int c = best([&](int v) { return v == a || v == b ? 0.0 : std::abs(cross(edge, outline.col(v) - p)); });
+  return {a, b, c};
+}
+
+}  // namespace
+
+ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
+                                        const std::vector<bool>& held_y) {
+  return {choose_three(outline, held_x), choose_three(outline, held_y)};
+}
+
+AffineBlock::AffineBlock(const BlockMaterial& material, const PointsRef& outline,
+                         const std::optional<ControlVertices>& control)
+    : Block(material, outline), control_(control), vertex_maps_(outline.cols()) {}
+
+VectorXd AffineBlock::unknown_lengths() const {
+  VectorXd lengths = VectorXd::Ones(6);
+  if (!control_) lengths.tail<4>().setConstant(size());
+  return lengths;
+}
+
+void AffineBlock::prepare_shape(const PointsRef& outline) {
+  basis_.setIdentity();
+  const Vec2& centroid = moments().centroid;
+  if (control_) {
+    Mat6 displacements;  // of the control vertices, by the unknowns (1)
+    for (int k = 0; k < 3; ++k) {
+      displacements.row(2 * k) = transformation(outline.col(control_->x[k]) - centroid).row(0);
+      displacements.row(2 * k + 1) = transformation(outline.col(control_->y[k]) - centroid).row(1);
+    }
+    basis_ = displacements.inverse();
+    rigid_modes_ = displacements.leftCols<3>();
+  } else {
+    rigid_modes_ = Mat6::Identity().leftCols<3>();
+  }
+  for (int v = 0; v < n_vertices(); ++v) vertex_maps_[v] = transformation(outline.col(v) - centroid) * basis_;
+
+  const double area = moments().area;
+  Mat6 K = Mat6::Zero();
+  K.bottomRightCorner<3, 3>() = area * material().elasticity;
+  stiffness_ = basis_.transpose() * K * basis_;
+
+  Mat6 M = Mat6::Zero();  // integral of T^T T: r = x - centroid integrates to zero
+  M.topLeftCorner<2, 2>() = area * Mat2::Identity();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) M(2 + i, 2 + j) = (gradients()[i] * moments().second * gradients()[j].transpose()).trace();
+  mass_ = current_density() * basis_.transpose() * M * basis_;
+
+  integration_weights_ = VectorXd::Constant(1, area);
+}
+
+PointMap AffineBlock::vertex_map(int vertex) const {
+  PointMap map;
+  for (int k = 0; k < 6; ++k) map.add(unknowns().first + k, vertex_maps_[vertex].col(k));
+  return map;
+}
+
+void AffineBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {
+  const Vec3 stress = state.stress.col(stress_points().first);
+  F.segment<6>(unknowns().first) -= moments().area * basis_.bottomRows<3>().transpose() * stress;
+}
+
+void AffineBlock::add_body_force(const Vec2& b, VectorXd& F) const {
+  F.segment<6>(unknowns().first) += reference_area() * basis_.topRows<2>().transpose() * b;
+}
+
+void AffineBlock::add_stress(const VectorXd& d, Tensors& stress) const {
+  const Vec3 strain = basis_.bottomRows<3>() * d.segment<6>(unknowns().first);
+  stress.col(stress_points().first) += material().elasticity * strain;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,45 @@
+/// \file Shi's block: six unknowns, constant strain, Eq. (1)-(3).
+#pragma once
+
+#include <ddacontact/block/block.hpp>
+
+#include <optional>
+
+namespace ddacontact {
+
+/// Three vertices by whose displacements in x, and three (often the same) by whose displacements in y, an
+/// affine field can be told. With held vertices among them, holding is leaving out their unknowns.
+struct ControlVertices {
+  std::array<int, 3> x, y;
+};
+
+/// Unknowns: (u0 v0 r0 eps_x eps_y gamma_xy) about the centroid (1); or, given control vertices, their
+/// displacements (u v u v u v), which span the same affine fields.
+class AffineBlock final : public Block {
+ public:
+  AffineBlock(const BlockMaterial& material, const PointsRef& outline,
+              const std::optional<ControlVertices>& control = std::nullopt);
+
+  int n_unknowns() const override { return 6; }
+  int n_stress_points() const override { return 1; }
+  VectorXd unknown_lengths() const override;
+  PointMap vertex_map(int vertex) const override;
+  void add_stress_forces(const BlockState& state, VectorXd& F) const override;
+  void add_body_force(const Vec2& b, VectorXd& F) const override;
+  void add_stress(const VectorXd& d, Tensors& stress) const override;
+
+ private:
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+  void prepare_shape(const PointsRef& outline) override;
+
+  std::optional<ControlVertices> control_;
+  Mat6 basis_;                                             ///< (1) = basis_ * unknowns
+  std::vector<Eigen::Matrix<double, 2, 6>> vertex_maps_;   ///< T (3) * basis_ at each outline vertex
+};
+
+/// Control vertices that include as many of the held ones (`held_x[v]`, `held_y[v]`) as three can be.
+ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
+                                        const std::vector<bool>& held_y);
+
+}  // namespace ddacontact

@@ -1,0 +1,123 @@
+#include <ddacontact/block/block_system.hpp>
+
+#include <polyfem/basis/wachspress.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+bool stays(const TimeFunction& motion) {
+  return motion.kind != TimeFunction::Kind::history && motion.value.isZero(0);
+}
+
+}  // namespace
+
+BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks, Points reference)
+    : blocks_(std::move(blocks)), reference_(std::move(reference)) {
+  int n_vertices = 0;
+  for (const auto& block : blocks_) {
+    block->place(n_vertices, n_unknowns_, n_stress_points_);
+    n_vertices = block->vertices().end();
+    n_unknowns_ = block->unknowns().end();
+    n_stress_points_ = block->stress_points().end();
+  }
+  set_held_unknowns({});
+}
+
+void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
+  held_unknowns_ = std::move(held);
+  equation_.assign(n_unknowns_, 0);
+  for (const HeldUnknown& h : held_unknowns_) equation_[h.unknown] = -1;
+  n_equations_ = 0;
+  for (int& e : equation_)
+    if (e >= 0) e = n_equations_++;
+
+  movable_.assign(n_blocks(), false);
+  unchanging_.assign(n_blocks(), true);
+  std::vector<bool> moved(n_unknowns_, true);
+  for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
+  for (int b = 0; b < n_blocks(); ++b) {
+    const Range& u = block(b).unknowns();
+    for (int k = u.first; k < u.end(); ++k) {
+      if (equation_[k] >= 0) movable_[b] = true;
+      if (moved[k]) unchanging_[b] = false;
+    }
+  }
+}
+
+BlockState BlockSystem::initial_state() const {
+  BlockState state;
+  state.position = reference_;
+  state.velocity = VectorXd::Zero(n_unknowns_);
+  state.stress = Tensors::Zero(3, n_stress_points_);
+  state.rotation = VectorXd::Zero(n_blocks());
+  return state;
+}
+
+void BlockSystem::prepare(const BlockState& state, bool first_time) {
+  for (int b = 0; b < n_blocks(); ++b)
+    if (first_time || !unchanging_[b]) blocks_[b]->prepare(state);
+}
+
+void BlockSystem::add_gravity(VectorXd& F) const {
+  for (const auto& block : blocks_) block->add_body_force(block->mass_total() / block->reference_area() * gravity, F);
+}
+
+void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) const {
+  for (const PointLoad& load : point_loads) {
+    const Vec2 force = load.force.at(time, end_time);
+    const Block& on = block(load.point.block);
+    for (int v = 0; v < on.n_vertices(); ++v) on.vertex_map(v).add_force(load.point.weights[v] * force, F);
+  }
+  for (const PressureLoad& load : pressure_loads) {
+    const Block& on = block(load.block);
+    const int j = load.edge, k = (load.edge + 1) % on.n_vertices();
+    const Vec2 edge = state.position.col(on.vertices().first + k) - state.position.col(on.vertices().first + j);
+    const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
+    for (int v : {j, k}) on.vertex_map(v).add_force(load.pressure / 2 * inward, F);
+  }
+  for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
+}
+
+VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
+  VectorXd d = VectorXd::Zero(n_unknowns_);
+  for (const HeldUnknown& h : held_unknowns_) {
+    const double now = state.position(h.axis, h.vertex) - reference_(h.axis, h.vertex);
+    d[h.unknown] = h.motion.at(time, end_time)[h.axis] - now;
+  }
+  return d;
+}
+
+Vec2 BlockSystem::position(const MaterialPoint& point, const Points& vertices) const {
+  const Range& range = block(point.block).vertices();
+  return vertices.middleCols(range.first, range.count) * point.weights;
+}
+
+Vec2 BlockSystem::displacement(const MaterialPoint& point, const VectorXd& d) const {
+  const Block& on = block(point.block);
+  Vec2 u = Vec2::Zero();
+  for (int v = 0; v < on.n_vertices(); ++v) u += point.weights[v] * on.vertex_map(v)(d);
+  return u;
+}
+
+MaterialPoint make_material_point(int block, const PointsRef& outline, const Vec2& x) {
+  polyfem::ShapeValues shape;
+  polyfem::wachspress(outline, x, shape);
+  return {block, shape.values};
+}
+
+double best_fit_rotation(const PointsRef& reference, const PointsRef& outline) {
+  const Vec2 p = reference.rowwise().mean(), q = outline.rowwise().mean();
+  double sine = 0, cosine = 0;
+  for (Index v = 0; v < reference.cols(); ++v) {
+    const Vec2 a = reference.col(v) - p, b = outline.col(v) - q;
+    sine += cross(a, b);
+    cosine += a.dot(b);
+  }
+  return std::atan2(sine, cosine);
+}
+
+}  // namespace ddacontact

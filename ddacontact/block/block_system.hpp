@@ -1,0 +1,112 @@
+/// \file The blocks of a scene with their loads and supports: everything of (13) but the contacts.
+#pragma once
+
+#include <ddacontact/block/block.hpp>
+#include <ddacontact/core/time_function.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// A point that travels with its block: x = sum_v weights[v] * (outline vertex v).
+struct MaterialPoint {
+  int block = 0;
+  VectorXd weights;
+};
+
+struct PointLoad {
+  MaterialPoint point;
+  TimeFunction force;      ///< N per m
+};
+struct PressureLoad {
+  int block = 0, edge = 0;
+  double pressure = 0;     ///< Pa, > 0 pushes into the block; follows the edge
+};
+struct BodyLoad {
+  int block = 0;
+  TimeFunction force;      ///< N/m3 of the undeformed block
+};
+
+/// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
+/// an outline vertex along an axis.
+struct HeldUnknown {
+  int unknown = 0;
+  int vertex = 0;          ///< in the arrays of the state
+  int axis = 0;            ///< 0: x, 1: y
+  TimeFunction motion;     ///< total displacement since the start, m
+};
+
+/// A vertex of a six-unknown block held as Shi does it: by stiff springs to where it should be.
+struct HeldVertex {
+  int block = 0, vertex = 0;  ///< vertex of the block, 0 .. n_vertices - 1
+  bool x = true, y = true;
+  TimeFunction motion;
+};
+
+/// Owns the blocks; their unknowns, vertices and integration points are numbered in block order.
+class BlockSystem {
+ public:
+  /// Takes blocks whose outlines are the consecutive column ranges of `reference`, and numbers them.
+  BlockSystem(std::vector<std::unique_ptr<Block>> blocks, Points reference);
+
+  int n_blocks() const { return static_cast<int>(blocks_.size()); }
+  int n_unknowns() const { return n_unknowns_; }
+  int n_stress_points() const { return n_stress_points_; }
+  const Block& block(int b) const { return *blocks_[b]; }
+  /// Outline vertices at the start.
+  const Points& reference() const { return reference_; }
+
+  std::vector<std::string> names;  ///< of the blocks, for messages
+  Vec2 gravity{0, 0};      ///< m/s2
+  double end_time = 0;     ///< of ramps, s
+  std::vector<PointLoad> point_loads;
+  std::vector<PressureLoad> pressure_loads;
+  std::vector<BodyLoad> body_loads;
+  std::vector<HeldVertex> held_vertices;
+
+  void set_held_unknowns(std::vector<HeldUnknown> held);
+  const std::vector<HeldUnknown>& held_unknowns() const { return held_unknowns_; }
+  /// The row of (13) of each unknown, -1 when it is held.
+  const std::vector<int>& equation() const { return equation_; }
+  int n_equations() const { return n_equations_; }
+  /// Whether a block has an unknown that is not held.
+  bool is_movable(int b) const { return movable_[b]; }
+  /// Whether a block is wholly held where it is: it costs nothing but its outline.
+  bool is_unchanging(int b) const { return unchanging_[b]; }
+
+  /// All blocks at rest and free of stress in their reference places; held points at their start.
+  BlockState initial_state() const;
+  /// Prepares the blocks for a state; `first_time` includes those that can never change.
+  void prepare(const BlockState& state, bool first_time = false);
+
+  /// F += gravity, Eq. (23).
+  void add_gravity(VectorXd& F) const;
+  /// F += point, pressure and body loads at `time` on the shape of `state`, Eq. (21), (23).
+  void add_loads(const BlockState& state, double time, VectorXd& F) const;
+  /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
+  VectorXd prescribed(const BlockState& state, double time) const;
+
+  Vec2 position(const MaterialPoint& point, const Points& vertices) const;
+  /// The displacement of a material point for unknowns d, or its velocity for velocities.
+  Vec2 displacement(const MaterialPoint& point, const VectorXd& d) const;
+
+ private:
+  std::vector<std::unique_ptr<Block>> blocks_;
+  Points reference_;
+  int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
+  std::vector<HeldUnknown> held_unknowns_;
+  std::vector<int> equation_;
+  std::vector<bool> movable_;
+  std::vector<bool> unchanging_;
+};
+
+/// The material point of a strictly convex block that is at x now. The weights are Wachspress functions at x:
+/// any weights with linear precision would do for an affine block.
+MaterialPoint make_material_point(int block, const PointsRef& outline, const Vec2& x);
+
+/// Best-fit rotation of a polygon against its reference, radians in (-pi, pi].
+double best_fit_rotation(const PointsRef& reference, const PointsRef& outline);
+
+}  // namespace ddacontact

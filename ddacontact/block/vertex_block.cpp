@@ -1,0 +1,78 @@
+#include <ddacontact/block/vertex_block.hpp>
+
+#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/matrices.hpp>
+#include <polyfem/element/soundness.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+
+#include <array>
+
+namespace ddacontact {
+
+using polyfem::GradientCorrection;
+using polyfem::TriangleRule;
+
+VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration)
+    : Block(material, outline), integration_(integration) {}
+
+int VertexBlock::n_stress_points() const {
+  return n_vertices() * static_cast<int>(integration_.triangle_rule->weights.size());
+}
+
+void VertexBlock::prepare_shape(const PointsRef& outline) {
+  tabulate(outline, *integration_.triangle_rule, polyfem::wachspress, integration_.correction, element_);
+  polyfem::stiffness(element_, material().elasticity, stiffness_);
+  polyfem::mass(element_, mass_);
+  mass_ *= current_density();
+  polyfem::shape_integrals(element_, shape_integrals_);
+  integration_weights_ = element_.rule.weights;
+
+  rigid_modes_.resize(n_unknowns(), 3);
+  for (int i = 0; i < n_vertices(); ++i) {
+    const Vec2 r = outline.col(i) - moments().centroid;
+    rigid_modes_.row(2 * i) << 1, 0, -r.y();
+    rigid_modes_.row(2 * i + 1) << 0, 1, r.x();
+  }
+}
+
+PointMap VertexBlock::vertex_map(int vertex) const {
+  PointMap map;
+  map.add(unknowns().first + 2 * vertex, Vec2::UnitX());
+  map.add(unknowns().first + 2 * vertex + 1, Vec2::UnitY());
+  return map;
+}
+
+void VertexBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {
+  VectorXd f(n_unknowns());
+  polyfem::stress_forces(element_, state.stress.middleCols(stress_points().first, stress_points().count), f);
+  F.segment(unknowns().first, unknowns().count) -= f;
+}
+
+void VertexBlock::add_body_force(const Vec2& b, VectorXd& F) const {
+  const Vec2 current = b * (reference_area() / moments().area);
+  for (int i = 0; i < n_vertices(); ++i) F.segment<2>(unknowns().first + 2 * i) += shape_integrals_[i] * current;
+}
+
+void VertexBlock::add_stress(const VectorXd& d, Tensors& stress) const {
+  Tensors strain;
+  polyfem::strains(element_, d.segment(unknowns().first, unknowns().count), strain);
+  stress.middleCols(stress_points().first, stress_points().count) += material().elasticity * strain;
+}
+
+Integration choose_integration(const PointsRef& outline, GradientCorrection correction, bool& sound) {
+  static const TriangleRule fine = polyfem::collapsed_gauss_rule(12, 12, 2);
+  const std::array rules{&polyfem::hammer_rule(3), &polyfem::hammer_rule(5), &fine};
+  const Mat3 elasticity = polyfem::elasticity_matrix(1, 0.3, polyfem::Plane::strain);
+  polyfem::TabulatedElement element;
+  MatrixXd K, M;
+  for (const TriangleRule* rule : rules) {
+    tabulate(outline, *rule, polyfem::wachspress, correction, element);
+    polyfem::stiffness(element, elasticity, K);
+    polyfem::mass(element, M);
+    sound = polyfem::judge(K, M).sound();
+    if (sound || correction == GradientCorrection::off) return {rule, correction};
+  }
+  return {rules.back(), correction};
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,41 @@
+/// \file The paper's block: its unknowns are the displacements of its vertices, Eq. (4)-(8).
+#pragma once
+
+#include <ddacontact/block/block.hpp>
+#include <polyfem/element/tabulated_element.hpp>
+
+namespace ddacontact {
+
+/// How the integrals over a vertex block are taken.
+struct Integration {
+  const polyfem::TriangleRule* triangle_rule;  ///< of each triangle of the fan; not owned
+  polyfem::GradientCorrection correction;
+};
+
+class VertexBlock final : public Block {
+ public:
+  /// `outline`: strictly convex, counter-clockwise.
+  VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration);
+
+  int n_unknowns() const override { return 2 * n_vertices(); }
+  int n_stress_points() const override;
+  VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
+  PointMap vertex_map(int vertex) const override;
+  void add_stress_forces(const BlockState& state, VectorXd& F) const override;
+  void add_body_force(const Vec2& b, VectorXd& F) const override;
+  void add_stress(const VectorXd& d, Tensors& stress) const override;
+
+ private:
+  void prepare_shape(const PointsRef& outline) override;
+
+  Integration integration_;
+  polyfem::TabulatedElement element_;
+  VectorXd shape_integrals_;
+};
+
+/// The paper's integration, or, with the correction on, the cheapest rule from there that gives this outline a
+/// sound stiffness (rank) and mass (definite).
+/// \param[out] sound whether the rule returned does.
+Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction, bool& sound);
+
+}  // namespace ddacontact

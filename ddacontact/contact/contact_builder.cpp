@@ -1,0 +1,188 @@
+#include <ddacontact/contact/contact_builder.hpp>
+
+#include <ddacontact/contact/kinematics.hpp>
+#include <ddacontact/detection/broad_phase.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// Two places nearer than this times the block size are one; a contact nearer than this touches.
+constexpr double coincidence = 1e-6;
+/// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
+constexpr double near_corner = 1e-2;
+/// Gaps below this times the block size are round-off.
+constexpr double length_tolerance = 1e-12;
+/// So are gaps below this times the coordinates they are differences of.
+constexpr double coordinate_tolerance = 4 * std::numeric_limits<double>::epsilon();
+
+double perimeter(const PointsRef& polygon) {
+  double sum = 0;
+  for (Index k = 0; k < polygon.cols(); ++k) sum += (polygon.col((k + 1) % polygon.cols()) - polygon.col(k)).norm();
+  return sum;
+}
+
+/// The contacts of one pair of blocks stand together: ordered by the pair, then by contact.
+Pair block_pair(const VertexEdge& contact) {
+  return {std::min(contact.vertex_block, contact.edge_block), std::max(contact.vertex_block, contact.edge_block)};
+}
+
+std::span<const Contact> contacts_of_pair(const std::vector<Contact>& contacts, const Pair& pair) {
+  const auto range = std::equal_range(contacts.begin(), contacts.end(), pair, [](const auto& a, const auto& b) {
+    const auto key = [](const auto& x) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Pair>) return x;
+      else return block_pair(x.pair);
+    };
+    return key(a) < key(b);
+  });
+  return {range.first, range.second};
+}
+
+}  // namespace
+
+ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
+    : blocks_(blocks), properties_(std::move(properties)) {
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Range& v = blocks.block(b).vertices();
+    half_width_.push_back(blocks.block(b).reference_area() / perimeter(blocks.reference().middleCols(v.first, v.count)));
+  }
+}
+
+double ContactBuilder::pair_size(int a, int b) const {
+  const double size_a = blocks_.block(a).size(), size_b = blocks_.block(b).size();
+  if (!blocks_.is_movable(a)) return size_b;
+  if (!blocks_.is_movable(b)) return size_a;
+  return std::min(size_a, size_b);
+}
+
+PointsRef ContactBuilder::outline(const BlockState& state, int b) const {
+  const Range& v = blocks_.block(b).vertices();
+  return state.position.middleCols(v.first, v.count);
+}
+
+std::vector<VertexEdge> ContactBuilder::detect(const BlockState& state, const std::vector<double>& reach,
+                                               const std::vector<Contact>& previous) const {
+  std::vector<Box> boxes;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) boxes.push_back(bounding_box(outline(state, b), reach[b]));
+  std::vector<VertexEdge> found, kept;
+  for (const Pair& pair : overlapping_pairs(boxes)) {
+    const auto [a, b] = pair;
+    if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
+    kept.clear();
+    for (const Contact& contact : contacts_of_pair(previous, pair))
+      if (contact.closed()) kept.push_back(contact.pair);
+    const PairLimits limits{.reach = reach[a] + reach[b],
+                            .max_depth = std::min(half_width_[a], half_width_[b]),
+                            .coincidence = coincidence * pair_size(a, b)};
+    find_contacts({a, outline(state, a)}, {b, outline(state, b)}, limits, kept, found);
+  }
+  return found;
+}
+
+void ContactBuilder::make_forms(const BlockState& state, Contact& contact) const {
+  const VertexEdge& pair = contact.pair;
+  const Block &vertex_block = blocks_.block(pair.vertex_block), &edge_block = blocks_.block(pair.edge_block);
+  const auto moving = [&](const Block& block, int v) {
+    return MovingPoint{state.position.col(block.vertices().first + v), block.vertex_map(v)};
+  };
+  const MovingPoint i = moving(vertex_block, pair.vertex), j = moving(edge_block, pair.edge),
+                    k = moving(edge_block, (pair.edge + 1) % edge_block.n_vertices());
+  const double lock = contact.history.lock;
+  contact.gap = gap_form(i, j, k);
+  contact.slip = slip_form(i, j, k, lock);
+}
+
+Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
+  Contact contact;
+  contact.pair = pair;
+  const JointStrength& strength =
+      properties_.joints.between(properties_.materials[pair.vertex_block], properties_.materials[pair.edge_block]);
+  contact.law.normal_stiffness = properties_.normal_stiffness;
+  contact.law.tangential_stiffness = properties_.tangential_stiffness;
+  contact.law.friction = strength.friction;
+
+  const Block& edge_block = blocks_.block(pair.edge_block);
+  const Vec2 i = state.position.col(blocks_.block(pair.vertex_block).vertices().first + pair.vertex);
+  const Vec2 j = state.position.col(edge_block.vertices().first + pair.edge);
+  const Vec2 k = state.position.col(edge_block.vertices().first + (pair.edge + 1) % edge_block.n_vertices());
+  contact.history.lock = edge_fraction(i, j, k);
+  contact.length_tolerance = length_tolerance * pair_size(pair.vertex_block, pair.edge_block) +
+                             coordinate_tolerance * std::max(i.cwiseAbs().maxCoeff(), j.cwiseAbs().maxCoeff());
+  return contact;
+}
+
+std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) const {
+  std::vector<Contact> contacts;
+  for (const VertexEdge& pair : detect(state, reach, {})) {
+    Contact contact = make_contact(state, pair);
+    make_forms(state, contact);
+    ContactHistory& history = contact.history;
+    const double gap = contact.gap.constant;
+    if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block)) {
+      history.bonded = true;
+      history.gap_offset = std::min(gap, 0.0);
+      history.length = contact_length(outline(state, pair.vertex_block), pair.vertex,
+                                      outline(state, pair.edge_block), pair.edge);
+      const JointStrength& strength =
+          properties_.joints.between(properties_.materials[pair.vertex_block], properties_.materials[pair.edge_block]);
+      contact.law.cohesion = strength.cohesion * history.length;
+      contact.law.tension = strength.tensile_strength * history.length;
+      history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+    }
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+const Contact* ContactBuilder::find_predecessor(const BlockState& state, const VertexEdge& pair,
+                                                std::span<const Contact> previous) const {
+  for (const Contact& old : previous)
+    if (old.closed() && old.pair == pair) return &old;
+  const auto place = [&](int block, int vertex) -> Vec2 {
+    return state.position.col(blocks_.block(block).vertices().first + vertex);
+  };
+  const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
+  for (const Contact& old : previous) {
+    const bool exchanged = old.pair.vertex_block == pair.edge_block;
+    if (!old.closed() || !exchanged) continue;
+    const auto ends = [&](int vertex, int edge, int block) {
+      return vertex == edge || vertex == (edge + 1) % blocks_.block(block).n_vertices();
+    };
+    if (ends(old.pair.vertex, pair.edge, pair.edge_block) && ends(pair.vertex, old.pair.edge, old.pair.edge_block) &&
+        (place(pair.vertex_block, pair.vertex) - place(old.pair.vertex_block, old.pair.vertex)).norm() <= near)
+      return &old;
+  }
+  return nullptr;
+}
+
+std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
+                                           const std::vector<Contact>& previous) const {
+  std::vector<Contact> contacts;
+  for (const VertexEdge& pair : detect(state, reach, previous)) {
+    Contact contact = make_contact(state, pair);
+    const double fraction = contact.history.lock;
+    const Contact* old = find_predecessor(state, pair, contacts_of_pair(previous, block_pair(pair)));
+    if (old) {
+      contact.history = old->history;
+      contact.law.cohesion = old->law.cohesion;
+      contact.law.tension = old->law.tension;
+      if (old->pair != pair) {
+        // Slip keeps its sign: the two edges are antiparallel, and so are the roles of their blocks.
+        const Range& v = blocks_.block(pair.edge_block).vertices();
+        const Vec2 edge = state.position.col(v.first + (pair.edge + 1) % v.count) - state.position.col(v.first + pair.edge);
+        contact.history.lock = fraction - old->end_slip / edge.norm();
+      }
+      if (is_slipping(contact.history.state)) contact.history.lock = fraction;
+    }
+    make_forms(state, contact);
+    if (!contact.closed() && contact.gap.constant < -contact.length_tolerance)
+      contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+}  // namespace ddacontact

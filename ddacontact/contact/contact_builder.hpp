@@ -1,0 +1,53 @@
+/// \file The contacts of a step: found on the outlines, matched with those of the step before.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/contact.hpp>
+#include <ddacontact/contact/joint_table.hpp>
+
+#include <span>
+#include <vector>
+
+namespace ddacontact {
+
+/// What contacts are made of, apart from geometry.
+struct ContactProperties {
+  double normal_stiffness = 0;      ///< p, N/m per m
+  double tangential_stiffness = 0;  ///< p bar, N/m per m
+  JointTable joints;
+  std::vector<int> materials;       ///< of each block
+};
+
+class ContactBuilder {
+ public:
+  /// \param[in] blocks  in their reference places; must outlive the builder
+  ContactBuilder(const BlockSystem& blocks, ContactProperties properties);
+
+  /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
+  /// an overlap is taken as stress-free.
+  std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach) const;
+  /// The contacts that may close while no vertex of block b moves further than reach[b]. Those also in
+  /// `previous` carry on its history; a vertex that slid across a corner onto the neighbour's vertex does too.
+  std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
+                             const std::vector<Contact>& previous) const;
+
+  /// The size tolerances are relative to: of the smaller block, held blocks not counted.
+  double pair_size(int a, int b) const;
+
+ private:
+  std::vector<VertexEdge> detect(const BlockState& state, const std::vector<double>& reach,
+                                 const std::vector<Contact>& previous) const;
+  /// The closed contact of the step before whose history this one carries on: the same, or, where vertex meets
+  /// vertex, the one that the other vertex made with this vertex's edge.
+  const Contact* find_predecessor(const BlockState& state, const VertexEdge& pair,
+                                  std::span<const Contact> previous) const;
+  Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
+  void make_forms(const BlockState& state, Contact& contact) const;
+  PointsRef outline(const BlockState& state, int b) const;
+
+  const BlockSystem& blocks_;
+  ContactProperties properties_;
+  std::vector<double> half_width_;  ///< of each block: area over perimeter
+};
+
+}  // namespace ddacontact

@@ -1,0 +1,47 @@
+/// \file Mohr-Coulomb: what state a contact is in after a trial solution. Pure functions on values.
+#pragma once
+
+namespace ddacontact {
+
+/// Sliding is told apart by the sense of the slip, s of (50): forward along the edge from j to k.
+enum class ContactState { open, stick, slip_forward, slip_backward };
+
+inline bool is_slipping(ContactState s) { return s == ContactState::slip_forward || s == ContactState::slip_backward; }
+/// +1, -1 for the two slip states, 0 otherwise.
+inline double slip_sign(ContactState s) {
+  return s == ContactState::slip_forward ? 1 : s == ContactState::slip_backward ? -1 : 0;
+}
+
+/// One contact's stiffnesses and bounds, forces per metre of thickness. Stresses times contact length.
+struct JointLaw {
+  double normal_stiffness = 0;      ///< p of (38)
+  double tangential_stiffness = 0;  ///< p bar of (46)
+  double friction = 0;              ///< tan(phi)
+  double cohesion = 0;              ///< c l, while the contact is bonded
+  double tension = 0;               ///< tensile strength times l, while the contact is bonded
+
+  /// Nothing acts along the edge: no tangential terms are needed.
+  bool frictionless() const { return friction == 0 && cohesion == 0; }
+};
+
+/// A trial solution seen by one contact.
+struct Trial {
+  double gap = 0;             ///< at the end of the step; < 0 is penetration
+  double slip = 0;            ///< distance from the lock point at the end of the step, along j to k
+  double slip_increment = 0;  ///< change of the slip within the step
+  double tolerance = 0;       ///< lengths below this are round-off
+  bool bonded = false;        ///< cohesion and tensile strength hold
+};
+
+/// N = -p g of a closed contact; > 0 is compression.
+double normal_force(const JointLaw& law, double gap);
+/// The bound of the shear force: max(0, N) tan(phi), plus the cohesion while bonded.
+double shear_bound(const JointLaw& law, double normal_force, bool bonded);
+
+/// The state that agrees with the trial, from the state it was computed with:
+/// open closes (to stick) on penetration; closed opens when pulled beyond the tensile bound; stick slips when
+/// its spring force exceeds the shear bound; slip sticks when it moved against its own sense. A closed contact
+/// without friction is slip_forward.
+ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial);
+
+}  // namespace ddacontact

@@ -1,0 +1,43 @@
+/// \file Which joint law acts between which materials.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace ddacontact {
+
+/// Mohr-Coulomb strengths of a joint, as stresses.
+struct JointStrength {
+  double friction = 0;          ///< tan(phi)
+  double cohesion = 0;          ///< Pa
+  double tensile_strength = 0;  ///< Pa
+};
+
+class JointTable {
+ public:
+  /// The first joint without `between` is what everything not named elsewhere takes; none: the first joint.
+  struct Entry {
+    JointStrength strength;
+    std::optional<std::array<int, 2>> between;  ///< materials, either order
+  };
+  explicit JointTable(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+
+  const JointStrength& between(int material_a, int material_b) const {
+    const Entry* general = nullptr;
+    for (const Entry& entry : entries_) {
+      if (!entry.between) {
+        if (!general) general = &entry;
+        continue;
+      }
+      const auto [p, q] = *entry.between;
+      if ((p == material_a && q == material_b) || (p == material_b && q == material_a)) return entry.strength;
+    }
+    return (general ? *general : entries_.front()).strength;
+  }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+}  // namespace ddacontact

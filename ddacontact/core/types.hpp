@@ -1,0 +1,29 @@
+/// \file The types of polyfem under this library's name.
+#pragma once
+
+#include <polyfem/core/error.hpp>
+#include <polyfem/core/types.hpp>
+
+namespace ddacontact {
+
+using polyfem::cross;
+using polyfem::Error;
+using polyfem::Index;
+using polyfem::Mat2;
+using polyfem::Mat3;
+using polyfem::MatrixXd;
+using polyfem::Points;
+using polyfem::PointsRef;
+using polyfem::Tensors;
+using polyfem::TensorsRef;
+using polyfem::Vec2;
+using polyfem::Vec3;
+using polyfem::VectorXd;
+
+/// Consecutive entries of an array that belong to one block.
+struct Range {
+  int first = 0, count = 0;
+  int end() const { return first + count; }
+};
+
+}  // namespace ddacontact

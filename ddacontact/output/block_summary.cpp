@@ -1,0 +1,24 @@
+#include <ddacontact/output/block_summary.hpp>
+
+#include <polyfem/material/linear_elastic.hpp>
+
+#include <algorithm>
+
+namespace ddacontact {
+
+StressRange stress_range(const Block& block, const BlockState& state) {
+  const auto stress = state.stress.middleCols(block.stress_points().first, block.stress_points().count);
+  const VectorXd& weights = block.integration_weights();
+  StressRange range;
+  range.mean = stress * weights / weights.sum();
+  range.min = stress.rowwise().minCoeff();
+  range.max = stress.rowwise().maxCoeff();
+  for (Index q = 0; q < stress.cols(); ++q) {
+    const polyfem::PrincipalStresses principal = polyfem::principal_stresses(stress.col(q));
+    range.s1_max = q == 0 ? principal.s1 : std::max(range.s1_max, principal.s1);
+    range.s2_min = q == 0 ? principal.s2 : std::min(range.s2_min, principal.s2);
+  }
+  return range;
+}
+
+}  // namespace ddacontact

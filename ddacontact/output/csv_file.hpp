@@ -1,0 +1,37 @@
+/// \file Tables as comma-separated values.
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace ddacontact {
+
+/// Numbers carry 17 significant digits, enough to read back the same double; text is quoted where it must be.
+class CsvFile {
+ public:
+  /// Creates the file with its header line. Throws OutputError when it cannot.
+  CsvFile(const std::string& path, std::string_view header);
+
+  template <class... Cells>
+  void row(const Cells&... cells) {
+    line_.clear();
+    (append(cells), ...);
+    write_line();
+  }
+  /// Flushes and checks that everything was written. Throws OutputError.
+  void close();
+
+ private:
+  void append(double value);
+  void append(long value);
+  void append(int value) { append(static_cast<long>(value)); }
+  void append(std::string_view text);
+  void separate();
+  void write_line();
+
+  std::string path_, line_;
+  std::ofstream file_;
+};
+
+}  // namespace ddacontact

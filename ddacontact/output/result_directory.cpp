@@ -1,0 +1,183 @@
+#include <ddacontact/output/result_directory.hpp>
+
+#include <ddacontact/output/block_summary.hpp>
+#include <ddacontact/output/output_error.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <numbers>
+#include <set>
+
+namespace ddacontact {
+
+namespace {
+
+const char* state_name(ContactState state) {
+  switch (state) {
+    case ContactState::open: return "open";
+    case ContactState::stick: return "stick";
+    case ContactState::slip_forward:
+    case ContactState::slip_backward: return "slip";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::filesystem::path make_directory(std::filesystem::path directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw OutputError("cannot make directory \"" + directory.string() + "\": " + error.message());
+  return directory;
+}
+
+ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels)
+    : directory_(make_directory(std::move(directory))),
+      labels_(std::move(labels)),
+      monitors_(file("monitors.csv"), "step,time,monitor,x,y,ux,uy,vx,vy"),
+      energy_(file("energy.csv"),
+              "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
+              "damping_dissipated") {}
+
+void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe>& probes) {
+  const long step = stepper.counts().steps;
+  const double time = stepper.state().time;
+  for (const Probe& probe : probes) {
+    const Motion motion = observe(probe, stepper);
+    const Vec2 x = motion.position + labels_.origin;
+    monitors_.row(step, time, probe.name, x.x(), x.y(), motion.displacement.x(), motion.displacement.y(),
+                  motion.velocity.x(), motion.velocity.y());
+  }
+  const Energy& e = stepper.energy().now;
+  energy_.row(step, time, e.kinetic, e.elastic, e.gravity, e.friction_dissipated, e.numerical_dissipated, e.external,
+              stepper.energy().balance_error(), e.damping_dissipated);
+}
+
+void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {
+  monitors_.close();
+  energy_.close();
+  write_blocks(stepper);
+  write_vertices(stepper);
+  write_contacts(stepper);
+  write_supports(stepper);
+  write_summary(stepper, summary);
+}
+
+void ResultDirectory::write_blocks(const Stepper& stepper) {
+  CsvFile csv(file("blocks.csv"),
+              "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
+              "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
+  const BlockState& state = stepper.state();
+  for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
+    const Block& block = stepper.blocks().block(b);
+    const Vec2 x = block.moments().centroid + labels_.origin;
+    const double area = block.moments().area;
+    const RigidVelocity velocity = rigid_velocity(block, state.velocity);
+    const StressRange s = stress_range(block, state);
+    csv.row(labels_.block_names[b], labels_.block_models[b], block.n_vertices(), x.x(), x.y(), area,
+            area / block.reference_area(), state.rotation[b] * 180 / std::numbers::pi, velocity.linear.x(),
+            velocity.linear.y(), s.mean[0], s.min[0], s.max[0], s.mean[1], s.min[1], s.max[1], s.mean[2], s.min[2],
+            s.max[2], s.s1_max, s.s2_min, velocity.angular);
+  }
+  csv.close();
+}
+
+void ResultDirectory::write_vertices(const Stepper& stepper) {
+  CsvFile csv(file("vertices.csv"), "block,vertex,x,y,ux,uy,vx,vy");
+  const BlockState& state = stepper.state();
+  for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
+    const Block& block = stepper.blocks().block(b);
+    for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
+      const int v = labels_.scene_vertex(b, scene_v, block.n_vertices());
+      const int column = block.vertices().first + v;
+      const Vec2 x = state.position.col(column) + labels_.origin;
+      const Vec2 u = state.position.col(column) - stepper.blocks().reference().col(column);
+      const Vec2 velocity = block.vertex_map(v)(state.velocity);
+      csv.row(labels_.block_names[b], scene_v, x.x(), x.y(), u.x(), u.y(), velocity.x(), velocity.y());
+    }
+  }
+  csv.close();
+}
+
+void ResultDirectory::write_contacts(const Stepper& stepper) {
+  CsvFile csv(file("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force");
+  for (const Contact& contact : stepper.contacts()) {
+    if (!contact.was_closed) continue;
+    const VertexEdge& pair = contact.pair;
+    const int n_a = stepper.blocks().block(pair.vertex_block).n_vertices();
+    const int n_b = stepper.blocks().block(pair.edge_block).n_vertices();
+    // An edge of a block given clockwise runs the other way in the scene's order.
+    const double shear = labels_.turned[pair.edge_block] ? -contact.shear : contact.shear;
+    csv.row(labels_.block_names[pair.vertex_block], labels_.scene_vertex(pair.vertex_block, pair.vertex, n_a),
+            labels_.block_names[pair.edge_block], labels_.scene_edge(pair.edge_block, pair.edge, n_b),
+            state_name(contact.history.state), contact.end_gap, contact.normal, shear);
+  }
+  csv.close();
+}
+
+void ResultDirectory::write_supports(const Stepper& stepper) {
+  CsvFile csv(file("supports.csv"), "block,vertex,fx,fy");
+  const BlockSystem& blocks = stepper.blocks();
+  std::set<int> held;  // columns of the state's vertices
+  for (const HeldUnknown& h : blocks.held_unknowns()) held.insert(h.vertex);
+  for (const HeldVertex& h : blocks.held_vertices) held.insert(blocks.block(h.block).vertices().first + h.vertex);
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Block& block = blocks.block(b);
+    for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
+      const int column = block.vertices().first + labels_.scene_vertex(b, scene_v, block.n_vertices());
+      if (held.contains(column))
+        csv.row(labels_.block_names[b], scene_v, stepper.reactions()(0, column), stepper.reactions()(1, column));
+    }
+  }
+  csv.close();
+}
+
+void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& summary) {
+  const StepCounts& counts = stepper.counts();
+  const StepTimes& times = stepper.times();
+  const Energy& e = stepper.energy().now;
+  const nlohmann::ordered_json json = {
+      {"status", summary.status},
+      {"reason", summary.reason},
+      {"steps_completed", counts.steps},
+      {"substeps", counts.substeps},
+      {"rejected_steps", counts.rejected},
+      {"unconverged_steps", counts.unconverged},
+      {"time", stepper.state().time},
+      {"blocks", stepper.blocks().n_blocks()},
+      {"dofs", stepper.blocks().n_equations()},
+      {"contacts_max", counts.contacts_max},
+      {"contacts_end", counts.contacts},
+      {"open_close_iterations", counts.open_close_iterations},
+      {"linear_solves", stepper.cholesky().n_solves()},
+      {"factorizations", stepper.cholesky().n_factorizations()},
+      {"max_penetration", counts.max_penetration},
+      {"energy",
+       {{"kinetic", e.kinetic},
+        {"elastic", e.elastic},
+        {"gravity", e.gravity},
+        {"friction_dissipated", e.friction_dissipated},
+        {"numerical_dissipated", e.numerical_dissipated},
+        {"external", e.external},
+        {"balance_error", stepper.energy().balance_error()},
+        {"damping_dissipated", e.damping_dissipated}}},
+      {"wall_seconds",
+       {{"total", summary.seconds_total},
+        {"setup", summary.seconds_setup},
+        {"steps", summary.seconds_steps},
+        {"detection", times.detection},
+        {"assembly", times.assembly},
+        {"solver", times.solver},
+        {"update", times.update},
+        {"output", summary.seconds_output}}},
+      {"peak_memory_mb", summary.peak_memory_mb},
+      {"versions", summary.versions}};
+  const std::string path = file("summary.json");
+  std::ofstream out(path, std::ios::binary);
+  out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  out.close();
+  if (!out) throw OutputError("cannot write \"" + path + "\"");
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,54 @@
+/// \file The files of a run.
+#pragma once
+
+#include <ddacontact/output/csv_file.hpp>
+#include <ddacontact/output/labels.hpp>
+#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/stepper.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// What the program knows of a run beside the stepper.
+struct RunSummary {
+  std::string status;                 ///< "completed", "stopped", "interrupted"
+  std::string reason;                 ///< empty when completed
+  double seconds_total = 0, seconds_setup = 0, seconds_steps = 0, seconds_output = 0;
+  double peak_memory_mb = 0;
+  std::map<std::string, std::string> versions;
+};
+
+/// Histories are written while the run goes on, the rest at its end. Everything throws OutputError on failure.
+class ResultDirectory {
+ public:
+  /// Makes the directory and starts the histories.
+  ResultDirectory(std::filesystem::path directory, Labels labels);
+
+  /// A row per probe and one of energies, for the state as it is.
+  void write_step(const Stepper& stepper, const std::vector<Probe>& probes);
+  /// blocks.csv, vertices.csv, contacts.csv, supports.csv and summary.json.
+  void finish(const Stepper& stepper, const RunSummary& summary);
+
+  const std::filesystem::path& path() const { return directory_; }
+
+ private:
+  void write_blocks(const Stepper& stepper);
+  void write_vertices(const Stepper& stepper);
+  void write_contacts(const Stepper& stepper);
+  void write_supports(const Stepper& stepper);
+  void write_summary(const Stepper& stepper, const RunSummary& summary);
+  std::string file(const char* name) const { return (directory_ / name).string(); }
+
+  std::filesystem::path directory_;
+  Labels labels_;
+  CsvFile monitors_, energy_;
+};
+
+/// Makes the directory when it is not there, and returns it. Throws OutputError.
+std::filesystem::path make_directory(std::filesystem::path directory);
+
+}  // namespace ddacontact

@@ -1,0 +1,277 @@
+#include <ddacontact/scene/builder.hpp>
+
+#include <ddacontact/block/affine_block.hpp>
+#include <ddacontact/block/vertex_block.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ddacontact {
+
+namespace {
+
+/// Where each vertex of a block is held, by axis; no entry: free.
+using VertexHolds = std::vector<std::array<std::optional<TimeFunction>, 2>>;
+
+/// A block's outline in our terms: counter-clockwise, relative to the origin.
+struct Placed {
+  Points outline;
+  bool turned;
+  int ours(int scene_vertex) const {
+    return turned ? static_cast<int>(outline.cols()) - 1 - scene_vertex : scene_vertex;
+  }
+};
+
+Vec2 low_corner(const Scene& scene) {
+  Vec2 low = scene.blocks.front().vertices.col(0);
+  for (const BlockDescription& block : scene.blocks) low = low.cwiseMin(block.vertices.rowwise().minCoeff());
+  return low;
+}
+
+Placed place(const BlockDescription& block, const Vec2& origin) {
+  Placed placed{block.vertices.colwise() - origin, polyfem::signed_area(block.vertices) < 0};
+  if (placed.turned) placed.outline = placed.outline.rowwise().reverse().eval();
+  return placed;
+}
+
+std::vector<VertexHolds> collect_holds(const Scene& scene, const std::vector<Placed>& placed) {
+  std::vector<VertexHolds> holds;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const BlockDescription& block = scene.blocks[b];
+    VertexHolds& of_block = holds.emplace_back(block.vertices.cols());
+    const TimeFunction still;
+    if (block.fixed) std::fill(of_block.begin(), of_block.end(), VertexHolds::value_type{still, still});
+    for (int v : block.fixed_vertices) of_block[placed[b].ours(v)] = {still, still};
+  }
+  for (const Support& support : scene.supports) {
+    for (int v : support.vertices) {
+      auto& of_vertex = holds[support.block][placed[support.block].ours(v)];
+      if (support.hold_x) of_vertex[0] = support.displacement;
+      if (support.hold_y) of_vertex[1] = support.displacement;
+    }
+  }
+  return holds;
+}
+
+std::vector<bool> held_along(const VertexHolds& holds, int axis) {
+  std::vector<bool> held;
+  for (const auto& of_vertex : holds) held.push_back(of_vertex[axis].has_value());
+  return held;
+}
+
+/// A block's numbering is known only when all blocks are: what to hold is said by local numbers first.
+struct LocalHold {
+  int unknown, vertex, axis;
+  TimeFunction motion;
+};
+
+/// An affine field is told by three vertices; what is asked of a fourth must agree with it all the time.
+void check_followed(const VertexHolds& holds, const PointsRef& outline, const std::array<int, 3>& control,
+                    int axis, const Scene& scene, int block) {
+  const Vec2 origin = outline.col(control[0]);
+  const Vec2 p = outline.col(control[1]) - origin, q = outline.col(control[2]) - origin;
+  for (std::size_t v = 0; v < holds.size(); ++v) {
+    if (!holds[v][axis] || std::find(control.begin(), control.end(), v) != control.end()) continue;
+    const Vec2 r = outline.col(static_cast<Index>(v)) - origin;
+    const double a = cross(r, q) / cross(p, q), b = cross(p, r) / cross(p, q);
+    for (int step = 0; step <= scene.analysis.steps; ++step) {
+      const double time = step * scene.analysis.time_step;
+      const auto at = [&](int vertex) { return (*holds[vertex][axis]).at(time, scene.end_time())[axis]; };
+      const double told = (1 - a - b) * at(control[0]) + a * at(control[1]) + b * at(control[2]);
+      const double asked = at(static_cast<int>(v));
+      if (std::abs(told - asked) > 1e-9 * (std::abs(told) + std::abs(asked)))
+        throw Error(
+            "the supports of block \"" + scene.block_name(block) +
+            "\" ask for displacements that its affine model cannot follow (hold at most three vertices, or "
+            "use model = \"wachspress\")");
+    }
+  }
+}
+
+class Builder {
+ public:
+  explicit Builder(const Scene& scene) : scene_(scene), origin_(low_corner(scene)) {
+    for (const BlockDescription& block : scene.blocks) placed_.push_back(place(block, origin_));
+    holds_ = collect_holds(scene, placed_);
+  }
+
+  BuiltScene build() {
+    std::vector<std::unique_ptr<Block>> blocks;
+    for (std::size_t b = 0; b < scene_.blocks.size(); ++b) blocks.push_back(make_block(static_cast<int>(b)));
+
+    BlockSystem system(std::move(blocks), all_vertices());
+    hold(system);
+    system.gravity = scene_.analysis.gravity;
+    system.end_time = scene_.end_time();
+    add_loads(system);
+
+    built_.labels.origin = origin_;
+    for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
+      built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));
+      system.names.push_back(scene_.block_name(static_cast<int>(b)));
+      built_.labels.block_models.push_back(scene_.blocks[b].model == BlockModel::affine ? "affine"
+                                                                                        : "wachspress");
+      built_.labels.turned.push_back(placed_[b].turned);
+    }
+    for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor));
+
+    BlockState initial = system.initial_state();
+    set_initial(system, initial);
+    built_.stepper = std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(),
+                                               scene_.analysis);
+    return std::move(built_);
+  }
+
+ private:
+  std::unique_ptr<Block> make_block(int b) {
+    const BlockDescription& description = scene_.blocks[b];
+    const Material& rock = scene_.materials[description.material];
+    const BlockMaterial material{polyfem::elasticity_matrix(rock.young, rock.poisson, scene_.analysis.plane),
+                                 rock.density};
+    const Points& outline = placed_[b].outline;
+    if (description.model == BlockModel::affine) return make_affine_block(b, material);
+
+    bool sound = false;
+    const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction, sound);
+    const std::string name = "block \"" + scene_.block_name(b) + "\": ";
+    if (!sound)
+      built_.notes.push_back(name + "its integration rule gives an unsound stiffness or mass matrix");
+    else if (integration.triangle_rule != &polyfem::hammer_rule(3))
+      built_.notes.push_back(name + "integration rule raised to keep stiffness and mass sound");
+    auto block = std::make_unique<VertexBlock>(material, outline, integration);
+    for (int v = 0; v < outline.cols(); ++v)
+      for (int axis = 0; axis < 2; ++axis)
+        if (holds_[b][v][axis]) local_holds_[b].push_back({2 * v + axis, v, axis, *holds_[b][v][axis]});
+    return block;
+  }
+
+  std::unique_ptr<Block> make_affine_block(int b, const BlockMaterial& material) {
+    const Points& outline = placed_[b].outline;
+    const std::vector<bool> held_x = held_along(holds_[b], 0), held_y = held_along(holds_[b], 1);
+    const auto n_x = std::count(held_x.begin(), held_x.end(), true),
+               n_y = std::count(held_y.begin(), held_y.end(), true);
+    if (n_x + n_y == 0) return std::make_unique<AffineBlock>(material, outline);
+
+    const bool wholly_held = n_x >= 3 && n_y >= 3;
+    if (scene_.analysis.preset == Preset::paper && !wholly_held) {
+      for (int v = 0; v < outline.cols(); ++v)
+        for (int axis = 0; axis < 2; ++axis)
+          if (holds_[b][v][axis]) springs_.push_back({b, v, axis == 0, axis == 1, *holds_[b][v][axis]});
+      return std::make_unique<AffineBlock>(material, outline);
+    }
+    const ControlVertices control = choose_control_vertices(outline, held_x, held_y);
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::array<int, 3>& vertices = axis == 0 ? control.x : control.y;
+      if ((axis == 0 ? n_x : n_y) > 3) check_followed(holds_[b], outline, vertices, axis, scene_, b);
+      for (int k = 0; k < 3; ++k)
+        if (const auto& motion = holds_[b][vertices[k]][axis])
+          local_holds_[b].push_back({2 * k + axis, vertices[k], axis, *motion});
+    }
+    return std::make_unique<AffineBlock>(material, outline, control);
+  }
+
+  Points all_vertices() const {
+    Index n = 0;
+    for (const Placed& p : placed_) n += p.outline.cols();
+    Points all(2, n);
+    n = 0;
+    for (const Placed& p : placed_) {
+      all.middleCols(n, p.outline.cols()) = p.outline;
+      n += p.outline.cols();
+    }
+    return all;
+  }
+
+  void hold(BlockSystem& system) const {
+    std::vector<HeldUnknown> held;
+    for (int b = 0; b < system.n_blocks(); ++b) {
+      const Block& block = system.block(b);
+      for (const LocalHold& hold : local_holds_[b])
+        held.push_back({block.unknowns().first + hold.unknown, block.vertices().first + hold.vertex,
+                        hold.axis, hold.motion});
+    }
+    system.set_held_unknowns(std::move(held));
+    system.held_vertices = springs_;
+  }
+
+  void add_loads(BlockSystem& system) const {
+    for (const Load& load : scene_.loads) {
+      const Placed& on = placed_[load.block];
+      const int n = static_cast<int>(on.outline.cols());
+      switch (load.kind) {
+        case Load::Kind::point:
+          system.point_loads.push_back(
+              {make_material_point(load.block, on.outline, load.at - origin_), load.force});
+          break;
+        case Load::Kind::pressure:
+          system.pressure_loads.push_back(
+              {load.block, on.turned ? (2 * n - 2 - load.edge) % n : load.edge, load.pressure});
+          break;
+        case Load::Kind::body:
+          system.body_loads.push_back({load.block, load.force});
+          break;
+      }
+    }
+  }
+
+  Probe make_probe(const Monitor& monitor) const {
+    const Placed& on = placed_[monitor.block];
+    switch (monitor.kind) {
+      case Monitor::Kind::point:
+        return {monitor.name, make_material_point(monitor.block, on.outline, monitor.at - origin_)};
+      case Monitor::Kind::vertex: {
+        VectorXd weights = VectorXd::Zero(on.outline.cols());
+        weights[on.ours(monitor.vertex)] = 1;
+        return {monitor.name, MaterialPoint{monitor.block, weights}};
+      }
+      case Monitor::Kind::centroid:
+        break;
+    }
+    return {monitor.name, Centroid{monitor.block}};
+  }
+
+  void set_initial(BlockSystem& system, BlockState& initial) const {
+    system.prepare(initial, true);
+    for (int b = 0; b < system.n_blocks(); ++b) {
+      const BlockDescription& description = scene_.blocks[b];
+      const Block& block = system.block(b);
+      initial.stress.middleCols(block.stress_points().first, block.stress_points().count).colwise() =
+          description.stress;
+      if (scene_.analysis.mode == Mode::statics) continue;
+      const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
+      initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;
+    }
+    for (const HeldUnknown& held : system.held_unknowns()) initial.velocity[held.unknown] = 0;
+  }
+
+  ContactProperties contact_properties() const {
+    std::vector<JointTable::Entry> joints;
+    for (const Joint& joint : scene_.joints)
+      joints.push_back(
+          {{std::tan(joint.friction_angle * std::numbers::pi / 180), joint.cohesion, joint.tensile_strength},
+           joint.between});
+    std::vector<int> materials;
+    for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);
+    return {scene_.contact.normal_stiffness, scene_.contact.tangential_stiffness,
+            JointTable(std::move(joints)), std::move(materials)};
+  }
+
+  const Scene& scene_;
+  Vec2 origin_;
+  std::vector<Placed> placed_;
+  std::vector<VertexHolds> holds_;
+  std::vector<std::vector<LocalHold>> local_holds_ =
+      std::vector<std::vector<LocalHold>>(scene_.blocks.size());
+  std::vector<HeldVertex> springs_;
+  BuiltScene built_;
+};
+
+}  // namespace
+
+BuiltScene build(const Scene& scene) {
+  return Builder(scene).build();
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,24 @@
+/// \file From a scene to a system of blocks ready to step.
+#pragma once
+
+#include <ddacontact/output/labels.hpp>
+#include <ddacontact/scene/scene.hpp>
+#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/stepper.hpp>
+
+#include <memory>
+
+namespace ddacontact {
+
+struct BuiltScene {
+  std::unique_ptr<Stepper> stepper;
+  std::vector<Probe> probes;  ///< the scene's monitors
+  Labels labels;
+  std::vector<std::string> notes;  ///< what the user should know: rules raised, unsound elements, ...
+};
+
+/// Builds what a checked scene describes. Throws Error for what only shows here: supports that an affine
+/// block cannot follow.
+BuiltScene build(const Scene& scene);
+
+}  // namespace ddacontact

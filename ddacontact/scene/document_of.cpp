@@ -1,0 +1,117 @@
+#include <ddacontact/scene/document_of.hpp>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+std::optional<std::string> optional_name(const std::string& name) {
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+
+/// By name where there is one, else by index.
+template <class Named>
+Reference reference_to(int index, const std::vector<Named>& all) {
+  const std::string& name = all[index].name;
+  return name.empty() ? Reference{"", index} : Reference{name, std::nullopt};
+}
+
+JointRecord record_of(const Joint& joint, const Scene& scene) {
+  JointRecord record;
+  record.name = optional_name(joint.name);
+  record.joint = joint;
+  if (joint.between)
+    record.between = {reference_to((*joint.between)[0], scene.materials),
+                      reference_to((*joint.between)[1], scene.materials)};
+  return record;
+}
+
+BlockRecord record_of(const BlockDescription& block, const Scene& scene) {
+  BlockRecord record;
+  record.name = optional_name(block.name);
+  record.material = reference_to(block.material, scene.materials);
+  record.vertices.points = block.vertices;
+  record.model = block.model;
+  record.fixed = {block.fixed, block.fixed_vertices};
+  record.velocity = block.velocity;
+  record.angular_velocity = block.angular_velocity;
+  record.stress = block.stress;
+  return record;
+}
+
+/// The function as a history, for keys that have no other word for it.
+std::vector<Vec3> history_of(const TimeFunction& function, double end_time) {
+  if (function.kind == TimeFunction::Kind::history) return function.history;
+  const auto entry = [&](double t) {
+    const Vec2 value = function.at(t, end_time);
+    return Vec3(t, value.x(), value.y());
+  };
+  if (function.kind == TimeFunction::Kind::constant) return {entry(0)};
+  return {entry(0), entry(end_time)};
+}
+
+SupportRecord record_of(const Support& support, const Scene& scene) {
+  SupportRecord record;
+  record.block = reference_to(support.block, scene.blocks);
+  record.vertices = support.vertices;
+  record.axes = support.hold_x && support.hold_y ? Axes::xy : support.hold_x ? Axes::x : Axes::y;
+  if (support.displacement.kind == TimeFunction::Kind::ramp)
+    record.displacement = support.displacement.value;
+  else if (support.displacement.kind == TimeFunction::Kind::rate)
+    record.velocity = support.displacement.value;
+  else
+    record.history = history_of(support.displacement, scene.end_time());
+  return record;
+}
+
+LoadRecord record_of(const Load& load, const Scene& scene) {
+  LoadRecord record;
+  record.type = load.kind;
+  record.block = reference_to(load.block, scene.blocks);
+  if (load.kind == Load::Kind::point) record.at = load.at;
+  if (load.kind == Load::Kind::pressure) {
+    record.edge = load.edge;
+    record.value = load.pressure;
+  } else if (load.force.kind == TimeFunction::Kind::constant) {
+    record.force = load.force.value;
+  } else {
+    record.history = history_of(load.force, scene.end_time());
+  }
+  return record;
+}
+
+MonitorRecord record_of(const Monitor& monitor, const Scene& scene) {
+  MonitorRecord record;
+  record.name = monitor.name;
+  record.block = reference_to(monitor.block, scene.blocks);
+  if (monitor.kind == Monitor::Kind::vertex) record.vertex = monitor.vertex;
+  if (monitor.kind == Monitor::Kind::centroid) record.at = Location{};
+  if (monitor.kind == Monitor::Kind::point) record.at = Location{monitor.at};
+  return record;
+}
+
+template <class Record, class Thing>
+void fill(std::vector<Record>& records, const std::vector<Thing>& things, const Scene& scene) {
+  records.reserve(things.size());
+  for (const Thing& thing : things) records.push_back(record_of(thing, scene));
+}
+
+}  // namespace
+
+Document document_of(const Scene& scene) {
+  Document document;
+  document.title = scene.title;
+  document.analysis = {scene.analysis, scene.analysis.gradient_correction, {}};
+  document.contact = {scene.contact, scene.contact.normal_stiffness, scene.contact.tangential_stiffness, {}};
+  for (const Material& material : scene.materials)
+    document.materials.push_back(
+        {material.name, material.density, std::nullopt, material.young, material.poisson, {}});
+  fill(document.joints, scene.joints, scene);
+  fill(document.blocks, scene.blocks, scene);
+  fill(document.supports, scene.supports, scene);
+  fill(document.loads, scene.loads, scene);
+  fill(document.monitors, scene.monitors, scene);
+  document.output.options = scene.output;
+  return document;
+}
+
+}  // namespace ddacontact::scene_format

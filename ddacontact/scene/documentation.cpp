@@ -1,0 +1,70 @@
+#include <ddacontact/scene/documentation.hpp>
+
+#include <ddacontact/scene/schema.hpp>
+#include <ddacontact/scene/value_text.hpp>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// '|' ends a cell of a Markdown table.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
+
+class RowWriter {
+ public:
+  template <class T>
+  void operator()(const Key& key, const T& value) {
+    row(key, expected_text(key, value), key.default_text ? key.default_text : '`' + value_text(value) + '`');
+  }
+  template <class T>
+  void operator()(const Key& key, const std::optional<T>&) {
+    row(key, expected_text(key, T{}), key.default_text ? key.default_text : "none");
+  }
+  void operator()(const Key& key, const NotAvailable&) { row(key, "", not_available_text); }
+
+  std::string take() && {
+    return rows_.empty() ? rows_ : "| key | value | default | |\n|---|---|---|---|\n" + rows_;
+  }
+
+ private:
+  void row(const Key& key, const std::string& value, const std::string& default_text) {
+    rows_ += "| `" + std::string(key.name) + "` | " + cell(value) + " | " +
+             cell(key.required ? "required" : default_text) + " | " + cell(key.what) + " |\n";
+  }
+  std::string rows_;
+};
+
+/// Describes the one table asked for.
+struct TableFinder {
+  const std::string& name;
+  RowWriter rows{};
+
+  template <class T>
+  void operator()(const Key& key, const T& value) {
+    if (name.empty()) rows(key, value);
+  }
+  template <class Record>
+  void table(const Key& key, Record& record) {
+    if (name == key.name) describe(record, rows);
+  }
+  template <class Record>
+  void tables(const Key& key, std::vector<Record>&) {
+    Record record;
+    table(key, record);
+  }
+};
+
+}  // namespace
+
+std::string key_table(const std::string& table) {
+  Document document;
+  TableFinder finder{table};
+  describe(document, finder);
+  return std::move(finder.rows).take();
+}
+
+}  // namespace ddacontact::scene_format

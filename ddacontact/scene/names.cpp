@@ -1,0 +1,72 @@
+#include <ddacontact/scene/names.hpp>
+#include <ddacontact/scene/spelling.hpp>
+
+#include <algorithm>
+#include <charconv>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// Comparisons of an unknown name with all known ones, in one scene: keeps a large bad scene from taking
+/// minutes.
+constexpr int most_suggestions = 100;
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size() || text[0] == '-') return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+void NameTable::add(const std::optional<std::string>& name, const Places& places, ProblemList& problems) {
+  const int index = size();
+  names_.push_back(name.value_or(""));
+  if (!name || !places.good("name")) return;
+  const Place& place = places.of("name");
+  if (name->empty()) {
+    problems.error(place, "'name' = '' is empty", "write a name or leave it out");
+    return;
+  }
+  if (std::any_of(name->begin(), name->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    problems.error(place, "'name' = '" + excerpt(*name) + "' holds control characters",
+                   "use letters and digits");
+  const auto [known, is_new] = indices_.emplace(*name, index);
+  if (!is_new)
+    problems.error(
+        place, "the name '" + excerpt(*name) + "' is taken by " + kind_ + ' ' + std::to_string(known->second),
+        "give each " + kind_ + " a name of its own");
+}
+
+int NameTable::find(const Reference& reference, const Place& place, ProblemList& problems) const {
+  if (!reference.index) {
+    if (const auto known = indices_.find(reference.name); known != indices_.end()) return known->second;
+  }
+  const std::optional<std::int64_t> index = reference.index ? reference.index : whole_number(reference.name);
+  if (index && *index >= 0 && *index < size()) return static_cast<int>(*index);
+  const std::string range =
+      size() == 0 ? "there is no " + kind_ : "indices run from 0 to " + std::to_string(size() - 1);
+  if (index) {
+    problems.error(place, "unknown " + kind_ + " '" + std::to_string(*index) + "'", range);
+    return -1;
+  }
+  std::string cure = range;
+  if (!indices_.empty() && suggestions_ < most_suggestions) {
+    ++suggestions_;
+    std::vector<std::string_view> known;
+    for (const std::string& name : names_)
+      if (!name.empty()) known.emplace_back(name);
+    cure = suggestion(reference.name, kind_, known);
+  }
+  problems.error(place, "unknown " + kind_ + " '" + excerpt(reference.name) + "'", cure);
+  return -1;
+}
+
+std::string NameTable::title(int index) const {
+  const std::string& name = names_[index];
+  return kind_ + ' ' + (name.empty() ? std::to_string(index) : "'" + excerpt(name) + "'");
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,36 @@
+/// \file Names of blocks, materials, ... and the indices they stand for.
+#pragma once
+
+#include <ddacontact/scene/records.hpp>
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+class NameTable {
+ public:
+  /// `kind` is what messages call its members: "block".
+  explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
+
+  /// The next member. One that is empty, taken or holds control characters is a problem.
+  void add(const std::optional<std::string>& name, const Places& places, ProblemList& problems);
+
+  /// The index of a member called by name, by index, or by its index as a string when no one has that name;
+  /// -1 and a problem at `place` when there is none.
+  int find(const Reference& reference, const Place& place, ProblemList& problems) const;
+
+  int size() const { return static_cast<int>(names_.size()); }
+  /// The name in quotes, or the index: "block 'slider'", "block 3".
+  std::string title(int index) const;
+
+ private:
+  std::string kind_;
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, int> indices_;
+  mutable int suggestions_ = 0;
+};
+
+}  // namespace ddacontact::scene_format

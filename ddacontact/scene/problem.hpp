@@ -1,0 +1,23 @@
+/// \file One thing that is wrong with an input file, with its place and its cure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+struct Problem {
+  enum class Severity { error, warning };
+  Severity severity = Severity::error;
+  std::string file;
+  int line = 1, column = 1;
+  std::string what;  ///< quotes the offending word
+  std::string cure;  ///< what to write instead; may be empty
+
+  /// `FILE:LINE:COL: error: WHAT (CURE)`
+  std::string text() const;
+};
+
+bool has_errors(const std::vector<Problem>& problems);
+
+}  // namespace ddacontact

@@ -1,0 +1,40 @@
+#include <ddacontact/scene/problem_list.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+std::string on_one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
+}  // namespace
+
+void ProblemList::error(const Place& place, std::string what, std::string cure) {
+  add(Problem::Severity::error, place, std::move(what), std::move(cure));
+}
+
+void ProblemList::warning(const Place& place, std::string what, std::string cure) {
+  add(Problem::Severity::warning, place, std::move(what), std::move(cure));
+}
+
+void ProblemList::add(Problem::Severity severity, const Place& place, std::string what, std::string cure) {
+  problems_.push_back({severity, on_one_line(place.source ? *place.source : file_), place.line, place.column,
+                       on_one_line(std::move(what)), on_one_line(std::move(cure))});
+}
+
+std::vector<Problem> ProblemList::sorted() && {
+  const std::string main = on_one_line(file_);
+  std::stable_sort(problems_.begin(), problems_.end(), [&](const Problem& a, const Problem& b) {
+    return std::make_tuple(a.file != main, a.line, a.column) <
+           std::make_tuple(b.file != main, b.line, b.column);
+  });
+  return std::move(problems_);
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,40 @@
+/// \file Problems of one scene as they are found, to be handed out in the order of the file.
+#pragma once
+
+#include <ddacontact/scene/problem.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+/// Where something stands: a line and a column (both from 1) of the scene file, or of a setting.
+struct Place {
+  std::shared_ptr<const std::string> source;  ///< none: the scene file
+  int line = 1, column = 1;
+};
+
+class ProblemList {
+ public:
+  /// `file` is the scene's name in the messages.
+  explicit ProblemList(std::string file) : file_(std::move(file)) {}
+
+  void error(const Place& place, std::string what, std::string cure);
+  void warning(const Place& place, std::string what, std::string cure);
+
+  const std::string& file() const { return file_; }
+  bool has_errors() const { return ddacontact::has_errors(problems_); }
+
+  /// Those of the file by line and column, then those of settings as they were given. Control characters and
+  /// line ends inside a message are shown as spaces: one problem is one line.
+  std::vector<Problem> sorted() &&;
+
+ private:
+  void add(Problem::Severity severity, const Place& place, std::string what, std::string cure);
+
+  std::string file_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,28 @@
+/// \file Scene files (TOML) to scenes, with every problem of the file named at once.
+#pragma once
+
+#include <ddacontact/scene/problem.hpp>
+#include <ddacontact/scene/scene.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+struct SceneReading {
+  std::optional<Scene> scene;     ///< set when no problem is an error
+  std::vector<Problem> problems;  ///< in the order of the file; warnings too (polygons turned around, ...)
+  bool unreadable = false;        ///< the file itself could not be read
+};
+
+/// Reads and checks everything a run needs. Each `settings` entry is "PATH=VALUE" with a dotted path, array
+/// elements by index or by name (`joint.0.friction_angle=15`, `block.slider.model=affine`); it replaces or
+/// adds a value before the scene is checked. Never throws for a bad file.
+SceneReading read_scene(const std::string& path, const std::vector<std::string>& settings = {});
+
+/// The same for a text; `name` stands in the messages.
+SceneReading read_scene_text(const std::string& text, const std::string& name,
+                             const std::vector<std::string>& settings = {});
+
+}  // namespace ddacontact

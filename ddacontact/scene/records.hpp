@@ -1,0 +1,157 @@
+/// \file The tables of a scene file as they are written: names not resolved, keys left out still left out.
+///
+/// The reader fills them from a file, the writer from a scene; resolve.hpp turns them into a scene.
+#pragma once
+
+#include <ddacontact/scene/problem_list.hpp>
+#include <ddacontact/scene/scene.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+/// Where a table and the values of its keys stand.
+class Places {
+ public:
+  Place table;
+
+  void add(const char* key, Place place, bool good) { values_.push_back({key, std::move(place), good}); }
+  /// Written, good or not.
+  bool written(std::string_view key) const { return find(key) != nullptr; }
+  /// Written and of the right type, unit and range.
+  bool good(std::string_view key) const { return find(key) != nullptr && find(key)->good; }
+  /// Left out, or good: a value to go on with.
+  bool usable(std::string_view key) const { return find(key) == nullptr || find(key)->good; }
+  /// Of the value; of the table when the key is left out.
+  const Place& of(std::string_view key) const { return find(key) ? find(key)->place : table; }
+
+ private:
+  struct Value {
+    const char* key;
+    Place place;
+    bool good;
+  };
+  const Value* find(std::string_view key) const {
+    for (const Value& value : values_)
+      if (key == value.key) return &value;
+    return nullptr;
+  }
+  std::vector<Value> values_;
+};
+
+/// A block, material or other thing called by its name or its index.
+struct Reference {
+  std::string name;
+  std::optional<std::int64_t> index;
+};
+
+/// The vertices of a block with their places.
+struct Outline {
+  Points points;
+  std::vector<Place> places;
+};
+
+/// `fixed`: all vertices, or some.
+struct FixedVertices {
+  bool all = false;
+  std::vector<int> some;
+};
+
+/// A point, or the centroid.
+struct Location {
+  std::optional<Vec2> point;
+};
+
+enum class Axes { xy, x, y };
+
+struct AnalysisRecord {
+  AnalysisOptions options;
+  std::optional<GradientCorrection> gradient_correction;  ///< else the preset's
+  Places places;
+};
+
+struct ContactRecord {
+  ContactOptions options;
+  std::optional<double> normal_stiffness, tangential_stiffness;
+  Places places;
+};
+
+struct MaterialRecord {
+  std::string name;
+  std::optional<double> density, unit_weight;
+  double young = 0, poisson = 0;
+  Places places;
+};
+
+struct JointRecord {
+  std::optional<std::string> name;
+  Joint joint;
+  std::optional<std::vector<Reference>> between;
+  Places places;
+};
+
+struct BlockRecord {
+  std::optional<std::string> name;
+  Reference material;
+  Outline vertices;
+  std::optional<BlockModel> model;
+  FixedVertices fixed;
+  Vec2 velocity{0, 0};
+  double angular_velocity = 0;
+  Vec3 stress{0, 0, 0};
+  Places places;
+};
+
+struct SupportRecord {
+  Reference block;
+  std::vector<int> vertices;
+  Axes axes = Axes::xy;
+  std::optional<Vec2> displacement, velocity;
+  std::optional<std::vector<Vec3>> history;
+  Places places;
+};
+
+struct LoadRecord {
+  Load::Kind type = Load::Kind::point;
+  Reference block;
+  std::optional<Vec2> at;
+  std::optional<int> edge;
+  std::optional<double> value;
+  std::optional<Vec2> force;
+  std::optional<std::vector<Vec3>> history;
+  Places places;
+};
+
+struct MonitorRecord {
+  std::string name;
+  Reference block;
+  std::optional<Location> at;
+  std::optional<int> vertex;
+  Places places;
+};
+
+struct OutputRecord {
+  OutputOptions options;
+  Places places;
+};
+
+struct Document {
+  int format = 1;
+  std::string title;
+  AnalysisRecord analysis;
+  ContactRecord contact;
+  std::vector<MaterialRecord> materials;
+  std::vector<JointRecord> joints;
+  std::vector<BlockRecord> blocks;
+  std::vector<SupportRecord> supports;
+  std::vector<LoadRecord> loads;
+  std::vector<MonitorRecord> monitors;
+  OutputRecord output;
+  Places places;
+};
+
+}  // namespace ddacontact::scene_format

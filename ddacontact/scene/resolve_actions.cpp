@@ -1,0 +1,206 @@
+#include <ddacontact/scene/resolve_actions.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <initializer_list>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// A point may lie outside its block by this times the block's size.
+constexpr double outside_tolerance = 1e-9;
+
+int find_block(const Reference& reference, const Places& places, const BlockTable& blocks,
+               ProblemList& problems) {
+  return places.good("block") ? blocks.names.find(reference, places.of("block"), problems) : -1;
+}
+
+/// Complains when more than one of the keys is written; says whether any is.
+bool at_most_one(std::initializer_list<const char*> keys, const Places& places, ProblemList& problems) {
+  const char* first = nullptr;
+  for (const char* key : keys) {
+    if (!places.written(key)) continue;
+    if (first)
+      problems.error(places.of(key), "both '" + std::string(first) + "' and '" + key + "' are given",
+                     "leave one of them out");
+    else
+      first = key;
+  }
+  return first != nullptr;
+}
+
+void check_inside(const Vec2& point, const char* kind, int block, const Place& place,
+                  const BlockTable& blocks, ProblemList& problems) {
+  if (block < 0 || !blocks.outlines[block].outline.sound()) return;
+  const CheckedOutline& outline = blocks.outlines[block].outline;
+  const double distance = outline.distance_outside(point);
+  if (distance <= outside_tolerance * outline.size) return;
+  problems.error(place,
+                 std::string(kind) + " at (" + short_number(point.x()) + ", " + short_number(point.y()) +
+                     ") lies " + rounded(distance) + " m outside " + blocks.names.title(block),
+                 "move it into the block or onto its outline");
+}
+
+/// The number of vertices of a block whose vertices could be read, else 0.
+int n_vertices(int block, const Document& document, const BlockTable& blocks) {
+  return block >= 0 && document.blocks[block].places.good("vertices") ? blocks.holds.n_vertices(block) : 0;
+}
+
+TimeFunction displacement_of(const SupportRecord& record) {
+  TimeFunction function{TimeFunction::Kind::ramp, record.displacement.value_or(Vec2::Zero()), {}};
+  if (record.velocity) {
+    function.kind = TimeFunction::Kind::rate;
+    function.value = *record.velocity;
+  } else if (record.history) {
+    function.kind = TimeFunction::Kind::history;
+    function.history = *record.history;
+  }
+  return function;
+}
+
+bool moves(const Support& support, int axis) {
+  for (const Vec3& entry : support.displacement.history)
+    if (entry[1 + axis] != 0) return true;
+  return support.displacement.value[axis] != 0;
+}
+
+/// Takes hold of one vertex along one axis.
+void hold(const Support& support, int index, int vertex, int axis, const Place& place, BlockTable& blocks,
+          ProblemList& problems) {
+  int& by = blocks.holds.by(support.block, vertex, axis);
+  const std::string where = "vertex '" + std::to_string(vertex) + "' of " + blocks.names.title(support.block);
+  if (by >= 0)
+    problems.error(place,
+                   where + " is held in " + "xy"[axis] + " by support " + std::to_string(by) + " already",
+                   "hold each direction of a vertex once");
+  else if (by == Holds::fixed && moves(support, axis))
+    problems.error(place, where + " is fixed and moved in " + "xy"[axis],
+                   "take it out of 'fixed' or out of this support");
+  if (by == Holds::nobody) by = index;
+}
+
+struct LoadKeys {
+  const char* name;
+  const char* has;
+  std::initializer_list<const char*> foreign;
+};
+
+const LoadKeys& keys_of(Load::Kind kind) {
+  static const LoadKeys point{"point", "'block', 'at' and 'force' or 'history'", {"edge", "value"}};
+  static const LoadKeys pressure{"pressure", "'block', 'edge' and 'value'", {"at", "force", "history"}};
+  static const LoadKeys body{"body", "'block' and 'force' or 'history'", {"at", "edge", "value"}};
+  return kind == Load::Kind::point ? point : kind == Load::Kind::pressure ? pressure : body;
+}
+
+void require(bool present, const char* key, const LoadRecord& record, ProblemList& problems) {
+  if (present) return;
+  const LoadKeys& keys = keys_of(record.type);
+  problems.error(record.places.table, "missing key '" + std::string(key) + "' in [[load]]",
+                 "a load of type \"" + std::string(keys.name) + "\" has " + keys.has);
+}
+
+void check_load_keys(const LoadRecord& record, ProblemList& problems) {
+  const LoadKeys& keys = keys_of(record.type);
+  const Places& places = record.places;
+  for (const char* key : keys.foreign)
+    if (places.written(key))
+      problems.error(places.of(key),
+                     "'" + std::string(key) + "' does not belong to a load of type '" + keys.name + "'",
+                     std::string("such a load has ") + keys.has);
+  if (record.type == Load::Kind::pressure) {
+    require(places.written("edge"), "edge", record, problems);
+    require(places.written("value"), "value", record, problems);
+  } else {
+    if (record.type == Load::Kind::point) require(places.written("at"), "at", record, problems);
+    require(at_most_one({"force", "history"}, places, problems), "force", record, problems);
+  }
+}
+
+}  // namespace
+
+std::vector<Support> resolve_supports(const Document& document, BlockTable& blocks, ProblemList& problems) {
+  std::vector<Support> supports;
+  for (const SupportRecord& record : document.supports) {
+    const Places& places = record.places;
+    Support support;
+    support.block = find_block(record.block, places, blocks, problems);
+    support.hold_x = record.axes != Axes::y;
+    support.hold_y = record.axes != Axes::x;
+    at_most_one({"displacement", "velocity", "history"}, places, problems);
+    support.displacement = displacement_of(record);
+    const int n = n_vertices(support.block, document, blocks);
+    if (places.good("vertices")) {
+      if (record.vertices.empty())
+        problems.error(places.of("vertices"), "'vertices' is empty", "name the vertices to be held");
+      if (n > 0)
+        support.vertices = check_vertex_indices(record.vertices, n, blocks.names.title(support.block),
+                                                places.of("vertices"), problems);
+    }
+    const int index = static_cast<int>(supports.size());
+    for (const int vertex : support.vertices) {
+      if (support.hold_x) hold(support, index, vertex, 0, places.of("vertices"), blocks, problems);
+      if (support.hold_y) hold(support, index, vertex, 1, places.of("vertices"), blocks, problems);
+    }
+    supports.push_back(std::move(support));
+  }
+  return supports;
+}
+
+std::vector<Load> resolve_loads(const Document& document, const BlockTable& blocks, ProblemList& problems) {
+  std::vector<Load> loads;
+  for (const LoadRecord& record : document.loads) {
+    const Places& places = record.places;
+    Load load;
+    load.kind = record.type;
+    load.block = find_block(record.block, places, blocks, problems);
+    if (places.good("type")) check_load_keys(record, problems);
+    load.at = record.at.value_or(Vec2::Zero());
+    if (places.good("at")) check_inside(load.at, "point load", load.block, places.of("at"), blocks, problems);
+    load.edge = record.edge.value_or(0);
+    const int n = n_vertices(load.block, document, blocks);
+    if (places.good("edge") && n > 0 && (load.edge < 0 || load.edge >= n))
+      problems.error(places.of("edge"),
+                     blocks.names.title(load.block) + " has no edge '" + std::to_string(load.edge) + "'",
+                     "edges run from 0 to " + std::to_string(n - 1));
+    load.pressure = record.value.value_or(0);
+    load.force.value = record.force.value_or(Vec2::Zero());
+    if (record.history) load.force = {TimeFunction::Kind::history, Vec2::Zero(), *record.history};
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+std::vector<Monitor> resolve_monitors(const Document& document, const BlockTable& blocks,
+                                      ProblemList& problems) {
+  NameTable names("monitor");
+  std::vector<Monitor> monitors;
+  for (const MonitorRecord& record : document.monitors) {
+    const Places& places = record.places;
+    names.add(record.name, places, problems);
+    Monitor monitor;
+    monitor.name = record.name;
+    monitor.block = find_block(record.block, places, blocks, problems);
+    if (!at_most_one({"at", "vertex"}, places, problems))
+      problems.error(places.table, "missing key 'at' in [[monitor]]",
+                     "add 'at' = [x, y] or \"centroid\", or 'vertex' = k");
+    if (record.at && record.at->point) {
+      monitor.kind = Monitor::Kind::point;
+      monitor.at = *record.at->point;
+      if (places.good("at"))
+        check_inside(monitor.at, "monitor", monitor.block, places.of("at"), blocks, problems);
+    } else if (record.vertex) {
+      monitor.kind = Monitor::Kind::vertex;
+      monitor.vertex = *record.vertex;
+      const int n = n_vertices(monitor.block, document, blocks);
+      if (places.good("vertex") && n > 0 && (monitor.vertex < 0 || monitor.vertex >= n))
+        problems.error(
+            places.of("vertex"),
+            blocks.names.title(monitor.block) + " has no vertex '" + std::to_string(monitor.vertex) + "'",
+            "vertices run from 0 to " + std::to_string(n - 1));
+    }
+    monitors.push_back(std::move(monitor));
+  }
+  return monitors;
+}
+
+}  // namespace ddacontact::scene_format

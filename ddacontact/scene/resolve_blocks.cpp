@@ -1,0 +1,68 @@
+#include <ddacontact/scene/resolve_blocks.hpp>
+
+#include <algorithm>
+
+namespace ddacontact::scene_format {
+
+bool Holds::holds_all(std::size_t block) const {
+  return std::all_of(held_by_[block].begin(), held_by_[block].end(),
+                     [](const auto& by) { return by[0] != nobody && by[1] != nobody; });
+}
+
+std::vector<int> check_vertex_indices(const std::vector<int>& indices, int n_vertices,
+                                      const std::string& title, const Place& place, ProblemList& problems) {
+  std::vector<int> good;
+  std::vector<bool> seen(n_vertices, false);
+  for (const int k : indices) {
+    if (k >= n_vertices) {
+      problems.error(
+          place, title + " has no vertex '" + std::to_string(k) + "'",
+          n_vertices > 0 ? "vertices run from 0 to " + std::to_string(n_vertices - 1) : "it has no vertices");
+    } else if (seen[k]) {
+      problems.error(place, "vertex '" + std::to_string(k) + "' stands twice", "write each vertex once");
+    } else {
+      seen[k] = true;
+      good.push_back(k);
+    }
+  }
+  return good;
+}
+
+BlockTable resolve_blocks(const Document& document, const NameTable& materials, ProblemList& problems) {
+  BlockTable table;
+  table.descriptions.reserve(document.blocks.size());
+  table.outlines.reserve(document.blocks.size());
+  for (const BlockRecord& record : document.blocks) {
+    const int index = table.names.size();
+    const Places& places = record.places;
+    table.names.add(record.name, places, problems);
+    const std::string title = table.names.title(index);
+
+    BlockDescription& block = table.descriptions.emplace_back();
+    block.name = record.name.value_or("");
+    if (places.good("material"))
+      block.material = materials.find(record.material, places.of("material"), problems);
+    block.vertices = record.vertices.points;
+    block.model = record.model.value_or(document.analysis.options.block_model);
+    block.velocity = record.velocity;
+    block.angular_velocity = record.angular_velocity;
+    block.stress = record.stress;
+
+    PlacedOutline& placed = table.outlines.emplace_back();
+    placed.place = places.of("vertices");
+    if (places.good("vertices")) placed.outline = check_outline(record.vertices, places, title, problems);
+
+    const int n = static_cast<int>(block.vertices.cols());
+    table.holds.add_block(n);
+    block.fixed = record.fixed.all;
+    if (places.good("fixed") && places.good("vertices"))
+      block.fixed_vertices = check_vertex_indices(record.fixed.some, n, title, places.of("fixed"), problems);
+    for (const int k : block.fixed_vertices)
+      for (const int axis : {0, 1}) table.holds.by(index, k, axis) = Holds::fixed;
+    for (int k = 0; block.fixed && k < n; ++k)
+      for (const int axis : {0, 1}) table.holds.by(index, k, axis) = Holds::fixed;
+  }
+  return table;
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,95 @@
+/// \file A scene as plain data: what a scene file says, with every default filled in and every name resolved.
+///
+/// SI units throughout (m, kg, s, N, Pa), thickness 1 m, y upwards, tension positive, angles in degrees,
+/// counter-clockwise positive. Indices of vertices and edges are those of the scene file; edge k runs from
+/// vertex k to vertex k + 1.
+#pragma once
+
+#include <ddacontact/core/options.hpp>
+#include <ddacontact/core/time_function.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+struct Material {
+  std::string name;
+  double density = 0;  ///< kg/m3; > 0
+  double young = 0;    ///< Pa; > 0
+  double poisson = 0;  ///< [0, 0.5)
+};
+
+struct Joint {
+  std::string name;
+  double friction_angle = 0;                  ///< degrees, [0, 90)
+  double cohesion = 0;                        ///< Pa
+  double tensile_strength = 0;                ///< Pa
+  std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
+};
+
+struct BlockDescription {
+  std::string name;  ///< empty: known by its index alone
+  int material = 0;
+  Points vertices;                            ///< as given, either orientation
+  BlockModel model = BlockModel::wachspress;  ///< resolved
+  bool fixed = false;                         ///< every vertex held in x and y
+  std::vector<int> fixed_vertices;            ///< held in x and y, when not all are
+  Vec2 velocity{0, 0};                        ///< initial, m/s
+  double angular_velocity = 0;                ///< initial, about the centroid, rad/s
+  Vec3 stress{0, 0, 0};                       ///< initial (xx, yy, xy), Pa
+};
+
+struct Support {
+  int block = 0;
+  std::vector<int> vertices;
+  bool hold_x = true, hold_y = true;
+  TimeFunction displacement;  ///< m
+};
+
+struct Load {
+  enum class Kind { point, pressure, body };
+  Kind kind = Kind::point;
+  int block = 0;
+  Vec2 at{0, 0};        ///< point: where at the start
+  int edge = 0;         ///< pressure
+  double pressure = 0;  ///< Pa, > 0 pushes into the block
+  TimeFunction force;   ///< point: N per m; body: N/m3
+};
+
+struct Monitor {
+  enum class Kind { point, vertex, centroid };
+  std::string name;
+  int block = 0;
+  Kind kind = Kind::centroid;
+  Vec2 at{0, 0};
+  int vertex = 0;
+};
+
+struct OutputOptions {
+  int every = 1;  ///< a frame every k steps; 0: only the last
+  std::vector<std::string> fields{"displacement", "velocity", "stress", "principal"};
+  int refine = 0;
+  int checkpoint_every = 0;
+};
+
+struct Scene {
+  std::string title;
+  AnalysisOptions analysis;
+  ContactOptions contact;
+  std::vector<Material> materials;
+  std::vector<Joint> joints;  ///< the first is the default
+  std::vector<BlockDescription> blocks;
+  std::vector<Support> supports;
+  std::vector<Load> loads;
+  std::vector<Monitor> monitors;
+  OutputOptions output;
+
+  /// The name of a block in every result: its own, else its index.
+  std::string block_name(int block) const;
+  double end_time() const { return analysis.steps * analysis.time_step; }
+};
+
+}  // namespace ddacontact

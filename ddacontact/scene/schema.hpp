@@ -1,0 +1,258 @@
+/// \file Every key of the scene format, declared once.
+///
+/// `describe(record, visit)` calls visit(Key, member) for each key of a table in the order of the format. The
+/// reader fills the members, the writer writes them, the documentation prints the keys with the defaults that
+/// a fresh record has, and --set looks up names.
+#pragma once
+
+#include <ddacontact/scene/key.hpp>
+#include <ddacontact/scene/records.hpp>
+
+namespace ddacontact::scene_format {
+
+template <class Visit>
+void describe(AnalysisRecord& r, Visit&& visit) {
+  AnalysisOptions& o = r.options;
+  visit(Key{.name = "preset", .what = "Chooses the defaults of keys left out."}, o.preset);
+  visit(Key{.name = "mode", .what = "Velocities carry over, or every step starts at rest."}, o.mode);
+  visit(Key{.name = "steps",
+            .what = "Number of steps of the length `time_step`.",
+            .bounds = at_least_one,
+            .required = true},
+        o.steps);
+  visit(Key{.name = "time_step",
+            .what = "The largest step taken.",
+            .unit = "s",
+            .bounds = positive,
+            .required = true},
+        o.time_step);
+  visit(Key{.name = "max_displacement_ratio",
+            .what = "In one step a vertex moves at most this times half the larger side of the box of the "
+                    "scene at the start.",
+            .bounds = positive},
+        o.max_displacement_ratio);
+  visit(Key{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"}, o.gravity);
+  visit(Key{.name = "plane", .what = "Plane strain or plane stress."}, o.plane);
+  visit(Key{.name = "block_model", .what = "Model of every block that names none; \"auto\" is Wachspress."},
+        o.block_model);
+  visit(Key{.name = "kinematics", .what = "Increments on the current shape."}, o.kinematics);
+  visit(Key{.name = "scheme", .what = "Time scheme: Newmark (1/2, 1)."}, o.scheme);
+  visit(
+      Key{.name = "gradient_correction",
+          .what = "Whether shape function gradients are corrected so that the patch test holds to round-off.",
+          .default_text = "true; preset \"paper\": false"},
+      r.gradient_correction);
+  visit(Key{.name = "cutting_factor",
+            .what = "A rejected step is tried again with this times its length.",
+            .bounds = {.low = 0, .high = 1, .with_low = false, .with_high = false}},
+        o.cutting_factor);
+  visit(Key{.name = "damping", .what = "Rayleigh damping."}, NotAvailable{});
+  visit(Key{.name = "beta", .what = "Newmark parameter."}, NotAvailable{});
+  visit(Key{.name = "gamma", .what = "Newmark parameter."}, NotAvailable{});
+}
+
+template <class Visit>
+void describe(ContactRecord& r, Visit&& visit) {
+  visit(Key{.name = "method", .what = "Shi's open-close iteration."}, r.options.method);
+  visit(Key{.name = "normal_stiffness",
+            .what = "Penalty of the normal contact springs, per metre of thickness.",
+            .unit = "N/m2",
+            .other_unit = "N/m",
+            .bounds = positive,
+            .default_text = "40 x the largest `young`"},
+        r.normal_stiffness);
+  visit(Key{.name = "tangential_stiffness",
+            .what = "Penalty of the tangential contact springs, per metre of thickness.",
+            .unit = "N/m2",
+            .other_unit = "N/m",
+            .bounds = positive,
+            .default_text = "`normal_stiffness` / 2.5"},
+        r.tangential_stiffness);
+  visit(
+      Key{.name = "penetration_tolerance",
+          .what = "Of the block size; 0 is the plain penalty method, the only one available in this version.",
+          .bounds = not_negative},
+      r.options.penetration_tolerance);
+}
+
+template <class Visit>
+void describe(MaterialRecord& r, Visit&& visit) {
+  visit(Key{.name = "name", .what = "What blocks call it; unique.", .required = true}, r.name);
+  visit(Key{.name = "density",
+            .what = "Mass per volume; or `unit_weight`.",
+            .unit = "kg/m3",
+            .bounds = positive,
+            .default_text = "this or `unit_weight` is required"},
+        r.density);
+  visit(Key{.name = "unit_weight",
+            .what = "Weight per volume, divided by the length of `gravity` to give the density.",
+            .unit = "N/m3",
+            .bounds = positive,
+            .default_text = "this or `density` is required"},
+        r.unit_weight);
+  visit(Key{.name = "young", .what = "Young's modulus.", .unit = "Pa", .bounds = positive, .required = true},
+        r.young);
+  visit(Key{.name = "poisson",
+            .what = "Poisson's ratio.",
+            .bounds = {.low = 0, .high = 0.5, .with_high = false},
+            .required = true},
+        r.poisson);
+}
+
+template <class Visit>
+void describe(JointRecord& r, Visit&& visit) {
+  visit(Key{.name = "name",
+            .what = "Unique; the first joint is the law of all contacts that no other one names.",
+            .default_text = "none"},
+        r.name);
+  visit(Key{.name = "friction_angle",
+            .what = "Angle of friction.",
+            .unit = "deg",
+            .bounds = {.low = 0, .high = 90, .with_high = false}},
+        r.joint.friction_angle);
+  visit(Key{.name = "cohesion",
+            .what = "Cohesion of contacts closed at the start, lost on sliding or opening.",
+            .unit = "Pa",
+            .bounds = not_negative},
+        r.joint.cohesion);
+  visit(Key{.name = "tensile_strength",
+            .what = "Tensile strength of contacts closed at the start, lost on sliding or opening.",
+            .unit = "Pa",
+            .bounds = not_negative},
+        r.joint.tensile_strength);
+  visit(Key{.name = "between",
+            .what = "The two materials (either order) whose contacts follow it.",
+            .default_text = "everything not named elsewhere"},
+        r.between);
+  visit(Key{.name = "restitution", .what = "Normal restitution."}, NotAvailable{});
+  visit(Key{.name = "dashpot", .what = "Contact damping."}, NotAvailable{});
+}
+
+template <class Visit>
+void describe(BlockRecord& r, Visit&& visit) {
+  visit(Key{.name = "name",
+            .what = "Unique; a block without a name is known by its index, counted from 0.",
+            .default_text = "none"},
+        r.name);
+  visit(Key{.name = "material", .what = "Name of its material.", .required = true}, r.material);
+  visit(Key{.name = "vertices",
+            .what = "Corners of a strictly convex polygon in either orientation; edge k runs from vertex k "
+                    "to vertex k + 1.",
+            .unit = "m",
+            .required = true},
+        r.vertices);
+  visit(Key{.name = "model", .what = "How it deforms.", .default_text = "`analysis.block_model`"}, r.model);
+  visit(Key{.name = "fixed", .what = "Vertices held in x and y."}, r.fixed);
+  visit(Key{.name = "velocity", .what = "At the start.", .unit = "m/s"}, r.velocity);
+  visit(Key{.name = "angular_velocity",
+            .what = "At the start, about the centroid, counter-clockwise.",
+            .unit = "rad/s"},
+        r.angular_velocity);
+  visit(Key{.name = "stress", .what = "At the start, tension positive.", .unit = "Pa"}, r.stress);
+}
+
+template <class Visit>
+void describe(SupportRecord& r, Visit&& visit) {
+  visit(Key{.name = "block", .what = "Name or index of the block.", .required = true}, r.block);
+  visit(Key{.name = "vertices", .what = "The vertices held.", .required = true}, r.vertices);
+  visit(Key{.name = "axes", .what = "The directions held."}, r.axes);
+  visit(Key{.name = "displacement",
+            .what = "Reached linearly over `steps` x `time_step`, then held.",
+            .unit = "m",
+            .default_text = "[0.0, 0.0]; or `velocity` or `history`"},
+        r.displacement);
+  visit(Key{.name = "velocity", .what = "Of the held vertices.", .unit = "m/s", .default_text = "none"},
+        r.velocity);
+  visit(Key{.name = "history",
+            .what = "Displacement in time, linear between entries, constant outside.",
+            .unit = "m",
+            .default_text = "none"},
+        r.history);
+}
+
+template <class Visit>
+void describe(LoadRecord& r, Visit&& visit) {
+  visit(Key{.name = "type", .what = "At a point, on an edge, or per volume.", .required = true}, r.type);
+  const bool body = r.type == Load::Kind::body;
+  visit(Key{.name = "block", .what = "Name or index of the block.", .required = true}, r.block);
+  visit(Key{.name = "at",
+            .what = "point: where at the start; travels with the block.",
+            .unit = "m",
+            .default_text = "required by \"point\""},
+        r.at);
+  visit(Key{.name = "edge", .what = "pressure: the edge.", .default_text = "required by \"pressure\""},
+        r.edge);
+  visit(Key{.name = "value",
+            .what = "pressure: pushes into the block when > 0.",
+            .unit = "Pa",
+            .default_text = "required by \"pressure\""},
+        r.value);
+  visit(Key{.name = "force",
+            .what = "point: per metre of thickness; body: per volume, in N/m3.",
+            .unit = body ? "N/m3" : "N/m",
+            .other_unit = body ? "" : "N",
+            .default_text = "this or `history` is required by \"point\" and \"body\""},
+        r.force);
+  visit(Key{.name = "history",
+            .what = "The force in time, linear between entries, constant outside.",
+            .unit = body ? "N/m3" : "N/m",
+            .other_unit = body ? "" : "N",
+            .default_text = "none"},
+        r.history);
+}
+
+template <class Visit>
+void describe(MonitorRecord& r, Visit&& visit) {
+  visit(Key{.name = "name", .what = "What results call it; unique.", .required = true}, r.name);
+  visit(Key{.name = "block", .what = "Name or index of the block.", .required = true}, r.block);
+  visit(Key{.name = "at",
+            .what = "A point of the block at the start, or its centre of mass.",
+            .unit = "m",
+            .default_text = "this or `vertex` is required"},
+        r.at);
+  visit(Key{.name = "vertex", .what = "A vertex of the block.", .default_text = "this or `at` is required"},
+        r.vertex);
+}
+
+template <class Visit>
+void describe(OutputRecord& r, Visit&& visit) {
+  OutputOptions& o = r.options;
+  visit(Key{.name = "every", .what = "A frame every k steps; 0: only the last.", .bounds = not_negative},
+        o.every);
+  visit(Key{.name = "fields", .what = "What frames hold; what is not asked for is not computed."}, o.fields);
+  visit(Key{.name = "refine",
+            .what = "Subdivisions for drawing the stress inside a block.",
+            .bounds = {.low = 0, .high = 10}},
+        o.refine);
+  visit(Key{.name = "checkpoint_every",
+            .what = "Steps between checkpoints; only 0 is available in this version.",
+            .bounds = not_negative},
+        o.checkpoint_every);
+}
+
+/// The top of a file: its own keys; visit.table(Key, record) for [table]; visit.tables(Key, records) for
+/// [[table]].
+template <class Visit>
+void describe(Document& d, Visit&& visit) {
+  visit(Key{.name = "format", .what = "Version of the scene format.", .bounds = {.low = 1, .high = 1}},
+        d.format);
+  visit(Key{.name = "title", .what = "One line about the scene."}, d.title);
+  visit(Key{.name = "blocks", .what = "More blocks from a file."}, NotAvailable{});
+  visit.table(Key{.name = "analysis", .what = "What is computed and how.", .required = true}, d.analysis);
+  visit.table(Key{.name = "contact", .what = "How contacts are enforced."}, d.contact);
+  visit.tables(Key{.name = "material", .what = "What blocks are made of.", .required = true}, d.materials);
+  visit.tables(
+      Key{.name = "joint",
+          .what = "Mohr-Coulomb laws of contacts; without any, one without friction, cohesion and tension."},
+      d.joints);
+  visit.tables(Key{.name = "block", .what = "The blocks.", .required = true}, d.blocks);
+  visit.tables(Key{.name = "support", .what = "Vertices held or moved; more general than `fixed`."},
+               d.supports);
+  visit.tables(Key{.name = "load", .what = "Forces."}, d.loads);
+  visit.tables(Key{.name = "monitor", .what = "Points whose motion is written at every step."}, d.monitors);
+  visit(Key{.name = "stage", .what = "Parts of a run with other options."}, NotAvailable{});
+  visit(Key{.name = "solver", .what = "What the solver may skip."}, NotAvailable{});
+  visit.table(Key{.name = "output", .what = "What is written while running."}, d.output);
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,181 @@
+#include <ddacontact/scene/catalog.hpp>
+#include <ddacontact/scene/settings.hpp>
+#include <ddacontact/scene/spelling.hpp>
+#include <ddacontact/scene/text.hpp>
+#include <ddacontact/scene/toml_file.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+using Path = std::vector<std::string>;
+
+/// The parts of PATH and the text after '='; no parts when the setting has not that form.
+std::pair<Path, std::string> split(const std::string& setting) {
+  Path path{""};
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < setting.size(); ++i) {
+    const char c = setting[i];
+    if (c == '"') {
+      in_quotes = !in_quotes;
+    } else if (!in_quotes && c == '=') {
+      const bool complete =
+          std::none_of(path.begin(), path.end(), [](const std::string& part) { return part.empty(); });
+      return {complete ? path : Path{}, setting.substr(i + 1)};
+    } else if (!in_quotes && c == '.') {
+      path.emplace_back();
+    } else if (in_quotes || (c != ' ' && c != '\t')) {
+      path.back() += c;
+    }
+  }
+  return {};
+}
+
+/// A table {v = VALUE}, where VALUE is taken as TOML or else as a string.
+std::optional<toml::table> parse_value(const std::string& value, const std::string& source,
+                                       ProblemList& problems) {
+  ProblemList ignored("");
+  std::optional<toml::table> table = parse_toml("v = " + value, source, ignored);
+  if (table && table->size() == 1) return table;
+  return parse_toml("v = " + quoted(value), source, problems);
+}
+
+std::optional<std::size_t> index_of(const std::string& text) {
+  std::size_t index = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+class Setting {
+ public:
+  Setting(const std::string& text, ProblemList& problems)
+      : text_(text),
+        source_("--set " + text),
+        place_{std::make_shared<const std::string>(source_), 1, 1},
+        problems_(problems) {}
+
+  void apply(toml::table& root) {
+    auto [path, value_text] = split(text_);
+    if (path.empty()) return refuse("'" + excerpt(text_) + "' is no setting", "write PATH=VALUE");
+    path_ = std::move(path);
+    std::optional<toml::table> value = parse_value(value_text, source_, problems_);
+    if (!value) return;
+    value_ = std::move(*value);
+
+    std::vector<std::string_view> names;
+    for (const CatalogEntry& entry : catalog()) names.push_back(entry.name);
+    const auto known = std::find(names.begin(), names.end(), path_[0]);
+    if (known == names.end()) return refuse_part(0, suggestion(path_[0], "key", names));
+    const CatalogEntry& entry = catalog()[known - names.begin()];
+    if (path_.size() == 1 || entry.kind == CatalogEntry::Kind::key) return put(root, 0);
+    if (toml::table* table = find_table(entry, root))
+      set_key(entry, *table, entry.kind == CatalogEntry::Kind::tables ? 2 : 1);
+  }
+
+ private:
+  void refuse(const std::string& what, const std::string& cure) { problems_.error(place_, what, cure); }
+  void refuse_part(std::size_t part, const std::string& cure) {
+    refuse("unknown '" + excerpt(path_[part]) + "' in the path of the setting", cure);
+  }
+
+  /// The table that path_[0] names, made when the file has not got it; or the element path_[1] of an array.
+  toml::table* find_table(const CatalogEntry& entry, toml::table& root) {
+    toml::node* node = root.get(path_[0]);
+    if (entry.kind == CatalogEntry::Kind::table) {
+      if (!node) {
+        root.insert(path_[0], toml::table{});
+        node = root.get(path_[0]);
+      }
+      if (!node->is_table())
+        refuse("'" + path_[0] + "' is not a table", "write [" + path_[0] + "] in the scene");
+      return node->as_table();
+    }
+    toml::array* array = node ? node->as_array() : nullptr;
+    if (!array || array->empty()) {
+      refuse("the scene has no [[" + path_[0] + "]]", "only what is in the scene can be set");
+      return nullptr;
+    }
+    return find_element(*array);
+  }
+
+  toml::table* find_element(toml::array& array) {
+    std::vector<std::string_view> names;
+    for (toml::node& element : array) {
+      const toml::table* table = element.as_table();
+      const toml::value<std::string>* name =
+          table && table->get("name") ? table->get("name")->as_string() : nullptr;
+      if (!name) continue;
+      if (name->get() == path_[1]) return element.as_table();
+      names.emplace_back(name->get());
+    }
+    const std::string range = "indices run from 0 to " + std::to_string(array.size() - 1);
+    const std::optional<std::size_t> index = index_of(path_[1]);
+    if (index && *index < array.size() && array[*index].is_table()) return array[*index].as_table();
+    refuse_part(1, index || names.empty() ? range : suggestion(path_[1], path_[0], names));
+    return nullptr;
+  }
+
+  /// path_[part] is a key of `table`.
+  void set_key(const CatalogEntry& entry, toml::table& table, std::size_t part) {
+    if (part >= path_.size())
+      return refuse("'" + excerpt(text_) + "' names no key", "write " + path_[0] + ".ELEMENT.KEY=VALUE");
+    if (std::find(entry.keys.begin(), entry.keys.end(), path_[part]) == entry.keys.end())
+      return refuse_part(part, suggestion(path_[part], "key", entry.keys));
+    toml::node* value = table.get(path_[part]);
+    if (part + 1 == path_.size() || !value) return put_or_refuse(table, part, value);
+    set_element(*value, part + 1);
+  }
+
+  /// A key that is not written has no elements; one that this version has not may be put whole.
+  void put_or_refuse(toml::table& table, std::size_t part, const toml::node* value) {
+    if (value || part + 1 == path_.size() || index_of(path_[part + 1]) == std::nullopt)
+      return put(table, part);
+    refuse("'" + path_[part] + "' is not in the scene, it has no element '" + excerpt(path_[part + 1]) + "'",
+           "set '" + path_[part] + "' as a whole");
+  }
+
+  /// path_[part] is an index or a key inside a value.
+  void set_element(toml::node& value, std::size_t part) {
+    if (toml::table* table = value.as_table()) {
+      toml::node* inner = table->get(path_[part]);
+      if (part + 1 == path_.size() || !inner) return put(*table, part);
+      return set_element(*inner, part + 1);
+    }
+    toml::array* array = value.as_array();
+    const std::optional<std::size_t> index = index_of(path_[part]);
+    if (!array) return refuse_part(part, "'" + path_[part - 1] + "' has no elements");
+    if (!index || *index >= array->size())
+      return refuse_part(part, "'" + path_[part - 1] + "' has " + std::to_string(array->size()) +
+                                   " elements, counted from 0");
+    if (part + 1 < path_.size()) return set_element((*array)[*index], part + 1);
+    value_.get("v")->visit([&](auto& typed) {
+      array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(typed));
+    });
+  }
+
+  void put(toml::table& table, std::size_t part) {
+    toml::node& value = *value_.get("v");
+    const toml::key key(path_[part], toml::source_region(value.source()));
+    value.visit([&](auto& typed) { table.insert_or_assign(key, std::move(typed)); });
+  }
+
+  const std::string& text_;
+  std::string source_;
+  Place place_;
+  ProblemList& problems_;
+  Path path_;
+  toml::table value_;
+};
+
+}  // namespace
+
+void apply_settings(const std::vector<std::string>& settings, toml::table& root, ProblemList& problems) {
+  for (const std::string& setting : settings) Setting(setting, problems).apply(root);
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,250 @@
+#include <ddacontact/scene/spelling.hpp>
+#include <ddacontact/scene/text.hpp>
+#include <ddacontact/scene/toml_value.hpp>
+#include <ddacontact/scene/units.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace ddacontact::scene_format {
+
+std::string ValueReader::element_name(int row, int column) const {
+  std::string name = key_.name;
+  if (row >= 0) name += '[' + std::to_string(row) + ']';
+  if (column >= 0) name += '[' + std::to_string(column) + ']';
+  return name;
+}
+
+bool ValueReader::wrong_type(const toml::node& node, const std::string& name,
+                             const std::string& expected) const {
+  problems_.error(place_of(node, problems_), "'" + name + "' is " + description_of(node),
+                  "expected " + expected);
+  return false;
+}
+
+bool ValueReader::word_not_available(const toml::node& node, const std::string& available) const {
+  problems_.error(
+      place_of(node, problems_),
+      "'" + std::string(key_.name) + "' = '" + node.as_string()->get() + "' is " + not_available_text,
+      "available: " + available);
+  return false;
+}
+
+bool ValueReader::unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const {
+  const std::string& word = node.as_string()->get();
+  problems_.error(place_of(node, problems_),
+                  "'" + std::string(key_.name) + "' = '" + excerpt(word) + "' is not known",
+                  suggestion(word, "word", known));
+  return false;
+}
+
+bool ValueReader::read_number(const toml::node& node, const Key& key, double& value, int row,
+                              int column) const {
+  QuantityReading reading;
+  if (const auto* real = node.as_floating_point())
+    reading.value = real->get();
+  else if (const auto* whole = node.as_integer())
+    reading.value = static_cast<double>(whole->get());
+  else if (const auto* text = node.as_string(); text && *key.unit != '\0')
+    reading = read_quantity(text->get(), key.unit, key.other_unit);
+  else
+    return wrong_type(node, element_name(row, column), expected_text(key, 0.0));
+
+  if (reading.error.empty()) {
+    if (!std::isfinite(reading.value))
+      reading.error = "is not a finite number";
+    else if (std::abs(reading.value) > largest_number)
+      reading.error = "is too large";
+    else if (!key.bounds.contain(reading.value))
+      reading.error = "is out of range";
+    else if (key.bounds.low == 0 && !key.bounds.with_low && reading.value < smallest_positive)
+      reading.error = "is too small";
+  }
+  if (!reading.error.empty()) {
+    std::string cure = "expected " + expected_text(key, 0.0);
+    if (*key.unit != '\0') cure += ", or a string with its unit such as \"1 " + std::string(key.unit) + '"';
+    problems_.error(place_of(node, problems_),
+                    "'" + element_name(row, column) + "' = '" + literal_of(node) + "' " + reading.error,
+                    cure);
+    return false;
+  }
+  value = reading.value;
+  return true;
+}
+
+bool ValueReader::read_numbers(const toml::node& node, double* values, std::size_t size,
+                               const std::string& expected, int row) const {
+  const toml::array* array = node.as_array();
+  if (!array || array->size() != size) return wrong_type(node, element_name(row, -1), expected);
+  bool good = true;
+  for (int i = 0; i < static_cast<int>(size); ++i)
+    if (!read_number((*array)[i], key_, values[i], row >= 0 ? row : i, row >= 0 ? i : -1)) good = false;
+  return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, GradientCorrection& value) const {
+  const auto* flag = node.as_boolean();
+  if (!flag) return wrong_type(node, key_.name, expected_text(key_, value));
+  value = flag->get() ? GradientCorrection::on : GradientCorrection::off;
+  return true;
+}
+
+bool ValueReader::operator()(const toml::node& node, int& value) const {
+  const auto* whole = node.as_integer();
+  if (!whole) return wrong_type(node, key_.name, expected_text(key_, value));
+  const std::int64_t number = whole->get();
+  const bool fits = number <= std::numeric_limits<int>::max() && number >= std::numeric_limits<int>::min();
+  if (!fits || !key_.bounds.contain(static_cast<double>(number))) {
+    problems_.error(place_of(node, problems_),
+                    "'" + std::string(key_.name) + "' = '" + std::to_string(number) + "' is " +
+                        (fits ? "out of range" : "too large"),
+                    "expected " + expected_text(key_, value));
+    return false;
+  }
+  value = static_cast<int>(number);
+  return true;
+}
+
+bool ValueReader::operator()(const toml::node& node, double& value) const {
+  return read_number(node, key_, value);
+}
+
+bool ValueReader::operator()(const toml::node& node, std::string& value) const {
+  const auto* text = node.as_string();
+  if (!text) return wrong_type(node, key_.name, "a string in quotes");
+  value = text->get();
+  return true;
+}
+
+bool ValueReader::operator()(const toml::node& node, Vec2& value) const {
+  return read_numbers(node, value.data(), 2, expected_text(key_, value));
+}
+
+bool ValueReader::operator()(const toml::node& node, Vec3& value) const {
+  return read_numbers(node, value.data(), 3, expected_text(key_, value));
+}
+
+bool ValueReader::operator()(const toml::node& node, Reference& value) const {
+  if (const auto* text = node.as_string()) {
+    value.name = text->get();
+  } else if (const auto* whole = node.as_integer()) {
+    value.index = whole->get();
+  } else {
+    return wrong_type(node, key_.name, expected_text(key_, value));
+  }
+  return true;
+}
+
+bool ValueReader::operator()(const toml::node& node, Location& value) const {
+  if (const auto* text = node.as_string()) {
+    if (text->get() != "centroid") return unknown_word(node, {"centroid"});
+    value.point.reset();
+    return true;
+  }
+  Vec2 point;
+  if (!read_numbers(node, point.data(), 2, expected_text(key_, value))) return false;
+  value.point = point;
+  return true;
+}
+
+bool ValueReader::operator()(const toml::node& node, FixedVertices& value) const {
+  if (const auto* flag = node.as_boolean()) {
+    value.all = flag->get();
+    return true;
+  }
+  if (!node.is_array()) return wrong_type(node, key_.name, expected_text(key_, value));
+  return (*this)(node, value.some);
+}
+
+bool ValueReader::operator()(const toml::node& node, Outline& value) const {
+  const toml::array* array = node.as_array();
+  if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
+  const int size = static_cast<int>(array->size());
+  value.points.resize(2, size);
+  value.places.reserve(array->size());
+  bool good = true;
+  for (int k = 0; k < size; ++k) {
+    Vec2 point;
+    if (!read_numbers((*array)[k], point.data(), 2, "[x, y] in m", k))
+      good = false;
+    else
+      value.points.col(k) = point;
+    value.places.push_back(place_of((*array)[k], problems_));
+  }
+  return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, std::vector<int>& value) const {
+  const toml::array* array = node.as_array();
+  if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
+  bool good = true;
+  for (const toml::node& element : *array) {
+    const auto* whole = element.as_integer();
+    const std::int64_t index = whole ? whole->get() : -1;
+    if (index < 0 || index > std::numeric_limits<int>::max()) {
+      good = wrong_type(element, element_name(static_cast<int>(value.size()), -1),
+                        "the index of a vertex, from 0");
+      value.push_back(0);
+    } else {
+      value.push_back(static_cast<int>(index));
+    }
+  }
+  return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, std::vector<Vec3>& value) const {
+  const toml::array* array = node.as_array();
+  if (!array || array->empty()) return wrong_type(node, key_.name, expected_text(key_, value));
+  Key time = key_;
+  time.unit = "s";
+  time.other_unit = "";
+  bool good = true;
+  for (int i = 0; i < static_cast<int>(array->size()); ++i) {
+    const toml::array* row = (*array)[i].as_array();
+    if (!row || row->size() != 3) {
+      good = wrong_type((*array)[i], element_name(i, -1), std::string("[t, x, y] in s and ") + key_.unit);
+      continue;
+    }
+    Vec3 entry;
+    if (!read_number((*row)[0], time, entry[0], i, 0)) good = false;
+    if (!read_number((*row)[1], key_, entry[1], i, 1)) good = false;
+    if (!read_number((*row)[2], key_, entry[2], i, 2)) good = false;
+    if (good && !value.empty() && !(value.back()[0] < entry[0])) {
+      problems_.error(place_of((*row)[0], problems_),
+                      "'" + element_name(i, 0) + "' = '" + short_number(entry[0]) +
+                          "' is not later than the entry before",
+                      "times must increase");
+      good = false;
+    }
+    value.push_back(entry);
+  }
+  return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, std::vector<std::string>& value) const {
+  const toml::array* array = node.as_array();
+  if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
+  value.clear();
+  bool good = true;
+  for (const toml::node& element : *array) {
+    std::string word;
+    if (read_word(element, field_words(), word))
+      value.push_back(std::move(word));
+    else
+      good = false;
+  }
+  return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, std::vector<Reference>& value) const {
+  const toml::array* array = node.as_array();
+  if (!array || array->size() != 2) return wrong_type(node, key_.name, expected_text(key_, value));
+  bool good = true;
+  for (const toml::node& element : *array) {
+    value.emplace_back();
+    if (!(*this)(element, value.back())) good = false;
+  }
+  return good;
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,68 @@
+#include <ddacontact/scene/words.hpp>
+
+namespace ddacontact::scene_format {
+
+const std::vector<Word<Preset>>& words_of(Preset) {
+  static const std::vector<Word<Preset>> words{{"default", Preset::standard}, {"paper", Preset::paper}};
+  return words;
+}
+
+const std::vector<Word<Mode>>& words_of(Mode) {
+  static const std::vector<Word<Mode>> words{{"dynamic", Mode::dynamic}, {"static", Mode::statics}};
+  return words;
+}
+
+const std::vector<Word<Plane>>& words_of(Plane) {
+  static const std::vector<Word<Plane>> words{{"strain", Plane::strain}, {"stress", Plane::stress}};
+  return words;
+}
+
+const std::vector<Word<BlockModel>>& words_of(BlockModel) {
+  static const std::vector<Word<BlockModel>> words{{"wachspress", BlockModel::wachspress},
+                                                   {"affine", BlockModel::affine},
+                                                   {"auto", BlockModel::wachspress},
+                                                   {"mean_value", std::nullopt},
+                                                   {"mesh", std::nullopt}};
+  return words;
+}
+
+const std::vector<Word<Kinematics>>& words_of(Kinematics) {
+  static const std::vector<Word<Kinematics>> words{{"incremental", Kinematics::incremental},
+                                                   {"corotational", std::nullopt}};
+  return words;
+}
+
+const std::vector<Word<Scheme>>& words_of(Scheme) {
+  static const std::vector<Word<Scheme>> words{{"dda", Scheme::dda},
+                                               {"backward_euler", std::nullopt},
+                                               {"newmark", std::nullopt},
+                                               {"midpoint", std::nullopt}};
+  return words;
+}
+
+const std::vector<Word<ContactMethod>>& words_of(ContactMethod) {
+  static const std::vector<Word<ContactMethod>> words{{"classic", ContactMethod::classic},
+                                                      {"staged", std::nullopt}};
+  return words;
+}
+
+const std::vector<Word<Axes>>& words_of(Axes) {
+  static const std::vector<Word<Axes>> words{{"xy", Axes::xy}, {"x", Axes::x}, {"y", Axes::y}};
+  return words;
+}
+
+const std::vector<Word<Load::Kind>>& words_of(Load::Kind) {
+  static const std::vector<Word<Load::Kind>> words{
+      {"point", Load::Kind::point}, {"pressure", Load::Kind::pressure}, {"body", Load::Kind::body}};
+  return words;
+}
+
+const std::vector<Word<std::string>>& field_words() {
+  static const std::vector<Word<std::string>> words{{"displacement", "displacement"},
+                                                    {"velocity", "velocity"},
+                                                    {"stress", "stress"},
+                                                    {"principal", "principal"}};
+  return words;
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,38 @@
+/// \file Where the energy goes, step by step.
+#pragma once
+
+namespace ddacontact {
+
+/// J per metre of thickness. Each entry is computed from its own definition, none as what remains.
+struct Energy {
+  double kinetic = 0;
+  double elastic = 0;               ///< of the blocks, of closed contacts' springs and of holding springs
+  double gravity = 0;               ///< potential relative to the start
+  double friction_dissipated = 0;
+  double numerical_dissipated = 0;  ///< the time scheme's own identity, with velocities set to zero
+  double external = 0;              ///< work of loads and supports
+  double damping_dissipated = 0;
+
+  double total() const {
+    return kinetic + elastic + gravity + friction_dissipated + numerical_dissipated + damping_dissipated - external;
+  }
+};
+
+/// The energies of a run, and how well they close.
+class EnergyLedger {
+ public:
+  Energy now;
+
+  /// Takes the present energies as those of the start.
+  void start() { start_ = now; }
+  /// Notes the present energies as exchanged; call after every step.
+  void close_step();
+  /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none.
+  double balance_error() const { return exchanged_ > 0 ? (now.total() - start_.total()) / exchanged_ : 0; }
+
+ private:
+  Energy start_;
+  double exchanged_ = 0;
+};
+
+}  // namespace ddacontact

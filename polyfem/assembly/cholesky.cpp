@@ -1,0 +1,109 @@
+#include <polyfem/assembly/cholesky.hpp>
+#include <polyfem/core/error.hpp>
+
+#include <cholmod.h>
+#include <algorithm>
+#include <cassert>
+#include <string>
+
+namespace polyfem {
+
+/// What CHOLMOD allocates and frees.
+struct Cholesky::Factor {
+  cholmod_common common{};
+  cholmod_factor* L = nullptr;
+  cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;  // kept from solve to solve
+
+  Factor() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.supernodal = CHOLMOD_AUTO;
+    common.final_ll = 1;  // L L^T also where it is not supernodal: L D L^T would accept an indefinite matrix
+  }
+  ~Factor() {
+    cholmod_free_dense(&work_e, &common);
+    cholmod_free_dense(&work_y, &common);
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_factor(&L, &common);
+    cholmod_finish(&common);
+  }
+  Factor(const Factor&) = delete;
+  Factor& operator=(const Factor&) = delete;
+
+  void check(const char* action) const {
+    if (common.status < CHOLMOD_OK)
+      throw Error(std::string("CHOLMOD could not ") + action + " the matrix (status " +
+                  std::to_string(common.status) + "; -2: out of memory, -3: too large for 32-bit indices)");
+  }
+};
+
+namespace {
+
+/// The same storage seen by CHOLMOD, which does not write to it.
+cholmod_sparse view_of_lower(const SparseMatrix& lower) {
+  assert(lower.isCompressed() && lower.rows() == lower.cols());
+  cholmod_sparse view{};
+  view.nrow = static_cast<std::size_t>(lower.rows());
+  view.ncol = static_cast<std::size_t>(lower.cols());
+  view.nzmax = static_cast<std::size_t>(lower.nonZeros());
+  view.p = const_cast<int*>(lower.outerIndexPtr());
+  view.i = const_cast<int*>(lower.innerIndexPtr());
+  view.x = const_cast<double*>(lower.valuePtr());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+cholmod_dense view_of(const VectorXd& b) {
+  cholmod_dense view{};
+  view.nrow = view.nzmax = view.d = static_cast<std::size_t>(b.size());
+  view.ncol = 1;
+  view.x = const_cast<double*>(b.data());
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  return view;
+}
+
+}  // namespace
+
+Cholesky::Cholesky() : factor_(std::make_unique<Factor>()) {}
+Cholesky::~Cholesky() = default;
+Cholesky::Cholesky(Cholesky&&) noexcept = default;
+Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
+
+void Cholesky::analyze(const SparseMatrix& lower) {
+  ++n_analyses_;
+  cholmod_free_factor(&factor_->L, &factor_->common);
+  if (lower.rows() == 0) return;
+  cholmod_sparse A = view_of_lower(lower);
+  factor_->L = cholmod_analyze(&A, &factor_->common);
+  factor_->check("analyze");
+}
+
+bool Cholesky::factorize(const SparseMatrix& lower) {
+  ++n_factorizations_;
+  if (lower.rows() == 0) return true;
+  assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
+  cholmod_sparse A = view_of_lower(lower);
+  cholmod_factorize(&A, factor_->L, &factor_->common);
+  factor_->check("factorize");
+  return factor_->L->minor == factor_->L->n;
+}
+
+void Cholesky::solve(const VectorXd& b, VectorXd& x) {
+  ++n_solves_;
+  x.resize(b.size());
+  if (b.size() == 0) return;
+  assert(factor_->L && static_cast<Index>(factor_->L->n) == b.size());
+  cholmod_dense rhs = view_of(b);
+  cholmod_solve2(CHOLMOD_A, factor_->L, &rhs, nullptr, &factor_->solution, nullptr, &factor_->work_y,
+                 &factor_->work_e, &factor_->common);
+  factor_->check("solve with");
+  std::copy_n(static_cast<const double*>(factor_->solution->x), b.size(), x.data());
+}
+
+}  // namespace polyfem

@@ -1,0 +1,54 @@
+/// \file Sparse symmetric matrix assembled from small dense ones into precomputed places.
+#pragma once
+
+#include <polyfem/assembly/cholesky.hpp>
+
+#include <span>
+#include <vector>
+
+namespace polyfem {
+
+/// Which rows each small matrix touches: element e has rows[first[e]] .. rows[first[e + 1] - 1], a row < 0
+/// being left out (a held unknown).
+struct Connectivity {
+  std::vector<int> first{0};
+  std::vector<int> rows;
+
+  int n_elements() const { return static_cast<int>(first.size()) - 1; }
+  std::span<const int> rows_of(int element) const {
+    return {rows.data() + first[element], static_cast<std::size_t>(first[element + 1] - first[element])};
+  }
+  void clear() {
+    first.assign(1, 0);
+    rows.clear();
+  }
+  void append(std::span<const int> element_rows) {
+    rows.insert(rows.end(), element_rows.begin(), element_rows.end());
+    first.push_back(static_cast<int>(rows.size()));
+  }
+  bool operator==(const Connectivity&) const = default;
+};
+
+/// The lower triangle of a sum of small symmetric matrices. The pattern is the union over all elements of the
+/// connectivity, with the diagonal; where each entry of each element goes is found once per pattern.
+class PatternMatrix {
+ public:
+  /// Prepares for these elements; false when nothing had to be done because the connectivity is the same.
+  bool set_connectivity(int n_rows, const Connectivity& connectivity);
+
+  void set_zero();
+  /// Adds a dense symmetric matrix (k x k for the k rows of the element, left-out rows included).
+  void add(int element, const Eigen::Ref<const MatrixXd>& matrix);
+  /// Adds factor * a a^T.
+  void add_outer(int element, double factor, std::span<const double> a);
+
+  const SparseMatrix& lower() const { return lower_; }
+
+ private:
+  Connectivity connectivity_;
+  std::vector<std::size_t> first_place_;  ///< of each element in place_
+  std::vector<int> place_;                ///< index into lower_.valuePtr() for each pair i >= j, or -1
+  SparseMatrix lower_;
+};
+
+}  // namespace polyfem

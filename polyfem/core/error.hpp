@@ -1,0 +1,14 @@
+/// \file The exception of both libraries.
+#pragma once
+
+#include <stdexcept>
+
+namespace polyfem {
+
+/// Thrown for what the caller must mend: the message names the cause and the cure.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace polyfem

@@ -1,0 +1,72 @@
+#include <polyfem/geometry/predicates.hpp>
+#include <polyfem/geometry/validity.hpp>
+
+namespace polyfem {
+namespace {
+
+std::optional<DefectiveVertex> find_repeated_vertex(const PointsRef& polygon) {
+  const int n = static_cast<int>(polygon.cols());
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      if (polygon.col(i) == polygon.col(j)) return DefectiveVertex{PolygonDefect::repeated_vertex, i, j};
+  return std::nullopt;
+}
+
+bool all_collinear(const PointsRef& polygon) {
+  for (Index k = 2; k < polygon.cols(); ++k)
+    if (orientation(polygon.col(0), polygon.col(1), polygon.col(k)) != 0) return false;
+  return true;
+}
+
+/// Needs vertices that differ. Neighbouring edges that fold back onto each other need no test of their own:
+/// the end of the shorter one lies on the longer, so the edge behind it meets the longer one too.
+std::optional<DefectiveVertex> find_self_intersection(const PointsRef& polygon) {
+  const int n = static_cast<int>(polygon.cols());
+  const auto vertex = [&](int i) -> Vec2 { return polygon.col(i % n); };
+  for (int i = 0; i < n; ++i) {
+    const int last = i == 0 ? n - 1 : n;  // edge n - 1 is a neighbour of edge 0
+    for (int j = i + 2; j < last; ++j)
+      if (segments_intersect(vertex(i), vertex(i + 1), vertex(j), vertex(j + 1)))
+        return DefectiveVertex{PolygonDefect::self_intersection, i, j};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<DefectiveVertex> find_defect(const PointsRef& polygon) {
+  const int n = static_cast<int>(polygon.cols());
+  if (n < 3) return DefectiveVertex{PolygonDefect::too_few_vertices, 0, 0};
+  for (int i = 0; i < n; ++i)
+    if (!polygon.col(i).allFinite()) return DefectiveVertex{PolygonDefect::not_finite, i, i};
+  if (const auto repeated = find_repeated_vertex(polygon)) return repeated;
+  if (all_collinear(polygon)) return DefectiveVertex{PolygonDefect::zero_area, 0, 0};
+  return find_self_intersection(polygon);
+}
+
+std::optional<int> find_non_convex_corner(const PointsRef& polygon, double min_turn) {
+  const int n = static_cast<int>(polygon.cols());
+  for (int i = 0; i < n; ++i) {
+    const Vec2 before = polygon.col((i + n - 1) % n), corner = polygon.col(i),
+               after = polygon.col((i + 1) % n);
+    if (orientation(before, corner, after) <= 0) return i;
+    const Vec2 in = corner - before, out = after - corner;
+    if (min_turn > 0 && in.dot(out) > 0 && cross(in, out) <= min_turn * in.norm() * out.norm()) return i;
+  }
+  return std::nullopt;
+}
+
+bool contains(const PointsRef& polygon, const Vec2& x) {
+  const Index n = polygon.cols();
+  bool inside = false;  // the parity of the edges crossed by the ray from x to the right
+  for (Index k = 0; k < n; ++k) {
+    const Vec2 a = polygon.col(k), b = polygon.col((k + 1) % n);
+    if (on_segment(a, b, x)) return true;
+    const bool upward = a.y() <= x.y() && x.y() < b.y(), downward = b.y() <= x.y() && x.y() < a.y();
+    const int side = orientation(a, b, x);
+    if ((upward && side > 0) || (downward && side < 0)) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace polyfem

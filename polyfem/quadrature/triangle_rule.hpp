@@ -1,0 +1,25 @@
+/// \file Quadrature on a triangle in area coordinates.
+#pragma once
+
+#include <polyfem/core/types.hpp>
+
+namespace polyfem {
+
+/// Integral of f over a triangle of area S = S * sum_q weights[q] f(points.col(q)), Eq. (31).
+struct TriangleRule {
+  Eigen::Matrix3Xd points;  ///< area coordinates (L1, L2, L3), one point a column
+  VectorXd weights;         ///< sum to 1
+  int degree = 0;           ///< polynomials up to this degree are integrated exactly
+};
+
+/// Hammer's symmetric rules: degree 1 (1 point), 2 (3), 3 (4: the paper's (32), one weight negative),
+/// 4 (6), 5 (7). Throws Error for another degree.
+const TriangleRule& hammer_rule(int degree);
+
+/// Gauss points across (from the first corner to the opposite side) times along that side, collapsed at the
+/// first corner. For integrands that vary fast towards the side, `grading` p > 1 clusters the points there:
+/// the distance from the corner is s = 1 - (1 - z)^p. Degree: 2 min(across / p, along) - 2, the half rounded
+/// up. Throws Error unless 1 <= p <= across and along >= 1.
+TriangleRule collapsed_gauss_rule(int across, int along, int grading = 1);
+
+}  // namespace polyfem

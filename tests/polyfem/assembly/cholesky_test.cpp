@@ -1,0 +1,138 @@
+#include <polyfem/assembly/cholesky.hpp>
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+using namespace polyfem;
+
+namespace {
+
+/// The lower triangle of the five-point Laplacian on a square grid plus a multiple of the identity.
+SparseMatrix grid_laplacian(int side, double shift) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int k = y * side + x;
+      entries.emplace_back(k, k, 4 + shift);
+      if (x + 1 < side) entries.emplace_back(k + 1, k, -1);
+      if (y + 1 < side) entries.emplace_back(k + side, k, -1);
+    }
+  SparseMatrix lower(side * side, side * side);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+VectorXd random_vector(Index n) {
+  std::mt19937 random(static_cast<unsigned>(n));
+  std::uniform_real_distribution<double> values(-1, 1);
+  VectorXd v(n);
+  for (double& value : v) value = values(random);
+  return v;
+}
+
+double relative_residual(const SparseMatrix& lower, const VectorXd& x, const VectorXd& b) {
+  return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
+}
+
+/// Small grids are factorized simplicially, the largest one by supernodes.
+class CholeskyOfGrid : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Side, CholeskyOfGrid, testing::Values(1, 2, 5, 20, 150));
+
+TEST_P(CholeskyOfGrid, Solves) {
+  const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
+  const VectorXd b = random_vector(K.rows());
+  VectorXd x;
+  Cholesky cholesky;
+  cholesky.analyze(K);
+  ASSERT_TRUE(cholesky.factorize(K));
+  cholesky.solve(b, x);
+  EXPECT_LT(relative_residual(K, x, b), 1e-13);
+}
+
+TEST_P(CholeskyOfGrid, KeepsItsAnalysisForNewValues) {
+  const VectorXd b = random_vector(GetParam() * GetParam());
+  VectorXd x;
+  Cholesky cholesky;
+  cholesky.analyze(grid_laplacian(GetParam(), 0.1));
+  for (const double shift : {0.1, 1., 10., 0.5}) {
+    const SparseMatrix K = grid_laplacian(GetParam(), shift);
+    ASSERT_TRUE(cholesky.factorize(K));
+    for (int repetition = 0; repetition < 2; ++repetition) {
+      cholesky.solve(b, x);
+      EXPECT_LT(relative_residual(K, x, b), 1e-13);
+    }
+  }
+  EXPECT_EQ(cholesky.n_analyses(), 1);
+  EXPECT_EQ(cholesky.n_factorizations(), 4);
+  EXPECT_EQ(cholesky.n_solves(), 8);
+}
+
+TEST_P(CholeskyOfGrid, ReportsAMatrixThatIsNotPositiveDefiniteAndRecovers) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const SparseMatrix good = grid_laplacian(GetParam(), 0.1);
+  Cholesky cholesky;
+  cholesky.analyze(good);
+  EXPECT_FALSE(cholesky.factorize(grid_laplacian(GetParam(), -4.5)));  // the diagonal is negative
+  EXPECT_FALSE(cholesky.factorize(grid_laplacian(GetParam(), -4)));    // the trace is zero
+  EXPECT_TRUE(cholesky.factorize(good));
+  const VectorXd b = random_vector(good.rows());
+  VectorXd x;
+  cholesky.solve(b, x);
+  EXPECT_LT(relative_residual(good, x, b), 1e-13);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_P(CholeskyOfGrid, GivesTheSameBytesEachTime) {
+  const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
+  const VectorXd b = random_vector(K.rows());
+  VectorXd first, second;
+  for (VectorXd* x : {&first, &second}) {
+    Cholesky cholesky;
+    cholesky.analyze(K);
+    ASSERT_TRUE(cholesky.factorize(K));
+    cholesky.solve(b, *x);
+  }
+  EXPECT_EQ(first, second);
+}
+
+TEST(Cholesky, FindsOneNegativePivotAmongMany) {
+  for (const int side : {20, 150}) {
+    SparseMatrix K = grid_laplacian(side, 0.1);
+    K.coeffRef(side, side) = -1e-3;
+    Cholesky cholesky;
+    cholesky.analyze(K);
+    EXPECT_FALSE(cholesky.factorize(K));
+  }
+}
+
+TEST(Cholesky, TakesAnEmptyMatrix) {
+  const SparseMatrix empty(0, 0);
+  Cholesky cholesky;
+  cholesky.analyze(empty);
+  EXPECT_TRUE(cholesky.factorize(empty));
+  VectorXd x = VectorXd::Ones(3);
+  cholesky.solve(VectorXd(0), x);
+  EXPECT_EQ(x.size(), 0);
+}
+
+TEST(Cholesky, CanBeAnalyzedAnewAndMoved) {
+  Cholesky cholesky;
+  VectorXd x;
+  for (const int side : {7, 3, 12}) {
+    const SparseMatrix K = grid_laplacian(side, 1);
+    const VectorXd b = random_vector(K.rows());
+    cholesky.analyze(K);
+    ASSERT_TRUE(cholesky.factorize(K));
+    Cholesky moved = std::move(cholesky);
+    moved.solve(b, x);
+    EXPECT_LT(relative_residual(K, x, b), 1e-13);
+    cholesky = std::move(moved);
+  }
+  EXPECT_EQ(cholesky.n_analyses(), 3);
+}
+
+}  // namespace

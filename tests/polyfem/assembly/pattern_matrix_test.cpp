@@ -1,0 +1,150 @@
+#include <polyfem/assembly/pattern_matrix.hpp>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace polyfem;
+
+namespace {
+
+/// Elements of 1 to 8 rows, some left out, some repeated within an element.
+Connectivity random_connectivity(int n_rows, int n_elements, std::mt19937& random) {
+  std::uniform_int_distribution<int> row(-2, n_rows - 1), size(1, 8);
+  Connectivity connectivity;
+  for (int e = 0; e < n_elements; ++e) {
+    std::vector<int> rows(static_cast<std::size_t>(size(random)));
+    for (int& r : rows) r = row(random);
+    if (e % 3 == 0) rows.back() = rows.front();
+    connectivity.append(rows);
+  }
+  return connectivity;
+}
+
+MatrixXd random_symmetric(Index k, std::mt19937& random) {
+  std::uniform_real_distribution<double> value(-1, 1);
+  MatrixXd matrix(k, k);
+  for (Index j = 0; j < k; ++j)
+    for (Index i = 0; i <= j; ++i) matrix(i, j) = matrix(j, i) = value(random);
+  return matrix;
+}
+
+/// The oracle: every entry of the element to its place in a dense matrix.
+void add_dense(std::span<const int> rows, const MatrixXd& matrix, MatrixXd& sum) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      if (rows[i] >= 0 && rows[j] >= 0)
+        sum(rows[i], rows[j]) += matrix(static_cast<Index>(i), static_cast<Index>(j));
+}
+
+struct Size {
+  int n_rows, n_elements;
+};
+
+class PatternMatrixOfRandomElements : public testing::TestWithParam<Size> {
+ protected:
+  void SetUp() override { matrix_.set_connectivity(n_, connectivity_); }
+  void expect_equal(const MatrixXd& dense) const {
+    const SparseMatrix& lower = matrix_.lower();
+    ASSERT_TRUE(lower.isCompressed());
+    EXPECT_LT((MatrixXd(lower) - MatrixXd(dense.triangularView<Eigen::Lower>())).norm(),
+              1e-13 * (1 + dense.norm()));
+  }
+
+  std::mt19937 random_{1};
+  int n_ = GetParam().n_rows;
+  Connectivity connectivity_ = random_connectivity(n_, GetParam().n_elements, random_);
+  PatternMatrix matrix_;
+};
+INSTANTIATE_TEST_SUITE_P(Sizes, PatternMatrixOfRandomElements,
+                         testing::Values(Size{1, 0}, Size{1, 5}, Size{3, 40}, Size{10, 4}, Size{60, 100}));
+
+TEST_P(PatternMatrixOfRandomElements, SumsWhatDenseAssemblySums) {
+  MatrixXd dense = MatrixXd::Zero(n_, n_);
+  for (int e = 0; e < connectivity_.n_elements(); ++e) {
+    const auto rows = connectivity_.rows_of(e);
+    const MatrixXd element = random_symmetric(static_cast<Index>(rows.size()), random_);
+    matrix_.add(e, element);
+    add_dense(rows, element, dense);
+  }
+  expect_equal(dense);
+}
+
+TEST_P(PatternMatrixOfRandomElements, AddsOuterProductsLikeTheirFullMatrices) {
+  std::uniform_real_distribution<double> value(-1, 1);
+  MatrixXd dense = MatrixXd::Zero(n_, n_);
+  for (int e = 0; e < connectivity_.n_elements(); ++e) {
+    const auto rows = connectivity_.rows_of(e);
+    VectorXd a(static_cast<Index>(rows.size()));
+    for (double& entry : a) entry = value(random_);
+    const double factor = value(random_);
+    matrix_.add_outer(e, factor, {a.data(), rows.size()});
+    add_dense(rows, factor * a * a.transpose(), dense);
+  }
+  expect_equal(dense);
+}
+
+TEST_P(PatternMatrixOfRandomElements, HasTheDiagonalAndEveryPairInOrder) {
+  MatrixXd expected = MatrixXd::Identity(n_, n_);
+  for (int e = 0; e < connectivity_.n_elements(); ++e) {
+    const Index k = static_cast<Index>(connectivity_.rows_of(e).size());
+    add_dense(connectivity_.rows_of(e), MatrixXd::Ones(k, k), expected);
+  }
+  const SparseMatrix& lower = matrix_.lower();
+  EXPECT_EQ(lower.nonZeros(), (MatrixXd(expected.triangularView<Eigen::Lower>()).array() != 0).count());
+  for (int c = 0; c < n_; ++c) {
+    int previous = -1;
+    for (SparseMatrix::InnerIterator entry(lower, c); entry; ++entry) {
+      EXPECT_GT(entry.row(), previous);
+      EXPECT_GE(entry.row(), c);
+      EXPECT_NE(expected(entry.row(), c), 0);
+      previous = static_cast<int>(entry.row());
+    }
+  }
+}
+
+TEST_P(PatternMatrixOfRandomElements, ForgetsItsValuesButNotItsPattern) {
+  const Index non_zeros = matrix_.lower().nonZeros();
+  for (int e = 0; e < connectivity_.n_elements(); ++e) {
+    const Index k = static_cast<Index>(connectivity_.rows_of(e).size());
+    matrix_.add(e, MatrixXd::Ones(k, k));
+  }
+  matrix_.set_zero();
+  EXPECT_EQ(matrix_.lower().norm(), 0);
+  EXPECT_EQ(matrix_.lower().nonZeros(), non_zeros);
+}
+
+TEST_P(PatternMatrixOfRandomElements, IsPreparedAgainOnlyForAnotherConnectivity) {
+  EXPECT_FALSE(matrix_.set_connectivity(n_, connectivity_));
+  EXPECT_TRUE(matrix_.set_connectivity(n_ + 1, connectivity_));
+  connectivity_.append(std::vector<int>{0});
+  EXPECT_TRUE(matrix_.set_connectivity(n_ + 1, connectivity_));
+  EXPECT_FALSE(matrix_.set_connectivity(n_ + 1, connectivity_));
+}
+
+TEST(PatternMatrix, CanBeEmpty) {
+  PatternMatrix matrix;
+  Connectivity all_left_out;
+  all_left_out.append(std::vector<int>{-1, -1});
+  EXPECT_TRUE(matrix.set_connectivity(0, all_left_out));
+  matrix.set_zero();
+  matrix.add(0, MatrixXd::Ones(2, 2));
+  EXPECT_EQ(matrix.lower().nonZeros(), 0);
+}
+
+TEST(PatternMatrix, FeedsCholesky) {
+  Connectivity springs;  // a chain of four unknowns held at its far end, one spring an element
+  for (int k = 0; k < 3; ++k) springs.append(std::vector<int>{k, k + 1});
+  springs.append(std::vector<int>{3, -1});
+  PatternMatrix K;
+  K.set_connectivity(4, springs);
+  for (int e = 0; e < 4; ++e) K.add_outer(e, 2., std::vector<double>{1, -1});
+  Cholesky cholesky;
+  cholesky.analyze(K.lower());
+  ASSERT_TRUE(cholesky.factorize(K.lower()));
+  VectorXd x;
+  cholesky.solve(VectorXd::Unit(4, 0), x);  // unit force through springs of stiffness 2
+  EXPECT_LT((x - Eigen::Vector4d(2, 1.5, 1, 0.5)).norm(), 1e-14);
+}
+
+}  // namespace

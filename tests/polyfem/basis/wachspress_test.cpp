@@ -1,0 +1,218 @@
+#include <polyfem/basis/wachspress.hpp>
+#include <tests/polyfem/basis/direct_wachspress.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+using namespace polyfem;
+
+namespace {
+
+/// A polygon, a point of it and the size the polygon had before it was moved away.
+struct Sample {
+  Points polygon;
+  Vec2 x;
+  double size;
+};
+
+/// Random polygons of sizes 1e-6 to 1e6 at distances up to 1e8 sizes, with points inside, on an edge and at a
+/// vertex. Far away vertices and points are rounded to the coordinates' grid: all properties are those of the
+/// rounded polygon, at the rounded point.
+void for_each_sample(int n, const std::function<void(const Sample&)>& check) {
+  std::mt19937 random(static_cast<unsigned>(n));
+  for (const double size : {1e-6, 1., 1e6})
+    for (const double distance : {0., 1., 1e4, 1e8})
+      for (int trial = 0; trial < 20; ++trial) {
+        const Vec2 offset = distance * size * support::random_direction(random);
+        const Points polygon = (size * support::random_convex_polygon(n, random)).colwise() + offset;
+        const Vec2 a = polygon.col(trial % n), b = polygon.col((trial + 1) % n);
+        SCOPED_TRACE(testing::Message()
+                     << "size " << size << ", distance " << distance << ", trial " << trial);
+        for (int i = 0; i < 3; ++i) check({polygon, support::random_point_in(polygon, random), size});
+        for (const double s : {1e-9, 0.3, 0.5}) check({polygon, a + s * (b - a), size});
+        check({polygon, a, size});
+      }
+}
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The smallest b_i = cross(v_i - v_i-1, v_i+1 - v_i).
+double smallest_corner(const Points& polygon) {
+  double smallest = std::numeric_limits<double>::infinity();
+  const Index n = polygon.cols();
+  for (Index i = 0; i < n; ++i) {
+    const Vec2 in = polygon.col(i) - polygon.col((i + n - 1) % n),
+               out = polygon.col((i + 1) % n) - polygon.col(i);
+    smallest = std::min(smallest, cross(in, out));
+  }
+  return smallest;
+}
+
+double largest(const Points& gradients) {
+  return gradients.cwiseAbs().maxCoeff();
+}
+
+class Wachspress : public testing::TestWithParam<int> {
+ protected:
+  // Measured worst errors grow with n, as the gradient of the sum of weights over the sum does. Relative to
+  // the largest gradient they are 2e-15 (n = 3), 5e-15 (20), 5e-14 (100); of the sum of n gradients
+  // 3e-16, 1.4e-14, 6e-13.
+  double gradient_tolerance() const { return 1e-14 + 1e-15 * GetParam(); }
+  double gradient_sum_tolerance() const { return 5e-15 + 2e-16 * GetParam() * GetParam(); }
+  ShapeValues shape_;
+};
+INSTANTIATE_TEST_SUITE_P(Vertices, Wachspress, testing::Values(3, 4, 5, 6, 7, 8, 12, 20, 50, 100));
+
+TEST_P(Wachspress, AgreesWithTheDirectProductInExtendedPrecision) {
+  ShapeValues direct;
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    wachspress(sample.polygon, sample.x, shape_);
+    direct_wachspress(sample.polygon, sample.x, direct);
+    ASSERT_LT((shape_.values - direct.values).cwiseAbs().maxCoeff(), 1e-14);  // measured: 2e-15
+    ASSERT_LT(largest(shape_.gradients - direct.gradients), gradient_tolerance() * largest(direct.gradients));
+  });
+}
+
+TEST_P(Wachspress, ValuesSumToOne) {
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    wachspress(sample.polygon, sample.x, shape_);
+    ASSERT_NEAR(shape_.values.sum(), 1, 1e-14);  // n roundings of numbers that sum to 1; measured: 2e-15
+  });
+}
+
+TEST_P(Wachspress, ReproducesThePosition) {
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    wachspress(sample.polygon, sample.x, shape_);
+    const Vec2 error = (sample.polygon.colwise() - sample.x) * shape_.values;
+    ASSERT_LT(error.norm(), 4e-15 * sample.size);  // measured: 6e-16
+  });
+}
+
+TEST_P(Wachspress, IsNotNegative) {
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    wachspress(sample.polygon, sample.x, shape_);
+    // x itself may have been rounded out of the polygon by an ulp of its coordinates
+    const double step = epsilon * (sample.x.norm() + sample.size);
+    ASSERT_GT(shape_.values.minCoeff(), -2 * step * largest(shape_.gradients));
+  });
+}
+
+TEST_P(Wachspress, GradientsSumToZero) {
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    wachspress(sample.polygon, sample.x, shape_);
+    ASSERT_LT(shape_.gradients.rowwise().sum().norm(), gradient_sum_tolerance() * largest(shape_.gradients));
+  });
+}
+
+TEST_P(Wachspress, GradientsReproduceTheIdentity) {
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    wachspress(sample.polygon, sample.x, shape_);
+    const Mat2 gradient_of_position = (sample.polygon.colwise() - sample.x) * shape_.gradients.transpose();
+    ASSERT_LT((gradient_of_position - Mat2::Identity()).norm(),
+              gradient_sum_tolerance() * largest(shape_.gradients) * sample.size);
+  });
+}
+
+TEST_P(Wachspress, GradientsAreTheCentralDifferencesOfTheValues) {
+  const int n = GetParam();
+  std::mt19937 random(static_cast<unsigned>(n));
+  ShapeValues ahead, behind;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Points polygon = support::random_convex_polygon(n, random);
+    const Vec2 x = 0.9 * support::random_point_in(polygon, random);  // the centroid is at the origin
+    wachspress(polygon, x, shape_);
+    const double scale = largest(shape_.gradients), h = 1e-5 / scale;
+    for (int axis = 0; axis < 2; ++axis) {
+      wachspress(polygon, x + h * Vec2::Unit(axis), ahead);
+      wachspress(polygon, x - h * Vec2::Unit(axis), behind);
+      const VectorXd differences = (ahead.values - behind.values) / (2 * h);
+      // truncation (h scale)^2 = 1e-8 with a factor of the third derivatives, round-off 1e-15 / (h scale) =
+      // 1e-11
+      ASSERT_LT((differences - shape_.gradients.row(axis).transpose()).cwiseAbs().maxCoeff(), 1e-7 * scale);
+    }
+  }
+}
+
+TEST_P(Wachspress, IsOneAtItsVertexAndZeroAtTheOthers) {
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    for (Index i = 0; i < GetParam(); ++i) {
+      wachspress(sample.polygon, sample.polygon.col(i), shape_);
+      ASSERT_EQ(shape_.values, VectorXd::Unit(GetParam(), i));  // exactly: two areas are exact zeros
+    }
+  });
+}
+
+TEST_P(Wachspress, GradientAtAVertexIsThatOfTheTriangleOfItsCorner) {
+  const Index n = GetParam();
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    for (Index i = 0; i < n; ++i) {
+      const Index before = (i + n - 1) % n, after = (i + 1) % n;
+      const Vec2 in = sample.polygon.col(before) - sample.polygon.col(i);
+      const Vec2 out = sample.polygon.col(after) - sample.polygon.col(i);
+      Points expected = Points::Zero(2, n);
+      expected.col(before) = Vec2(-out.y(), out.x()) / cross(out, in);
+      expected.col(after) = Vec2(-in.y(), in.x()) / cross(in, out);
+      expected.col(i) = -expected.col(before) - expected.col(after);
+      wachspress(sample.polygon, sample.polygon.col(i), shape_);
+      ASSERT_LT(largest(shape_.gradients - expected), gradient_tolerance() * largest(expected));
+    }
+  });
+}
+
+TEST_P(Wachspress, IsLinearAlongEdges) {
+  const Index n = GetParam();
+  for_each_sample(GetParam(), [&](const Sample& sample) {
+    for (Index k = 0; k < n; ++k) {
+      const Vec2 a = sample.polygon.col(k), edge = sample.polygon.col((k + 1) % n) - a;
+      for (const double s : {1e-12, 0.2, 0.5, 0.9}) {
+        VectorXd expected = (1 - s) * VectorXd::Unit(n, k) + s * VectorXd::Unit(n, (k + 1) % n);
+        wachspress(sample.polygon, a + s * edge, shape_);
+        ASSERT_TRUE(shape_.gradients.allFinite());
+        // the point is on the edge but for the rounding of its coordinates
+        const double step = epsilon * ((a + s * edge).norm() + sample.size);
+        const double scale = largest(shape_.gradients);
+        ASSERT_LT((shape_.values - expected).cwiseAbs().maxCoeff(), 4 * step * scale);
+
+        expected = VectorXd::Unit(n, (k + 1) % n) - VectorXd::Unit(n, k);
+        const VectorXd along = shape_.gradients.transpose() * edge;
+        // of second derivatives, which are of the order of the square of the gradients, over that distance
+        const double tolerance = gradient_sum_tolerance() + 4 * step * scale;
+        ASSERT_LT((along - expected).cwiseAbs().maxCoeff(), tolerance * scale * edge.norm() * 4);
+      }
+    }
+  });
+}
+
+TEST_P(Wachspress, FollowsAffineMaps) {
+  const int n = GetParam();
+  std::mt19937 random(static_cast<unsigned>(n));
+  ShapeValues mapped;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Points polygon = support::random_convex_polygon(n, random);
+    const Vec2 x = support::random_point_in(polygon, random), shift(0.3, -0.2);
+    Mat2 A;
+    A << 1.2, 0.5, -0.4, 0.9;
+    wachspress(polygon, x, shape_);
+    wachspress((A * polygon).colwise() + shift, A * x + shift, mapped);
+    // the mapped vertices are rounded, and the weights are known as far as the corners' areas b_i are
+    const double rounding = epsilon * (4 + 1 / smallest_corner(polygon));
+    ASSERT_LT((mapped.values - shape_.values).cwiseAbs().maxCoeff(), rounding);
+    ASSERT_LT(largest(A.transpose() * mapped.gradients - shape_.gradients),
+              (gradient_tolerance() + rounding) * largest(shape_.gradients));
+  }
+}
+
+TEST_P(Wachspress, KeepsTheStorageOfItsResult) {
+  const Points polygon = support::regular_polygon(GetParam());
+  wachspress(polygon, Vec2(0, 0), shape_);
+  const double *values = shape_.values.data(), *gradients = shape_.gradients.data();
+  wachspress(polygon, Vec2(0.1, 0), shape_);
+  EXPECT_EQ(shape_.values.data(), values);
+  EXPECT_EQ(shape_.gradients.data(), gradients);
+}
+
+}  // namespace

@@ -1,0 +1,68 @@
+#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/matrices.hpp>
+#include <polyfem/element/soundness.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace polyfem;
+
+namespace {
+
+MatrixXd diagonal(std::initializer_list<double> entries) {
+  VectorXd d(static_cast<Index>(entries.size()));
+  std::copy(entries.begin(), entries.end(), d.begin());
+  return d.asDiagonal();
+}
+
+TEST(Soundness, CountsZeroModesAndRelatesTheOthersToTheLargest) {
+  const Soundness sound = judge(diagonal({4, 0, 1e-14, -1e-14, 2, 8}), diagonal({1, 1, 2, 2, 4, 4}));
+  EXPECT_EQ(sound.zero_modes, 3);
+  EXPECT_DOUBLE_EQ(sound.least_stiffness, 0.25);
+  EXPECT_DOUBLE_EQ(sound.least_mass, 0.25);
+  EXPECT_TRUE(sound.sound());
+}
+
+TEST(Soundness, IsDeniedToMechanismsAndIndefiniteMatrices) {
+  const MatrixXd good_mass = MatrixXd::Identity(6, 6), good_stiffness = diagonal({0, 0, 0, 1, 2, 3});
+  EXPECT_TRUE(judge(good_stiffness, good_mass).sound());
+  EXPECT_FALSE(judge(diagonal({0, 0, 0, 0, 2, 3}), good_mass).sound());
+  EXPECT_FALSE(judge(good_stiffness, diagonal({1, 1, 1, 1, -1e-9, 1})).sound());
+  EXPECT_FALSE(judge(MatrixXd::Zero(6, 6), good_mass).sound());
+  const Soundness indefinite = judge(diagonal({0, 0, 0, -0.5, 2, 4}), good_mass);
+  EXPECT_EQ(indefinite.zero_modes, 3);
+  EXPECT_DOUBLE_EQ(indefinite.least_stiffness, -0.125);
+  EXPECT_FALSE(indefinite.sound());
+}
+
+class SoundnessOfElements : public testing::TestWithParam<int> {
+ protected:
+  Soundness judge_with(const TriangleRule& rule) {
+    TabulatedElement element;
+    MatrixXd K, M;
+    tabulate(support::random_convex_polygon(GetParam(), random_), rule, wachspress, GradientCorrection::on,
+             element);
+    stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), K);
+    mass(element, M);
+    return judge(K, M);
+  }
+  std::mt19937 random_{static_cast<unsigned>(GetParam())};
+};
+INSTANTIATE_TEST_SUITE_P(Vertices, SoundnessOfElements, testing::Values(3, 4, 5, 6, 8, 12));
+
+TEST_P(SoundnessOfElements, HoldsWithAFineRule) {
+  const TriangleRule rule = collapsed_gauss_rule(6, 6);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Soundness soundness = judge_with(rule);
+    EXPECT_EQ(soundness.zero_modes, 3);
+    EXPECT_GT(soundness.least_stiffness, 1e-6);
+    EXPECT_GT(soundness.least_mass, 1e-6);
+  }
+}
+
+TEST_P(SoundnessOfElements, HasThreeZeroModesWithThePapersRule) {
+  for (int trial = 0; trial < 40; ++trial) EXPECT_EQ(judge_with(hammer_rule(3)).zero_modes, 3);
+}
+
+}  // namespace
