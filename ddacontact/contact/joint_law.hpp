@@ -38,10 +38,10 @@ double normal_force(const JointLaw& law, double gap);
 /// The bound of the shear force: max(0, N) tan(phi), plus the cohesion while bonded.
 double shear_bound(const JointLaw& law, double normal_force, bool bonded);
 
-/// The state that agrees with the trial, from the state it was computed with:
-/// open closes (to stick) on penetration; closed opens when pulled beyond the tensile bound; stick slips when
-/// its spring force exceeds the shear bound; slip sticks when it moved against its own sense. A closed contact
-/// without friction is slip_forward.
+/// The state that agrees with the trial, from the state it was computed with: an open contact closes on
+/// penetration; a closed one opens when pulled beyond the tensile bound; a contact that closes or sticks slips
+/// when its spring would exceed the shear bound; a slipping one sticks when it moved against its own sense. A
+/// closed contact without friction is slip_forward.
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial);
 
 }  // namespace ddacontact

@@ -33,6 +33,7 @@ void NameTable::add(const std::optional<std::string>& name, const Places& places
   if (std::any_of(name->begin(), name->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
     problems.error(place, "'name' = '" + excerpt(*name) + "' holds control characters",
                    "use letters and digits");
+  if (whole_number(*name)) number_names_.emplace_back(index, place);
   const auto [known, is_new] = indices_.emplace(*name, index);
   if (!is_new)
     problems.error(
@@ -62,6 +63,16 @@ int NameTable::find(const Reference& reference, const Place& place, ProblemList&
   }
   problems.error(place, "unknown " + kind_ + " '" + excerpt(reference.name) + "'", cure);
   return -1;
+}
+
+void NameTable::warn_of_ambiguous_names(ProblemList& problems) const {
+  for (const auto& [member, place] : number_names_) {
+    const std::int64_t index = *whole_number(names_[member]);
+    if (index < size() && names_[index].empty() && names_[member] == std::to_string(index))
+      problems.warning(place,
+                       "results call " + kind_ + " " + names_[member] + ", which has no name, the same",
+                       "choose another name");
+  }
 }
 
 std::string NameTable::title(int index) const {

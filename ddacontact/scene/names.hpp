@@ -22,6 +22,9 @@ class NameTable {
   /// -1 and a problem at `place` when there is none.
   int find(const Reference& reference, const Place& place, ProblemList& problems) const;
 
+  /// Warns of names that are the index of a member without a name: results would call two members the same.
+  void warn_of_ambiguous_names(ProblemList& problems) const;
+
   int size() const { return static_cast<int>(names_.size()); }
   /// The name in quotes, or the index: "block 'slider'", "block 3".
   std::string title(int index) const;
@@ -29,6 +32,7 @@ class NameTable {
  private:
   std::string kind_;
   std::vector<std::string> names_;
+  std::vector<std::pair<int, Place>> number_names_;  ///< members whose name is a number
   std::unordered_map<std::string, int> indices_;
   mutable int suggestions_ = 0;
 };

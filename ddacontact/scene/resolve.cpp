@@ -26,14 +26,28 @@ AnalysisOptions resolve_analysis(const AnalysisRecord& record) {
   return options;
 }
 
+/// A stiffness that is left out follows from other numbers: it may be beyond what could be written.
+double default_stiffness(double value, const char* key, const Places& places, ProblemList& problems) {
+  if (value > largest_number || (value > 0 && value < smallest_positive))
+    problems.error(places.table, "the default of '" + std::string(key) + "' is '" + rounded(value) + "' N/m2",
+                   "write '" + std::string(key) + "' or a moderate 'young'");
+  return value;
+}
+
 ContactOptions resolve_contact(const ContactRecord& record, const std::vector<Material>& materials,
                                ProblemList& problems) {
-  refuse_unless_zero(record.options.penetration_tolerance, "penetration_tolerance", record.places, problems);
+  const Places& places = record.places;
+  refuse_unless_zero(record.options.penetration_tolerance, "penetration_tolerance", places, problems);
   ContactOptions options = record.options;
   double stiffest = 0;
   for (const Material& material : materials) stiffest = std::max(stiffest, material.young);
-  options.normal_stiffness = record.normal_stiffness.value_or(40 * stiffest);
-  options.tangential_stiffness = record.tangential_stiffness.value_or(options.normal_stiffness / 2.5);
+  options.normal_stiffness = record.normal_stiffness
+                                 ? *record.normal_stiffness
+                                 : default_stiffness(40 * stiffest, "normal_stiffness", places, problems);
+  options.tangential_stiffness =
+      record.tangential_stiffness
+          ? *record.tangential_stiffness
+          : default_stiffness(options.normal_stiffness / 2.5, "tangential_stiffness", places, problems);
   return options;
 }
 

@@ -62,6 +62,7 @@ BlockTable resolve_blocks(const Document& document, const NameTable& materials, 
     for (int k = 0; block.fixed && k < n; ++k)
       for (const int axis : {0, 1}) table.holds.by(index, k, axis) = Holds::fixed;
   }
+  table.names.warn_of_ambiguous_names(problems);
   return table;
 }
 

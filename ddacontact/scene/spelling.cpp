@@ -36,10 +36,24 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+namespace {
+
+bool contains(std::string_view text, std::string_view part) {
+  return part.size() >= 3 && text.find(part) != std::string_view::npos;
+}
+
+/// Edits, but at most two when one word is a part of the other.
+int distance(std::string_view word, std::string_view known) {
+  const int edits = edit_distance(word, known);
+  return contains(word, known) || contains(known, word) ? std::min(edits, 2) : edits;
+}
+
+}  // namespace
+
 int nearest(std::string_view word, const std::vector<std::string_view>& known) {
   int best = -1, fewest = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const int edits = edit_distance(word, known[i]);
+    const int edits = distance(word, known[i]);
     if (best < 0 || edits < fewest) {
       best = static_cast<int>(i);
       fewest = edits;
@@ -52,8 +66,8 @@ std::string suggestion(std::string_view word, std::string_view kind,
                        const std::vector<std::string_view>& known) {
   const int best = nearest(word, known);
   if (best < 0) return "there is no " + std::string(kind);
-  const std::string name(excerpt(known[best]));
-  if (edit_distance(word, known[best]) <= static_cast<int>(std::max<std::size_t>(2, word.size() / 3)))
+  const std::string name = excerpt(known[best]);
+  if (distance(word, known[best]) <= static_cast<int>(std::max<std::size_t>(2, word.size() / 3)))
     return "did you mean '" + name + "'?";
   std::string text = "the nearest known " + std::string(kind) + " is '" + name + "'";
   if (known.size() > 1 && known.size() <= longest_list) {

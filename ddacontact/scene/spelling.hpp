@@ -11,7 +11,8 @@ namespace ddacontact::scene_format {
 /// counting as small letters. Words are cut to 64 characters.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The position of the known word with the fewest edits (the first of several); -1 when none is known.
+/// The position of the known word with the fewest edits (the first of several), where a word that is a part
+/// of the other counts as two at most; -1 when none is known.
 int nearest(std::string_view word, const std::vector<std::string_view>& known);
 
 /// A cure for an unknown word: "did you mean 'young'?" when one is near, else the nearest and all that are

@@ -6,7 +6,9 @@
 namespace ddacontact {
 
 struct OpenCloseOptions {
-  int max_iterations = 40;            ///< solutions of (13) per try
+  int max_iterations = 200;           ///< solutions of (13) per try
+  int max_passes = 60;                ///< changes of the contacts' states per try
+  int full_passes = 12;               ///< after so many passes only one contact changes at a time
   double residual_tolerance = 1e-8;   ///< of the residual's scale
 };
 
@@ -20,16 +22,19 @@ enum class OpenCloseStatus {
 
 struct OpenCloseReport {
   OpenCloseStatus status = OpenCloseStatus::unsettled;
-  int iterations = 0;
+  int iterations = 0;                 ///< solutions of (13)
   Residual residual;                  ///< at the end, for the states the contacts are left with
-  int last_changed = -1;              ///< a contact whose state changed in the last iteration, -1: none
+  int last_changed = -1;              ///< a contact whose state changed in the last pass, -1: none
 };
 
 /// Starting from the contacts' states and d = the prescribed displacements, solves (13) and adapts the states
-/// until they agree with the solution ("surmised and calculated contact state are consistent", section 4.3)
-/// and the residual, with friction taken from the present penetration, is below tolerance. Each pass corrects
-/// d by K^-1 times the true residual, so that round-off of the factor does not stay in d. Leaves the states
-/// in `contacts` and sets their `was_closed`.
+/// until they agree with the solution ("surmised and calculated contact state are consistent", end of section 4),
+/// and the residual, with friction taken from the present penetration, is below tolerance.
+///
+/// For given states the size of friction (49) hangs on the penetration, which (13) leaves out of K: the iteration
+/// d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Changing every state that disagrees
+/// can go round in circles; after some passes only the first one that disagrees is changed. Leaves the states in
+/// `contacts` and sets their `was_closed`.
 OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
                                    std::vector<Contact>& contacts, VectorXd& d);
 

@@ -162,13 +162,15 @@ bool StepSystem::factorize(const std::vector<Contact>& contacts) {
   return true;
 }
 
-void StepSystem::correct(const VectorXd& residual_force, VectorXd& d) {
+void StepSystem::solve(const VectorXd& residual_force, VectorXd& correction) {
+  const std::vector<int>& equation = blocks_.equation();
   rhs_.resize(blocks_.n_equations());
-  for (Index k = 0; k < d.size(); ++k)
-    if (const int e = blocks_.equation()[k]; e >= 0) rhs_[e] = residual_force[k];
+  for (Index k = 0; k < residual_force.size(); ++k)
+    if (equation[k] >= 0) rhs_[equation[k]] = residual_force[k];
   cholesky_.solve(rhs_, solution_);
-  for (Index k = 0; k < d.size(); ++k)
-    if (const int e = blocks_.equation()[k]; e >= 0) d[k] -= solution_[e];
+  correction.setZero(residual_force.size());
+  for (Index k = 0; k < correction.size(); ++k)
+    if (equation[k] >= 0) correction[k] = solution_[equation[k]];
 }
 
 }  // namespace ddacontact

@@ -15,6 +15,8 @@ struct Residual {
   double largest = 0;   ///< over the free unknowns, forces (moments over the block's size), N per m
   double scale = 0;     ///< the largest sum over a block of the magnitudes of the forces on it, N per m
   double floor = 0;     ///< what round-off alone may leave, N per m
+
+  bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }
 };
 
 class StepSystem {
@@ -34,8 +36,10 @@ class StepSystem {
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts, Residual& residual) const;
   /// Assembles and factorizes (13) for the contacts' states, unless the last factor is of the same matrix.
   [[nodiscard]] bool factorize(const std::vector<Contact>& contacts);
-  /// d -= K^-1 r on the free unknowns.
-  void correct(const VectorXd& residual_force, VectorXd& d);
+  /// correction = K^-1 r on the free unknowns, 0 on the held ones.
+  void solve(const VectorXd& residual_force, VectorXd& correction);
+  /// Of every unknown, see Block::unknown_lengths.
+  const VectorXd& unknown_lengths() const { return unknown_lengths_; }
 
   /// Springs that hold vertices of six-unknown blocks: displacement from where they should be.
   struct HeldSpring {

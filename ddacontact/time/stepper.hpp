@@ -5,6 +5,7 @@
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/motion_limits.hpp>
 
 #include <string>
 
@@ -29,11 +30,11 @@ struct StepTimes {
 class Stepper {
  public:
   /// \param[in] initial  the state at the start, with velocities and stresses
-  Stepper(BlockSystem blocks, BlockState initial, ContactProperties contacts, AnalysisOptions analysis);
+  Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts, const AnalysisOptions& analysis);
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// Carries the state over one time_step, in as many tries as it takes. False when it has to stop: the state is
+  /// Carries the state over one time_step, in as many substeps as it takes. False when it has to stop: the state is
   /// then that of the last accepted substep and `stop_reason` says why.
   [[nodiscard]] bool step();
 
@@ -42,8 +43,7 @@ class Stepper {
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   const std::vector<Contact>& contacts() const { return contacts_; }
   const EnergyLedger& energy() const { return energy_; }
-  /// Forces that the supports exert on the held unknowns at the end of the last accepted substep; at a vertex
-  /// held by springs, the springs' force: N per m, 2 x all outline vertices.
+  /// Forces that the supports exert at the end of the last accepted substep, N per m, 2 x all outline vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
@@ -51,39 +51,45 @@ class Stepper {
   const std::string& stop_reason() const { return stop_reason_; }
   /// The length of the last accepted substep, s.
   double last_dt() const { return last_dt_; }
-  /// Detection reach of every block for a step of this length, m.
-  std::vector<double> reach(double dt) const;
 
  private:
   enum class Try { accepted, rejected, outran_detection };
 
+  /// One substep of length dt; as a last resort it is accepted with unsettled friction, and counted.
   Try try_step(double dt, bool last_resort);
-  bool accept(double dt, const VectorXd& d, const Points& displacement, const OpenCloseReport& report);
-  void account_energy(double dt, const VectorXd& d, const VectorXd& old_velocity, const VectorXd& new_velocity,
-                      const Residual& residual);
-  /// Names the blocks between which contact states changed last.
-  std::string where(const OpenCloseReport& report) const;
-  double kinetic_energy(const VectorXd& velocity) const;
-  double elastic_energy() const;
   void detect(double dt);
+  OpenCloseReport solve(double dt, VectorXd& d);
+  /// Why a solution cannot be accepted; empty: it can.
+  std::string objection(const OpenCloseReport& report) const;
+  /// The next state; sets `rejection_` and returns false when a block does not survive it.
+  bool advance(double dt, const VectorXd& d, const Points& displacement, BlockState& next);
+  void accept(double dt, const VectorXd& d, BlockState next, const OpenCloseReport& report);
+  void record_reactions(const VectorXd& d, const Residual& residual);
+  void record_contacts(const VectorXd& d);
+  VectorXd start_velocity() const;
+  bool is_static() const { return analysis_.mode == Mode::statics; }
 
   BlockSystem blocks_;
   AnalysisOptions analysis_;
+  MotionLimits limits_;
   ContactBuilder contact_builder_;
   StepSystem system_;
   OpenCloseOptions open_close_;
+  double held_stiffness_;
+
   BlockState state_;
-  std::vector<Contact> contacts_;       ///< of the last accepted substep
-  std::vector<Contact> trial_contacts_; ///< of the present one, at its start
-  std::vector<Contact> tried_;          ///< as open-close left them
-  double trial_reach_scale_ = 1;
-  bool detected_ = false;
-  double held_stiffness_ = 0;
-  double largest_displacement_ = 0;     ///< Shi's limit, m
-  double substep_ = 0;                  ///< the length to try next
-  double last_dt_ = 0;
-  Points reactions_;
+  std::vector<Contact> contacts_;        ///< of the last accepted substep
   EnergyLedger energy_;
+  Points reactions_;
+
+  std::vector<Contact> trial_contacts_;  ///< of the present substep, at its start
+  std::vector<Contact> tried_;           ///< as open-close left them
+  std::vector<double> reach_;            ///< that trial_contacts_ were looked for in
+  double reach_scale_ = 1;
+  bool detected_ = false;                ///< trial_contacts_ are those of state_
+
+  double substep_;                       ///< the length to try next, s
+  double last_dt_ = 0;
   StepCounts counts_;
   StepTimes times_;
   std::string stop_reason_, rejection_;

@@ -7,9 +7,8 @@
 namespace polyfem {
 namespace {
 
-/// Calls visit(row, column) for each pair i >= j of each element, j slowest, in the lower triangle of the
-/// whole;
-/// (-1, -1) when one of the two is left out.
+/// Calls visit(row, column) for each pair i >= j of each element, j slowest: its place in the lower triangle
+/// of the whole, or (-1, -1) when one of the two is left out.
 template <class Visit>
 void for_each_pair(const Connectivity& connectivity, Visit visit) {
   for (int e = 0; e < connectivity.n_elements(); ++e) {
@@ -22,8 +21,7 @@ void for_each_pair(const Connectivity& connectivity, Visit visit) {
   }
 }
 
-/// The rows of each column, repeated as often as they occur: column c has row[first[c]] .. row[first[c + 1] -
-/// 1].
+/// The rows of each column c, repeated as often as they occur: row[first[c]] .. row[first[c + 1] - 1].
 struct Columns {
   std::vector<std::size_t> first;
   std::vector<int> row;

@@ -24,8 +24,7 @@ using PointsRef = Eigen::Ref<const Points>;
 using Tensors = Eigen::Matrix3Xd;
 using TensorsRef = Eigen::Ref<const Tensors>;
 
-/// z component of the cross product: twice the signed area of the triangle (0, a, b), > 0 when b lies left of
-/// a.
+/// z component of the cross product: twice the area of the triangle (0, a, b), > 0 when b lies left of a.
 inline double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }

@@ -12,8 +12,7 @@ struct PolygonRule {
 };
 
 /// The fan of triangles (centroid, vertex k, vertex k + 1), Figure 2; needs a polygon star-shaped about its
-/// centroid, as every convex one is. The centroid is each triangle's first corner. Reuses the storage of
-/// `rule`.
+/// centroid, as every convex one is. The centroid is each triangle's first corner. Reuses the rule's storage.
 void make_fan_rule(const PointsRef& polygon, const TriangleRule& triangle_rule, PolygonRule& rule);
 
 }  // namespace polyfem

@@ -24,15 +24,13 @@ inline Vec2 random_direction(std::mt19937& random) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// The polygon moved so that its centroid is at the origin and scaled so that its farthest vertex is at
-/// distance 1.
+/// The polygon with its centroid moved to the origin, scaled so that its farthest vertex is at distance 1.
 inline Points centred_to_unit_size(Points polygon) {
   polygon.colwise() -= polyfem::area_moments(polygon).centroid;
   return polygon / polygon.colwise().norm().maxCoeff();
 }
 
-/// A strictly convex counter-clockwise n-gon, centred to unit size and stretched by up to 3 in some
-/// direction.
+/// A strictly convex counter-clockwise n-gon of unit size, centred, stretched by up to 3 in some direction.
 ///
 /// Its edges have jittered directions, each turning from the last by at least 0.3 times a regular polygon's
 /// angle before the stretch, and random lengths, corrected by the least change that closes the polygon; drawn

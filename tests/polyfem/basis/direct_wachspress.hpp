@@ -1,5 +1,4 @@
-/// \file Eq. (6) as it is written, O(n^2), in extended precision: the plain path the fast one is compared
-/// with.
+/// \file Eq. (6) as it is written, O(n^2), in extended precision: the oracle of the fast path.
 #pragma once
 
 #include <polyfem/basis/shape_values.hpp>

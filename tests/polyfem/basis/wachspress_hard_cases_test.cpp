@@ -51,8 +51,7 @@ TEST_P(WachspressNearStraightCorner, LosesTheDigitsOfTheTurnAndNoMore) {
   polygon << 0, 0.5, 1, 1, 0,  //
       0, -turn / 4, 0, 1, 1;   // half a unit to each side: twice the slope is the turn
   const Errors errors = worst_errors(polygon, boundary_and_inside(polygon));
-  // The corner is resolved as far as its height over epsilon: a point is known to 1e-16, the function lives
-  // on turn.
+  // a point is known to 1e-16, and the corner's function varies over a height of the order of the turn
   EXPECT_LT(errors.value, 2e-15 / turn);
   EXPECT_LT(errors.gradient, 2e-15 / turn);
 }

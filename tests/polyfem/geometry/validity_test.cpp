@@ -106,6 +106,17 @@ TEST(Contains, CountsTheBoundaryAndIgnoresTheOrientation) {
   }
 }
 
+TEST(Contains, IsNotDeceivedByRaysThroughVertices) {
+  const Points triangle = polygon_of({{0, 0}, {4, 0}, {2, 2}}),
+               notch = polygon_of({{0, 0}, {4, 3}, {2, 1}, {1, 4}});
+  for (const Points& polygon : {triangle, notch, Points(-triangle), Points(-notch)})
+    for (Index k = 0; k < polygon.cols(); ++k) {
+      EXPECT_FALSE(contains(polygon, polygon.col(k) - Vec2(10, 0)));
+      EXPECT_FALSE(contains(polygon, polygon.col(k) + Vec2(10, 0)));
+      EXPECT_FALSE(contains(polygon.rowwise().reverse(), polygon.col(k) - Vec2(10, 0)));
+    }
+}
+
 TEST(Contains, AgreesWithTheHalfPlanesOfConvexPolygons) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 2000; ++trial) {

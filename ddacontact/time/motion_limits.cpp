@@ -1,0 +1,67 @@
+#include <ddacontact/time/motion_limits.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// Parts of a block's size: contacts are looked for at least and at most this far.
+constexpr double least_reach = 0.01, largest_reach_ratio = 0.25;
+/// A foreseen step uses this much of what is allowed, for the acceleration within it.
+constexpr double foreseen_part = 0.9;
+
+}  // namespace
+
+MotionLimits::MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis)
+    : blocks_(blocks), analysis_(analysis) {
+  const Points& x = blocks.reference();
+  const double larger_side = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+  largest_displacement_ = analysis.max_displacement_ratio * larger_side / 2;
+}
+
+double MotionLimits::largest_reach(int block) const {
+  if (!reach_binds()) return largest_displacement_;
+  return std::min(largest_reach_ratio * blocks_.block(block).size(), largest_displacement_);
+}
+
+double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
+  const Block& of = blocks_.block(block);
+  double fastest = 0;
+  for (int v = 0; v < of.n_vertices(); ++v) fastest = std::max(fastest, of.vertex_map(v)(state.velocity).norm());
+  return fastest;
+}
+
+std::vector<double> MotionLimits::reach(const BlockState& state, double dt, double scale) const {
+  std::vector<double> reach(blocks_.n_blocks());
+  const VectorXd prescribed = blocks_.prescribed(state, state.time + dt);
+  const double fall = analysis_.gravity.norm() * dt * dt;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Block& block = blocks_.block(b);
+    if (!blocks_.is_movable(b)) {
+      double furthest = 0;
+      for (int v = 0; v < block.n_vertices(); ++v) furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
+      reach[b] = furthest;
+    } else if (!reach_binds()) {
+      reach[b] = largest_displacement_;
+    } else {
+      const double expected = 2 * (fastest_vertex(state, b) * dt + fall) + least_reach * block.size();
+      reach[b] = std::min(scale * expected, largest_reach(b));
+    }
+  }
+  return reach;
+}
+
+double MotionLimits::foreseen_step(const BlockState& state) const {
+  double longest = std::numeric_limits<double>::infinity();
+  if (analysis_.mode == Mode::statics) return longest;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!blocks_.is_movable(b)) continue;
+    const double fastest = fastest_vertex(state, b);
+    if (fastest > 0) longest = std::min(longest, foreseen_part * largest_reach(b) / fastest);
+  }
+  return longest;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,143 @@
+#include "example_scenes.hpp"
+
+namespace {
+
+using namespace example_scenes;
+using namespace ddacontact;
+
+TEST(Defaults, OfTheDefaultPreset) {
+  const Scene scene = scene_of(minimal);
+  const AnalysisOptions& analysis = scene.analysis;
+  EXPECT_EQ(analysis.preset, Preset::standard);
+  EXPECT_EQ(analysis.mode, Mode::dynamic);
+  EXPECT_EQ(analysis.gravity, Vec2(0, -9.8));
+  EXPECT_EQ(analysis.plane, Plane::strain);
+  EXPECT_EQ(analysis.block_model, BlockModel::wachspress);
+  EXPECT_EQ(analysis.kinematics, Kinematics::incremental);
+  EXPECT_EQ(analysis.scheme, Scheme::dda);
+  EXPECT_EQ(analysis.gradient_correction, GradientCorrection::on);
+  EXPECT_EQ(analysis.cutting_factor, 0.3);
+  EXPECT_EQ(analysis.max_displacement_ratio, 0.1);
+  EXPECT_EQ(scene.contact.method, ContactMethod::classic);
+  EXPECT_EQ(scene.contact.normal_stiffness, 40e9);
+  EXPECT_EQ(scene.contact.tangential_stiffness, 16e9);
+  EXPECT_EQ(scene.contact.penetration_tolerance, 0);
+  ASSERT_EQ(scene.joints.size(), 1u);
+  EXPECT_EQ(scene.joints[0].name, "default");
+  EXPECT_EQ(scene.joints[0].friction_angle, 0);
+  EXPECT_EQ(scene.joints[0].cohesion, 0);
+  EXPECT_EQ(scene.joints[0].tensile_strength, 0);
+  EXPECT_FALSE(scene.joints[0].between);
+  EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
+  EXPECT_FALSE(scene.blocks[0].fixed);
+  EXPECT_EQ(scene.output.every, 1);
+  EXPECT_EQ(scene.output.checkpoint_every, 0);
+  EXPECT_EQ(scene.block_name(0), "0");
+  EXPECT_EQ(scene.end_time(), 0.01);
+}
+
+TEST(Defaults, OfThePaperPreset) {
+  const Scene scene = scene_of(minimal, {"analysis.preset=paper"});
+  EXPECT_EQ(scene.analysis.preset, Preset::paper);
+  EXPECT_EQ(scene.analysis.kinematics, Kinematics::incremental);
+  EXPECT_EQ(scene.analysis.scheme, Scheme::dda);
+  EXPECT_EQ(scene.analysis.gradient_correction, GradientCorrection::off);
+  EXPECT_EQ(scene.analysis.block_model, BlockModel::wachspress);
+  EXPECT_EQ(scene.analysis.cutting_factor, 0.3);
+  EXPECT_EQ(scene.contact.method, ContactMethod::classic);
+  EXPECT_EQ(scene.contact.penetration_tolerance, 0);
+  EXPECT_EQ(scene.contact.normal_stiffness, 40e9);
+}
+
+TEST(Defaults, KeysWrittenOutWinOverThePreset) {
+  const Scene scene = scene_of(minimal, {"analysis.preset=paper", "analysis.gradient_correction=true",
+                                         "analysis.block_model=affine", "analysis.cutting_factor=0.5"});
+  EXPECT_EQ(scene.analysis.gradient_correction, GradientCorrection::on);
+  EXPECT_EQ(scene.blocks[0].model, BlockModel::affine);
+  EXPECT_EQ(scene.analysis.cutting_factor, 0.5);
+  EXPECT_EQ(scene_of(minimal, {"analysis.gradient_correction=false"}).analysis.gradient_correction,
+            GradientCorrection::off);
+}
+
+TEST(Defaults, AutoIsWachspress) {
+  const Scene scene = scene_of(minimal, {"analysis.block_model=affine", "block.0.model=auto"});
+  EXPECT_EQ(scene.analysis.block_model, BlockModel::affine);
+  EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
+}
+
+TEST(Defaults, TangentialStiffnessFollowsTheNormalOne) {
+  EXPECT_EQ(scene_of(minimal, {"contact.normal_stiffness=1e8"}).contact.tangential_stiffness, 4e7);
+  EXPECT_EQ(scene_of(minimal, {"contact.tangential_stiffness=1e8"}).contact.normal_stiffness, 40e9);
+}
+
+TEST(Defaults, StiffnessesBeyondWhatCouldBeWrittenAreRefused) {
+  EXPECT_FALSE(read(minimal, {"material.rock.young=1e60"}).scene);
+  EXPECT_TRUE(read(minimal, {"material.rock.young=1e60", "contact.normal_stiffness=1"}).scene);
+  EXPECT_FALSE(read(minimal, {"contact.normal_stiffness=1e-30"}).scene);
+}
+
+TEST(Defaults, ExplicitDefaultsOfWhatIsNotAvailableAreAccepted) {
+  const Scene scene =
+      scene_of(minimal, {"analysis.preset=default", "analysis.block_model=auto", "analysis.scheme=dda",
+                         "analysis.kinematics=incremental", "contact.method=classic",
+                         "contact.penetration_tolerance=0", "output.checkpoint_every=0"});
+  EXPECT_EQ(scene.contact.penetration_tolerance, 0);
+}
+
+TEST(Reading, ResolvesEveryTable) {
+  const Scene scene = scene_of(complete);
+  EXPECT_EQ(scene.title, "Complete");
+  EXPECT_DOUBLE_EQ(scene.materials[1].density, 21000 / 9.8);
+  EXPECT_EQ(scene.materials[1].young, 5e6);
+  ASSERT_TRUE(scene.joints[1].between);
+  EXPECT_EQ(*scene.joints[1].between, (std::array<int, 2>{0, 1}));
+  EXPECT_EQ(scene.joints[1].cohesion, 1000);
+  EXPECT_EQ(scene.blocks[0].material, 1);
+  EXPECT_EQ(scene.blocks[0].fixed_vertices, (std::vector<int>{0, 1}));
+  EXPECT_EQ(scene.blocks[1].model, BlockModel::affine);
+  EXPECT_DOUBLE_EQ(scene.blocks[1].angular_velocity, 5 * 3.14159265358979323846 / 180);
+  EXPECT_EQ(scene.blocks[1].stress, Vec3(0, -1000, 0));
+  EXPECT_EQ(scene.blocks[2].vertices.col(2), Vec2(6.5, 0.9));
+
+  ASSERT_EQ(scene.supports.size(), 2u);
+  EXPECT_TRUE(scene.supports[0].hold_x);
+  EXPECT_FALSE(scene.supports[0].hold_y);
+  EXPECT_EQ(scene.supports[0].displacement.kind, TimeFunction::Kind::ramp);
+  EXPECT_EQ(scene.supports[0].displacement.value, Vec2(0.1, 0));
+  EXPECT_EQ(scene.supports[1].block, 2);
+  EXPECT_EQ(scene.supports[1].displacement.kind, TimeFunction::Kind::history);
+  EXPECT_EQ(scene.supports[1].displacement.at(0.5, 1), Vec2(0.05, 0));
+
+  ASSERT_EQ(scene.loads.size(), 3u);
+  EXPECT_EQ(scene.loads[0].kind, Load::Kind::point);
+  EXPECT_EQ(scene.loads[0].force.value, Vec2(1000, -50));
+  EXPECT_EQ(scene.loads[1].edge, 1);
+  EXPECT_EQ(scene.loads[1].pressure, 2000);
+  EXPECT_EQ(scene.loads[2].block, 2);
+  EXPECT_EQ(scene.loads[2].force.value, Vec2(1000, 0));
+
+  ASSERT_EQ(scene.monitors.size(), 3u);
+  EXPECT_EQ(scene.monitors[0].kind, Monitor::Kind::centroid);
+  EXPECT_EQ(scene.monitors[1].kind, Monitor::Kind::vertex);
+  EXPECT_EQ(scene.monitors[1].vertex, 3);
+  EXPECT_EQ(scene.monitors[2].kind, Monitor::Kind::point);
+  EXPECT_EQ(scene.monitors[2].at, Vec2(3, 2));
+  EXPECT_EQ(scene.output.every, 5);
+  EXPECT_EQ(scene.output.fields, std::vector<std::string>{"displacement"});
+}
+
+TEST(Reading, SupportsMayStandStillMoveSteadilyOrFollowAHistory) {
+  const std::string support = std::string(minimal) + "[[support]]\nblock = 0\nvertices = [0]\n";
+  const TimeFunction still = scene_of(support).supports[0].displacement;
+  EXPECT_EQ(still.at(3, 1), Vec2(0, 0));
+  const TimeFunction steady = scene_of(support + "velocity = [2, 0]").supports[0].displacement;
+  EXPECT_EQ(steady.kind, TimeFunction::Kind::rate);
+  EXPECT_EQ(steady.at(3, 1), Vec2(6, 0));
+}
+
+TEST(Reading, AStillSupportMayHoldWhatIsFixed) {
+  const std::string text = replaced(minimal, "[[block]]", "[[block]]\nfixed = true");
+  EXPECT_EQ(scene_of(text + "[[support]]\nblock = 0\nvertices = [0]\n").supports.size(), 1u);
+}
+
+}  // namespace

@@ -1,0 +1,286 @@
+/// \file Scenes changed at random: reading them ends, with a sound scene or with problems.
+#include "example_scenes.hpp"
+
+#include <ddacontact/scene/outline_check.hpp>
+#include <ddacontact/scene/writer.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+
+namespace {
+
+using namespace example_scenes;
+using namespace ddacontact;
+
+constexpr std::string_view moving = R"(title = "Moving" # ...
+analysis = { steps = 2, time_step = "10 ms", mode = "static", preset = "paper" }
+material = [ { name = "a", density = 1, young = 1, poisson = 0 } ]
+[[block]]
+name = 'one'
+material = 'a'
+vertices = [[0, 0], [0, 1], [1, 1], [1, 0]] # clockwise
+fixed = true
+[[block]]
+material = "a"
+vertices = [["1 m", 0], [2, 0], [1.5, 1e0]]
+stress = ["1 kPa", 0, 0]
+[[load]]
+type = "body"
+block = 1
+history = [[0, 0, 0], ["1 s", "1 kN/m3", 0]]
+[[monitor]]
+name = "m"
+block = "one"
+vertex = 0
+)";
+
+const char* const tokens[] = {"nan",
+                              "inf",
+                              "-inf",
+                              "-1",
+                              "0",
+                              "1e308",
+                              "-1e308",
+                              "1e-308",
+                              "5e-324",
+                              "1e400",
+                              "1e60",
+                              "1e-30",
+                              "1e150",
+                              "-0.0",
+                              "0x7fffffff",
+                              "2147483647",
+                              "2147483648",
+                              "-9223372036854775808",
+                              "9223372036854775807",
+                              "99999999999999999999",
+                              "true",
+                              "[]",
+                              "[[]]",
+                              "{}",
+                              "\"\"",
+                              "\"5 cm\"",
+                              "\"1 kN\"",
+                              "\"1e308 MPa\"",
+                              "\"1e-308 mm\"",
+                              "\"nan Pa\"",
+                              "\"auto\"",
+                              "\"mean_value\"",
+                              "1979-05-27",
+                              "12:00:00",
+                              "[0, 0]",
+                              "[[0, 0]]",
+                              "[nan, 1]",
+                              "\"centroid\"",
+                              "\"\\u0000\"",
+                              "'''",
+                              "\"\"\"",
+                              "#",
+                              "[[",
+                              "]]",
+                              "=",
+                              ".",
+                              "a.b.c",
+                              "\xff",
+                              "\xed\xa0\x80",
+                              "\xf4\x90\x80\x80",
+                              "\n",
+                              "\r",
+                              "\t",
+                              " "};
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string operator()(std::string text) {
+    const std::size_t changes = 1 + below(3);
+    for (std::size_t i = 0; i < changes && !text.empty(); ++i) change(text);
+    return text;
+  }
+
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+ private:
+  void change(std::string& text) {
+    const std::size_t place = below(text.size());
+    switch (below(14)) {
+      case 0:
+        text[place] = static_cast<char>(below(256));
+        break;
+      case 1:
+        text[place] = static_cast<char>(text[place] ^ (1 << below(8)));
+        break;
+      case 2:
+        text.erase(place, 1 + below(20));
+        break;
+      case 3:
+        text.resize(place);
+        break;
+      case 4:
+        text.insert(place, tokens[below(std::size(tokens))]);
+        break;
+      case 5:
+        swap_lines(text, place);
+        break;
+      case 6:
+        repeat_line(text, place);
+        break;
+      case 7:
+        text.erase(line_begin(text, place), line_end(text, place) - line_begin(text, place));
+        break;
+      case 8:
+      case 9:
+      case 10:
+        replace_token(text, place);
+        break;
+      default:
+        change_digit(text, place);
+    }
+  }
+  static std::size_t line_begin(const std::string& text, std::size_t place) {
+    return place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
+  }
+  static std::size_t line_end(const std::string& text, std::size_t place) {
+    return std::min(text.find('\n', place), text.size() - 1) + 1;
+  }
+  void repeat_line(std::string& text, std::size_t place) {
+    const std::string line =
+        text.substr(line_begin(text, place), line_end(text, place) - line_begin(text, place));
+    text.insert(line_begin(text, below(text.size())), line);
+  }
+  void swap_lines(std::string& text, std::size_t place) {
+    const std::size_t begin = line_begin(text, place), end = line_end(text, place);
+    const std::string line = text.substr(begin, end - begin);
+    text.erase(begin, end - begin);
+    if (text.empty()) return;
+    text.insert(line_begin(text, below(text.size())), line);
+  }
+  /// A whole word or number becomes a nasty one, or the value of another place.
+  void replace_token(std::string& text, std::size_t place) {
+    static const char* const separators = " \t\n,[]{}=\"'.";
+    const std::size_t begin = std::min(text.find_first_not_of(separators, place), text.size());
+    const std::size_t end = std::min(text.find_first_of(" \t\n,[]{}=\"'", begin), text.size());
+    text.replace(begin, end - begin, tokens[below(std::size(tokens))]);
+  }
+
+  /// Keeps the syntax, so that what comes after it is tried too.
+  void change_digit(std::string& text, std::size_t place) {
+    const std::size_t digit = text.find_first_of("0123456789", place);
+    if (digit != std::string::npos) text[digit] = static_cast<char>('0' + below(10));
+  }
+
+  std::mt19937 random_;
+};
+
+void expect_sound(const Scene& scene, const std::string& text) {
+  const auto finite = [&](double value) { EXPECT_TRUE(std::isfinite(value)) << text; };
+  finite(scene.analysis.time_step);
+  finite(scene.analysis.gravity.norm());
+  finite(scene.contact.normal_stiffness);
+  finite(scene.contact.tangential_stiffness);
+  EXPECT_GT(scene.contact.normal_stiffness, 0) << text;
+  EXPECT_GT(scene.contact.tangential_stiffness, 0) << text;
+  EXPECT_GE(scene.analysis.steps, 1) << text;
+  EXPECT_GT(scene.analysis.time_step, 0) << text;
+  EXPECT_FALSE(scene.joints.empty());
+  EXPECT_FALSE(scene.blocks.empty());
+  for (const Material& material : scene.materials) {
+    finite(material.density);
+    EXPECT_GT(material.density, 0) << text;
+    EXPECT_GT(material.young, 0) << text;
+    EXPECT_TRUE(material.poisson >= 0 && material.poisson < 0.5) << text;
+  }
+  const int n_materials = static_cast<int>(scene.materials.size()),
+            n_blocks = static_cast<int>(scene.blocks.size());
+  for (const BlockDescription& block : scene.blocks) {
+    scene_format::ProblemList problems("block");
+    scene_format::Outline outline;
+    outline.points = block.vertices;
+    outline.places.resize(block.vertices.cols());
+    EXPECT_TRUE(scene_format::check_outline(outline, {}, "block", problems).sound()) << text;
+    EXPECT_TRUE(block.material >= 0 && block.material < n_materials) << text;
+    for (const int k : block.fixed_vertices) EXPECT_TRUE(k >= 0 && k < block.vertices.cols()) << text;
+    finite(block.velocity.norm());
+    finite(block.angular_velocity);
+    finite(block.stress.norm());
+  }
+  for (const Support& support : scene.supports) {
+    ASSERT_TRUE(support.block >= 0 && support.block < n_blocks) << text;
+    for (const int k : support.vertices)
+      EXPECT_TRUE(k >= 0 && k < scene.blocks[support.block].vertices.cols()) << text;
+    finite(support.displacement.at(0.5, scene.end_time()).norm());
+  }
+  for (const Load& load : scene.loads) {
+    ASSERT_TRUE(load.block >= 0 && load.block < n_blocks) << text;
+    EXPECT_TRUE(load.edge >= 0 && load.edge < scene.blocks[load.block].vertices.cols()) << text;
+    finite(load.force.at(0.5, scene.end_time()).norm());
+    finite(load.pressure);
+  }
+  for (const Monitor& monitor : scene.monitors) {
+    ASSERT_TRUE(monitor.block >= 0 && monitor.block < n_blocks) << text;
+    EXPECT_TRUE(monitor.vertex >= 0 && monitor.vertex < scene.blocks[monitor.block].vertices.cols()) << text;
+  }
+}
+
+/// The number of mutants of each scene: from SCENE_FUZZ in the environment, else a few seconds' worth.
+unsigned n_mutants() {
+  const char* wanted = std::getenv("SCENE_FUZZ");
+  return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 4000;
+}
+
+TEST(Fuzz, MutatedScenesAreReadOrRefused) {
+  unsigned accepted = 0, total = 0;
+  for (const std::string_view text : {complete, minimal, moving}) {
+    ASSERT_TRUE(scene_of(text).blocks.size() > 0);
+    for (unsigned seed = 0; seed < n_mutants(); ++seed, ++total) {
+      const std::string mutant = Mutator(seed)(std::string(text));
+      const SceneReading reading = read(mutant);
+      EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems)) << mutant;
+      for (const Problem& problem : reading.problems) {
+        EXPECT_GE(problem.line, 1) << mutant;
+        EXPECT_GE(problem.column, 1) << mutant;
+        EXPECT_EQ(problem.text().find('\n'), std::string::npos) << mutant;
+        EXPECT_EQ(problem.text().find("cannot be read:"), std::string::npos) << problem.text() << '\n'
+                                                                             << mutant;
+      }
+      if (!reading.scene) continue;
+      ++accepted;
+      expect_sound(*reading.scene, mutant);
+      std::ostringstream first, second;
+      write_scene(first, *reading.scene);
+      const SceneReading again = read(first.str());
+      ASSERT_TRUE(again.scene) << all_text(again.problems) << first.str();
+      write_scene(second, *again.scene);
+      EXPECT_EQ(first.str(), second.str());
+    }
+  }
+  // The mutations are mild enough that both ways are tried.
+  EXPECT_GT(accepted, total / 50);
+  EXPECT_LT(accepted, total / 2);
+}
+
+TEST(Fuzz, MutatedSettingsAreAppliedOrRefused) {
+  static const char* const settings[] = {"analysis.time_step=0.01", "block.slider.vertices.2.1=3",
+                                         "joint.0.friction_angle=15", "contact.normal_stiffness=\"1 MN/m\"",
+                                         "load.0.force=[0, 1]"};
+  for (unsigned seed = 0; seed < n_mutants(); ++seed) {
+    Mutator mutate(seed);
+    const SceneReading reading = read(complete, {mutate(settings[mutate.below(std::size(settings))])});
+    EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems));
+    if (reading.scene) expect_sound(*reading.scene, "");
+  }
+}
+
+TEST(Fuzz, RandomBytesAreRefused) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 500; ++i) {
+    std::string text(random() % 200, '\0');
+    for (char& c : text) c = static_cast<char>(random() % 256);
+    EXPECT_FALSE(read(text).scene);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,89 @@
+#include "example_scenes.hpp"
+
+#include <ddacontact/scene/writer.hpp>
+
+#include <sstream>
+
+namespace {
+
+using namespace example_scenes;
+
+std::string written(const Scene& scene) {
+  std::ostringstream out;
+  ddacontact::write_scene(out, scene);
+  return out.str();
+}
+
+void expect_same(const Scene& a, const Scene& b) {
+  EXPECT_EQ(written(a), written(b));
+  ASSERT_EQ(a.blocks.size(), b.blocks.size());
+  for (std::size_t i = 0; i < a.blocks.size(); ++i) {
+    EXPECT_EQ(a.blocks[i].vertices, b.blocks[i].vertices);
+    EXPECT_EQ(a.blocks[i].fixed, b.blocks[i].fixed);
+    EXPECT_EQ(a.blocks[i].fixed_vertices, b.blocks[i].fixed_vertices);
+    EXPECT_EQ(a.blocks[i].angular_velocity, b.blocks[i].angular_velocity);
+    EXPECT_EQ(a.blocks[i].stress, b.blocks[i].stress);
+  }
+  ASSERT_EQ(a.materials.size(), b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i)
+    EXPECT_EQ(a.materials[i].density, b.materials[i].density);
+  ASSERT_EQ(a.joints.size(), b.joints.size());
+  for (std::size_t i = 0; i < a.joints.size(); ++i) EXPECT_EQ(a.joints[i].between, b.joints[i].between);
+  EXPECT_EQ(a.analysis.time_step, b.analysis.time_step);
+  EXPECT_EQ(a.contact.tangential_stiffness, b.contact.tangential_stiffness);
+  ASSERT_EQ(a.supports.size(), b.supports.size());
+  for (std::size_t i = 0; i < a.supports.size(); ++i)
+    for (const double t : {0.0, 0.1, 0.7, 2.0})
+      EXPECT_EQ(a.supports[i].displacement.at(t, a.end_time()),
+                b.supports[i].displacement.at(t, b.end_time()));
+}
+
+TEST(RoundTrip, KeepsTheScene) {
+  for (const std::string_view text : {complete, minimal}) {
+    const Scene scene = scene_of(text);
+    expect_same(scene, scene_of(written(scene)));
+  }
+}
+
+TEST(RoundTrip, KeepsNumbersToTheBit) {
+  const std::string text = replaced(minimal, "[1, 1]", "[0.1, 1.0000000000000002]");
+  const Scene scene = scene_of(text, {"analysis.time_step=0.30000000000000004", "material.rock.young=1e22"});
+  const Scene again = scene_of(written(scene));
+  EXPECT_EQ(again.analysis.time_step, 0.30000000000000004);
+  EXPECT_EQ(again.materials[0].young, 1e22);
+  EXPECT_EQ(again.blocks[0].vertices, scene.blocks[0].vertices);
+}
+
+TEST(RoundTrip, KeepsNamesOfAnyCharacters) {
+  const std::string name = "a \\\" quoted\\\\, \u00e9t\u00e9 [x] = #1";
+  const std::string text = replaced(minimal, "[[block]]", "[[block]]\nname = \"" + name + "\"");
+  const Scene scene = scene_of(text, {"title=two\nlines\tand \x01"});
+  const Scene again = scene_of(written(scene));
+  EXPECT_EQ(again.blocks[0].name, "a \" quoted\\, \u00e9t\u00e9 [x] = #1");
+  EXPECT_EQ(again.title, "two\nlines\tand \x01");
+}
+
+TEST(RoundTrip, StatesEveryDefault) {
+  const std::string text = written(scene_of(minimal));
+  for (const char* line :
+       {"format = 1", "preset = \"default\"", "block_model = \"wachspress\"", "model = \"wachspress\"",
+        "gradient_correction = true", "cutting_factor = 0.3", "normal_stiffness = 4e+10",
+        "tangential_stiffness = 1.6e+10", "gravity = [0.0, -9.8]", "name = \"default\"",
+        "friction_angle = 0.0", "fixed = false", "every = 1", "method = \"classic\"",
+        "kinematics = \"incremental\"", "scheme = \"dda\"", "penetration_tolerance = 0.0"})
+    EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
+}
+
+TEST(RoundTrip, WritesTimeFunctionsThatNoFileStates) {
+  Scene scene = scene_of(std::string(minimal) + "[[support]]\nblock = 0\nvertices = [0]\n" +
+                         "[[load]]\ntype = \"body\"\nblock = 0\nforce = [1, 0]\n");
+  scene.supports[0].displacement = {ddacontact::TimeFunction::Kind::constant, {1, 2}, {}};
+  scene.loads[0].force = {ddacontact::TimeFunction::Kind::ramp, {1, 2}, {}};
+  const Scene again = scene_of(written(scene));
+  for (const double t : {0.0, 0.005, 0.01, 1.0}) {
+    EXPECT_EQ(again.supports[0].displacement.at(t, 0.01), scene.supports[0].displacement.at(t, 0.01));
+    EXPECT_EQ(again.loads[0].force.at(t, 0.01), scene.loads[0].force.at(t, 0.01));
+  }
+}
+
+}  // namespace

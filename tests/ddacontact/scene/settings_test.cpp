@@ -1,0 +1,118 @@
+#include "example_scenes.hpp"
+
+namespace {
+
+using namespace example_scenes;
+using ddacontact::BlockModel;
+using ddacontact::Vec2;
+
+TEST(Settings, ReplaceValues) {
+  const Scene scene = scene_of(
+      complete, {"analysis.time_step=0.01", "joint.0.friction_angle=15", "block.slider.model=wachspress",
+                 "material.rock.young=35 GPa", "block.2.vertices.2.1=1.5", "title=Two words",
+                 "load.0.force.0=\"2 kN\"", "analysis.steps = 7"});
+  EXPECT_EQ(scene.analysis.time_step, 0.01);
+  EXPECT_EQ(scene.analysis.steps, 7);
+  EXPECT_EQ(scene.joints[0].friction_angle, 15);
+  EXPECT_EQ(scene.blocks[1].model, BlockModel::wachspress);
+  EXPECT_EQ(scene.materials[0].young, 35e9);
+  EXPECT_EQ(scene.blocks[2].vertices.col(2), Vec2(6.5, 1.5));
+  EXPECT_EQ(scene.loads[0].force.value, Vec2(2000, -50));
+  EXPECT_EQ(scene.title, "Two words");
+}
+
+TEST(Settings, AddKeysAndTables) {
+  const Scene scene =
+      scene_of(minimal, {"contact.normal_stiffness=1e8", "output.every=3", "analysis.plane=stress",
+                         "block.0.velocity=[1, 2]", "block.0.fixed=true", "analysis.preset=paper"});
+  EXPECT_EQ(scene.contact.normal_stiffness, 1e8);
+  EXPECT_EQ(scene.output.every, 3);
+  EXPECT_EQ(scene.analysis.plane, ddacontact::Plane::stress);
+  EXPECT_EQ(scene.blocks[0].velocity, Vec2(1, 2));
+  EXPECT_TRUE(scene.blocks[0].fixed);
+  EXPECT_EQ(scene.analysis.preset, ddacontact::Preset::paper);
+}
+
+TEST(Settings, TheLastOneCounts) {
+  EXPECT_EQ(scene_of(minimal, {"analysis.steps=3", "analysis.steps=4"}).analysis.steps, 4);
+}
+
+TEST(Settings, NamesWithDotsStandInQuotes) {
+  const std::string text = replaced(minimal, "[[block]]", "[[block]]\nname = \"a.b\"");
+  EXPECT_TRUE(scene_of(text, {"block.\"a.b\".fixed=true"}).blocks[0].fixed);
+}
+
+TEST(Settings, NamesGoBeforeIndices) {
+  const std::string text = std::string(minimal) + "[[block]]\nname = \"0\"\nmaterial = \"rock\"\n" +
+                           "vertices = [[2, 0], [3, 0], [3, 1], [2, 1]]\n";
+  const Scene scene = scene_of(text, {"block.0.fixed=true"});
+  EXPECT_FALSE(scene.blocks[0].fixed);
+  EXPECT_TRUE(scene.blocks[1].fixed);
+}
+
+struct Case {
+  const char* name;
+  const char* setting;
+  std::vector<const char*> words;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+class BadSetting : public testing::TestWithParam<Case> {};
+
+TEST_P(BadSetting, IsNamedInTheProblem) {
+  const Case& c = GetParam();
+  const SceneReading reading = read(complete, {c.setting});
+  EXPECT_FALSE(reading.scene);
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  const Problem& problem = reading.problems[0];
+  EXPECT_EQ(problem.file, std::string("--set ") + c.setting);
+  EXPECT_EQ(problem.line, 1);
+  EXPECT_EQ(problem.column, 1);
+  for (const char* word : c.words)
+    EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in " << problem.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadSetting,
+    testing::Values(
+        Case{"NoValue", "analysis.steps", {"PATH=VALUE"}}, Case{"NoPath", "=3", {"PATH=VALUE"}},
+        Case{"Empty", "", {"PATH=VALUE"}}, Case{"EmptyPart", "analysis..steps=3", {"PATH=VALUE"}},
+        Case{"UnknownTable", "analisys.steps=3", {"'analisys'", "'analysis'"}},
+        Case{"UnknownKey", "analysis.stps=3", {"'stps'", "'steps'"}},
+        Case{"UnknownElement", "block.slidr.model=affine", {"'slidr'", "'slider'"}},
+        Case{"UnknownIndex", "block.3.model=affine", {"'3'", "0 to 2"}},
+        Case{"UnknownKeyOfElement", "block.slider.modle=affine", {"'modle'", "'model'"}},
+        Case{"NoKeyOfElement", "block.slider=3", {"names no key"}},
+        Case{"NoSuchVertex", "block.slider.vertices.4.0=3", {"'4'", "4 elements"}},
+        Case{"NoElements", "analysis.steps.0=3", {"'0'", "no elements"}},
+        Case{"NotWritten", "block.0.velocity.1=3", {"'velocity'", "as a whole"}},
+        Case{"WrongType", "analysis.steps=many", {"'steps'", "'many'"}},
+        Case{"EmptyValue", "analysis.steps=", {"'steps'", "whole number"}},
+        Case{"OutOfRange", "joint.0.friction_angle=95", {"'95'", "< 90"}},
+        Case{"WrongUnit", "material.rock.young=35 mm", {"'mm'", "Pa"}},
+        Case{"NotAvailable", "contact.method=staged", {"not available in this version"}},
+        Case{"KeyNotAvailable", "analysis.damping.mass=0.1", {"'damping'", "not available in this version"}},
+        Case{"TableNotAvailable", "solver.skip.sleep=true", {"'solver'", "not available in this version"}},
+        Case{"BulkNotAvailable", "blocks=wall.geojson", {"'blocks'", "not available in this version"}},
+        Case{"ValueForTable", "analysis=3", {"'analysis'", "table"}},
+        Case{"Concave", "block.slider.vertices.2=[2, 1]", {"concave"}},
+        Case{"ConcaveByNeighbour", "block.slider.vertices.1.0=-9", {"block 'slider'"}},
+        Case{"NotUtf8", "title=\xff", {"utf-8"}}));
+
+TEST(Settings, NeedWhatTheyName) {
+  const SceneReading reading = read(minimal, {"joint.0.friction_angle=3"});
+  ASSERT_EQ(reading.problems.size(), 1u);
+  EXPECT_NE(reading.problems[0].text().find("no [[joint]]"), std::string::npos);
+}
+
+TEST(Settings, TheirProblemsComeAfterThoseOfTheFile) {
+  const SceneReading reading = read(replaced(complete, "every = 5", "every = -5"), {"analysis.steps=0"});
+  ASSERT_EQ(reading.problems.size(), 2u);
+  EXPECT_EQ(reading.problems[0].file, "scene.toml");
+  EXPECT_EQ(reading.problems[1].file, "--set analysis.steps=0");
+}
+
+}  // namespace
