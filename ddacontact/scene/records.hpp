@@ -23,11 +23,20 @@ class Places {
   /// Written, good or not.
   bool written(std::string_view key) const { return find(key) != nullptr; }
   /// Written and of the right type, unit and range.
-  bool good(std::string_view key) const { return find(key) != nullptr && find(key)->good; }
+  bool good(std::string_view key) const {
+    const Value* value = find(key);
+    return value && value->good;
+  }
   /// Left out, or good: a value to go on with.
-  bool usable(std::string_view key) const { return find(key) == nullptr || find(key)->good; }
+  bool usable(std::string_view key) const {
+    const Value* value = find(key);
+    return !value || value->good;
+  }
   /// Of the value; of the table when the key is left out.
-  const Place& of(std::string_view key) const { return find(key) ? find(key)->place : table; }
+  const Place& of(std::string_view key) const {
+    const Value* value = find(key);
+    return value ? value->place : table;
+  }
 
  private:
   struct Value {

@@ -1,0 +1,194 @@
+// The program from outside: what it prints, what it writes, what its exit status says.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<std::vector<std::string>> read_csv(const fs::path& path) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(read_file(path));
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string>& row = rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+  }
+  return rows;
+}
+
+class Program : public testing::Test {
+ protected:
+  Program() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    directory_ = fs::temp_directory_path() / ("polydda_" + std::string(test->name()) + std::to_string(getpid()));
+    fs::create_directories(directory_);
+  }
+  ~Program() override { fs::remove_all(directory_); }
+
+  /// Runs `dda ARGUMENTS` in the test's directory; keeps what it printed.
+  int dda(const std::string& arguments) {
+    const std::string command = "cd '" + directory_.string() + "' && " + POLYDDA_PROGRAM " " + arguments + " > '" +
+                                out_path() + "' 2> '" + err_path() + "' < /dev/null";
+    const int status = std::system(command.c_str());
+    out_ = read_file(out_path());
+    err_ = read_file(err_path());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(directory_ / name, std::ios::binary) << text;
+  }
+  nlohmann::json summary(const std::string& directory) const {
+    return nlohmann::json::parse(read_file(directory_ / directory / "summary.json"));
+  }
+
+  fs::path directory_;
+  std::string out_, err_;
+
+ private:
+  std::string out_path() const { return (directory_ / "stdout").string(); }
+  std::string err_path() const { return (directory_ / "stderr").string(); }
+};
+
+const std::string arch = "'" POLYDDA_EXAMPLES "/paper/arch_friction30.toml'";
+const std::string sliding = "'" POLYDDA_EXAMPLES "/paper/sliding_30.toml'";
+
+TEST_F(Program, RunWritesEveryResultFile) {
+  ASSERT_EQ(dda("run " + arch + " -o result --steps 10"), 0) << err_;
+  for (const char* name : {"summary.json", "monitors.csv", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv",
+                           "energy.csv", "scene.toml", "log.txt"})
+    EXPECT_TRUE(fs::exists(directory_ / "result" / name)) << name;
+  EXPECT_NE(out_.find("results in result"), std::string::npos) << out_;
+  EXPECT_NE(err_.find("step 10/10"), std::string::npos) << err_;
+}
+
+TEST_F(Program, TablesHaveTheContractsColumnsAndRows) {
+  ASSERT_EQ(dda("run " + arch + " -o result --steps 10 --quiet"), 0);
+  const auto header = [&](const char* name) {
+    const std::string text = read_file(directory_ / "result" / name);
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(header("monitors.csv"), "step,time,monitor,x,y,ux,uy,vx,vy");
+  EXPECT_EQ(header("energy.csv"),
+            "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
+            "damping_dissipated");
+  EXPECT_EQ(header("supports.csv"), "block,vertex,fx,fy");
+  EXPECT_EQ(header("blocks.csv"),
+            "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
+            "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
+  EXPECT_EQ(header("vertices.csv"), "block,vertex,x,y,ux,uy,vx,vy");
+  EXPECT_EQ(header("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force");
+  EXPECT_EQ(read_csv(directory_ / "result/monitors.csv").size(), 1u + 11u);
+  EXPECT_EQ(read_csv(directory_ / "result/energy.csv").size(), 1u + 11u);
+  EXPECT_EQ(read_csv(directory_ / "result/blocks.csv").size(), 1u + 7u);
+  EXPECT_EQ(read_csv(directory_ / "result/vertices.csv").size(), 1u + 28u);
+  EXPECT_EQ(read_csv(directory_ / "result/supports.csv").size(), 1u + 4u);
+  EXPECT_EQ(read_csv(directory_ / "result/contacts.csv").size(), 1u + 12u);
+}
+
+TEST_F(Program, SummarySaysWhatHappened) {
+  ASSERT_EQ(dda("run " + arch + " -o result --steps 10 --quiet"), 0);
+  EXPECT_TRUE(out_.empty() && err_.empty());
+  const nlohmann::json s = summary("result");
+  EXPECT_EQ(s["status"], "completed");
+  EXPECT_EQ(s["steps_completed"], 10);
+  EXPECT_EQ(s["blocks"], 7);
+  EXPECT_EQ(s["dofs"], 7 * 8 - 8);
+  EXPECT_DOUBLE_EQ(s["time"].get<double>(), 0.1);
+  EXPECT_GE(s["linear_solves"].get<int>(), 10);
+  EXPECT_GT(s["peak_memory_mb"].get<double>(), 0);
+  for (const char* key : {"total", "setup", "steps", "detection", "assembly", "solver", "update", "output"})
+    EXPECT_TRUE(s["wall_seconds"].contains(key)) << key;
+  EXPECT_TRUE(s["versions"].contains("blas"));
+}
+
+TEST_F(Program, DefaultDirectoryIsTheScenesNameWithOut) {
+  write("my.scene.toml", read_file(POLYDDA_EXAMPLES "/paper/sliding_0.toml"));
+  ASSERT_EQ(dda("run my.scene.toml --steps 1 --quiet"), 0) << err_;
+  EXPECT_TRUE(fs::exists(directory_ / "my.scene-out/summary.json"));
+}
+
+TEST_F(Program, TheSceneAsRunGivesTheSameBytesAgain) {
+  ASSERT_EQ(dda("run " + sliding + " -o first --quiet --set analysis.block_model=affine --set joint.0.friction_angle=20"), 0);
+  ASSERT_EQ(dda("run first/scene.toml -o second --quiet"), 0) << err_;
+  for (const char* name : {"monitors.csv", "energy.csv", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv",
+                           "scene.toml"})
+    EXPECT_EQ(read_file(directory_ / "first" / name), read_file(directory_ / "second" / name)) << name;
+}
+
+TEST_F(Program, CheckComputesNothingAndEndsWithTheWorstStatus) {
+  write("bad.toml", "format = 1\n");
+  EXPECT_EQ(dda("check " + arch + " " + sliding), 0) << err_;
+  EXPECT_EQ(dda("check " + arch + " bad.toml"), 2);
+  EXPECT_NE(err_.find("bad.toml:"), std::string::npos);
+  EXPECT_EQ(dda("check missing.toml bad.toml"), 4);
+  EXPECT_FALSE(fs::exists(directory_ / "bad-out"));
+}
+
+TEST_F(Program, WrongInputWritesNothing) {
+  write("bad.toml", "format = 1\n[analysis]\nstps = 3\n");
+  EXPECT_EQ(dda("run bad.toml"), 2);
+  EXPECT_NE(err_.find("bad.toml:3:1: error: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("steps"), std::string::npos) << err_;
+  EXPECT_FALSE(fs::exists(directory_ / "bad-out"));
+  EXPECT_EQ(dda("run " + sliding + " -o result --set analysis.stps=3"), 2);
+  EXPECT_FALSE(fs::exists(directory_ / "result"));
+}
+
+TEST_F(Program, WrongCallsEndWithStatus2) {
+  for (const char* call : {"", "fly", "run", "run --nonsense", "check", "run a.toml --steps 0", "run a.toml --steps many"}) {
+    EXPECT_EQ(dda(call), 2) << call;
+    EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
+  }
+  for (const char* call : {"plot DIR", "info DIR", "make voronoi", "view DIR", "run a.toml --resume b.bin"}) {
+    EXPECT_EQ(dda(call), 2) << call;
+    EXPECT_NE(err_.find("not available in this version"), std::string::npos) << err_;
+  }
+  EXPECT_EQ(dda("--help"), 0);
+  EXPECT_EQ(dda("run --help"), 0);
+  EXPECT_EQ(dda("--version"), 0);
+}
+
+TEST_F(Program, FilesThatCannotBeReadOrWrittenEndWithStatus4) {
+  EXPECT_EQ(dda("run missing.toml"), 4);
+  EXPECT_NE(err_.find("missing.toml"), std::string::npos);
+  write("file", "");
+  EXPECT_EQ(dda("run " + sliding + " -o file/result --steps 1"), 4) << err_;
+}
+
+TEST_F(Program, AnAnalysisThatMustStopKeepsWhatItComputed) {
+  // A blow so hard that no substep is short enough for the limit on motion.
+  ASSERT_EQ(dda("run " + sliding + " -o result --quiet --set block.slider.velocity=[1e9,0.0]"), 3);
+  EXPECT_NE(err_.find("slider"), std::string::npos) << err_;
+  const nlohmann::json s = summary("result");
+  EXPECT_EQ(s["status"], "stopped");
+  EXPECT_FALSE(s["reason"].get<std::string>().empty());
+  EXPECT_TRUE(fs::exists(directory_ / "result/vertices.csv"));
+}
+
+TEST_F(Program, ASignalEndsTheRunWithItsResults) {
+  const std::string command = "timeout -s TERM 1 " POLYDDA_PROGRAM " run " + sliding + " -o '" +
+                              (directory_ / "result").string() + "' --steps 100000000 --quiet 2> /dev/null";
+  const int status = std::system(("sh -c \"" + command + "; exit \\$?\"").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 124);  // timeout's own; the program ended by itself
+  EXPECT_EQ(summary("result")["status"], "interrupted");
+}
+
+}  // namespace

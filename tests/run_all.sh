@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# On a fresh Debian 12: installs what the tests need too (deal.II among it), builds everything and runs all tests.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source tests/support/debian_packages.sh
+install_packages "${program_packages[@]}" "${test_packages[@]}"
+cmake --preset release
+cmake --build --preset release
+ctest --preset release
