@@ -28,7 +28,11 @@ namespace {
 
 volatile std::sig_atomic_t signal_received = 0;
 
-extern "C" void note_signal(int number) { signal_received = number; }
+/// The first signal lets the present step end; a second one ends the program at once.
+extern "C" void note_signal(int number) {
+  signal_received = number;
+  std::signal(number, SIG_DFL);
+}
 
 std::filesystem::path default_directory(const std::string& scene) {
   std::filesystem::path path(scene);

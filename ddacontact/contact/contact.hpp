@@ -21,7 +21,9 @@ struct Contact {
   JointLaw law;
   ContactHistory history;        ///< at the start of the step, then at its end
   AffineForm gap, slip;          ///< (36) and (44) over the same unknowns; the gap without its offset
+  double edge_length = 0;
   double length_tolerance = 0;   ///< gaps and slips below this are round-off, m
+  double end_tolerance = 0;      ///< a vertex no further than this beyond an end of the edge is still on it, m
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
   double normal = 0;             ///< N, > 0 compression
@@ -29,6 +31,11 @@ struct Contact {
   bool was_closed = false;       ///< at the start, at the end or in between
 
   bool closed() const { return history.state != ContactState::open; }
+  /// Whether the vertex projects onto the edge when its slip is this.
+  bool is_on_edge(double at_slip) const {
+    const double along = history.lock * edge_length + at_slip;
+    return along >= -end_tolerance && along <= edge_length + end_tolerance;
+  }
 };
 
 }  // namespace ddacontact

@@ -109,6 +109,8 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   const Vec2 j = state.position.col(edge_block.vertices().first + pair.edge);
   const Vec2 k = state.position.col(edge_block.vertices().first + (pair.edge + 1) % edge_block.n_vertices());
   contact.history.lock = edge_fraction(i, j, k);
+  contact.edge_length = (k - j).norm();
+  contact.end_tolerance = coincidence * pair_size(pair.vertex_block, pair.edge_block);
   contact.length_tolerance = length_tolerance * pair_size(pair.vertex_block, pair.edge_block) +
                              coordinate_tolerance * std::max(i.cwiseAbs().maxCoeff(), j.cwiseAbs().maxCoeff());
   return contact;
@@ -121,7 +123,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
     make_forms(state, contact);
     ContactHistory& history = contact.history;
     const double gap = contact.gap.constant;
-    if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block)) {
+    if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) && contact.is_on_edge(contact.slip.constant)) {
       history.bonded = true;
       history.gap_offset = std::min(gap, 0.0);
       history.length = contact_length(outline(state, pair.vertex_block), pair.vertex,
@@ -178,7 +180,7 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
       if (is_slipping(contact.history.state)) contact.history.lock = fraction;
     }
     make_forms(state, contact);
-    if (!contact.closed() && contact.gap.constant < -contact.length_tolerance)
+    if (!contact.closed() && contact.gap.constant < -contact.length_tolerance && contact.is_on_edge(contact.slip.constant))
       contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     contacts.push_back(contact);
   }

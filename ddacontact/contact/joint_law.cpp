@@ -25,7 +25,7 @@ ContactState stick_or_slip(const JointLaw& law, const Trial& trial) {
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial) {
   const double tension = state != ContactState::open && trial.bonded ? law.tension : 0.0;
   const double opening_gap = tension / law.normal_stiffness;
-  const bool closed = state == ContactState::open ? trial.gap < -trial.tolerance
+  const bool closed = state == ContactState::open ? trial.on_edge && trial.gap < -trial.tolerance
                                                   : trial.gap <= opening_gap + trial.tolerance;
   if (!closed) return ContactState::open;
   if (law.frictionless()) return ContactState::slip_forward;

@@ -30,6 +30,7 @@ struct Trial {
   double slip = 0;            ///< distance from the lock point at the end of the step, along j to k
   double slip_increment = 0;  ///< change of the slip within the step
   double tolerance = 0;       ///< lengths below this are round-off
+  bool on_edge = true;        ///< at the start or at the end of the step the vertex projects onto the edge
   bool bonded = false;        ///< cohesion and tensile strength hold
 };
 
@@ -39,7 +40,7 @@ double normal_force(const JointLaw& law, double gap);
 double shear_bound(const JointLaw& law, double normal_force, bool bonded);
 
 /// The state that agrees with the trial, from the state it was computed with: an open contact closes on
-/// penetration; a closed one opens when pulled beyond the tensile bound; a contact that closes or sticks slips
+/// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile bound; a contact that closes or sticks slips
 /// when its spring would exceed the shear bound; a slipping one sticks when it moved against its own sense. A
 /// closed contact without friction is slip_forward.
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial);

@@ -79,12 +79,18 @@ void add_entrances(const Outline& a, const Outline& b, const PairLimits& limits,
   }
 }
 
-/// Whether the two contacts are between the same two corners: each one's vertex ends the other one's edge.
+/// The end of an edge that is nearer to x.
+int nearer_end(const PointsRef& polygon, int edge, const Vec2& x) {
+  const int end = next(edge, polygon);
+  return (polygon.col(edge) - x).squaredNorm() <= (polygon.col(end) - x).squaredNorm() ? edge : end;
+}
+
+/// Whether the two contacts are between the same two corners: each one's vertex is the near end of the other's edge.
 bool share_corner(const Candidate& p, const Outline& a, const Candidate& q, const Outline& b, double reach) {
   const int i = p.contact.vertex, j = q.contact.vertex;
-  const bool j_ends_edge = p.contact.edge == j || next(p.contact.edge, b.vertices) == j;
-  const bool i_ends_edge = q.contact.edge == i || next(q.contact.edge, a.vertices) == i;
-  return i_ends_edge && j_ends_edge && (a.vertices.col(i) - b.vertices.col(j)).norm() <= reach;
+  const Vec2 x_i = a.vertices.col(i), x_j = b.vertices.col(j);
+  return nearer_end(b.vertices, p.contact.edge, x_i) == j && nearer_end(a.vertices, q.contact.edge, x_j) == i &&
+         (x_i - x_j).norm() <= reach;
 }
 
 /// Vertex on vertex: decides which of the two stays, or both as the two ends of a short overlap.

@@ -4,42 +4,86 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ddacontact {
 
 namespace {
 
-struct StateChanges {
-  bool opening = false;  ///< between open and closed
-  bool sliding = false;  ///< between stick and the two senses of slip
-  int last = -1;         ///< the contact that changed last, opening before sliding
-
-  bool any() const { return opening || sliding; }
+/// A contact whose state does not agree with the solution.
+struct Disagreement {
+  std::size_t contact;
+  ContactState state;   ///< the one that agrees
+  double force;         ///< by how much it does not, N per m
 };
 
-/// Moves contacts to the state that agrees with d: all of them, or the first that disagrees. A bond is lost on
-/// sliding or opening.
-StateChanges update_states(const VectorXd& d, bool only_first, std::vector<Contact>& contacts) {
-  StateChanges changes;
-  for (std::size_t c = 0; c < contacts.size() && !(only_first && changes.any()); ++c) {
-    Contact& contact = contacts[c];
-    ContactHistory& history = contact.history;
-    const Trial trial{.gap = contact.gap(d) - history.gap_offset,
-                      .slip = contact.slip(d),
+bool opens_or_closes(ContactState from, ContactState to) {
+  return (from == ContactState::open) != (to == ContactState::open);
+}
+
+/// The force that the old state gets wrong: that of a gap or a slip which should not be, or what exceeds a bound.
+double wrong_force(const Contact& contact, ContactState state, const Trial& trial) {
+  const JointLaw& law = contact.law;
+  if (opens_or_closes(contact.history.state, state)) return std::abs(normal_force(law, trial.gap));
+  if (is_slipping(contact.history.state)) return law.tangential_stiffness * std::abs(trial.slip_increment);
+  return law.tangential_stiffness * std::abs(trial.slip) -
+         shear_bound(law, normal_force(law, trial.gap), trial.bonded);
+}
+
+std::vector<Disagreement> find_disagreements(const VectorXd& d, const std::vector<Contact>& contacts) {
+  std::vector<Disagreement> found;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const double slip = contact.slip(d);
+    const Trial trial{.gap = contact.gap(d) - contact.history.gap_offset,
+                      .slip = slip,
                       .slip_increment = contact.slip.change(d),
                       .tolerance = contact.length_tolerance,
-                      .bonded = history.bonded};
-    const ContactState state = next_state(history.state, contact.law, trial);
-    if (state == history.state) continue;
-    const bool opens_or_closes = (state == ContactState::open) != (history.state == ContactState::open);
-    if (opens_or_closes || !changes.opening) changes.last = static_cast<int>(c);
-    (opens_or_closes ? changes.opening : changes.sliding) = true;
-    history.state = state;
-    history.bonded = history.bonded && state == ContactState::stick;
+                      .on_edge = contact.is_on_edge(contact.slip.constant) || contact.is_on_edge(slip),
+                      .bonded = contact.history.bonded};
+    const ContactState state = next_state(contact.history.state, contact.law, trial);
+    if (state != contact.history.state) found.push_back({c, state, wrong_force(contact, state, trial)});
+  }
+  return found;
+}
+
+/// A bond is lost on sliding or opening.
+void change_states(const std::vector<Disagreement>& disagreements, std::vector<Contact>& contacts) {
+  for (const Disagreement& of : disagreements) {
+    Contact& contact = contacts[of.contact];
+    contact.history.state = of.state;
+    contact.history.bonded = contact.history.bonded && of.state == ContactState::stick;
     contact.was_closed = contact.was_closed || contact.closed();
   }
-  return changes;
 }
+
+/// Which of the disagreeing states to change: all while their number falls; then those that are wrong by the largest
+/// forces; at last only the first (Murty's rule). Changing all of them every time can go round in circles.
+class Restraint {
+ public:
+  /// Leaves in `disagreements` what is to change.
+  void apply(std::vector<Disagreement>& disagreements) {
+    if (disagreements.size() < fewest_) {
+      fewest_ = disagreements.size();
+      passes_without_gain_ = 0;
+    } else {
+      ++passes_without_gain_;
+    }
+    if (passes_without_gain_ < 4) return;
+    if (passes_without_gain_ >= 20) {
+      disagreements.resize(1);
+      return;
+    }
+    const double part = passes_without_gain_ < 12 ? 0.1 : 0.5;
+    const auto less = [](const Disagreement& a, const Disagreement& b) { return a.force < b.force; };
+    const double largest = std::max_element(disagreements.begin(), disagreements.end(), less)->force;
+    std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
+  }
+
+ private:
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  int passes_without_gain_ = 0;
+};
 
 bool has_friction_to_find(const std::vector<Contact>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
@@ -61,6 +105,7 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
   d = system.prescribed();
   system.compute_residual(d, contacts, r);
   AndersonAcceleration acceleration(anderson_depth);
+  Restraint restraint;
   VectorXd correction;
 
   for (int pass = 0; pass < options.max_passes && report.iterations < options.max_iterations; ++pass) {
@@ -82,16 +127,23 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
     } while (friction_to_find && !r.balanced(options.residual_tolerance) && r.largest > sufficient_decrease * before &&
              report.iterations < options.max_iterations);
 
-    const StateChanges changes = update_states(d, pass >= options.full_passes, contacts);
-    report.last_changed = changes.last;
-    if (changes.any()) {
-      acceleration.reset();
-      system.compute_residual(d, contacts, r);
-    } else if (r.balanced(options.residual_tolerance)) {
+    std::vector<Disagreement> disagreements = find_disagreements(d, contacts);
+    if (disagreements.empty() && r.balanced(options.residual_tolerance)) {
       report.status = OpenCloseStatus::settled;
       return report;
     }
-    report.status = changes.opening ? OpenCloseStatus::unsettled : OpenCloseStatus::friction_unsettled;
+    const auto opening = std::find_if(disagreements.begin(), disagreements.end(), [&](const Disagreement& of) {
+      return opens_or_closes(contacts[of.contact].history.state, of.state);
+    });
+    report.status = opening != disagreements.end() ? OpenCloseStatus::unsettled : OpenCloseStatus::friction_unsettled;
+    report.disagreeing = opening != disagreements.end() ? static_cast<int>(opening->contact)
+                         : disagreements.empty()        ? -1
+                                                        : static_cast<int>(disagreements.front().contact);
+    if (disagreements.empty()) continue;
+    restraint.apply(disagreements);
+    change_states(disagreements, contacts);
+    acceleration.reset();
+    system.compute_residual(d, contacts, r);
   }
   return report;
 }

@@ -6,9 +6,8 @@
 namespace ddacontact {
 
 struct OpenCloseOptions {
-  int max_iterations = 200;           ///< solutions of (13) per try
-  int max_passes = 60;                ///< changes of the contacts' states per try
-  int full_passes = 12;               ///< after so many passes only one contact changes at a time
+  int max_iterations = 150;           ///< solutions of (13) per try
+  int max_passes = 40;                ///< changes of the contacts' states per try
   double residual_tolerance = 1e-8;   ///< of the residual's scale
 };
 
@@ -24,7 +23,7 @@ struct OpenCloseReport {
   OpenCloseStatus status = OpenCloseStatus::unsettled;
   int iterations = 0;                 ///< solutions of (13)
   Residual residual;                  ///< at the end, for the states the contacts are left with
-  int last_changed = -1;              ///< a contact whose state changed in the last pass, -1: none
+  int disagreeing = -1;               ///< a contact whose state did not agree in the last pass, -1: none
 };
 
 /// Starting from the contacts' states and d = the prescribed displacements, solves (13) and adapts the states
@@ -32,9 +31,8 @@ struct OpenCloseReport {
 /// and the residual, with friction taken from the present penetration, is below tolerance.
 ///
 /// For given states the size of friction (49) hangs on the penetration, which (13) leaves out of K: the iteration
-/// d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Changing every state that disagrees
-/// can go round in circles; after some passes only the first one that disagrees is changed. Leaves the states in
-/// `contacts` and sets their `was_closed`.
+/// d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Leaves the states in `contacts` and sets
+/// their `was_closed`.
 OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
                                    std::vector<Contact>& contacts, VectorXd& d);
 

@@ -22,7 +22,7 @@ MotionLimits::MotionLimits(const BlockSystem& blocks, const AnalysisOptions& ana
 }
 
 double MotionLimits::largest_reach(int block) const {
-  if (!reach_binds()) return largest_displacement_;
+  if (analysis_.preset == Preset::paper) return largest_displacement_;
   return std::min(largest_reach_ratio * blocks_.block(block).size(), largest_displacement_);
 }
 
@@ -43,8 +43,6 @@ std::vector<double> MotionLimits::reach(const BlockState& state, double dt, doub
       double furthest = 0;
       for (int v = 0; v < block.n_vertices(); ++v) furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
       reach[b] = furthest;
-    } else if (!reach_binds()) {
-      reach[b] = largest_displacement_;
     } else {
       const double expected = 2 * (fastest_vertex(state, b) * dt + fall) + least_reach * block.size();
       reach[b] = std::min(scale * expected, largest_reach(b));

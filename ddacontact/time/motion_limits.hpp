@@ -9,8 +9,8 @@
 namespace ddacontact {
 
 /// Shi's limit holds for every vertex: max_displacement_ratio times half the larger side of the box of the scene at
-/// the start. The default preset also keeps every block within the distance that its contacts were looked for in,
-/// at most a quarter of its size; the paper preset looks as far as Shi's limit for every block.
+/// the start. No block may move further than its contacts were looked for: at most a quarter of its size in the
+/// default preset, as far as Shi's limit in the paper preset.
 class MotionLimits {
  public:
   MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis);
@@ -25,8 +25,6 @@ class MotionLimits {
   double largest_displacement() const { return largest_displacement_; }
   /// The furthest that contacts of a block are ever looked for, m.
   double largest_reach(int block) const;
-  /// Whether a block must stay within its reach.
-  bool reach_binds() const { return analysis_.preset != Preset::paper; }
 
  private:
   double fastest_vertex(const BlockState& state, int block) const;

@@ -13,7 +13,9 @@ namespace ddacontact {
 namespace {
 
 /// A substep shorter than this times time_step is not tried.
-constexpr double smallest_substep = 1e-4;
+constexpr double shortest_substep = 1e-3;
+/// From this times time_step on, a substep is accepted with unsettled stick and slip, and counted.
+constexpr double tolerant_substep = 1e-2;
 /// A block that moved further than its contacts were looked for has them looked for this much further.
 constexpr double reach_growth = 4;
 
@@ -44,11 +46,11 @@ bool Stepper::step() {
   while (true) {
     const double remaining = end - state_.time;
     const double wanted = std::min(substep_, limits_.foreseen_step(state_));
-    const double shortest = smallest_substep * analysis_.time_step;
+    const double shortest = shortest_substep * analysis_.time_step;
     const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
     const double dt = remaining / pieces;
     const bool last_resort = dt * analysis_.cutting_factor < shortest;
-    const Try result = try_step(dt, last_resort);
+    const Try result = try_step(dt);
     if (result == Try::accepted) {
       substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
       if (pieces > 1) continue;
@@ -70,7 +72,7 @@ bool Stepper::step() {
   }
 }
 
-Stepper::Try Stepper::try_step(double dt, bool last_resort) {
+Stepper::Try Stepper::try_step(double dt) {
   if (!detected_) detect(dt);
   VectorXd d;
   const OpenCloseReport report = solve(dt, d);
@@ -79,7 +81,8 @@ Stepper::Try Stepper::try_step(double dt, bool last_resort) {
   const Stopwatch watch(times_.update);
   rejection_ = objection(report);
   const bool unsettled_friction = report.status == OpenCloseStatus::friction_unsettled;
-  if (!rejection_.empty() && !(unsettled_friction && last_resort)) return Try::rejected;
+  const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * analysis_.time_step;
+  if (!rejection_.empty() && !(unsettled_friction && cut_enough)) return Try::rejected;
 
   Points displacement(2, state_.position.cols());
   bool outran = false;
@@ -96,7 +99,7 @@ Stepper::Try Stepper::try_step(double dt, bool last_resort) {
       rejection_ = "block " + quoted(blocks_.names[b]) + " moves further in one step than max_displacement_ratio allows";
       return Try::rejected;
     }
-    if (limits_.reach_binds() && furthest > reach_[b]) {
+    if (furthest > reach_[b]) {
       rejection_ = "block " + quoted(blocks_.names[b]) + " moves further in one step than contacts are looked for";
       if (reach_[b] >= limits_.largest_reach(b)) return Try::rejected;
       outran = true;
@@ -135,8 +138,8 @@ OpenCloseReport Stepper::solve(double dt, VectorXd& d) {
 
 std::string Stepper::objection(const OpenCloseReport& report) const {
   std::string where;
-  if (report.last_changed >= 0) {
-    const VertexEdge& pair = tried_[report.last_changed].pair;
+  if (report.disagreeing >= 0) {
+    const VertexEdge& pair = tried_[report.disagreeing].pair;
     where = ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
             quoted(blocks_.names[pair.edge_block]);
   }

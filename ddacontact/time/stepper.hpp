@@ -55,8 +55,7 @@ class Stepper {
  private:
   enum class Try { accepted, rejected, outran_detection };
 
-  /// One substep of length dt; as a last resort it is accepted with unsettled friction, and counted.
-  Try try_step(double dt, bool last_resort);
+  Try try_step(double dt);
   void detect(double dt);
   OpenCloseReport solve(double dt, VectorXd& d);
   /// Why a solution cannot be accepted; empty: it can.

@@ -1,0 +1,137 @@
+#include <ddacontact/contact/contact_builder.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace support;
+using enum ContactState;
+
+namespace {
+
+JointTable one_joint(const JointStrength& strength) {
+  return JointTable(std::vector<JointTable::Entry>{{strength, std::nullopt}});
+}
+
+/// A block on a wider fixed one, shifted against the place where their edges just touch.
+struct BlockOnPlate {
+  BuiltScene built;
+  ContactBuilder builder;
+  BlockState state;
+  std::vector<double> reach{0.1, 0.1};
+
+  explicit BlockOnPlate(double shift_x, double shift_y, double friction = 0.5, double width = 1)
+      : built(build(scene(shift_x, shift_y, width))),
+        builder(built.stepper->blocks(), properties(friction)),
+        state(built.stepper->state()) {}
+  static Scene scene(double shift_x, double shift_y, double width) {
+    Scene s = rock_scene(0.1, 1);
+    s.blocks = {block(rectangle(0, -1, 3, 1), true), block(rectangle(1 + shift_x, shift_y, width, 1))};
+    return s;
+  }
+  static ContactProperties properties(double friction) {
+    return {1e9, 4e8, one_joint({friction, 7e3, 5e3}), {0, 0}};
+  }
+  void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }
+  std::vector<Contact> first() const { return builder.build_first(state, reach); }
+};
+
+}  // namespace
+
+TEST(ContactBuilder, TouchingContactsBeginBondedAndOverlapsAreFreeOfStress) {
+  for (double overlap : {0., -5e-4, 5e-7}) {
+    const auto contacts = BlockOnPlate(0, overlap).first();
+    ASSERT_EQ(contacts.size(), 2u);
+    for (const Contact& c : contacts) {
+      EXPECT_EQ(c.history.state, stick);
+      EXPECT_TRUE(c.history.bonded);
+      EXPECT_NEAR(c.history.gap_offset, std::min(overlap, 0.), 1e-14);
+      EXPECT_DOUBLE_EQ(c.history.length, 0.5);
+      EXPECT_DOUBLE_EQ(c.law.cohesion, 3.5e3);
+      EXPECT_DOUBLE_EQ(c.law.tension, 2.5e3);
+      EXPECT_NEAR(c.slip.constant, 0, 1e-14);
+    }
+  }
+}
+
+TEST(ContactBuilder, ContactsApartBeginOpenAndWithoutABond) {
+  const auto contacts = BlockOnPlate(0, 0.01).first();
+  ASSERT_EQ(contacts.size(), 2u);
+  for (const Contact& c : contacts) {
+    EXPECT_EQ(c.history.state, open);
+    EXPECT_FALSE(c.history.bonded);
+    EXPECT_EQ(c.law.cohesion, 0);
+    EXPECT_EQ(c.law.tension, 0);
+  }
+}
+
+TEST(ContactBuilder, StickingContactsKeepTheirLockPointAndSlidingOnesMoveIt) {
+  for (ContactState before : {stick, slip_forward}) {
+    BlockOnPlate pair(0, 0);
+    auto previous = pair.first();
+    for (Contact& c : previous) c.history.state = before;
+    pair.move({0.01, -1e-5});
+    const auto contacts = pair.builder.build(pair.state, pair.reach, previous);
+    ASSERT_EQ(contacts.size(), 2u);
+    for (std::size_t c = 0; c < 2; ++c) {
+      EXPECT_EQ(contacts[c].history.state, before);
+      EXPECT_NEAR(contacts[c].gap.constant, -1e-5, 1e-14);
+      // The fixed block's upper edge runs from right to left.
+      EXPECT_NEAR(contacts[c].slip.constant, before == stick ? -0.01 : 0, 1e-14);
+      EXPECT_EQ(contacts[c].history.bonded, previous[c].history.bonded);
+      EXPECT_EQ(contacts[c].law.cohesion, previous[c].law.cohesion);
+    }
+  }
+}
+
+TEST(ContactBuilder, AnOpenContactThatIsPenetratedAtDetectionBeginsClosed) {
+  BlockOnPlate pair(0, 0.01);
+  const auto previous = pair.first();
+  pair.move({0, -0.011});
+  for (const Contact& c : pair.builder.build(pair.state, pair.reach, previous)) {
+    EXPECT_EQ(c.history.state, stick);
+    EXPECT_FALSE(c.history.bonded);
+    EXPECT_EQ(c.history.gap_offset, 0);
+  }
+}
+
+/// Corners slide past each other: the contact goes from one block's vertex to the other's, with its spring's
+/// length.
+TEST(ContactBuilder, AContactHandedOverAtACornerKeepsItsSlip) {
+  for (double way : {-1., 1.}) {
+    // Two metres on three, a millimetre within the end that it slides over.
+    BlockOnPlate pair(way > 0 ? -1e-3 : -1 + 1e-3, 0, 0.5, 2);
+    auto previous = pair.first();
+    ASSERT_EQ(previous.size(), 2u);
+    for (Contact& c : previous) c.end_slip = 2e-4;
+    pair.move({way * 2e-3, -1e-5});
+    const auto contacts = pair.builder.build(pair.state, pair.reach, previous);
+    ASSERT_EQ(contacts.size(), 2u);
+    int handed_over = 0;
+    for (const Contact& c : contacts) {
+      const bool same =
+          std::any_of(previous.begin(), previous.end(), [&](const Contact& p) { return p.pair == c.pair; });
+      if (same) continue;
+      ++handed_over;
+      EXPECT_EQ(c.history.state, stick);
+      EXPECT_NEAR(c.slip.constant, 2e-4, 1e-12);
+    }
+    EXPECT_EQ(handed_over, 1);
+  }
+}
+
+TEST(ContactBuilder, HeldBlocksDoNotCountForTheSizeOfAPair) {
+  Scene scene = rock_scene(0.1, 1);
+  scene.blocks = {block(rectangle(0, -1, 0.1, 0.1), true), block(rectangle(3, 0, 4, 4)),
+                  block(rectangle(9, 0, 2, 2))};
+  const BuiltScene built = build(scene);
+  const ContactBuilder builder(built.stepper->blocks(), {1e9, 4e8, one_joint({}), {0, 0, 0}});
+  EXPECT_DOUBLE_EQ(builder.pair_size(0, 1), 4);
+  EXPECT_DOUBLE_EQ(builder.pair_size(1, 0), 4);
+  EXPECT_DOUBLE_EQ(builder.pair_size(1, 2), 2);
+}
+
+TEST(ContactBuilder, TwoHeldBlocksDoNotMeet) {
+  Scene scene = rock_scene(0.1, 1);
+  scene.blocks = {block(rectangle(0, 0, 1, 1), true), block(rectangle(1, 0, 1, 1), true)};
+  EXPECT_TRUE(build(scene).stepper->contacts().empty());
+}

@@ -1,0 +1,325 @@
+#include <ddacontact/detection/narrow_phase.hpp>
+#include <ddacontact/detection/separation.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+
+using namespace ddacontact;
+using support::uniform;
+
+namespace {
+
+constexpr double coincidence = 1e-6;
+
+Points box(double x, double y, double width, double height) {
+  Points p(2, 4);
+  p << x, x + width, x + width, x,  //
+      y, y, y + height, y + height;
+  return p;
+}
+
+double perimeter(const Points& p) {
+  double sum = 0;
+  for (Index k = 0; k < p.cols(); ++k) sum += (p.col((k + 1) % p.cols()) - p.col(k)).norm();
+  return sum;
+}
+
+/// Twice the inradius of a slab, as the contacts of a scene are looked for.
+double half_width(const Points& p) {
+  return polyfem::signed_area(p) / perimeter(p);
+}
+
+/// Two polygons, blocks 0 and 1.
+struct PolygonPair {
+  Points a, b;
+
+  const Points& of(int block) const { return block == 0 ? a : b; }
+  Vec2 vertex(const VertexEdge& c) const { return of(c.vertex_block).col(c.vertex); }
+  Vec2 start(const VertexEdge& c) const { return of(c.edge_block).col(c.edge); }
+  Vec2 end(const VertexEdge& c) const { return of(c.edge_block).col((c.edge + 1) % of(c.edge_block).cols()); }
+  double gap(const VertexEdge& c) const {
+    const Vec2 along = end(c) - start(c);
+    return cross(vertex(c) - start(c), along) / along.norm();
+  }
+  /// How far the vertex's projection lies within the edge, in m from the nearer end; < 0 outside.
+  double inset(const VertexEdge& c) const {
+    const Vec2 along = end(c) - start(c);
+    const double s = along.dot(vertex(c) - start(c)) / along.norm();
+    return std::min(s, along.norm() - s);
+  }
+
+  std::vector<VertexEdge> contacts(double reach, const std::vector<VertexEdge>& kept = {},
+                                   bool swapped = false) const {
+    const PairLimits limits{reach, std::min(half_width(a), half_width(b)), coincidence};
+    std::vector<VertexEdge> found;
+    if (swapped)
+      find_contacts({1, b}, {0, a}, limits, kept, found);
+    else
+      find_contacts({0, a}, {1, b}, limits, kept, found);
+    return found;
+  }
+  std::set<VertexEdge> contact_set(double reach, const std::vector<VertexEdge>& kept = {},
+                                   bool swapped = false) const {
+    const auto found = contacts(reach, kept, swapped);
+    const std::set<VertexEdge> set(found.begin(), found.end());
+    EXPECT_EQ(set.size(), found.size()) << "a contact was found twice";
+    return set;
+  }
+
+  PolygonPair moved(double angle, const Vec2& by) const {
+    const Mat2 R = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    return {(R * a).colwise() + by, (R * b).colwise() + by};
+  }
+  PolygonPair mirrored() const {
+    const auto flip = [](const Points& p) -> Points {
+      Points q = p.rowwise().reverse();
+      q.row(0) *= -1;
+      return q;
+    };
+    return {flip(a), flip(b)};
+  }
+  /// The polygons with their numbering started at other vertices.
+  PolygonPair renumbered(int by_a, int by_b) const {
+    const auto shift = [](const Points& p, int by) -> Points {
+      Points q(2, p.cols());
+      for (Index k = 0; k < p.cols(); ++k) q.col(k) = p.col((k + by) % p.cols());
+      return q;
+    };
+    return {shift(a, by_a), shift(b, by_b)};
+  }
+};
+
+/// Two random polygons at the given separation: b is pushed along a random line past a, till it is there.
+PolygonPair random_pair(double separation, std::mt19937& random) {
+  PolygonPair pair{support::random_convex_polygon(3 + static_cast<int>(random() % 5), random),
+                   support::random_convex_polygon(3 + static_cast<int>(random() % 5), random)};
+  const Vec2 line = support::random_direction(random);
+  const Vec2 aside = uniform(-0.5, 0.5, random) * Vec2(-line.y(), line.x());
+  double near = 0, far = 4;
+  const Points b = pair.b;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (near + far) / 2;
+    pair.b = b.colwise() + (aside + middle * line);
+    (ddacontact::separation(pair.a, pair.b) < separation ? near : far) = middle;
+  }
+  const bool missed = std::abs(ddacontact::separation(pair.a, pair.b) - separation) > 1e-12;
+  return missed ? random_pair(separation, random) : pair;
+}
+
+}  // namespace
+
+TEST(NarrowPhase, TwoTouchingEdgesMeetInTheTwoEndsOfTheirOverlap) {
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double w = std::pow(10, uniform(-1, 1, random)), v = std::pow(10, uniform(-1, 1, random));
+    const double reach = 0.1 * std::min({w, v, 1.});
+    // Overlaps from a little longer than the reach; ends apart by anything from much less than the reach.
+    double shift = uniform(-v + 1.5 * reach, w - 1.5 * reach, random);
+    if (trial % 3 == 0) shift = (trial % 2 ? 1 : -1) * reach * std::pow(10, uniform(-4, 0, random));
+    PolygonPair pair{box(0, -1, w, 1), box(shift, 0, v, 1)};
+    if (trial % 2) pair = pair.mirrored();
+    const double angle = uniform(0, 7, random);
+    const Vec2 by(uniform(-9, 9, random), uniform(-9, 9, random));
+    pair = pair.renumbered(static_cast<int>(random() % 4), static_cast<int>(random() % 4)).moved(angle, by);
+
+    const double sign = trial % 2 ? -1 : 1;
+    const Mat2 R = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    const Vec2 low = R * Vec2(sign * std::max(0., shift), 0) + by,
+               high = R * Vec2(sign * std::min(w, shift + v), 0) + by;
+    for (bool swapped : {false, true}) {
+      const auto found = pair.contact_set(reach, {}, swapped);
+      ASSERT_EQ(found.size(), 2u) << "trial " << trial << ", widths " << w << ", " << v << ", shift "
+                                  << shift;
+      int at_low = 0, at_high = 0;
+      for (const VertexEdge& c : found) {
+        EXPECT_NEAR(pair.gap(c), 0, 1e-12);
+        EXPECT_GE(pair.inset(c), -1e-12);
+        at_low += (pair.vertex(c) - low).norm() < 1e-11;
+        at_high += (pair.vertex(c) - high).norm() < 1e-11;
+      }
+      EXPECT_EQ(at_low, 1);
+      EXPECT_EQ(at_high, 1);
+    }
+  }
+}
+
+TEST(NarrowPhase, CoincidentCornersGiveOneContactAnEnd) {
+  std::mt19937 random(2);
+  for (int trial = 0; trial < 500; ++trial) {
+    const double noise = trial % 2 ? 0.3 * coincidence : 0;
+    const double dx = uniform(-noise, noise, random), dy = uniform(-noise, noise, random);
+    PolygonPair pair{box(0, -1, 2, 1), box(dx, dy, 2, 1)};
+    pair = pair.renumbered(static_cast<int>(random() % 4), static_cast<int>(random() % 4))
+               .moved(uniform(0, 7, random), Vec2::Zero());
+    const auto found = pair.contacts(0.1);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_NEAR((pair.vertex(found[0]) - pair.vertex(found[1])).norm(), 2, 1e-5);
+    EXPECT_EQ(pair.contact_set(0.1, {}, true).size(), 2u);
+  }
+}
+
+TEST(NarrowPhase, AVertexOnAnEdgeIsOneContact) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 500; ++trial) {
+    Points wedge(2, 3);
+    const double x = uniform(0.2, 1.8, random), tilt = uniform(-0.5, 0.5, random);
+    wedge << 0, 0.5, -0.5,  //
+        0, 1, 1;
+    wedge = (Eigen::Rotation2Dd(tilt).toRotationMatrix() * wedge).colwise() +
+            Vec2(x, uniform(-0.01, 0.05, random));
+    PolygonPair pair{box(0, -1, 2, 1), wedge};
+    pair = pair.moved(uniform(0, 7, random), Vec2::Zero());
+    EXPECT_EQ(pair.contact_set(0.1), (std::set<VertexEdge>{{1, 0, 0, 2}}));
+    EXPECT_EQ(pair.contact_set(0.1, {}, true), (std::set<VertexEdge>{{1, 0, 0, 2}}));
+  }
+}
+
+/// A corner pressed upon a corner enters through the shallower side: as one contact, or as the two ends of
+/// the overlap of two parallel sides.
+TEST(NarrowPhase, CornerOnCornerMeetsThroughTheShallowerSide) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double dx = uniform(-0.02, 0.02, random), dy = uniform(-0.02, 0.02, random);
+    PolygonPair pair{box(-1, -1, 1, 1), box(0, 0, 1, 1).colwise() + Vec2(dx, dy)};
+    pair = pair.moved(uniform(0, 7, random), Vec2::Zero());
+    const auto found = pair.contacts(0.05);
+    EXPECT_FALSE(found.empty());
+    for (const VertexEdge& c : found) EXPECT_NEAR(pair.gap(c), std::max(dx, dy), 1e-12) << dx << " " << dy;
+  }
+}
+
+TEST(NarrowPhase, PairsBeyondReachDoNotMeet) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double reach = uniform(0.01, 0.5, random);
+    const PolygonPair pair = random_pair(reach * uniform(1.001, 3, random), random);
+    EXPECT_TRUE(pair.contacts(reach).empty());
+  }
+}
+
+/// What is not in touch must not be found in touch: a vertex on its edge with a negative gap closes at once.
+TEST(NarrowPhase, SeparatedPolygonsHaveNoPenetratedContact) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const double reach = std::pow(10, uniform(-2, -0.3, random));
+    const double separation = reach * std::pow(10, uniform(-4, 0, random));
+    const PolygonPair pair = random_pair(separation, random);
+    for (const VertexEdge& c : pair.contacts(reach)) {
+      if (pair.inset(c) < -coincidence) continue;
+      EXPECT_GE(pair.gap(c), 0) << "trial " << trial << ", reach " << reach << ", separation " << separation
+                                << ", inset " << pair.inset(c);
+    }
+  }
+}
+
+/// Every vertex that lies on an edge of the other polygon, well within it, and belongs to two touching
+/// polygons.
+TEST(NarrowPhase, EveryTouchingVertexIsFound) {
+  std::mt19937 random(7);
+  int n_touching = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const PolygonPair pair = random_pair(0, random);
+    const double reach = std::pow(10, uniform(-2, -0.5, random));
+    const auto found = pair.contact_set(reach);
+    for (int block : {0, 1})
+      for (int v = 0; v < pair.of(block).cols(); ++v)
+        for (int e = 0; e < pair.of(1 - block).cols(); ++e) {
+          const VertexEdge c{block, v, 1 - block, e};
+          if (std::abs(pair.gap(c)) > 1e-9 || pair.inset(c) < 10 * coincidence) continue;
+          ++n_touching;
+          EXPECT_TRUE(found.contains(c)) << "trial " << trial;
+        }
+    EXPECT_EQ(found, pair.contact_set(reach, {}, true)) << "trial " << trial;
+  }
+  EXPECT_GT(n_touching, 2500);
+}
+
+/// A shallow overlap is told by a contact that is as deep as the polygons overlap.
+TEST(NarrowPhase, AShallowOverlapIsFoundAtItsDepth) {
+  std::mt19937 random(8);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double depth = std::pow(10, uniform(-6, -2.5, random));
+    const PolygonPair pair = random_pair(-depth, random);
+    double deepest = 0;
+    for (const VertexEdge& c : pair.contacts(0.1)) deepest = std::min(deepest, pair.gap(c));
+    EXPECT_LE(deepest, -0.99 * depth) << "trial " << trial;
+  }
+}
+
+TEST(NarrowPhase, FoundContactsDoNotDependOnThePlaceOrNumberingOfTheFrame) {
+  std::mt19937 random(9);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double reach = uniform(0.02, 0.3, random);
+    const PolygonPair pair = random_pair(reach * uniform(-0.1, 0.9, random), random);
+    const auto found = pair.contact_set(reach);
+    EXPECT_EQ(found, pair.moved(uniform(0, 7, random), Vec2(uniform(-9, 9, random), 3)).contact_set(reach));
+
+    const int n_a = static_cast<int>(pair.a.cols()), n_b = static_cast<int>(pair.b.cols());
+    std::set<VertexEdge> of_mirror;
+    for (const VertexEdge& c : pair.mirrored().contact_set(reach)) {
+      const int n_v = c.vertex_block == 0 ? n_a : n_b, n_e = c.edge_block == 0 ? n_a : n_b;
+      of_mirror.insert({c.vertex_block, n_v - 1 - c.vertex, c.edge_block, (2 * n_e - 2 - c.edge) % n_e});
+    }
+    EXPECT_EQ(found, of_mirror) << "trial " << trial;
+  }
+}
+
+/// A resting contact stays where it was while corners jitter about each other by less than the coincidence.
+TEST(NarrowPhase, ClosedContactsAreKeptUnderPerturbationsBelowCoincidence) {
+  std::mt19937 random(10);
+  for (int trial = 0; trial < 300; ++trial) {
+    PolygonPair pair{box(0, -1, 2, 1), box(uniform(-0.4, 0.4, random) * coincidence, 0, 2, 1)};
+    pair = pair.moved(uniform(0, 7, random), Vec2::Zero());
+    const auto kept = pair.contacts(0.1);
+    ASSERT_EQ(kept.size(), 2u);
+    for (int jitter = 0; jitter < 10; ++jitter) {
+      const Vec2 by = 0.4 * coincidence * support::random_direction(random);
+      const PolygonPair perturbed{pair.a, pair.b.colwise() + by};
+      EXPECT_EQ(perturbed.contact_set(0.1, kept), std::set<VertexEdge>(kept.begin(), kept.end()));
+    }
+  }
+}
+
+/// Plates much thinner than the reach, and a block much smaller than it: only facing edges meet.
+TEST(NarrowPhase, NothingMeetsThroughTheThicknessOfAPlate) {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 500; ++trial) {
+    const double h = std::pow(10, uniform(-2, -0.7, random)), w = uniform(0.3, 3, random);
+    const double reach = uniform(0.5, 2, random) * h;
+    const double x = uniform(reach, 3, random);
+    const bool tiny = trial % 2;
+    const PolygonPair pair =
+        PolygonPair{box(0, -h, 8, h), box(x, 0, tiny ? h / 2 : w, tiny ? h / 2 : h)}.moved(
+            uniform(0, 7, random), Vec2(1, 2));
+    const auto found = pair.contact_set(reach);
+    EXPECT_EQ(found, (std::set<VertexEdge>{{1, 0, 0, 2}, {1, 1, 0, 2}}))
+        << "thickness " << h << ", reach " << reach;
+  }
+}
+
+/// The two contacts of an overlap stand for half of it each, a lonely vertex for nothing.
+TEST(NarrowPhase, ContactLengthsOfAnOverlapAddUpToIt) {
+  std::mt19937 random(12);
+  for (int trial = 0; trial < 500; ++trial) {
+    const double w = uniform(0.5, 3, random), v = uniform(0.5, 3, random),
+                 shift = uniform(0.2 - v, w - 0.2, random);
+    const PolygonPair pair =
+        PolygonPair{box(0, -1, w, 1), box(shift, 0, v, 1)}.moved(uniform(0, 7, random), Vec2(1, 2));
+    double sum = 0;
+    for (const VertexEdge& c : pair.contacts(0.05)) {
+      const double length = contact_length(pair.of(c.vertex_block), c.vertex, pair.of(c.edge_block), c.edge);
+      EXPECT_NEAR(length, (std::min(w, shift + v) - std::max(0., shift)) / 2, 1e-12);
+      sum += length;
+    }
+    EXPECT_NEAR(sum, std::min(w, shift + v) - std::max(0., shift), 1e-12);
+  }
+  Points wedge(2, 3);
+  wedge << 1, 2, 0,  //
+      0, 1, 1;
+  EXPECT_EQ(contact_length(wedge, 0, box(0, -1, 2, 1), 2), 0);
+}

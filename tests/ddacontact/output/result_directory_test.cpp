@@ -1,0 +1,209 @@
+#include <ddacontact/output/block_summary.hpp>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/result_directory.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+
+using namespace support;
+
+namespace {
+
+/// A directory of this test alone, removed at its end.
+struct Directory {
+  std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) /
+      ("ddacontact_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
+       std::to_string(std::random_device()()));
+  ~Directory() { std::filesystem::remove_all(path); }
+};
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> read_csv(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> result;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+    return result;
+  };
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> names = cells(line);
+  std::vector<Row> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> values = cells(line);
+    EXPECT_EQ(values.size(), names.size()) << line;
+    Row& row = rows.emplace_back();
+    for (std::size_t k = 0; k < std::min(values.size(), names.size()); ++k) row[names[k]] = values[k];
+  }
+  return rows;
+}
+
+double number(const Row& row, const char* name) {
+  return std::stod(row.at(name));
+}
+
+/// Two blocks on a held one, away from the origin; the pushed one given clockwise when `clockwise`.
+Scene three_blocks(bool clockwise) {
+  Scene scene = rock_scene(0.01, 50);
+  scene.analysis.mode = Mode::statics;
+  scene.joints[0].friction_angle = 30;
+  scene.blocks = {block(rectangle(98, 199, 6, 1), true), block(rectangle(100, 200, 2, 1))};
+  scene.blocks[0].name = "floor";
+  if (clockwise)
+    for (BlockDescription& b : scene.blocks) b.vertices = b.vertices.rowwise().reverse().eval();
+  scene.loads = {point_load(1, {101, 200.25}, constant({2e3, 0}))};
+  scene.monitors = {{"corner", 1, Monitor::Kind::vertex, Vec2(0, 0), 0},
+                    {"middle", 1, Monitor::Kind::centroid, Vec2(0, 0), 0}};
+  return scene;
+}
+
+void write(const Scene& scene, const std::filesystem::path& path) {
+  const BuiltScene built = build(scene);
+  ResultDirectory results(path, built.labels);
+  results.write_step(*built.stepper, built.probes);
+  for (int k = 0; k < scene.analysis.steps; ++k) {
+    ASSERT_TRUE(built.stepper->step());
+    results.write_step(*built.stepper, built.probes);
+  }
+  results.finish(*built.stepper, {});
+}
+
+}  // namespace
+
+TEST(CsvFile, NumbersReadBackAsTheSameDoubles) {
+  const Directory directory;
+  make_directory(directory.path);
+  const std::string path = (directory.path / "numbers.csv").string();
+  std::mt19937_64 random(3);
+  std::vector<double> numbers{0, -0., 0.1, 1. / 3, 5e-324, 1.7976931348623157e308, 123456789012345678.};
+  for (int k = 0; k < 1000; ++k)
+    numbers.push_back(std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random),
+                                 static_cast<int>(random() % 1000) - 500));
+  CsvFile csv(path, "index,value");
+  for (std::size_t k = 0; k < numbers.size(); ++k) csv.row(static_cast<long>(k), numbers[k]);
+  csv.close();
+  const auto rows = read_csv(path);
+  ASSERT_EQ(rows.size(), numbers.size());
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    EXPECT_EQ(std::strtod(rows[k].at("value").c_str(), nullptr), numbers[k]);
+}
+
+TEST(CsvFile, TextIsQuotedWhereItMustBe) {
+  const Directory directory;
+  make_directory(directory.path);
+  const std::string path = (directory.path / "text.csv").string();
+  CsvFile csv(path, "a,b,c");
+  csv.row(std::string("plain"), std::string("a, \"b\""), std::string("two\nlines"));
+  csv.close();
+  std::ifstream file(path);
+  std::stringstream all;
+  all << file.rdbuf();
+  EXPECT_EQ(all.str(), "a,b,c\nplain,\"a, \"\"b\"\"\",\"two\nlines\"\n");
+}
+
+TEST(CsvFile, WhatCannotBeWrittenIsAnError) {
+  EXPECT_THROW(CsvFile("/nowhere/at/all.csv", "a"), OutputError);
+  EXPECT_THROW(make_directory("/proc/nothing/can/be/made/here"), OutputError);
+}
+
+TEST(Labels, VertexAndEdgeMapsOfATurnedOutlineAreTheirOwnInverseAndAgree) {
+  Labels labels;
+  labels.turned = {false, true};
+  for (int n = 3; n < 8; ++n)
+    for (int k = 0; k < n; ++k) {
+      EXPECT_EQ(labels.scene_vertex(0, k, n), k);
+      EXPECT_EQ(labels.scene_edge(0, k, n), k);
+      EXPECT_EQ(labels.scene_vertex(1, labels.scene_vertex(1, k, n), n), k);
+      EXPECT_EQ(labels.scene_edge(1, labels.scene_edge(1, k, n), n), k);
+      // Our edge from k to k + 1 is the scene's from the image of k + 1 to that of k.
+      const int edge = labels.scene_edge(1, k, n);
+      EXPECT_EQ(edge, labels.scene_vertex(1, (k + 1) % n, n));
+      EXPECT_EQ((edge + 1) % n, labels.scene_vertex(1, k, n));
+    }
+}
+
+/// The files speak of the scene's own coordinates and vertex order, whichever way its outlines run.
+TEST(ResultDirectory, ResultsSpeakOfTheScenesVerticesAndCoordinates) {
+  for (bool clockwise : {false, true}) {
+    const Directory directory;
+    const Scene scene = three_blocks(clockwise);
+    write(scene, directory.path);
+
+    const auto vertices = read_csv(directory.path / "vertices.csv");
+    ASSERT_EQ(vertices.size(), 8u);
+    for (const Row& row : vertices) {
+      const Points& outline = scene.blocks[row.at("block") == "floor" ? 0 : 1].vertices;
+      const Vec2 start = outline.col(std::stoi(row.at("vertex")));
+      EXPECT_NEAR(number(row, "x") - number(row, "ux"), start.x(), 1e-12);
+      EXPECT_NEAR(number(row, "y") - number(row, "uy"), start.y(), 1e-12);
+      EXPECT_LT(std::hypot(number(row, "ux"), number(row, "uy")), 0.01);
+    }
+
+    Vec2 on_slider = Vec2::Zero();
+    const auto contacts = read_csv(directory.path / "contacts.csv");
+    ASSERT_EQ(contacts.size(), 2u);
+    for (const Row& row : contacts) {
+      EXPECT_EQ(row.at("block_a"), "1");
+      EXPECT_EQ(row.at("block_b"), "floor");
+      EXPECT_EQ(row.at("state"), "stick");
+      const Points &a = scene.blocks[1].vertices, &b = scene.blocks[0].vertices;
+      const int edge = std::stoi(row.at("edge"));
+      const Vec2 vertex = a.col(std::stoi(row.at("vertex"))), j = b.col(edge), k = b.col((edge + 1) % 4);
+      EXPECT_EQ(vertex.y(), 200);
+      EXPECT_TRUE(j.y() == 200 && k.y() == 200);
+      on_slider +=
+          number(row, "normal_force") * Vec2(0, 1) + number(row, "shear_force") * (k - j).normalized();
+    }
+    EXPECT_LE((on_slider - Vec2(-2e3, 40e3)).norm(), 1e-3 * 40e3);
+
+    Vec2 reaction = Vec2::Zero();
+    const auto supports = read_csv(directory.path / "supports.csv");
+    EXPECT_EQ(supports.size(), 4u);
+    for (const Row& row : supports) reaction += Vec2(number(row, "fx"), number(row, "fy"));
+    EXPECT_LE((reaction - Vec2(-2e3, 160e3)).norm(), 1e-6 * 160e3);
+
+    const auto blocks = read_csv(directory.path / "blocks.csv");
+    ASSERT_EQ(blocks.size(), 2u);
+    EXPECT_NEAR(number(blocks[1], "x"), 101, 1e-3);
+    EXPECT_NEAR(number(blocks[1], "y"), 200.5, 1e-3);
+    EXPECT_NEAR(number(blocks[1], "area_ratio"), 1, 1e-3);
+    EXPECT_NEAR(number(blocks[1], "syy_mean"), -10e3, 0.05 * 10e3);
+    EXPECT_LE(number(blocks[1], "syy_min"), number(blocks[1], "syy_mean"));
+    EXPECT_GE(number(blocks[1], "s1_max"), number(blocks[1], "sxx_mean"));
+
+    const auto monitors = read_csv(directory.path / "monitors.csv");
+    EXPECT_EQ(monitors.size(), 2u * 51);
+    EXPECT_EQ(number(monitors[0], "x"), scene.blocks[1].vertices(0, 0));
+    EXPECT_EQ(number(monitors[1], "y"), 200.5);
+    EXPECT_EQ(monitors.back().at("step"), "50");
+    EXPECT_EQ(read_csv(directory.path / "energy.csv").size(), 51u);
+    EXPECT_TRUE(std::filesystem::exists(directory.path / "summary.json"));
+  }
+}
+
+TEST(StressRange, IsTheAverageAndTheExtremesOverTheIntegrationPoints) {
+  Scene scene = rock_scene(0.01, 1);
+  scene.blocks = {block(rectangle(0, 0, 2, 1))};
+  const BuiltScene built = build(scene);
+  const Block& of = built.stepper->blocks().block(0);
+  BlockState state = built.stepper->state();
+  state.stress.colwise() = Vec3(3, -5, 0);
+  StressRange uniform = stress_range(of, state);
+  for (const Vec3& s : {uniform.mean, uniform.min, uniform.max})
+    EXPECT_LE((s - Vec3(3, -5, 0)).norm(), 1e-12);
+  EXPECT_DOUBLE_EQ(uniform.s1_max, 3);
+  EXPECT_DOUBLE_EQ(uniform.s2_min, -5);
+  state.stress.col(0) = Vec3(0, 0, 10);
+  const StressRange range = stress_range(of, state);
+  EXPECT_LE((range.max - Vec3(3, 0, 10)).norm(), 1e-12);
+  EXPECT_LE((range.min - Vec3(0, -5, 0)).norm(), 1e-12);
+  EXPECT_NEAR(range.mean[2], 10 * of.integration_weights()[0] / 2, 1e-9);
+  EXPECT_NEAR(range.s1_max, 10, 1e-12);
+  EXPECT_NEAR(range.s2_min, -10, 1e-12);
+}

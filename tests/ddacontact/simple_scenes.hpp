@@ -1,0 +1,93 @@
+/// \file Scenes of a few blocks, filled in code.
+#pragma once
+
+#include <ddacontact/scene/builder.hpp>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+namespace support {
+
+using namespace ddacontact;
+
+inline Points rectangle(double x, double y, double width, double height) {
+  Points p(2, 4);
+  p << x, x + width, x + width, x,  //
+      y, y, y + height, y + height;
+  return p;
+}
+
+inline Points turned(const Points& polygon, double angle, const Vec2& centre = Vec2::Zero()) {
+  const Eigen::Rotation2Dd R(angle);
+  return (R.toRotationMatrix() * (polygon.colwise() - centre)).colwise() + centre;
+}
+
+inline double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+inline BlockDescription block(const Points& vertices, bool fixed = false) {
+  BlockDescription b;
+  b.vertices = vertices;
+  b.fixed = fixed;
+  return b;
+}
+
+/// Rock (2000 kg/m3, 100 MPa, 0.25) without friction, gravity 10 m/s2 downwards, contact springs of 40 E.
+inline Scene rock_scene(double time_step, int steps) {
+  Scene scene;
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = steps;
+  scene.analysis.gravity = Vec2(0, -10);
+  scene.materials = {{"rock", 2000, 1e8, 0.25}};
+  scene.joints = {{"joint", 0, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 4e9;
+  scene.contact.tangential_stiffness = 1.6e9;
+  return scene;
+}
+
+inline TimeFunction constant(const Vec2& value) {
+  return {TimeFunction::Kind::constant, value, {}};
+}
+
+inline Load point_load(int on, const Vec2& at, const TimeFunction& force) {
+  return {Load::Kind::point, on, at, 0, 0, force};
+}
+inline Load pressure_load(int on, int edge, double pressure) {
+  return {Load::Kind::pressure, on, Vec2(0, 0), edge, pressure, {}};
+}
+inline Load body_load(int on, const TimeFunction& force) {
+  return {Load::Kind::body, on, Vec2(0, 0), 0, 0, force};
+}
+
+/// Makes the scene's steps; a failure of the test when the run stops.
+inline void run(Stepper& stepper, int steps) {
+  for (int k = 0; k < steps; ++k)
+    ASSERT_TRUE(stepper.step()) << "step " << k << ": " << stepper.stop_reason();
+}
+
+inline BuiltScene run(const Scene& scene) {
+  BuiltScene built = build(scene);
+  run(*built.stepper, scene.analysis.steps);
+  return built;
+}
+
+inline Vec2 momentum(const Stepper& stepper, int b) {
+  const Block& of = stepper.blocks().block(b);
+  return of.mass_total() * rigid_velocity(of, stepper.state().velocity).linear;
+}
+
+inline Vec2 centre(const Stepper& stepper, int b) {
+  return stepper.blocks().block(b).moments().centroid;
+}
+
+/// Where the centroid has moved to since the start.
+inline Vec2 travel(const Stepper& stepper, int b) {
+  return observe({"", Centroid{b}}, stepper).displacement;
+}
+
+}  // namespace support

@@ -1,0 +1,193 @@
+#include <ddacontact/solver/step_system.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace support;
+using enum ContactState;
+
+namespace {
+
+constexpr double dt = 0.01, held_stiffness = 1e9;
+
+/// A vertex block and an affine one side by side on a fixed block, with loads, initial stress and, of the
+/// paper's preset, a vertex held by springs.
+Scene loaded_scene() {
+  Scene scene = rock_scene(dt, 10);
+  scene.analysis.preset = Preset::paper;
+  scene.joints[0].friction_angle = 30;
+  scene.blocks = {block(rectangle(0, -1, 5, 1), true), block(rectangle(1, 0, 1, 1)),
+                  block(rectangle(2, 0, 2, 1))};
+  scene.blocks[1].stress = {1e3, -2e3, 5e2};
+  scene.blocks[2].model = BlockModel::affine;
+  scene.blocks[2].velocity = {0.1, -0.2};
+  scene.supports = {{2, {2}, true, true, {TimeFunction::Kind::rate, {0.01, 0}, {}}}};
+  scene.loads = {point_load(1, {1.5, 0.5}, constant({1e3, -2e3})), pressure_load(2, 2, 1e4)};
+  return scene;
+}
+
+struct Prepared {
+  BuiltScene built;
+  const BlockSystem& blocks;
+  const BlockState& state;
+  std::vector<Contact> contacts;
+  StepSystem system;
+
+  explicit Prepared(const Scene& scene)
+      : built(build(scene)),
+        blocks(built.stepper->blocks()),
+        state(built.stepper->state()),
+        contacts(built.stepper->contacts()),
+        system(blocks) {
+    system.set_contacts(state, contacts, held_stiffness);
+    system.set_step(state, state.velocity, dt);
+  }
+  void set_states(std::initializer_list<ContactState> cycle) {
+    std::size_t c = 0;
+    for (Contact& contact : contacts) contact.history.state = cycle.begin()[c++ % cycle.size()];
+  }
+  void set_friction(double friction) {
+    for (Contact& contact : contacts) contact.law.friction = friction;
+  }
+  VectorXd residual(const VectorXd& d) const {
+    Residual r;
+    system.compute_residual(d, contacts, r);
+    return r.force;
+  }
+};
+
+/// The energy whose gradient (13) is: of inertia, blocks, springs, and the potential of stress and loads.
+double potential(const Prepared& p, const VectorXd& d) {
+  double energy = 0;
+  VectorXd F = VectorXd::Zero(d.size());
+  p.blocks.add_gravity(F);
+  p.blocks.add_loads(p.state, p.state.time + dt, F);
+  for (int b = 0; b < p.blocks.n_blocks(); ++b) {
+    const Block& of = p.blocks.block(b);
+    const VectorXd d_b = d.segment(of.unknowns().first, of.n_unknowns());
+    const VectorXd v_b = p.state.velocity.segment(of.unknowns().first, of.n_unknowns());
+    energy +=
+        d_b.dot(of.stiffness() * d_b) / 2 + (d_b - dt * v_b).dot(of.mass() * (d_b - dt * v_b)) / (dt * dt);
+    of.add_stress_forces(p.state, F);
+  }
+  energy -= F.dot(d);
+  for (const Contact& c : p.contacts) {
+    if (!c.closed()) continue;
+    energy += c.law.normal_stiffness * std::pow(c.gap(d) - c.history.gap_offset, 2) / 2;
+    if (c.history.state == stick) energy += c.law.tangential_stiffness * std::pow(c.slip(d), 2) / 2;
+  }
+  for (const HeldVertex& held : p.blocks.held_vertices) {
+    const int v = p.blocks.block(held.block).vertices().first + held.vertex;
+    const Vec2 stretch = p.state.position.col(v) + p.blocks.block(held.block).vertex_map(held.vertex)(d) -
+                         p.blocks.reference().col(v) - held.motion.at(p.state.time + dt, p.blocks.end_time);
+    energy += held_stiffness * (held.x * stretch.x() * stretch.x() + held.y * stretch.y() * stretch.y()) / 2;
+  }
+  return energy;
+}
+
+}  // namespace
+
+TEST(StepSystem, TheResidualIsTheGradientOfTheStepsPotential) {
+  Prepared p(loaded_scene());
+  ASSERT_GE(p.contacts.size(), 5u);
+  ASSERT_FALSE(p.blocks.held_vertices.empty());
+  p.set_friction(0);
+  for (auto states :
+       {std::initializer_list<ContactState>{stick}, {open}, {stick, open, slip_forward, slip_backward}}) {
+    p.set_states(states);
+    for (std::size_t c = 0; c < p.contacts.size(); ++c)
+      p.contacts[c].history.gap_offset = -1e-4 * static_cast<double>(c);
+    const VectorXd d = 1e-3 * VectorXd::Random(p.blocks.n_unknowns());
+    const VectorXd r = p.residual(d);
+    for (int k = 0; k < d.size(); ++k) {
+      if (p.blocks.is_unchanging(0) && k < p.blocks.block(1).unknowns().first) continue;
+      const VectorXd h = 1e-3 * VectorXd::Unit(d.size(), k);  // exact for a quadratic
+      EXPECT_NEAR((potential(p, d + h) - potential(p, d - h)) / 2e-3, r[k], 1e-8 * r.norm())
+          << "unknown " << k;
+    }
+  }
+}
+
+/// Friction of a sliding contact: N tan phi from the present penetration, against the slip, on both blocks.
+TEST(StepSystem, SlidingAddsTheFrictionOfThePresentPenetration) {
+  Prepared p(loaded_scene());
+  for (ContactState state : {slip_forward, slip_backward}) {
+    p.set_states({state});
+    const VectorXd d = 1e-3 * VectorXd::Random(p.blocks.n_unknowns());
+    p.set_friction(0);
+    VectorXd expected = p.residual(d);
+    for (const Contact& c : p.contacts) {
+      const double bound = 0.7 * std::max(0., -c.law.normal_stiffness * (c.gap(d) - c.history.gap_offset));
+      c.slip.add_gradient((state == slip_forward ? 1 : -1) * bound, expected);
+    }
+    p.set_friction(0.7);
+    EXPECT_LE((p.residual(d) - expected).norm(), 1e-12 * expected.norm());
+  }
+}
+
+TEST(StepSystem, OneSolutionOfTheFactoredEquationsLeavesNoResidual) {
+  for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
+    Scene scene = loaded_scene();
+    scene.blocks[1].model = model;
+    Prepared p(scene);
+    p.set_friction(0);
+    p.set_states({stick, slip_forward});
+    VectorXd d = p.system.prescribed(), correction;
+    Residual r;
+    p.system.compute_residual(d, p.contacts, r);
+    EXPECT_FALSE(r.balanced(1e-8));
+    ASSERT_TRUE(p.system.factorize(p.contacts));
+    p.system.solve(r.force, correction);
+    d -= correction;
+    p.system.compute_residual(d, p.contacts, r);
+    EXPECT_LE(r.largest, 1e-10 * r.scale);
+    EXPECT_TRUE(r.balanced(1e-8));
+    for (const HeldUnknown& held : p.blocks.held_unknowns()) EXPECT_EQ(correction[held.unknown], 0);
+  }
+}
+
+TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
+  Prepared p(loaded_scene());
+  const auto factorizations = [&] {
+    EXPECT_TRUE(p.system.factorize(p.contacts));
+    return p.system.cholesky().n_factorizations();
+  };
+  p.set_states({slip_forward});
+  EXPECT_EQ(factorizations(), 1);
+  EXPECT_EQ(factorizations(), 1);
+  p.set_states({slip_backward});  // the same springs
+  EXPECT_EQ(factorizations(), 1);
+  p.set_states({stick});
+  EXPECT_EQ(factorizations(), 2);
+  p.system.set_step(p.state, p.state.velocity, dt / 2);
+  EXPECT_EQ(factorizations(), 3);
+  EXPECT_EQ(p.system.cholesky().n_analyses(), 1);
+  p.system.set_contacts(p.state, p.contacts, held_stiffness);  // the same pattern
+  EXPECT_EQ(factorizations(), 4);
+  EXPECT_EQ(p.system.cholesky().n_analyses(), 1);
+  p.contacts.pop_back();
+  p.system.set_contacts(p.state, p.contacts, held_stiffness);
+  EXPECT_EQ(factorizations(), 5);
+  EXPECT_EQ(p.system.cholesky().n_analyses(), 2);
+}
+
+/// All forces on the system but those of supports are in the residual of its free and held unknowns: the sum
+/// over rigid translations of everything knows no contact.
+TEST(StepSystem, ContactForcesCancelInTheSumOverAllBlocks) {
+  Prepared p(loaded_scene());
+  const auto sum = [&] {
+    const VectorXd r = p.residual(1e-3 * VectorXd::Ones(p.blocks.n_unknowns()));
+    Vec2 total = Vec2::Zero();
+    for (int b = 0; b < p.blocks.n_blocks(); ++b) {
+      const Block& of = p.blocks.block(b);
+      total += (of.rigid_modes().transpose() * r.segment(of.unknowns().first, of.n_unknowns())).head<2>();
+    }
+    return total;
+  };
+  p.set_states({open});
+  const Vec2 without = sum();
+  for (auto states : {std::initializer_list<ContactState>{stick}, {slip_forward, stick, slip_backward}}) {
+    p.set_states(states);
+    EXPECT_LE((sum() - without).norm(), 1e-8 * without.norm());
+  }
+}

@@ -1,0 +1,70 @@
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <algorithm>
+
+using namespace support;
+
+namespace {
+
+/// Two free blocks without gravity, the first thrown at the second.
+Scene collision(BlockModel first, BlockModel second, double offset) {
+  Scene scene = rock_scene(0.002, 100);
+  scene.analysis.gravity.setZero();
+  scene.joints[0].friction_angle = 30;
+  scene.blocks = {block(rectangle(0, 0, 1, 1)),
+                  block(turned(rectangle(1.05, offset, 2, 1), -0.2, {1.05, offset}))};
+  scene.blocks[0].model = first;
+  scene.blocks[1].model = second;
+  scene.blocks[0].velocity = {1, 0.1};
+  return scene;
+}
+
+class Collision : public testing::TestWithParam<std::pair<BlockModel, BlockModel>> {};
+
+}  // namespace
+
+TEST_P(Collision, LinearMomentumIsConservedAndPassesFromBlockToBlock) {
+  for (double offset : {0., 0.4, -0.6}) {
+    const BuiltScene built = build(collision(GetParam().first, GetParam().second, offset));
+    const Stepper& stepper = *built.stepper;
+    const Vec2 start = momentum(stepper, 0) + momentum(stepper, 1);
+    const double magnitude = momentum(stepper, 0).norm();
+    double worst = 0;
+    for (int k = 0; k < 100; ++k) {
+      run(*built.stepper, 1);
+      worst = std::max(worst, (momentum(stepper, 0) + momentum(stepper, 1) - start).norm());
+    }
+    EXPECT_LE(worst, 1e-12 * magnitude);
+    EXPECT_GT(stepper.counts().contacts_max, 0);
+    EXPECT_EQ(stepper.counts().contacts, 0);
+    EXPECT_GT(momentum(stepper, 1).x(), 0.3 * magnitude);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Collision,
+                         testing::Values(std::pair(BlockModel::affine, BlockModel::affine),
+                                         std::pair(BlockModel::wachspress, BlockModel::wachspress),
+                                         std::pair(BlockModel::wachspress, BlockModel::affine)),
+                         [](const auto& parameter) -> std::string {
+                           const auto name = [](BlockModel m) {
+                             return m == BlockModel::affine ? "affine" : "wachspress";
+                           };
+                           return std::string(name(parameter.param.first)) + "_on_" +
+                                  name(parameter.param.second);
+                         });
+
+/// Two equal blocks meeting head on, mirror images of each other, stay so.
+TEST(HeadOnCollision, OfEqualBlocksIsSymmetric) {
+  Scene scene = rock_scene(0.002, 100);
+  scene.analysis.gravity.setZero();
+  scene.blocks = {block(rectangle(-1.05, 0, 1, 1)), block(rectangle(0.05, 0, 1, 1))};
+  scene.blocks[0].velocity = {1, 0};
+  scene.blocks[1].velocity = {-1, 0};
+  const BuiltScene built = run(scene);
+  const Stepper& stepper = *built.stepper;
+  EXPECT_GT(stepper.counts().contacts_max, 1);
+  EXPECT_LE((momentum(stepper, 0) + momentum(stepper, 1)).norm(), 1e-3);
+  EXPECT_LT(momentum(stepper, 0).x(), -100);
+  EXPECT_NEAR(travel(stepper, 0).x(), -travel(stepper, 1).x(), 1e-7);
+  EXPECT_NEAR(travel(stepper, 0).y(), 0, 1e-9);
+}

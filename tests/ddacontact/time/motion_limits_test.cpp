@@ -1,0 +1,61 @@
+#include <ddacontact/time/motion_limits.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+using namespace support;
+
+namespace {
+
+Scene falling_blocks(Preset preset) {
+  Scene scene = rock_scene(0.05, 20);
+  scene.analysis.preset = preset;
+  scene.blocks = {block(rectangle(0, 0, 1, 1)), block(rectangle(3, 0, 0.25, 0.25)),
+                  block(rectangle(9, 0, 1, 1), true)};
+  scene.blocks[1].velocity = {0, 1};
+  return scene;
+}
+
+}  // namespace
+
+TEST(MotionLimits, ShisLimitIsThatPartOfHalfTheLargerSideOfTheScene) {
+  const Scene scene = falling_blocks(Preset::standard);
+  const BuiltScene built = build(scene);
+  EXPECT_DOUBLE_EQ(MotionLimits(built.stepper->blocks(), scene.analysis).largest_displacement(),
+                   0.1 * 10 / 2);
+}
+
+/// In the default preset no vertex moves further in a substep than contacts were looked for, in none than
+/// Shi's limit.
+TEST(MotionLimits, NoVertexOutrunsItsLimitInASubstep) {
+  for (Preset preset : {Preset::standard, Preset::paper}) {
+    Scene scene = falling_blocks(preset);
+    const BuiltScene built = build(scene);
+    const MotionLimits limits(built.stepper->blocks(), scene.analysis);
+    long substeps = 0;
+    Points before = built.stepper->state().position;
+    double furthest = 0;
+    for (int k = 0; k < 20; ++k) {
+      run(*built.stepper, 1);
+      const Points now = built.stepper->state().position;
+      const long taken = built.stepper->counts().substeps - substeps;
+      furthest = (now - before).middleCols(4, 4).colwise().norm().maxCoeff() / static_cast<double>(taken);
+      EXPECT_LE(furthest, limits.largest_reach(1));
+      substeps += taken;
+      before = now;
+    }
+    EXPECT_DOUBLE_EQ(limits.largest_reach(1), preset == Preset::paper ? 0.5 : 0.0625);
+    EXPECT_GT(furthest, 0.3 * limits.largest_reach(1));
+  }
+}
+
+TEST(MotionLimits, ReachCoversTheMotionForeseenAndHeldBlocksNone) {
+  const Scene scene = falling_blocks(Preset::standard);
+  const BuiltScene built = build(scene);
+  const MotionLimits limits(built.stepper->blocks(), scene.analysis);
+  const auto reach = limits.reach(built.stepper->state(), 0.01, 1);
+  EXPECT_GT(reach[1], 0.01);
+  EXPECT_GT(reach[0], 0.0005);
+  EXPECT_EQ(reach[2], 0);
+  EXPECT_GT(limits.reach(built.stepper->state(), 0.01, 2)[1], 1.9 * reach[1]);
+  EXPECT_LE(limits.reach(built.stepper->state(), 0.01, 1e9)[1], limits.largest_reach(1));
+  EXPECT_NEAR(limits.foreseen_step(built.stepper->state()), 0.9 * 0.0625 / 1, 1e-12);
+}
