@@ -23,14 +23,15 @@ ContactState stick_or_slip(const JointLaw& law, const Trial& trial) {
 }  // namespace
 
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial) {
-  const double tension = state != ContactState::open && trial.bonded ? law.tension : 0.0;
-  const double opening_gap = tension / law.normal_stiffness;
-  const bool closed = state == ContactState::open ? trial.on_edge && trial.gap < -trial.tolerance
-                                                  : trial.gap <= opening_gap + trial.tolerance;
-  if (!closed) return ContactState::open;
-  if (law.frictionless()) return ContactState::slip_forward;
-  if (is_slipping(state)) return slip_sign(state) * trial.slip_increment < -trial.tolerance ? ContactState::stick : state;
-  return stick_or_slip(law, trial);
+  const ContactState sheared = law.frictionless() ? ContactState::slip_forward : stick_or_slip(law, trial);
+  if (state == ContactState::open) return trial.on_edge && trial.gap < -trial.tolerance ? sheared : ContactState::open;
+
+  const double tension = trial.bonded ? law.tension : 0.0;
+  const double pull = law.normal_stiffness * (trial.gap - trial.tolerance) - tension;
+  const double shear = law.tangential_stiffness * std::abs(trial.slip);
+  if (pull > 0 && !(state == ContactState::stick && is_slipping(sheared) && shear > pull)) return ContactState::open;
+  if (state == ContactState::stick || law.frictionless()) return sheared;
+  return slip_sign(state) * trial.slip_increment < -trial.tolerance ? ContactState::stick : state;
 }
 
 }  // namespace ddacontact

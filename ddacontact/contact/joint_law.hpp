@@ -40,9 +40,10 @@ double normal_force(const JointLaw& law, double gap);
 double shear_bound(const JointLaw& law, double normal_force, bool bonded);
 
 /// The state that agrees with the trial, from the state it was computed with: an open contact closes on
-/// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile bound; a contact that closes or sticks slips
-/// when its spring would exceed the shear bound; a slipping one sticks when it moved against its own sense. A
-/// closed contact without friction is slip_forward.
+/// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile bound; a
+/// contact that closes or sticks slips when its spring would exceed the shear bound, also when it is pulled as well
+/// but sheared by more; a slipping one sticks when it moved against its own sense. A closed contact without friction
+/// is slip_forward.
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial);
 
 }  // namespace ddacontact
