@@ -3,8 +3,8 @@
 #include "exit_status.hpp"
 #include "messages.hpp"
 
-#include <ddacontact/scene/builder.hpp>
 #include <fmt/format.h>
+#include <ddacontact/scene/builder.hpp>
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include "messages.hpp"
 #include "run.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <exception>
 #include <new>
@@ -40,18 +40,24 @@ int parse_and_execute(int argc, char** argv) {
 
   CLI::App* run = app.add_subcommand("run", "Run a scene and write its results");
   run->add_option("SCENE", call.run.scene, "Scene file (TOML)")->required();
-  run->add_option("-o,--output", call.run.directory, "Result directory; left out: SCENE without its ending, plus -out");
+  run->add_option("-o,--output", call.run.directory,
+                  "Result directory; left out: SCENE without its ending, plus -out");
   run->add_option("--steps", call.steps, "Stop after this many steps from the start of the scene")
       ->check(CLI::Range(1, 2'000'000'000));
-  run->add_option("--set", call.run.settings, "PATH=VALUE: replace a value of the scene")->take_all()->expected(1);
+  run->add_option("--set", call.run.settings, "PATH=VALUE: replace a value of the scene")
+      ->take_all()
+      ->expected(1);
   run->add_option("--resume", call.resume, "Checkpoint to go on from");
-  run->add_option("--threads", call.threads, "Threads; results are the same for any number (this version uses one)")
+  run->add_option("--threads", call.threads,
+                  "Threads; results are the same for any number (this version uses one)")
       ->check(CLI::Range(1, 1024));
   run->add_flag("--quiet", call.run.quiet, "Print problems only");
 
   CLI::App* check = app.add_subcommand("check", "Read and check scenes, compute nothing");
   check->add_option("SCENE", call.scenes_to_check, "Scene files (TOML)")->required();
-  check->add_option("--set", call.check_settings, "PATH=VALUE: replace a value of the scenes")->take_all()->expected(1);
+  check->add_option("--set", call.check_settings, "PATH=VALUE: replace a value of the scenes")
+      ->take_all()
+      ->expected(1);
 
   for (const char* verb : {"plot", "info", "make", "view"})
     if (argc > 1 && std::string_view(argv[1]) == verb) {

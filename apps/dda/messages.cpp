@@ -6,7 +6,9 @@
 
 namespace dda {
 
-void print_error(const std::string& text) { fmt::print(stderr, "dda: error: {}\n", text); }
+void print_error(const std::string& text) {
+  fmt::print(stderr, "dda: error: {}\n", text);
+}
 
 int report(const ddacontact::SceneReading& reading) {
   for (const ddacontact::Problem& problem : reading.problems) fmt::print(stderr, "{}\n", problem.text());

@@ -26,7 +26,8 @@ void Progress::show(const ddacontact::Stepper& stepper) {
   }
   last_shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double left = elapsed / static_cast<double>(counts.steps) * static_cast<double>(steps_ - counts.steps);
+  const double left =
+      elapsed / static_cast<double>(counts.steps) * static_cast<double>(steps_ - counts.steps);
   fmt::print(stderr, "{}step {}/{}  time {:.6g} s  dt {:.3g} s  iterations {}  contacts {}  left {:.0f} s{}",
              terminal_ ? "\r" : "", counts.steps, steps_, stepper.state().time, stepper.last_dt(), iterations,
              counts.contacts, left, terminal_ ? "\033[K" : "\n");

@@ -4,16 +4,16 @@
 #include "messages.hpp"
 #include "progress.hpp"
 
+#include <fmt/format.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/writer.hpp>
 #include <ddacontact/time/stopwatch.hpp>
-#include <fmt/format.h>
 #include <polyfem/assembly/blas.hpp>
-#include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/spdlog.h>
-#include <sys/resource.h>
 
 #include <csignal>
 #include <filesystem>
@@ -28,10 +28,10 @@ namespace {
 
 volatile std::sig_atomic_t signal_received = 0;
 
-/// The first signal lets the present step end; a second one ends the program at once.
+/// A signal lets the present step end; a second Ctrl-C ends the program at once.
 extern "C" void note_signal(int number) {
   signal_received = number;
-  std::signal(number, SIG_DFL);
+  if (number == SIGINT) std::signal(number, SIG_DFL);
 }
 
 std::filesystem::path default_directory(const std::string& scene) {
@@ -55,7 +55,8 @@ void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
 
 std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
   try {
-    auto log = std::make_shared<spdlog::logger>("dda", std::make_shared<spdlog::sinks::basic_file_sink_st>(path.string(), true));
+    auto log = std::make_shared<spdlog::logger>(
+        "dda", std::make_shared<spdlog::sinks::basic_file_sink_st>(path.string(), true));
     log->set_pattern("%v");
     return log;
   } catch (const spdlog::spdlog_ex& error) {
@@ -97,9 +98,10 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
            const std::filesystem::path& directory, spdlog::logger& log) {
   const StepCounts& counts = stepper.counts();
   const std::string outcome = fmt::format(
-      "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} open-close iterations, {} contacts",
-      summary.status, counts.steps, stepper.state().time, counts.substeps, counts.rejected, counts.unconverged,
-      counts.open_close_iterations, counts.contacts);
+      "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} open-close iterations, {} "
+      "contacts",
+      summary.status, counts.steps, stepper.state().time, counts.substeps, counts.rejected,
+      counts.unconverged, counts.open_close_iterations, counts.contacts);
   log.info("{}", outcome);
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
   log.flush();
@@ -109,7 +111,8 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
   return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + signal_received;
 }
 
-int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& summary, double& total, double setup_before) {
+int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& summary, double& total,
+              double setup_before) {
   const Stopwatch total_watch(total);
   const std::string blas = polyfem::pin_blas_to_one_thread();
   BuiltScene built;
@@ -121,8 +124,9 @@ int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& sum
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   const int steps = arguments.steps.value_or(scene.analysis.steps);
 
-  const std::filesystem::path directory =
-      arguments.directory.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.directory);
+  const std::filesystem::path directory = arguments.directory.empty()
+                                              ? default_directory(arguments.scene)
+                                              : std::filesystem::path(arguments.directory);
   ResultDirectory results(directory, built.labels);
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt");
   write_scene_file(directory / "scene.toml", scene);

@@ -9,9 +9,9 @@ namespace dda {
 
 struct RunArguments {
   std::string scene;
-  std::string directory;                ///< empty: the scene's name without its ending, plus "-out"
-  std::optional<int> steps;             ///< where to stop, in steps from the start
-  std::vector<std::string> settings;    ///< PATH=VALUE
+  std::string directory;              ///< empty: the scene's name without its ending, plus "-out"
+  std::optional<int> steps;           ///< where to stop, in steps from the start
+  std::vector<std::string> settings;  ///< PATH=VALUE
   bool quiet = false;
 };
 

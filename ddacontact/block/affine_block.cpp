@@ -36,7 +36,8 @@ std::array<int, 3> choose_three(const PointsRef& outline, const std::vector<bool
   const auto best = [&](const auto& score) {
     int chosen = 0;
     for (int v = 1; v < n; ++v)
-      if (std::pair(held[v] && score(v) > 0, score(v)) > std::pair(held[chosen] && score(chosen) > 0, score(chosen)))
+      if (std::pair(held[v] && score(v) > 0, score(v)) >
+          std::pair(held[chosen] && score(chosen) > 0, score(chosen)))
         chosen = v;
     return chosen;
   };
@@ -44,7 +45,8 @@ std::array<int, 3> choose_three(const PointsRef& outline, const std::vector<bool
   const Vec2 p = outline.col(a);
   const int b = best([&](int v) { return (outline.col(v) - p).norm(); });
   const Vec2 edge = outline.col(b) - p;
-  const int c = best([&](int v) { return v == a || v == b ? 0.0 : std::abs(cross(edge, outline.col(v) - p)); });
+  const int c =
+      best([&](int v) { return v == a || v == b ? 0.0 : std::abs(cross(edge, outline.col(v) - p)); });
   return {a, b, c};
 }
 
@@ -89,7 +91,8 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
   Mat6 M = Mat6::Zero();  // integral of T^T T: r = x - centroid integrates to zero
   M.topLeftCorner<2, 2>() = area * Mat2::Identity();
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) M(2 + i, 2 + j) = (gradients()[i] * moments().second * gradients()[j].transpose()).trace();
+    for (int j = 0; j < 4; ++j)
+      M(2 + i, 2 + j) = (gradients()[i] * moments().second * gradients()[j].transpose()).trace();
   mass_ = current_density() * basis_.transpose() * M * basis_;
 
   integration_weights_ = VectorXd::Constant(1, area);

@@ -19,7 +19,9 @@ void Block::place(int first_vertex, int first_unknown, int first_stress_point) {
   stress_points_ = {first_stress_point, n_stress_points()};
 }
 
-double Block::size() const { return std::sqrt(reference_area_); }
+double Block::size() const {
+  return std::sqrt(reference_area_);
+}
 
 void Block::prepare(const BlockState& state) {
   const auto outline = state.position.middleCols(vertices_.first, vertices_.count);

@@ -36,6 +36,7 @@ void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
     if (e >= 0) e = n_equations_++;
 
   movable_.assign(n_blocks(), false);
+  free_.assign(n_blocks(), true);
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
   for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
@@ -43,6 +44,7 @@ void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
     const Range& u = block(b).unknowns();
     for (int k = u.first; k < u.end(); ++k) {
       if (equation_[k] >= 0) movable_[b] = true;
+      if (equation_[k] < 0) free_[b] = false;
       if (moved[k]) unchanging_[b] = false;
     }
   }
@@ -63,7 +65,8 @@ void BlockSystem::prepare(const BlockState& state, bool first_time) {
 }
 
 void BlockSystem::add_gravity(VectorXd& F) const {
-  for (const auto& block : blocks_) block->add_body_force(block->mass_total() / block->reference_area() * gravity, F);
+  for (const auto& block : blocks_)
+    block->add_body_force(block->mass_total() / block->reference_area() * gravity, F);
 }
 
 void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) const {
@@ -75,7 +78,8 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
   for (const PressureLoad& load : pressure_loads) {
     const Block& on = block(load.block);
     const int j = load.edge, k = (load.edge + 1) % on.n_vertices();
-    const Vec2 edge = state.position.col(on.vertices().first + k) - state.position.col(on.vertices().first + j);
+    const Vec2 edge =
+        state.position.col(on.vertices().first + k) - state.position.col(on.vertices().first + j);
     const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
     for (int v : {j, k}) on.vertex_map(v).add_force(load.pressure / 2 * inward, F);
   }

@@ -18,24 +18,24 @@ struct MaterialPoint {
 
 struct PointLoad {
   MaterialPoint point;
-  TimeFunction force;      ///< N per m
+  TimeFunction force;  ///< N per m
 };
 struct PressureLoad {
   int block = 0, edge = 0;
-  double pressure = 0;     ///< Pa, > 0 pushes into the block; follows the edge
+  double pressure = 0;  ///< Pa, > 0 pushes into the block; follows the edge
 };
 struct BodyLoad {
   int block = 0;
-  TimeFunction force;      ///< N/m3 of the undeformed block
+  TimeFunction force;  ///< N/m3 of the undeformed block
 };
 
 /// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
 /// an outline vertex along an axis.
 struct HeldUnknown {
   int unknown = 0;
-  int vertex = 0;          ///< in the arrays of the state
-  int axis = 0;            ///< 0: x, 1: y
-  TimeFunction motion;     ///< total displacement since the start, m
+  int vertex = 0;       ///< in the arrays of the state
+  int axis = 0;         ///< 0: x, 1: y
+  TimeFunction motion;  ///< total displacement since the start, m
 };
 
 /// A vertex of a six-unknown block held as Shi does it: by stiff springs to where it should be.
@@ -59,8 +59,8 @@ class BlockSystem {
   const Points& reference() const { return reference_; }
 
   std::vector<std::string> names;  ///< of the blocks, for messages
-  Vec2 gravity{0, 0};      ///< m/s2
-  double end_time = 0;     ///< of ramps, s
+  Vec2 gravity{0, 0};              ///< m/s2
+  double end_time = 0;             ///< of ramps, s
   std::vector<PointLoad> point_loads;
   std::vector<PressureLoad> pressure_loads;
   std::vector<BodyLoad> body_loads;
@@ -73,6 +73,8 @@ class BlockSystem {
   int n_equations() const { return n_equations_; }
   /// Whether a block has an unknown that is not held.
   bool is_movable(int b) const { return movable_[b]; }
+  /// Whether a block has no unknown that is held.
+  bool is_free(int b) const { return free_[b]; }
   /// Whether a block is wholly held where it is: it costs nothing but its outline.
   bool is_unchanging(int b) const { return unchanging_[b]; }
 
@@ -99,6 +101,7 @@ class BlockSystem {
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;
   std::vector<bool> movable_;
+  std::vector<bool> free_;
   std::vector<bool> unchanging_;
 };
 

@@ -12,7 +12,8 @@ namespace ddacontact {
 using polyfem::GradientCorrection;
 using polyfem::TriangleRule;
 
-VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration)
+VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline,
+                         const Integration& integration)
     : Block(material, outline), integration_(integration) {}
 
 int VertexBlock::n_stress_points() const {
@@ -50,7 +51,8 @@ void VertexBlock::add_stress_forces(const BlockState& state, VectorXd& F) const 
 
 void VertexBlock::add_body_force(const Vec2& b, VectorXd& F) const {
   const Vec2 current = b * (reference_area() / moments().area);
-  for (int i = 0; i < n_vertices(); ++i) F.segment<2>(unknowns().first + 2 * i) += shape_integrals_[i] * current;
+  for (int i = 0; i < n_vertices(); ++i)
+    F.segment<2>(unknowns().first + 2 * i) += shape_integrals_[i] * current;
 }
 
 void VertexBlock::add_stress(const VectorXd& d, Tensors& stress) const {

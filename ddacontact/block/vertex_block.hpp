@@ -33,9 +33,8 @@ class VertexBlock final : public Block {
   VectorXd shape_integrals_;
 };
 
-/// The paper's integration, or, with the correction on, the cheapest rule from there that gives this outline a
-/// sound stiffness (rank) and mass (definite).
-/// \param[out] sound whether the rule returned does.
+/// The paper's integration, or, with the correction on, the cheapest rule from there that gives this outline
+/// a sound stiffness (rank) and mass (definite). \param[out] sound whether the rule returned does.
 Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction, bool& sound);
 
 }  // namespace ddacontact

@@ -21,23 +21,28 @@ constexpr double coordinate_tolerance = 4 * std::numeric_limits<double>::epsilon
 
 double perimeter(const PointsRef& polygon) {
   double sum = 0;
-  for (Index k = 0; k < polygon.cols(); ++k) sum += (polygon.col((k + 1) % polygon.cols()) - polygon.col(k)).norm();
+  for (Index k = 0; k < polygon.cols(); ++k)
+    sum += (polygon.col((k + 1) % polygon.cols()) - polygon.col(k)).norm();
   return sum;
 }
 
 /// The contacts of one pair of blocks stand together: ordered by the pair, then by contact.
 Pair block_pair(const VertexEdge& contact) {
-  return {std::min(contact.vertex_block, contact.edge_block), std::max(contact.vertex_block, contact.edge_block)};
+  return {std::min(contact.vertex_block, contact.edge_block),
+          std::max(contact.vertex_block, contact.edge_block)};
 }
 
 std::span<const Contact> contacts_of_pair(const std::vector<Contact>& contacts, const Pair& pair) {
-  const auto range = std::equal_range(contacts.begin(), contacts.end(), pair, [](const auto& a, const auto& b) {
-    const auto key = [](const auto& x) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Pair>) return x;
-      else return block_pair(x.pair);
-    };
-    return key(a) < key(b);
-  });
+  const auto range =
+      std::equal_range(contacts.begin(), contacts.end(), pair, [](const auto& a, const auto& b) {
+        const auto key = [](const auto& x) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Pair>)
+            return x;
+          else
+            return block_pair(x.pair);
+        };
+        return key(a) < key(b);
+      });
   return {range.first, range.second};
 }
 
@@ -47,7 +52,8 @@ ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties prop
     : blocks_(blocks), properties_(std::move(properties)) {
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& v = blocks.block(b).vertices();
-    half_width_.push_back(blocks.block(b).reference_area() / perimeter(blocks.reference().middleCols(v.first, v.count)));
+    half_width_.push_back(blocks.block(b).reference_area() /
+                          perimeter(blocks.reference().middleCols(v.first, v.count)));
   }
 }
 
@@ -98,8 +104,8 @@ void ContactBuilder::make_forms(const BlockState& state, Contact& contact) const
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
   Contact contact;
   contact.pair = pair;
-  const JointStrength& strength =
-      properties_.joints.between(properties_.materials[pair.vertex_block], properties_.materials[pair.edge_block]);
+  const JointStrength& strength = properties_.joints.between(properties_.materials[pair.vertex_block],
+                                                             properties_.materials[pair.edge_block]);
   contact.law.normal_stiffness = properties_.normal_stiffness;
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.law.friction = strength.friction;
@@ -111,25 +117,29 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.history.lock = edge_fraction(i, j, k);
   contact.edge_length = (k - j).norm();
   contact.end_tolerance = coincidence * pair_size(pair.vertex_block, pair.edge_block);
-  contact.length_tolerance = length_tolerance * pair_size(pair.vertex_block, pair.edge_block) +
-                             coordinate_tolerance * std::max(i.cwiseAbs().maxCoeff(), j.cwiseAbs().maxCoeff());
+  contact.length_tolerance =
+      length_tolerance * pair_size(pair.vertex_block, pair.edge_block) +
+      coordinate_tolerance *
+          std::max({i.cwiseAbs().maxCoeff(), j.cwiseAbs().maxCoeff(), k.cwiseAbs().maxCoeff()});
   return contact;
 }
 
-std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) const {
+std::vector<Contact> ContactBuilder::build_first(const BlockState& state,
+                                                 const std::vector<double>& reach) const {
   std::vector<Contact> contacts;
   for (const VertexEdge& pair : detect(state, reach, {})) {
     Contact contact = make_contact(state, pair);
     make_forms(state, contact);
     ContactHistory& history = contact.history;
     const double gap = contact.gap.constant;
-    if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) && contact.is_on_edge(contact.slip.constant)) {
+    if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
+        contact.is_on_edge(contact.slip.constant)) {
       history.bonded = true;
       history.gap_offset = std::min(gap, 0.0);
       history.length = contact_length(outline(state, pair.vertex_block), pair.vertex,
                                       outline(state, pair.edge_block), pair.edge);
-      const JointStrength& strength =
-          properties_.joints.between(properties_.materials[pair.vertex_block], properties_.materials[pair.edge_block]);
+      const JointStrength& strength = properties_.joints.between(properties_.materials[pair.vertex_block],
+                                                                 properties_.materials[pair.edge_block]);
       contact.law.cohesion = strength.cohesion * history.length;
       contact.law.tension = strength.tensile_strength * history.length;
       history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
@@ -153,8 +163,10 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
     const auto ends = [&](int vertex, int edge, int block) {
       return vertex == edge || vertex == (edge + 1) % blocks_.block(block).n_vertices();
     };
-    if (ends(old.pair.vertex, pair.edge, pair.edge_block) && ends(pair.vertex, old.pair.edge, old.pair.edge_block) &&
-        (place(pair.vertex_block, pair.vertex) - place(old.pair.vertex_block, old.pair.vertex)).norm() <= near)
+    if (ends(old.pair.vertex, pair.edge, pair.edge_block) &&
+        ends(pair.vertex, old.pair.edge, old.pair.edge_block) &&
+        (place(pair.vertex_block, pair.vertex) - place(old.pair.vertex_block, old.pair.vertex)).norm() <=
+            near)
       return &old;
   }
   return nullptr;
@@ -174,13 +186,15 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
       if (old->pair != pair) {
         // Slip keeps its sign: the two edges are antiparallel, and so are the roles of their blocks.
         const Range& v = blocks_.block(pair.edge_block).vertices();
-        const Vec2 edge = state.position.col(v.first + (pair.edge + 1) % v.count) - state.position.col(v.first + pair.edge);
+        const Vec2 edge =
+            state.position.col(v.first + (pair.edge + 1) % v.count) - state.position.col(v.first + pair.edge);
         contact.history.lock = fraction - old->end_slip / edge.norm();
       }
       if (is_slipping(contact.history.state)) contact.history.lock = fraction;
     }
     make_forms(state, contact);
-    if (!contact.closed() && contact.gap.constant < -contact.length_tolerance && contact.is_on_edge(contact.slip.constant))
+    if (!contact.closed() && contact.gap.constant < -contact.length_tolerance &&
+        contact.is_on_edge(contact.slip.constant))
       contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     contacts.push_back(contact);
   }

@@ -15,7 +15,7 @@ struct ContactProperties {
   double normal_stiffness = 0;      ///< p, N/m per m
   double tangential_stiffness = 0;  ///< p bar, N/m per m
   JointTable joints;
-  std::vector<int> materials;       ///< of each block
+  std::vector<int> materials;  ///< of each block
 };
 
 class ContactBuilder {
@@ -27,7 +27,8 @@ class ContactBuilder {
   /// an overlap is taken as stress-free.
   std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach) const;
   /// The contacts that may close while no vertex of block b moves further than reach[b]. Those also in
-  /// `previous` carry on its history; a vertex that slid across a corner onto the neighbour's vertex does too.
+  /// `previous` carry on its history; a vertex that slid across a corner onto the neighbour's vertex does
+  /// too.
   std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
                              const std::vector<Contact>& previous) const;
 
@@ -37,8 +38,8 @@ class ContactBuilder {
  private:
   std::vector<VertexEdge> detect(const BlockState& state, const std::vector<double>& reach,
                                  const std::vector<Contact>& previous) const;
-  /// The closed contact of the step before whose history this one carries on: the same, or, where vertex meets
-  /// vertex, the one that the other vertex made with this vertex's edge.
+  /// The closed contact of the step before whose history this one carries on: the same, or, where vertex
+  /// meets vertex, the one that the other vertex made with this vertex's edge.
   const Contact* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                   std::span<const Contact> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;

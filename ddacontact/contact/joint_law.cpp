@@ -5,7 +5,9 @@
 
 namespace ddacontact {
 
-double normal_force(const JointLaw& law, double gap) { return -law.normal_stiffness * gap; }
+double normal_force(const JointLaw& law, double gap) {
+  return -law.normal_stiffness * gap;
+}
 
 double shear_bound(const JointLaw& law, double normal_force, bool bonded) {
   return std::max(0.0, normal_force) * law.friction + (bonded ? law.cohesion : 0.0);
@@ -16,7 +18,8 @@ namespace {
 /// Stick, unless the tangential spring would pull with more than the bound.
 ContactState stick_or_slip(const JointLaw& law, const Trial& trial) {
   const double bound = shear_bound(law, normal_force(law, trial.gap), trial.bonded);
-  if (law.tangential_stiffness * (std::abs(trial.slip) - trial.tolerance) <= bound) return ContactState::stick;
+  if (law.tangential_stiffness * (std::abs(trial.slip) - trial.tolerance) <= bound)
+    return ContactState::stick;
   return trial.slip > 0 ? ContactState::slip_forward : ContactState::slip_backward;
 }
 
@@ -24,12 +27,14 @@ ContactState stick_or_slip(const JointLaw& law, const Trial& trial) {
 
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial) {
   const ContactState sheared = law.frictionless() ? ContactState::slip_forward : stick_or_slip(law, trial);
-  if (state == ContactState::open) return trial.on_edge && trial.gap < -trial.tolerance ? sheared : ContactState::open;
+  if (state == ContactState::open)
+    return trial.on_edge && trial.gap < -trial.tolerance ? sheared : ContactState::open;
 
   const double tension = trial.bonded ? law.tension : 0.0;
   const double pull = law.normal_stiffness * (trial.gap - trial.tolerance) - tension;
   const double shear = law.tangential_stiffness * std::abs(trial.slip);
-  if (pull > 0 && !(state == ContactState::stick && is_slipping(sheared) && shear > pull)) return ContactState::open;
+  if (pull > 0 && !(state == ContactState::stick && is_slipping(sheared) && shear > pull))
+    return ContactState::open;
   if (state == ContactState::stick || law.frictionless()) return sheared;
   return slip_sign(state) * trial.slip_increment < -trial.tolerance ? ContactState::stick : state;
 }

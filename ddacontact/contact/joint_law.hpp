@@ -6,7 +6,9 @@ namespace ddacontact {
 /// Sliding is told apart by the sense of the slip, s of (50): forward along the edge from j to k.
 enum class ContactState { open, stick, slip_forward, slip_backward };
 
-inline bool is_slipping(ContactState s) { return s == ContactState::slip_forward || s == ContactState::slip_backward; }
+inline bool is_slipping(ContactState s) {
+  return s == ContactState::slip_forward || s == ContactState::slip_backward;
+}
 /// +1, -1 for the two slip states, 0 otherwise.
 inline double slip_sign(ContactState s) {
   return s == ContactState::slip_forward ? 1 : s == ContactState::slip_backward ? -1 : 0;
@@ -40,10 +42,10 @@ double normal_force(const JointLaw& law, double gap);
 double shear_bound(const JointLaw& law, double normal_force, bool bonded);
 
 /// The state that agrees with the trial, from the state it was computed with: an open contact closes on
-/// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile bound; a
-/// contact that closes or sticks slips when its spring would exceed the shear bound, also when it is pulled as well
-/// but sheared by more; a slipping one sticks when it moved against its own sense. A closed contact without friction
-/// is slip_forward.
+/// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile
+/// bound; a contact that closes or sticks slips when its spring would exceed the shear bound, also when it is
+/// pulled as well but sheared by more; a slipping one sticks when it moved against its own sense. A closed
+/// contact without friction is slip_forward.
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial);
 
 }  // namespace ddacontact

@@ -1,8 +1,8 @@
 /// \file Normal gap and tangential slip of a vertex and an edge as affine forms, Eq. (33)-(45).
 ///
-/// i is the vertex, j and k are the ends of the edge in the counter-clockwise order of its own block, n is the
-/// outward normal and t the direction from j to k. Against the paper's signs: its d of (33) is positive inside,
-/// our gap is -d, so that g < 0 is penetration and all coefficients of (37) are negated.
+/// i is the vertex, j and k are the ends of the edge in the counter-clockwise order of its own block, n is
+/// the outward normal and t the direction from j to k. Against the paper's signs: its d of (33) is positive
+/// inside, our gap is -d, so that g < 0 is penetration and all coefficients of (37) are negated.
 #pragma once
 
 #include <ddacontact/block/point_map.hpp>

@@ -9,8 +9,8 @@
 
 namespace ddacontact {
 
-/// g(d) = constant + sum_k coefficients[k] d[unknowns[k]]: the normal gap (36) and the slip (44) of a contact,
-/// for any kind of block. Never allocates; a vertex and an edge of two six-unknown blocks fill it.
+/// g(d) = constant + sum_k coefficients[k] d[unknowns[k]]: the normal gap (36) and the slip (44) of a
+/// contact, for any kind of block. Never allocates; a vertex and an edge of two six-unknown blocks fill it.
 class AffineForm {
  public:
   static constexpr int capacity = 12;

@@ -20,10 +20,14 @@ Vec2 interpolate(const std::vector<Vec3>& history, double time) {
 
 Vec2 TimeFunction::at(double time, double end_time) const {
   switch (kind) {
-    case Kind::constant: return value;
-    case Kind::ramp: return value * std::clamp(time / end_time, 0.0, 1.0);
-    case Kind::rate: return value * time;
-    case Kind::history: return interpolate(history, time);
+    case Kind::constant:
+      return value;
+    case Kind::ramp:
+      return value * std::clamp(time / end_time, 0.0, 1.0);
+    case Kind::rate:
+      return value * time;
+    case Kind::history:
+      return interpolate(history, time);
   }
   return value;
 }

@@ -25,7 +25,9 @@ struct Grid {
   int row(double y) const { return std::clamp(static_cast<int>((y - origin.y()) / cell), 0, rows - 1); }
 };
 
-double extent(const Box& box) { return (box.high - box.low).maxCoeff(); }
+double extent(const Box& box) {
+  return (box.high - box.low).maxCoeff();
+}
 
 /// Cells a little larger than the typical box, over the bounding box of the boxes named.
 Grid make_grid(const std::vector<Box>& boxes, const std::vector<int>& items, double typical_extent) {
@@ -36,9 +38,11 @@ Grid make_grid(const std::vector<Box>& boxes, const std::vector<int>& items, dou
   }
   const Vec2 size = all.high - all.low;
   double cell = 1.25 * typical_extent;
-  const double n_cells = (size.x() / cell + 1) * (size.y() / cell + 1);
-  const double max_cells = max_cells_per_item * static_cast<double>(items.size()) + 1;
-  if (n_cells > max_cells) cell *= n_cells / max_cells;
+  const auto excess = [&] {
+    const double n_cells = (size.x() / cell + 1) * (size.y() / cell + 1);
+    return n_cells / (max_cells_per_item * static_cast<double>(items.size()) + 1);
+  };
+  while (excess() > 1) cell *= std::max(std::sqrt(excess()), 1.01);
   return {all.low, cell, static_cast<int>(size.x() / cell) + 1, static_cast<int>(size.y() / cell) + 1};
 }
 
@@ -92,7 +96,8 @@ std::vector<Pair> overlapping_pairs(const std::vector<Box>& boxes) {
           if (!touch(p, q)) continue;
           // A pair sharing several cells is reported by the one that holds the low corner of its overlap.
           const Vec2 corner = p.low.cwiseMax(q.low);
-          if (cell != static_cast<std::size_t>(grid.row(corner.y())) * grid.columns + grid.column(corner.x())) continue;
+          if (cell != static_cast<std::size_t>(grid.row(corner.y())) * grid.columns + grid.column(corner.x()))
+            continue;
           pairs.push_back({listed[a], listed[b]});
         }
       }
@@ -103,14 +108,6 @@ std::vector<Pair> overlapping_pairs(const std::vector<Box>& boxes) {
         if (touch(boxes[small[a]], boxes[small[b]])) pairs.push_back({small[a], small[b]});
   }
   std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-std::vector<Pair> overlapping_pairs_brute_force(const std::vector<Box>& boxes) {
-  std::vector<Pair> pairs;
-  for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
-    for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j)
-      if (touch(boxes[i], boxes[j])) pairs.push_back({i, j});
   return pairs;
 }
 

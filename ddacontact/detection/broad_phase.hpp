@@ -20,11 +20,8 @@ Box bounding_box(const PointsRef& polygon, double margin = 0);
 
 using Pair = std::array<int, 2>;
 
-/// Every pair (i < j) of boxes with a point in common, sorted. Uniform grid; boxes much larger than the others
-/// are kept in a list of their own. O(n) for boxes of like size.
+/// Every pair (i < j) of boxes with a point in common, sorted. Uniform grid; boxes much larger than the
+/// others are kept in a list of their own. O(n) for boxes of like size.
 std::vector<Pair> overlapping_pairs(const std::vector<Box>& boxes);
-
-/// The same by trying all pairs: O(n^2), the oracle of the one above.
-std::vector<Pair> overlapping_pairs_brute_force(const std::vector<Box>& boxes);
 
 }  // namespace ddacontact

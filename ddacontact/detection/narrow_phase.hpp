@@ -18,13 +18,13 @@ struct VertexEdge {
 /// One of the two polygons of a pair.
 struct Outline {
   int block;
-  PointsRef vertices;   ///< strictly convex, counter-clockwise
+  PointsRef vertices;  ///< strictly convex, counter-clockwise
 };
 
 struct PairLimits {
-  double reach;         ///< pairs of features further apart than this cannot meet within the step
-  double max_depth;     ///< a vertex deeper inside than this did not come through this edge
-  double coincidence;   ///< two vertices no further apart along the edge than this count as one place
+  double reach;        ///< pairs of features further apart than this cannot meet within the step
+  double max_depth;    ///< a vertex deeper inside than this did not come through this edge
+  double coincidence;  ///< two vertices no further apart along the edge than this count as one place
 };
 
 /// Appends the contacts of a pair to `contacts`: the vertices of `a` on edges of `b`, then those of `b`.
@@ -35,8 +35,8 @@ struct PairLimits {
 /// where vertex meets vertex the two corners' entrance edges are compared, and one stays. `kept` are contacts
 /// of this pair that were closed before: where the choice is a tie they win, so that a resting contact keeps
 /// its lock point.
-void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits, std::span<const VertexEdge> kept,
-                   std::vector<VertexEdge>& contacts);
+void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
+                   std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts);
 
 /// The length over which a vertex contact stands for two touching edges: half the overlap of its edge with
 /// the neighbouring edge of its vertex that lies along it; 0 for a vertex alone on an edge.

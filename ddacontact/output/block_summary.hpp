@@ -6,9 +6,9 @@
 namespace ddacontact {
 
 struct StressRange {
-  Vec3 mean, min, max;       ///< (xx, yy, xy): area average and extremes over the integration points, Pa
-  double s1_max = 0;         ///< largest principal stress at an integration point
-  double s2_min = 0;         ///< smallest
+  Vec3 mean, min, max;  ///< (xx, yy, xy): area average and extremes over the integration points, Pa
+  double s1_max = 0;    ///< largest principal stress at an integration point
+  double s2_min = 0;    ///< smallest
 };
 
 StressRange stress_range(const Block& block, const BlockState& state);

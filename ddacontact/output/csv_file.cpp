@@ -6,7 +6,8 @@
 
 namespace ddacontact {
 
-CsvFile::CsvFile(const std::string& path, std::string_view header) : path_(path), file_(path, std::ios::binary) {
+CsvFile::CsvFile(const std::string& path, std::string_view header)
+    : path_(path), file_(path, std::ios::binary) {
   line_ = header;
   write_line();
 }

@@ -11,10 +11,10 @@ namespace ddacontact {
 /// The program keeps outlines counter-clockwise and coordinates small; results speak of the scene's vertex
 /// order and coordinates.
 struct Labels {
-  Vec2 origin{0, 0};                      ///< what was subtracted from all coordinates
-  std::vector<std::string> block_names;   ///< the name, else the index
+  Vec2 origin{0, 0};                     ///< what was subtracted from all coordinates
+  std::vector<std::string> block_names;  ///< the name, else the index
   std::vector<std::string> block_models;
-  std::vector<bool> turned;               ///< the scene gave this block's vertices clockwise
+  std::vector<bool> turned;  ///< the scene gave this block's vertices clockwise
 
   /// The scene's index of a block's vertex or edge, given ours; the map is its own inverse.
   int scene_vertex(int block, int vertex, int n_vertices) const {

@@ -15,10 +15,13 @@ namespace {
 
 const char* state_name(ContactState state) {
   switch (state) {
-    case ContactState::open: return "open";
-    case ContactState::stick: return "stick";
+    case ContactState::open:
+      return "open";
+    case ContactState::stick:
+      return "stick";
     case ContactState::slip_forward:
-    case ContactState::slip_backward: return "slip";
+    case ContactState::slip_backward:
+      return "slip";
   }
   return "";
 }
@@ -36,9 +39,10 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels)
     : directory_(make_directory(std::move(directory))),
       labels_(std::move(labels)),
       monitors_(file("monitors.csv"), "step,time,monitor,x,y,ux,uy,vx,vy"),
-      energy_(file("energy.csv"),
-              "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
-              "damping_dissipated") {}
+      energy_(
+          file("energy.csv"),
+          "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
+          "damping_dissipated") {}
 
 void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe>& probes) {
   const long step = stepper.counts().steps;
@@ -50,8 +54,8 @@ void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe
                   motion.velocity.x(), motion.velocity.y());
   }
   const Energy& e = stepper.energy().now;
-  energy_.row(step, time, e.kinetic, e.elastic, e.gravity, e.friction_dissipated, e.numerical_dissipated, e.external,
-              stepper.energy().balance_error(), e.damping_dissipated);
+  energy_.row(step, time, e.kinetic, e.elastic, e.gravity, e.friction_dissipated, e.numerical_dissipated,
+              e.external, stepper.energy().balance_error(), e.damping_dissipated);
 }
 
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {
@@ -65,9 +69,10 @@ void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) 
 }
 
 void ResultDirectory::write_blocks(const Stepper& stepper) {
-  CsvFile csv(file("blocks.csv"),
-              "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
-              "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
+  CsvFile csv(
+      file("blocks.csv"),
+      "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
+      "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
   const BlockState& state = stepper.state();
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     const Block& block = stepper.blocks().block(b);
@@ -77,8 +82,8 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
     const StressRange s = stress_range(block, state);
     csv.row(labels_.block_names[b], labels_.block_models[b], block.n_vertices(), x.x(), x.y(), area,
             area / block.reference_area(), state.rotation[b] * 180 / std::numbers::pi, velocity.linear.x(),
-            velocity.linear.y(), s.mean[0], s.min[0], s.max[0], s.mean[1], s.min[1], s.max[1], s.mean[2], s.min[2],
-            s.max[2], s.s1_max, s.s2_min, velocity.angular);
+            velocity.linear.y(), s.mean[0], s.min[0], s.max[0], s.mean[1], s.min[1], s.max[1], s.mean[2],
+            s.min[2], s.max[2], s.s1_max, s.s2_min, velocity.angular);
   }
   csv.close();
 }
@@ -121,13 +126,15 @@ void ResultDirectory::write_supports(const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
   std::set<int> held;  // columns of the state's vertices
   for (const HeldUnknown& h : blocks.held_unknowns()) held.insert(h.vertex);
-  for (const HeldVertex& h : blocks.held_vertices) held.insert(blocks.block(h.block).vertices().first + h.vertex);
+  for (const HeldVertex& h : blocks.held_vertices)
+    held.insert(blocks.block(h.block).vertices().first + h.vertex);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
       const int column = block.vertices().first + labels_.scene_vertex(b, scene_v, block.n_vertices());
       if (held.contains(column))
-        csv.row(labels_.block_names[b], scene_v, stepper.reactions()(0, column), stepper.reactions()(1, column));
+        csv.row(labels_.block_names[b], scene_v, stepper.reactions()(0, column),
+                stepper.reactions()(1, column));
     }
   }
   csv.close();
@@ -137,42 +144,41 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
   const StepCounts& counts = stepper.counts();
   const StepTimes& times = stepper.times();
   const Energy& e = stepper.energy().now;
-  const nlohmann::ordered_json json = {
-      {"status", summary.status},
-      {"reason", summary.reason},
-      {"steps_completed", counts.steps},
-      {"substeps", counts.substeps},
-      {"rejected_steps", counts.rejected},
-      {"unconverged_steps", counts.unconverged},
-      {"time", stepper.state().time},
-      {"blocks", stepper.blocks().n_blocks()},
-      {"dofs", stepper.blocks().n_equations()},
-      {"contacts_max", counts.contacts_max},
-      {"contacts_end", counts.contacts},
-      {"open_close_iterations", counts.open_close_iterations},
-      {"linear_solves", stepper.cholesky().n_solves()},
-      {"factorizations", stepper.cholesky().n_factorizations()},
-      {"max_penetration", counts.max_penetration},
-      {"energy",
-       {{"kinetic", e.kinetic},
-        {"elastic", e.elastic},
-        {"gravity", e.gravity},
-        {"friction_dissipated", e.friction_dissipated},
-        {"numerical_dissipated", e.numerical_dissipated},
-        {"external", e.external},
-        {"balance_error", stepper.energy().balance_error()},
-        {"damping_dissipated", e.damping_dissipated}}},
-      {"wall_seconds",
-       {{"total", summary.seconds_total},
-        {"setup", summary.seconds_setup},
-        {"steps", summary.seconds_steps},
-        {"detection", times.detection},
-        {"assembly", times.assembly},
-        {"solver", times.solver},
-        {"update", times.update},
-        {"output", summary.seconds_output}}},
-      {"peak_memory_mb", summary.peak_memory_mb},
-      {"versions", summary.versions}};
+  const nlohmann::ordered_json json = {{"status", summary.status},
+                                       {"reason", summary.reason},
+                                       {"steps_completed", counts.steps},
+                                       {"substeps", counts.substeps},
+                                       {"rejected_steps", counts.rejected},
+                                       {"unconverged_steps", counts.unconverged},
+                                       {"time", stepper.state().time},
+                                       {"blocks", stepper.blocks().n_blocks()},
+                                       {"dofs", stepper.blocks().n_equations()},
+                                       {"contacts_max", counts.contacts_max},
+                                       {"contacts_end", counts.contacts},
+                                       {"open_close_iterations", counts.open_close_iterations},
+                                       {"linear_solves", stepper.cholesky().n_solves()},
+                                       {"factorizations", stepper.cholesky().n_factorizations()},
+                                       {"max_penetration", counts.max_penetration},
+                                       {"energy",
+                                        {{"kinetic", e.kinetic},
+                                         {"elastic", e.elastic},
+                                         {"gravity", e.gravity},
+                                         {"friction_dissipated", e.friction_dissipated},
+                                         {"numerical_dissipated", e.numerical_dissipated},
+                                         {"external", e.external},
+                                         {"balance_error", stepper.energy().balance_error()},
+                                         {"damping_dissipated", e.damping_dissipated}}},
+                                       {"wall_seconds",
+                                        {{"total", summary.seconds_total},
+                                         {"setup", summary.seconds_setup},
+                                         {"steps", summary.seconds_steps},
+                                         {"detection", times.detection},
+                                         {"assembly", times.assembly},
+                                         {"solver", times.solver},
+                                         {"update", times.update},
+                                         {"output", summary.seconds_output}}},
+                                       {"peak_memory_mb", summary.peak_memory_mb},
+                                       {"versions", summary.versions}};
   const std::string path = file("summary.json");
   std::ofstream out(path, std::ios::binary);
   out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';

@@ -15,14 +15,15 @@ namespace ddacontact {
 
 /// What the program knows of a run beside the stepper.
 struct RunSummary {
-  std::string status;                 ///< "completed", "stopped", "interrupted"
-  std::string reason;                 ///< empty when completed
+  std::string status;  ///< "completed", "stopped", "interrupted"
+  std::string reason;  ///< empty when completed
   double seconds_total = 0, seconds_setup = 0, seconds_steps = 0, seconds_output = 0;
   double peak_memory_mb = 0;
   std::map<std::string, std::string> versions;
 };
 
-/// Histories are written while the run goes on, the rest at its end. Everything throws OutputError on failure.
+/// Histories are written while the run goes on, the rest at its end. Everything throws OutputError on
+/// failure.
 class ResultDirectory {
  public:
   /// Makes the directory and starts the histories.

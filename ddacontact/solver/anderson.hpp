@@ -7,10 +7,10 @@
 
 namespace ddacontact {
 
-/// Given x and the step f(x) that the plain iteration x <- x + f(x) would take, proposes the next x from the last
-/// few: x + f - (dX + dF) gamma with gamma the least-squares solution of dF gamma = f, where the columns of dX and
-/// dF are differences of successive x and f. On a linear iteration it does what GMRES does: it converges also where
-/// the plain iteration diverges.
+/// Given x and the step f(x) that the plain iteration x <- x + f(x) would take, proposes the next x from the
+/// last few: x + f - (dX + dF) gamma with gamma the least-squares solution of dF gamma = f, where the columns
+/// of dX and dF are differences of successive x and f. On a linear iteration it does what GMRES does: it
+/// converges also where the plain iteration diverges.
 class AndersonAcceleration {
  public:
   explicit AndersonAcceleration(int depth) : depth_(depth) {}

@@ -13,15 +13,16 @@ namespace {
 /// A contact whose state does not agree with the solution.
 struct Disagreement {
   std::size_t contact;
-  ContactState state;   ///< the one that agrees
-  double force;         ///< by how much it does not, N per m
+  ContactState state;  ///< the one that agrees
+  double force;        ///< by how much it does not, N per m
 };
 
 bool opens_or_closes(ContactState from, ContactState to) {
   return (from == ContactState::open) != (to == ContactState::open);
 }
 
-/// The force that the old state gets wrong: that of a gap or a slip which should not be, or what exceeds a bound.
+/// The force that the old state gets wrong: that of a gap or a slip which should not be, or what exceeds a
+/// bound.
 double wrong_force(const Contact& contact, ContactState state, const Trial& trial) {
   const JointLaw& law = contact.law;
   if (opens_or_closes(contact.history.state, state)) return std::abs(normal_force(law, trial.gap));
@@ -47,18 +48,17 @@ std::vector<Disagreement> find_disagreements(const VectorXd& d, const std::vecto
   return found;
 }
 
-/// A bond is lost on sliding or opening.
 void change_states(const std::vector<Disagreement>& disagreements, std::vector<Contact>& contacts) {
   for (const Disagreement& of : disagreements) {
     Contact& contact = contacts[of.contact];
     contact.history.state = of.state;
-    contact.history.bonded = contact.history.bonded && of.state == ContactState::stick;
     contact.was_closed = contact.was_closed || contact.closed();
   }
 }
 
-/// Which of the disagreeing states to change: all while their number falls; then those that are wrong by the largest
-/// forces; at last only the first (Murty's rule). Changing all of them every time can go round in circles.
+/// Which of the disagreeing states to change: all while their number falls; then those that are wrong by the
+/// largest forces; at last only the first (Murty's rule). Changing all of them every time can go round in
+/// circles.
 class Restraint {
  public:
   /// Leaves in `disagreements` what is to change.
@@ -124,18 +124,20 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
         report.status = OpenCloseStatus::not_finite;
         return report;
       }
-    } while (friction_to_find && !r.balanced(options.residual_tolerance) && r.largest > sufficient_decrease * before &&
-             report.iterations < options.max_iterations);
+    } while (friction_to_find && !r.balanced(options.residual_tolerance) &&
+             r.largest > sufficient_decrease * before && report.iterations < options.max_iterations);
 
     std::vector<Disagreement> disagreements = find_disagreements(d, contacts);
     if (disagreements.empty() && r.balanced(options.residual_tolerance)) {
       report.status = OpenCloseStatus::settled;
       return report;
     }
-    const auto opening = std::find_if(disagreements.begin(), disagreements.end(), [&](const Disagreement& of) {
-      return opens_or_closes(contacts[of.contact].history.state, of.state);
-    });
-    report.status = opening != disagreements.end() ? OpenCloseStatus::unsettled : OpenCloseStatus::friction_unsettled;
+    const auto opening =
+        std::find_if(disagreements.begin(), disagreements.end(), [&](const Disagreement& of) {
+          return opens_or_closes(contacts[of.contact].history.state, of.state);
+        });
+    report.status =
+        opening != disagreements.end() ? OpenCloseStatus::unsettled : OpenCloseStatus::friction_unsettled;
     report.disagreeing = opening != disagreements.end() ? static_cast<int>(opening->contact)
                          : disagreements.empty()        ? -1
                                                         : static_cast<int>(disagreements.front().contact);

@@ -6,33 +6,33 @@
 namespace ddacontact {
 
 struct OpenCloseOptions {
-  int max_iterations = 150;           ///< solutions of (13) per try
-  int max_passes = 40;                ///< changes of the contacts' states per try
-  double residual_tolerance = 1e-8;   ///< of the residual's scale
+  int max_iterations = 150;          ///< solutions of (13) per try
+  int max_passes = 40;               ///< changes of the contacts' states per try
+  double residual_tolerance = 1e-8;  ///< of the residual's scale
 };
 
 enum class OpenCloseStatus {
-  settled,            ///< every state agrees and the residual passes
-  friction_unsettled, ///< open and closed agree; stick and slip, or the size of friction, do not
-  unsettled,          ///< some contact is open that should be closed, or closed that should be open
+  settled,             ///< every state agrees and the residual passes
+  friction_unsettled,  ///< open and closed agree; stick and slip, or the size of friction, do not
+  unsettled,           ///< some contact is open that should be closed, or closed that should be open
   not_positive_definite,
   not_finite
 };
 
 struct OpenCloseReport {
   OpenCloseStatus status = OpenCloseStatus::unsettled;
-  int iterations = 0;                 ///< solutions of (13)
-  Residual residual;                  ///< at the end, for the states the contacts are left with
-  int disagreeing = -1;               ///< a contact whose state did not agree in the last pass, -1: none
+  int iterations = 0;    ///< solutions of (13)
+  Residual residual;     ///< at the end, for the states the contacts are left with
+  int disagreeing = -1;  ///< a contact whose state did not agree in the last pass, -1: none
 };
 
 /// Starting from the contacts' states and d = the prescribed displacements, solves (13) and adapts the states
-/// until they agree with the solution ("surmised and calculated contact state are consistent", end of section 4),
-/// and the residual, with friction taken from the present penetration, is below tolerance.
+/// until they agree with the solution ("surmised and calculated contact state are consistent", end of section
+/// 4), and the residual, with friction taken from the present penetration, is below tolerance.
 ///
-/// For given states the size of friction (49) hangs on the penetration, which (13) leaves out of K: the iteration
-/// d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Leaves the states in `contacts` and sets
-/// their `was_closed`.
+/// For given states the size of friction (49) hangs on the penetration, which (13) leaves out of K: the
+/// iteration d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Leaves the states in
+/// `contacts` and sets their `was_closed`.
 OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
                                    std::vector<Contact>& contacts, VectorXd& d);
 

@@ -27,7 +27,8 @@ StepSystem::StepSystem(const BlockSystem& blocks) : blocks_(blocks), unknown_len
   }
 }
 
-void StepSystem::set_contacts(const BlockState& state, const std::vector<Contact>& contacts, double held_stiffness) {
+void StepSystem::set_contacts(const BlockState& state, const std::vector<Contact>& contacts,
+                              double held_stiffness) {
   held_stiffness_ = held_stiffness;
   held_springs_.clear();
   for (std::size_t h = 0; h < blocks_.held_vertices.size(); ++h) {
@@ -90,7 +91,8 @@ void StepSystem::set_step(const BlockState& state, const VectorXd& velocity, dou
   factored_springs_.clear();
 }
 
-void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts, Residual& residual) const {
+void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
+                                  Residual& residual) const {
   VectorXd& r = residual.force;
   r = -(load_forces_ + gravity_forces_ + stress_forces_);
   VectorXd magnitude = VectorXd::Zero(blocks_.n_blocks());
@@ -100,7 +102,8 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     const auto lengths = unknown_lengths_.segment(u.first, u.count);
     const auto d_b = d.segment(u.first, u.count);
     const VectorXd elastic = block.stiffness() * d_b;
-    const VectorXd inertia = 2 / (dt_ * dt_) * (block.mass() * (d_b - dt_ * velocity_.segment(u.first, u.count)));
+    const VectorXd inertia =
+        2 / (dt_ * dt_) * (block.mass() * (d_b - dt_ * velocity_.segment(u.first, u.count)));
     for (const auto& force : {load_forces_, gravity_forces_, stress_forces_})
       magnitude[b] += force.segment(u.first, u.count).cwiseQuotient(lengths).lpNorm<1>();
     magnitude[b] += elastic.cwiseQuotient(lengths).lpNorm<1>() + inertia.cwiseQuotient(lengths).lpNorm<1>();
@@ -138,7 +141,8 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
 }
 
 bool StepSystem::factorize(const std::vector<Contact>& contacts) {
-  std::vector<unsigned char> springs(contacts.size() + 1, 0);  // never empty: a factor without contacts is one too
+  std::vector<unsigned char> springs(contacts.size() + 1,
+                                     0);  // never empty: a factor without contacts is one too
   std::transform(contacts.begin(), contacts.end(), springs.begin(), active_springs);
   if (springs == factored_springs_) return true;
 
@@ -150,8 +154,10 @@ bool StepSystem::factorize(const std::vector<Contact>& contacts) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const int e = n_active() + static_cast<int>(c);
     const Contact& contact = contacts[c];
-    if (springs[c] & 1) matrix_.add_outer(e, contact.law.normal_stiffness, contact.gap.coefficients());  // (39)
-    if (springs[c] & 2) matrix_.add_outer(e, contact.law.tangential_stiffness, contact.slip.coefficients());  // (47)
+    if (springs[c] & 1)
+      matrix_.add_outer(e, contact.law.normal_stiffness, contact.gap.coefficients());  // (39)
+    if (springs[c] & 2)
+      matrix_.add_outer(e, contact.law.tangential_stiffness, contact.slip.coefficients());  // (47)
   }
   for (std::size_t h = 0; h < held_springs_.size(); ++h)
     matrix_.add_outer(n_active() + static_cast<int>(contacts.size() + h), held_stiffness_,

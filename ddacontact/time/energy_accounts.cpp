@@ -4,15 +4,20 @@ namespace ddacontact {
 
 namespace {
 
-double normal_energy(const JointLaw& law, double gap) { return law.normal_stiffness * gap * gap / 2; }
-double shear_energy(const JointLaw& law, double slip) { return law.tangential_stiffness * slip * slip / 2; }
+double normal_energy(const JointLaw& law, double gap) {
+  return law.normal_stiffness * gap * gap / 2;
+}
+double shear_energy(const JointLaw& law, double slip) {
+  return law.tangential_stiffness * slip * slip / 2;
+}
 
-/// Elastic: d.(f0 + K d) less d.f0 + d.K d / 2. Inertia: d.M a with a = 2 (d / dt^2 - v0 / dt), less the change of
-/// the kinetic energy: zero but for held unknowns and for velocities set to zero.
+/// Elastic: d.(f0 + K d) less d.f0 + d.K d / 2. Inertia: d.M a with a = 2 (d / dt^2 - v0 / dt), less the
+/// change of the kinetic energy: zero but for held unknowns and for velocities set to zero.
 double lost_in_block(const Block& block, const AcceptedStep& step) {
   const Range& u = block.unknowns();
   const auto d = step.d.segment(u.first, u.count);
-  const auto v0 = step.start_velocity.segment(u.first, u.count), v1 = step.end_velocity.segment(u.first, u.count);
+  const auto v0 = step.start_velocity.segment(u.first, u.count),
+             v1 = step.end_velocity.segment(u.first, u.count);
   const MatrixXd &K = block.stiffness(), &M = block.mass();
   const VectorXd acceleration = 2 / (step.dt * step.dt) * (d - step.dt * v0);
   return d.dot(K * d) / 2 + d.dot(M * acceleration) - (v1.dot(M * v1) - v0.dot(M * v0)) / 2;
@@ -56,8 +61,8 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
   return energy;
 }
 
-double elastic_energy(const BlockSystem& blocks, const BlockState& state, const std::vector<Contact>& contacts,
-                      double held_stiffness) {
+double elastic_energy(const BlockSystem& blocks, const BlockState& state,
+                      const std::vector<Contact>& contacts, double held_stiffness) {
   double energy = 0;
   for (int b = 0; b < blocks.n_blocks(); ++b) energy += blocks.block(b).elastic_energy(state);
   for (const Contact& contact : contacts) {
@@ -74,7 +79,8 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state, const 
   return energy;
 }
 
-void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step, Energy& energy) {
+void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
+                  Energy& energy) {
   energy.gravity -= system.gravity_forces().dot(step.d);
   energy.external += system.load_forces().dot(step.d);
   for (const HeldUnknown& held : blocks.held_unknowns())
@@ -86,7 +92,8 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
     energy.numerical_dissipated += system.held_stiffness() * change * change / 2;
     energy.external -= system.held_stiffness() * spring.form(step.d) * spring.target_change;
   }
-  for (std::size_t c = 0; c < step.after.size(); ++c) account_contact(step.before[c], step.after[c], step.d, energy);
+  for (std::size_t c = 0; c < step.after.size(); ++c)
+    account_contact(step.before[c], step.after[c], step.d, energy);
 }
 
 }  // namespace ddacontact

@@ -10,23 +10,25 @@ namespace ddacontact {
 
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 
-/// Of the blocks, of the springs of closed contacts at the end of their step, and of the springs of held vertices.
-double elastic_energy(const BlockSystem& blocks, const BlockState& state, const std::vector<Contact>& contacts,
-                      double held_stiffness);
+/// Of the blocks, of the springs of closed contacts at the end of their step, and of the springs of held
+/// vertices.
+double elastic_energy(const BlockSystem& blocks, const BlockState& state,
+                      const std::vector<Contact>& contacts, double held_stiffness);
 
 /// A step that was accepted. The blocks are still prepared for the state it started from.
 struct AcceptedStep {
   double dt;
   const VectorXd& d;
-  const VectorXd& start_velocity;   ///< what the step was computed with
+  const VectorXd& start_velocity;  ///< what the step was computed with
   const VectorXd& end_velocity;
   const Residual& residual;
-  const std::vector<Contact>& before, & after;  ///< the same contacts at the start and at the end
+  const std::vector<Contact>&before, &after;  ///< the same contacts at the start and at the end
 };
 
-/// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it takes
-/// every force at its end value over the whole step, and the difference between that work and the change of the
-/// energy that the force belongs to is gone.
-void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step, Energy& energy);
+/// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it
+/// takes every force at its end value over the whole step, and the difference between that work and the
+/// change of the energy that the force belongs to is gone.
+void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
+                  Energy& energy);
 
 }  // namespace ddacontact

@@ -6,15 +6,16 @@ namespace ddacontact {
 /// J per metre of thickness. Each entry is computed from its own definition, none as what remains.
 struct Energy {
   double kinetic = 0;
-  double elastic = 0;               ///< of the blocks, of closed contacts' springs and of holding springs
-  double gravity = 0;               ///< potential relative to the start
+  double elastic = 0;  ///< of the blocks, of closed contacts' springs and of holding springs
+  double gravity = 0;  ///< potential relative to the start
   double friction_dissipated = 0;
   double numerical_dissipated = 0;  ///< the time scheme's own identity, with velocities set to zero
   double external = 0;              ///< work of loads and supports
   double damping_dissipated = 0;
 
   double total() const {
-    return kinetic + elastic + gravity + friction_dissipated + numerical_dissipated + damping_dissipated - external;
+    return kinetic + elastic + gravity + friction_dissipated + numerical_dissipated + damping_dissipated -
+           external;
   }
 };
 

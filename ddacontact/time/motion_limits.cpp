@@ -1,6 +1,7 @@
 #include <ddacontact/time/motion_limits.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ddacontact {
@@ -9,7 +10,7 @@ namespace {
 
 /// Parts of a block's size: contacts are looked for at least and at most this far.
 constexpr double least_reach = 0.01, largest_reach_ratio = 0.25;
-/// A foreseen step uses this much of what is allowed, for the acceleration within it.
+/// A foreseen step uses this much of what is allowed: contacts accelerate too.
 constexpr double foreseen_part = 0.9;
 
 }  // namespace
@@ -29,7 +30,8 @@ double MotionLimits::largest_reach(int block) const {
 double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
   const Block& of = blocks_.block(block);
   double fastest = 0;
-  for (int v = 0; v < of.n_vertices(); ++v) fastest = std::max(fastest, of.vertex_map(v)(state.velocity).norm());
+  for (int v = 0; v < of.n_vertices(); ++v)
+    fastest = std::max(fastest, of.vertex_map(v)(state.velocity).norm());
   return fastest;
 }
 
@@ -41,7 +43,8 @@ std::vector<double> MotionLimits::reach(const BlockState& state, double dt, doub
     const Block& block = blocks_.block(b);
     if (!blocks_.is_movable(b)) {
       double furthest = 0;
-      for (int v = 0; v < block.n_vertices(); ++v) furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
+      for (int v = 0; v < block.n_vertices(); ++v)
+        furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
       reach[b] = furthest;
     } else {
       const double expected = 2 * (fastest_vertex(state, b) * dt + fall) + least_reach * block.size();
@@ -56,8 +59,10 @@ double MotionLimits::foreseen_step(const BlockState& state) const {
   if (analysis_.mode == Mode::statics) return longest;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
-    const double fastest = fastest_vertex(state, b);
-    if (fastest > 0) longest = std::min(longest, foreseen_part * largest_reach(b) / fastest);
+    // v dt + g dt^2 / 2 = what is allowed, with v for the fastest vertex
+    const double v = fastest_vertex(state, b), g = analysis_.gravity.norm(),
+                 allowed = foreseen_part * largest_reach(b);
+    if (v + g > 0) longest = std::min(longest, 2 * allowed / (v + std::sqrt(v * v + 2 * g * allowed)));
   }
   return longest;
 }

@@ -8,9 +8,9 @@
 
 namespace ddacontact {
 
-/// Shi's limit holds for every vertex: max_displacement_ratio times half the larger side of the box of the scene at
-/// the start. No block may move further than its contacts were looked for: at most a quarter of its size in the
-/// default preset, as far as Shi's limit in the paper preset.
+/// Shi's limit holds for every vertex: max_displacement_ratio times half the larger side of the box of the
+/// scene at the start. No block may move further than its contacts were looked for: at most a quarter of its
+/// size in the default preset, as far as Shi's limit in the paper preset.
 class MotionLimits {
  public:
   MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis);

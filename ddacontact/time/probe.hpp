@@ -1,6 +1,7 @@
 /// \file A place whose motion is recorded.
 #pragma once
 
+#include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/stepper.hpp>
 
 #include <string>
@@ -23,12 +24,5 @@ struct Motion {
 
 /// Where a probed place is now. Of a centroid the velocity is momentum over mass.
 Motion observe(const Probe& probe, const Stepper& stepper);
-
-/// A block's momentum over its mass, and its angular momentum about the centroid over its inertia.
-struct RigidVelocity {
-  Vec2 linear;
-  double angular = 0;  ///< rad/s
-};
-RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity);
 
 }  // namespace ddacontact

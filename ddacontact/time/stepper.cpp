@@ -1,5 +1,6 @@
 #include <ddacontact/time/stepper.hpp>
 
+#include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -19,7 +20,9 @@ constexpr double tolerant_substep = 1e-2;
 /// A block that moved further than its contacts were looked for has them looked for this much further.
 constexpr double reach_growth = 4;
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+std::string quoted(const std::string& name) {
+  return "\"" + name + "\"";
+}
 
 }  // namespace
 
@@ -65,7 +68,8 @@ bool Stepper::step() {
       continue;
     }
     if (last_resort) {
-      stop_reason_ = rejection_ + ", even with a substep of " + std::to_string(dt / analysis_.time_step) + " time_step";
+      stop_reason_ =
+          rejection_ + ", even with a substep of " + std::to_string(dt / analysis_.time_step) + " time_step";
       return false;
     }
     substep_ = dt * analysis_.cutting_factor;
@@ -96,11 +100,13 @@ Stepper::Try Stepper::try_step(double dt) {
     }
     if (!blocks_.is_movable(b)) continue;
     if (furthest > limits_.largest_displacement()) {
-      rejection_ = "block " + quoted(blocks_.names[b]) + " moves further in one step than max_displacement_ratio allows";
+      rejection_ = "block " + quoted(blocks_.names[b]) +
+                   " moves further in one step than max_displacement_ratio allows";
       return Try::rejected;
     }
     if (furthest > reach_[b]) {
-      rejection_ = "block " + quoted(blocks_.names[b]) + " moves further in one step than contacts are looked for";
+      rejection_ =
+          "block " + quoted(blocks_.names[b]) + " moves further in one step than contacts are looked for";
       if (reach_[b] >= limits_.largest_reach(b)) return Try::rejected;
       outran = true;
     }
@@ -144,11 +150,16 @@ std::string Stepper::objection(const OpenCloseReport& report) const {
             quoted(blocks_.names[pair.edge_block]);
   }
   switch (report.status) {
-    case OpenCloseStatus::settled: return "";
-    case OpenCloseStatus::friction_unsettled: return "stick and slip did not settle" + where;
-    case OpenCloseStatus::unsettled: return "open and closed contacts did not settle" + where;
-    case OpenCloseStatus::not_positive_definite: return "the equations are not positive definite";
-    case OpenCloseStatus::not_finite: return "the solution is not finite";
+    case OpenCloseStatus::settled:
+      return "";
+    case OpenCloseStatus::friction_unsettled:
+      return "stick and slip did not settle" + where;
+    case OpenCloseStatus::unsettled:
+      return "open and closed contacts did not settle" + where;
+    case OpenCloseStatus::not_positive_definite:
+      return "the equations are not positive definite";
+    case OpenCloseStatus::not_finite:
+      return "the solution is not finite";
   }
   return "";
 }
@@ -180,13 +191,14 @@ bool Stepper::advance(double dt, const VectorXd& d, const Points& displacement, 
 }
 
 void Stepper::accept(double dt, const VectorXd& d, BlockState next, const OpenCloseReport& report) {
-  account_step(blocks_, system_, {dt, d, start_velocity(), next.velocity, report.residual, trial_contacts_, tried_},
+  account_step(blocks_, system_,
+               {dt, d, start_velocity(), next.velocity, report.residual, trial_contacts_, tried_},
                energy_.now);
   record_reactions(d, report.residual);
   record_contacts(d);
   contacts_ = tried_;
   state_ = std::move(next);
-  blocks_.prepare(state_);
+  prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
   energy_.close_step();
@@ -194,6 +206,21 @@ void Stepper::accept(double dt, const VectorXd& d, BlockState next, const OpenCl
   last_dt_ = dt;
   detected_ = false;
   reach_scale_ = 1;
+}
+
+void Stepper::prepare_and_keep_momentum() {
+  std::vector<Vec2> before;
+  for (int b = 0; b < blocks_.n_blocks(); ++b)
+    before.push_back(rigid_velocity(blocks_.block(b), state_.velocity).linear);
+  blocks_.prepare(state_);
+  if (analysis_.preset == Preset::paper || is_static()) return;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!blocks_.is_free(b)) continue;
+    const Block& block = blocks_.block(b);
+    const Vec2 lost = before[b] - rigid_velocity(block, state_.velocity).linear;
+    state_.velocity.segment(block.unknowns().first, block.unknowns().count) +=
+        block.rigid_modes().leftCols<2>() * lost;
+  }
 }
 
 void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
@@ -213,8 +240,9 @@ void Stepper::record_contacts(const VectorXd& d) {
     contact.end_gap = contact.gap(d) - contact.history.gap_offset;
     contact.end_slip = contact.slip(d);
     contact.normal = contact.shear = 0;
+    const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
+    if (slid || !contact.closed()) contact.history.bonded = false;
     if (!contact.closed()) {
-      contact.history.bonded = false;
       contact.history.gap_offset = 0;
       continue;
     }

@@ -12,14 +12,14 @@
 namespace ddacontact {
 
 struct StepCounts {
-  long steps = 0;                   ///< whole steps of the length the scene states
-  long substeps = 0;                ///< accepted tries
-  long rejected = 0;                ///< tries given up and cut
-  long unconverged = 0;             ///< accepted although stick and slip had not settled
+  long steps = 0;        ///< whole steps of the length the scene states
+  long substeps = 0;     ///< accepted tries
+  long rejected = 0;     ///< tries given up and cut
+  long unconverged = 0;  ///< accepted although stick and slip had not settled
   long open_close_iterations = 0;
-  long contacts_max = 0;            ///< closed at the end of a substep, at most
-  long contacts = 0;                ///< closed at the end of the last one
-  double max_penetration = 0;       ///< m, at the end of any substep
+  long contacts_max = 0;       ///< closed at the end of a substep, at most
+  long contacts = 0;           ///< closed at the end of the last one
+  double max_penetration = 0;  ///< m, at the end of any substep
 };
 
 /// Seconds spent, by phase.
@@ -30,12 +30,13 @@ struct StepTimes {
 class Stepper {
  public:
   /// \param[in] initial  the state at the start, with velocities and stresses
-  Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts, const AnalysisOptions& analysis);
+  Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
+          const AnalysisOptions& analysis);
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// Carries the state over one time_step, in as many substeps as it takes. False when it has to stop: the state is
-  /// then that of the last accepted substep and `stop_reason` says why.
+  /// Carries the state over one time_step, in as many substeps as it takes. False when it has to stop: the
+  /// state is then that of the last accepted substep and `stop_reason` says why.
   [[nodiscard]] bool step();
 
   const BlockSystem& blocks() const { return blocks_; }
@@ -43,7 +44,8 @@ class Stepper {
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   const std::vector<Contact>& contacts() const { return contacts_; }
   const EnergyLedger& energy() const { return energy_; }
-  /// Forces that the supports exert at the end of the last accepted substep, N per m, 2 x all outline vertices.
+  /// Forces that the supports exert at the end of the last accepted substep, N per m, 2 x all outline
+  /// vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
@@ -63,6 +65,10 @@ class Stepper {
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
   bool advance(double dt, const VectorXd& d, const Points& displacement, BlockState& next);
   void accept(double dt, const VectorXd& d, BlockState next, const OpenCloseReport& report);
+  /// Prepares the blocks for the new state. The integrals of the shape functions change with the shape, so
+  /// that the same vertex velocities would carry another momentum: free blocks are given the difference as a
+  /// translation. The paper preset leaves it.
+  void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
   void record_contacts(const VectorXd& d);
   VectorXd start_velocity() const;
@@ -77,7 +83,7 @@ class Stepper {
   double held_stiffness_;
 
   BlockState state_;
-  std::vector<Contact> contacts_;        ///< of the last accepted substep
+  std::vector<Contact> contacts_;  ///< of the last accepted substep
   EnergyLedger energy_;
   Points reactions_;
 
@@ -85,9 +91,9 @@ class Stepper {
   std::vector<Contact> tried_;           ///< as open-close left them
   std::vector<double> reach_;            ///< that trial_contacts_ were looked for in
   double reach_scale_ = 1;
-  bool detected_ = false;                ///< trial_contacts_ are those of state_
+  bool detected_ = false;  ///< trial_contacts_ are those of state_
 
-  double substep_;                       ///< the length to try next, s
+  double substep_;  ///< the length to try next, s
   double last_dt_ = 0;
   StepCounts counts_;
   StepTimes times_;

@@ -1,8 +1,8 @@
 // The program from outside: what it prints, what it writes, what its exit status says.
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <sys/wait.h>
+#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <cstdlib>
@@ -38,15 +38,16 @@ class Program : public testing::Test {
  protected:
   Program() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::temp_directory_path() / ("polydda_" + std::string(test->name()) + std::to_string(getpid()));
+    directory_ =
+        fs::temp_directory_path() / ("polydda_" + std::string(test->name()) + std::to_string(getpid()));
     fs::create_directories(directory_);
   }
   ~Program() override { fs::remove_all(directory_); }
 
   /// Runs `dda ARGUMENTS` in the test's directory; keeps what it printed.
   int dda(const std::string& arguments) {
-    const std::string command = "cd '" + directory_.string() + "' && " + POLYDDA_PROGRAM " " + arguments + " > '" +
-                                out_path() + "' 2> '" + err_path() + "' < /dev/null";
+    const std::string command = "cd '" + directory_.string() + "' && " + POLYDDA_PROGRAM " " + arguments +
+                                " > '" + out_path() + "' 2> '" + err_path() + "' < /dev/null";
     const int status = std::system(command.c_str());
     out_ = read_file(out_path());
     err_ = read_file(err_path());
@@ -72,8 +73,8 @@ const std::string sliding = "'" POLYDDA_EXAMPLES "/paper/sliding_30.toml'";
 
 TEST_F(Program, RunWritesEveryResultFile) {
   ASSERT_EQ(dda("run " + arch + " -o result --steps 10"), 0) << err_;
-  for (const char* name : {"summary.json", "monitors.csv", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv",
-                           "energy.csv", "scene.toml", "log.txt"})
+  for (const char* name : {"summary.json", "monitors.csv", "blocks.csv", "vertices.csv", "contacts.csv",
+                           "supports.csv", "energy.csv", "scene.toml", "log.txt"})
     EXPECT_TRUE(fs::exists(directory_ / "result" / name)) << name;
   EXPECT_NE(out_.find("results in result"), std::string::npos) << out_;
   EXPECT_NE(err_.find("step 10/10"), std::string::npos) << err_;
@@ -86,13 +87,15 @@ TEST_F(Program, TablesHaveTheContractsColumnsAndRows) {
     return text.substr(0, text.find('\n'));
   };
   EXPECT_EQ(header("monitors.csv"), "step,time,monitor,x,y,ux,uy,vx,vy");
-  EXPECT_EQ(header("energy.csv"),
-            "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
-            "damping_dissipated");
+  EXPECT_EQ(
+      header("energy.csv"),
+      "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
+      "damping_dissipated");
   EXPECT_EQ(header("supports.csv"), "block,vertex,fx,fy");
-  EXPECT_EQ(header("blocks.csv"),
-            "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
-            "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
+  EXPECT_EQ(
+      header("blocks.csv"),
+      "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
+      "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
   EXPECT_EQ(header("vertices.csv"), "block,vertex,x,y,ux,uy,vx,vy");
   EXPECT_EQ(header("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force");
   EXPECT_EQ(read_csv(directory_ / "result/monitors.csv").size(), 1u + 11u);
@@ -126,10 +129,12 @@ TEST_F(Program, DefaultDirectoryIsTheScenesNameWithOut) {
 }
 
 TEST_F(Program, TheSceneAsRunGivesTheSameBytesAgain) {
-  ASSERT_EQ(dda("run " + sliding + " -o first --quiet --set analysis.block_model=affine --set joint.0.friction_angle=20"), 0);
+  ASSERT_EQ(dda("run " + sliding +
+                " -o first --quiet --set analysis.block_model=affine --set joint.0.friction_angle=20"),
+            0);
   ASSERT_EQ(dda("run first/scene.toml -o second --quiet"), 0) << err_;
-  for (const char* name : {"monitors.csv", "energy.csv", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv",
-                           "scene.toml"})
+  for (const char* name : {"monitors.csv", "energy.csv", "blocks.csv", "vertices.csv", "contacts.csv",
+                           "supports.csv", "scene.toml"})
     EXPECT_EQ(read_file(directory_ / "first" / name), read_file(directory_ / "second" / name)) << name;
 }
 
@@ -153,7 +158,8 @@ TEST_F(Program, WrongInputWritesNothing) {
 }
 
 TEST_F(Program, WrongCallsEndWithStatus2) {
-  for (const char* call : {"", "fly", "run", "run --nonsense", "check", "run a.toml --steps 0", "run a.toml --steps many"}) {
+  for (const char* call :
+       {"", "fly", "run", "run --nonsense", "check", "run a.toml --steps 0", "run a.toml --steps many"}) {
     EXPECT_EQ(dda(call), 2) << call;
     EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
   }

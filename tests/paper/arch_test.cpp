@@ -58,6 +58,8 @@ TEST_P(Arch, IsSymmetricAboutTheCrown) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothModels, Arch, testing::Values("wachspress", "affine"),
-                         [](const testing::TestParamInfo<const char*>& model) { return std::string(model.param); });
+                         [](const testing::TestParamInfo<const char*>& model) {
+                           return std::string(model.param);
+                         });
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Example 5.1: a block slides down a ramp. The answer for a rigid block is (53), v = g t (sin a - cos a tan phi).
+// Example 5.1: a block slides down a ramp. The answer for a rigid block is (53), v = g t (sin a - cos a tan
+// phi).
 
 #include <ddacontact/output/block_summary.hpp>
 #include <tests/support/run_scene.hpp>
@@ -26,7 +27,9 @@ double velocity_along_slope(const Stepper& stepper) {
   return v.dot(Vec2(1, -1).normalized());
 }
 
-std::string scene(int friction_angle) { return "paper/sliding_" + std::to_string(friction_angle) + ".toml"; }
+std::string scene(int friction_angle) {
+  return "paper/sliding_" + std::to_string(friction_angle) + ".toml";
+}
 
 using Case = std::tuple<int, const char*, const char*>;  // friction angle, model, Young's modulus
 class Sliding : public testing::TestWithParam<Case> {};
@@ -41,9 +44,9 @@ TEST_P(Sliding, FollowsTheRigidBlocksVelocity) {
   const auto [angle, model, young] = GetParam();
   const bool stiff = young == std::string("35 GPa");
   for (const char* preset : {"paper", "default"}) {
-    BuiltScene built = support::build_example(
-        scene(angle), {std::string("analysis.block_model=") + model, std::string("material.rock.young=") + young,
-                       std::string("analysis.preset=") + preset});
+    BuiltScene built = support::build_example(scene(angle), {std::string("analysis.block_model=") + model,
+                                                             std::string("material.rock.young=") + young,
+                                                             std::string("analysis.preset=") + preset});
     Stepper& stepper = *built.stepper;
     ASSERT_TRUE(support::run(stepper, n_steps)) << stepper.stop_reason();
     const double error = velocity_along_slope(stepper) / exact_velocity(angle) - 1;
@@ -56,16 +59,16 @@ TEST_P(Sliding, FollowsTheRigidBlocksVelocity) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stiff, Sliding,
-                         testing::Combine(testing::Values(0, 15, 30, 40), testing::Values("wachspress", "affine"),
-                                          testing::Values("35 GPa")),
+                         testing::Combine(testing::Values(0, 15, 30, 40),
+                                          testing::Values("wachspress", "affine"), testing::Values("35 GPa")),
                          case_name);
 INSTANTIATE_TEST_SUITE_P(Soft, Sliding,
                          testing::Combine(testing::Values(0, 15, 30), testing::Values("wachspress", "affine"),
                                           testing::Values("35 MPa")),
                          case_name);
 
-// The soft block at 40 degrees vibrates (friction couples its normal and tangential modes, and gravity is sudden):
-// its velocity is that of the rigid block only on the whole. See doc/paper_map.md.
+// The soft block at 40 degrees vibrates (friction couples its normal and tangential modes, and gravity is
+// sudden): its velocity is that of the rigid block only on the whole. See doc/paper_map.md.
 TEST(SlidingSoft, At40DegreesVibratesAboutTheRigidBlocksVelocity) {
   for (const char* model : {"wachspress", "affine"}) {
     BuiltScene built = support::build_example(scene(40), {std::string("analysis.block_model=") + model});
@@ -85,7 +88,8 @@ class SlidingStressOfBothModels : public testing::TestWithParam<int> {};
 
 TEST_P(SlidingStressOfBothModels, OriginalDdaLiesInTheRangeAndNearTheMeanOfWachspress) {
   const auto stress_of = [](const char* model) {
-    BuiltScene built = support::build_example(scene(GetParam()), {std::string("analysis.block_model=") + model});
+    BuiltScene built =
+        support::build_example(scene(GetParam()), {std::string("analysis.block_model=") + model});
     EXPECT_TRUE(support::run(*built.stepper, n_steps));
     return stress_range(built.stepper->blocks().block(slider), built.stepper->state());
   };

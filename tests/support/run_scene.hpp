@@ -12,7 +12,8 @@
 namespace support {
 
 /// A scene of examples/ with `--set` settings, built. Fails the test when it has problems.
-inline ddacontact::BuiltScene build_example(const std::string& name, const std::vector<std::string>& settings = {}) {
+inline ddacontact::BuiltScene build_example(const std::string& name,
+                                            const std::vector<std::string>& settings = {}) {
   const ddacontact::SceneReading reading = ddacontact::read_scene(POLYDDA_EXAMPLES "/" + name, settings);
   for (const ddacontact::Problem& problem : reading.problems) ADD_FAILURE() << problem.text();
   if (!reading.scene) throw std::runtime_error("no scene");

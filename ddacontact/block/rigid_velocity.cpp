@@ -1,0 +1,14 @@
+#include <ddacontact/block/rigid_velocity.hpp>
+
+namespace ddacontact {
+
+RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity) {
+  const auto& modes = block.rigid_modes();
+  const MatrixXd weighted = block.mass() * modes;  // the momenta of unit motions, by unknown
+  const Vec3 momentum =
+      weighted.transpose() * velocity.segment(block.unknowns().first, block.unknowns().count);
+  const Vec3 inertia = (modes.transpose() * weighted).diagonal();
+  return {momentum.head<2>().cwiseQuotient(inertia.head<2>()), momentum[2] / inertia[2]};
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,17 @@
+/// \file The rigid part of a block's motion.
+#pragma once
+
+#include <ddacontact/block/block.hpp>
+
+namespace ddacontact {
+
+/// A block's momentum over its mass, and its angular momentum about the centroid over its inertia.
+struct RigidVelocity {
+  Vec2 linear;
+  double angular = 0;  ///< rad/s
+};
+
+/// \param[in] velocity  of all unknowns of the system
+RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity);
+
+}  // namespace ddacontact
