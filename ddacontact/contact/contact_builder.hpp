@@ -27,8 +27,8 @@ class ContactBuilder {
   /// an overlap is taken as stress-free.
   std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach) const;
   /// The contacts that may close while no vertex of block b moves further than reach[b]. Those also in
-  /// `previous` carry on its history; a vertex that slid across a corner onto the neighbour's vertex does
-  /// too.
+  /// `previous` carry on its history; a vertex that slid across a corner
+  /// onto the neighbour's vertex does too.
   std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
                              const std::vector<Contact>& previous) const;
 

@@ -22,8 +22,8 @@ struct RunSummary {
   std::map<std::string, std::string> versions;
 };
 
-/// Histories are written while the run goes on, the rest at its end. Everything throws OutputError on
-/// failure.
+/// Histories are written while the run goes on, the rest at its
+/// end. Everything throws OutputError on failure.
 class ResultDirectory {
  public:
   /// Makes the directory and starts the histories.

@@ -21,8 +21,8 @@ bool opens_or_closes(ContactState from, ContactState to) {
   return (from == ContactState::open) != (to == ContactState::open);
 }
 
-/// The force that the old state gets wrong: that of a gap or a slip which should not be, or what exceeds a
-/// bound.
+/// The force that the old state gets wrong: that of a gap or a slip which should
+/// not be, or what exceeds a bound.
 double wrong_force(const Contact& contact, ContactState state, const Trial& trial) {
   const JointLaw& law = contact.law;
   if (opens_or_closes(contact.history.state, state)) return std::abs(normal_force(law, trial.gap));
@@ -57,8 +57,8 @@ void change_states(const std::vector<Disagreement>& disagreements, std::vector<C
 }
 
 /// Which of the disagreeing states to change: all while their number falls; then those that are wrong by the
-/// largest forces; at last only the first (Murty's rule). Changing all of them every time can go round in
-/// circles.
+/// largest forces; at last only the first (Murty's rule). Changing all of them every
+/// time can go round in circles.
 class Restraint {
  public:
   /// Leaves in `disagreements` what is to change.

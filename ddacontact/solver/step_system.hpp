@@ -23,8 +23,8 @@ class StepSystem {
  public:
   explicit StepSystem(const BlockSystem& blocks);
 
-  /// Springs of the contacts' forms and of the held vertices: keeps the analysis when the pattern is the
-  /// same.
+  /// Springs of the contacts' forms and of the held vertices: keeps the analysis
+  /// when the pattern is the same.
   void set_contacts(const BlockState& state, const std::vector<Contact>& contacts, double held_stiffness);
   /// Loads at the end of the step and the inertia terms (26), (27); `state` is the one the blocks are
   /// prepared for and `velocity` what they start with.

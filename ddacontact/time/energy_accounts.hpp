@@ -10,8 +10,8 @@ namespace ddacontact {
 
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 
-/// Of the blocks, of the springs of closed contacts at the end of their step, and of the springs of held
-/// vertices.
+/// Of the blocks, of the springs of closed contacts at the end of their step,
+/// and of the springs of held vertices.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<Contact>& contacts, double held_stiffness);
 

@@ -44,8 +44,8 @@ class Stepper {
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   const std::vector<Contact>& contacts() const { return contacts_; }
   const EnergyLedger& energy() const { return energy_; }
-  /// Forces that the supports exert at the end of the last accepted substep, N per m, 2 x all outline
-  /// vertices.
+  /// Forces that the supports exert at the end of the last accepted substep, N per
+  /// m, 2 x all outline vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }

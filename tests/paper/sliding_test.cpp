@@ -1,5 +1,5 @@
-// Example 5.1: a block slides down a ramp. The answer for a rigid block is (53), v = g t (sin a - cos a tan
-// phi).
+// Example 5.1: a block slides down a ramp. The answer for a rigid block is (53), v = g
+// t (sin a - cos a tan phi).
 
 #include <ddacontact/output/block_summary.hpp>
 #include <tests/support/run_scene.hpp>
