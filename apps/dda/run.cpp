@@ -15,6 +15,7 @@
 #include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/assembly/blas.hpp>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -23,6 +24,7 @@
 namespace dda {
 
 using namespace ddacontact;
+using Clock = std::chrono::steady_clock;
 
 namespace {
 
@@ -111,16 +113,15 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
   return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + signal_received;
 }
 
-int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& summary, double& total,
-              double setup_before) {
-  const Stopwatch total_watch(total);
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_point start) {
   const std::string blas = polyfem::pin_blas_to_one_thread();
-  BuiltScene built;
-  summary.seconds_setup = setup_before;
-  {
-    const Stopwatch watch(summary.seconds_setup);
-    built = build(scene);
-  }
+  BuiltScene built = build(scene);
+  RunSummary summary;
+  summary.seconds_setup = seconds_since(start);
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   const int steps = arguments.steps.value_or(scene.analysis.steps);
 
@@ -146,7 +147,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& sum
   progress.finish();
 
   summary.peak_memory_mb = peak_memory_mb();
-  summary.seconds_total = summary.seconds_setup + summary.seconds_steps + summary.seconds_output;
+  summary.seconds_total = seconds_since(start);
   results.finish(*built.stepper, summary);
   return finish(arguments, *built.stepper, summary, directory, *log);
 }
@@ -154,16 +155,11 @@ int run_scene(const RunArguments& arguments, const Scene& scene, RunSummary& sum
 }  // namespace
 
 int run(const RunArguments& arguments) {
-  double reading_seconds = 0, total = 0;
-  SceneReading reading;
-  {
-    const Stopwatch watch(reading_seconds);
-    reading = read_scene(arguments.scene, arguments.settings);
-  }
+  const Clock::time_point start = Clock::now();
+  const SceneReading reading = read_scene(arguments.scene, arguments.settings);
   if (const int status = report(reading); !reading.scene) return status;
-  RunSummary summary;
   try {
-    return run_scene(arguments, *reading.scene, summary, total, reading_seconds);
+    return run_scene(arguments, *reading.scene, start);
   } catch (const OutputError& error) {
     print_error(error.what());
     return file_error;

@@ -209,15 +209,15 @@ void Stepper::accept(double dt, const VectorXd& d, BlockState next, const OpenCl
 }
 
 void Stepper::prepare_and_keep_momentum() {
-  std::vector<Vec2> before;
+  Points before(2, blocks_.n_blocks());
   for (int b = 0; b < blocks_.n_blocks(); ++b)
-    before.push_back(rigid_velocity(blocks_.block(b), state_.velocity).linear);
+    before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
   blocks_.prepare(state_);
   if (analysis_.preset == Preset::paper || is_static()) return;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);
-    const Vec2 lost = before[b] - rigid_velocity(block, state_.velocity).linear;
+    const Vec2 lost = before.col(b) - rigid_velocity(block, state_.velocity).linear;
     state_.velocity.segment(block.unknowns().first, block.unknowns().count) +=
         block.rigid_modes().leftCols<2>() * lost;
   }
