@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
+#include <initializer_list>
 #include <new>
+#include <string_view>
 
 namespace {
 
@@ -20,6 +23,10 @@ struct Call {
 };
 
 constexpr const char* not_available = "is not available in this version";
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("check")) return dda::check(call.scenes_to_check, call.check_settings);
@@ -59,11 +66,15 @@ int parse_and_execute(int argc, char** argv) {
       ->take_all()
       ->expected(1);
 
-  for (const char* verb : {"plot", "info", "make", "view"})
-    if (argc > 1 && std::string_view(argv[1]) == verb) {
-      dda::print_error(fmt::format("\"{}\" {} (known: run, check)", verb, not_available));
-      return dda::wrong_input;
-    }
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  if (is_one_of(verb, {"plot", "info", "make", "view"})) {
+    dda::print_error(fmt::format("\"{}\" {} (known: run, check)", verb, not_available));
+    return dda::wrong_input;
+  }
+  if (!verb.empty() && verb.front() != '-' && !is_one_of(verb, {"run", "check"})) {
+    dda::print_error(fmt::format("unknown verb \"{}\" (known: run, check)", verb));
+    return dda::wrong_input;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& answered) {

@@ -106,6 +106,12 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       counts.unconverged, counts.open_close_iterations, counts.contacts);
   log.info("{}", outcome);
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
+  if (counts.unconverged > 0) {
+    const std::string warning = fmt::format("{} of {} substeps were accepted unsettled: {}",
+                                            counts.unconverged, counts.substeps, stepper.last_unsettled());
+    log.warn("{}", warning);
+    fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
+  }
   log.flush();
   if (!arguments.quiet) fmt::print("{}\nresults in {}\n", outcome, directory.string());
   if (summary.status == "completed") return done;

@@ -65,6 +65,9 @@ class BlockSystem {
   std::vector<PressureLoad> pressure_loads;
   std::vector<BodyLoad> body_loads;
   std::vector<HeldVertex> held_vertices;
+  /// Every vertex that the scene holds, by its place in the arrays of the state, ascending. Of an affine
+  /// block held at more than three vertices three carry the reactions of all.
+  std::vector<int> supported_vertices;
 
   void set_held_unknowns(std::vector<HeldUnknown> held);
   const std::vector<HeldUnknown>& held_unknowns() const { return held_unknowns_; }

@@ -19,7 +19,7 @@ void CsvFile::separate() {
 void CsvFile::append(double value) {
   separate();
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
+  const auto end = std::to_chars(text, text + sizeof text, value + 0.0, std::chars_format::general, 17).ptr;
   line_.append(text, end);
 }
 

@@ -7,7 +7,8 @@
 
 namespace ddacontact {
 
-/// Numbers carry 17 significant digits, enough to read back the same double; text is quoted where it must be.
+/// Numbers carry 17 significant digits, enough to read back the same double, and no minus before a zero; text
+/// is quoted where it must be.
 class CsvFile {
  public:
   /// Creates the file with its header line. Throws OutputError when it cannot.

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <numbers>
-#include <set>
 
 namespace ddacontact {
 
@@ -124,15 +124,12 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
 void ResultDirectory::write_supports(const Stepper& stepper) {
   CsvFile csv(file("supports.csv"), "block,vertex,fx,fy");
   const BlockSystem& blocks = stepper.blocks();
-  std::set<int> held;  // columns of the state's vertices
-  for (const HeldUnknown& h : blocks.held_unknowns()) held.insert(h.vertex);
-  for (const HeldVertex& h : blocks.held_vertices)
-    held.insert(blocks.block(h.block).vertices().first + h.vertex);
+  const std::vector<int>& held = blocks.supported_vertices;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
       const int column = block.vertices().first + labels_.scene_vertex(b, scene_v, block.n_vertices());
-      if (held.contains(column))
+      if (std::binary_search(held.begin(), held.end(), column))
         csv.row(labels_.block_names[b], scene_v, stepper.reactions()(0, column),
                 stepper.reactions()(1, column));
     }

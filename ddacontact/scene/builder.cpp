@@ -103,6 +103,7 @@ class Builder {
 
     BlockSystem system(std::move(blocks), all_vertices());
     hold(system);
+    note_idle_velocities(system);
     system.gravity = scene_.analysis.gravity;
     system.end_time = scene_.end_time();
     add_loads(system);
@@ -194,6 +195,19 @@ class Builder {
     }
     system.set_held_unknowns(std::move(held));
     system.held_vertices = springs_;
+    for (int b = 0; b < system.n_blocks(); ++b)
+      for (int v = 0; v < system.block(b).n_vertices(); ++v)
+        if (holds_[b][v][0] || holds_[b][v][1])
+          system.supported_vertices.push_back(system.block(b).vertices().first + v);
+  }
+
+  void note_idle_velocities(const BlockSystem& system) {
+    for (int b = 0; b < system.n_blocks(); ++b) {
+      const BlockDescription& block = scene_.blocks[b];
+      if (!system.is_movable(b) && (!block.velocity.isZero(0) || block.angular_velocity != 0))
+        built_.notes.push_back("block \"" + scene_.block_name(b) +
+                               "\" is held: its initial velocity has no effect");
+    }
   }
 
   void add_loads(BlockSystem& system) const {

@@ -8,8 +8,15 @@ namespace ddacontact {
 void EnergyLedger::close_step() {
   for (double Energy::*entry :
        {&Energy::kinetic, &Energy::elastic, &Energy::gravity, &Energy::friction_dissipated,
-        &Energy::numerical_dissipated, &Energy::external, &Energy::damping_dissipated})
+        &Energy::numerical_dissipated, &Energy::external, &Energy::damping_dissipated}) {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
+    largest_ = std::max(largest_, std::abs(now.*entry));
+  }
+}
+
+double EnergyLedger::balance_error() const {
+  constexpr double round_off = 1e-12;
+  return exchanged_ > round_off * largest_ ? (now.total() - start_.total()) / exchanged_ : 0;
 }
 
 }  // namespace ddacontact

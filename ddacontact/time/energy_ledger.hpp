@@ -28,12 +28,13 @@ class EnergyLedger {
   void start() { start_ = now; }
   /// Notes the present energies as exchanged; call after every step.
   void close_step();
-  /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none.
-  double balance_error() const { return exchanged_ > 0 ? (now.total() - start_.total()) / exchanged_ : 0; }
+  /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but
+  /// round-off of the largest energy.
+  double balance_error() const;
 
  private:
   Energy start_;
-  double exchanged_ = 0;
+  double exchanged_ = 0, largest_ = 0;
 };
 
 }  // namespace ddacontact

@@ -115,7 +115,10 @@ Stepper::Try Stepper::try_step(double dt) {
 
   BlockState next = state_;
   if (!advance(dt, d, displacement, next)) return Try::rejected;
-  if (unsettled_friction) ++counts_.unconverged;
+  if (unsettled_friction) {
+    ++counts_.unconverged;
+    last_unsettled_ = rejection_ + ", at time " + std::to_string(next.time) + " s";
+  }
   accept(dt, d, std::move(next), report);
   return Try::accepted;
 }
@@ -186,6 +189,7 @@ bool Stepper::advance(double dt, const VectorXd& d, const Points& displacement, 
   }
   // Newmark (1/2, 1): v1 = 2 d / dt - v0. After a static step blocks are at rest.
   next.velocity = is_static() ? VectorXd::Zero(d.size()) : VectorXd(2 / dt * d - state_.velocity);
+  if (is_static()) return true;
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
   return true;
 }

@@ -51,6 +51,8 @@ class Stepper {
   const StepTimes& times() const { return times_; }
   const polyfem::Cholesky& cholesky() const { return system_.cholesky(); }
   const std::string& stop_reason() const { return stop_reason_; }
+  /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
+  const std::string& last_unsettled() const { return last_unsettled_; }
   /// The length of the last accepted substep, s.
   double last_dt() const { return last_dt_; }
 
@@ -97,7 +99,7 @@ class Stepper {
   double last_dt_ = 0;
   StepCounts counts_;
   StepTimes times_;
-  std::string stop_reason_, rejection_;
+  std::string stop_reason_, rejection_, last_unsettled_;
 };
 
 }  // namespace ddacontact
