@@ -207,3 +207,21 @@ TEST(StressRange, IsTheAverageAndTheExtremesOverTheIntegrationPoints) {
   EXPECT_NEAR(range.s1_max, 10, 1e-12);
   EXPECT_NEAR(range.s2_min, -10, 1e-12);
 }
+
+TEST(ResultDirectory, EveryHeldVertexHasItsRowOfReactions) {
+  for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
+    Scene scene = rock_scene(0.01, 1);
+    scene.blocks = {block(rectangle(0, 0, 2, 1), true)};
+    scene.blocks[0].model = model;
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 1);
+    const Directory directory;
+    ResultDirectory results(directory.path, built.labels);
+    results.finish(*built.stepper, {});
+    const std::vector<Row> rows = read_csv(directory.path / "supports.csv");
+    ASSERT_EQ(rows.size(), 4u);
+    double weight = 0;
+    for (const Row& row : rows) weight += number(row, "fy");
+    EXPECT_NEAR(weight, 2 * 2000 * 10, 1e-6);
+  }
+}

@@ -94,3 +94,32 @@ TEST(EnergyLedger, BalancesAgainstTheLargestEnergyExchangedSoFar) {
   ledger.now.external = 2;
   EXPECT_DOUBLE_EQ(ledger.balance_error(), 0);
 }
+
+TEST(Energy, AStaticStepLeavesNothingInMotionAlsoNotItsMovingSupports) {
+  for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
+    Scene scene = rock_scene(0.1, 10);
+    scene.analysis.mode = Mode::statics;
+    scene.blocks = {block(rectangle(0, 0, 2, 1))};
+    scene.blocks[0].model = model;
+    scene.supports = {{0, {0, 1}, true, true, {TimeFunction::Kind::rate, {0, 0.02}, {}}}};
+    const BuiltScene built = build(scene);
+    for (int k = 0; k < 10; ++k) {
+      run(*built.stepper, 1);
+      EXPECT_EQ(built.stepper->energy().now.kinetic, 0);
+      EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-3);
+    }
+    EXPECT_NEAR(travel(*built.stepper, 0).y(), 0.02, 1e-3);
+  }
+}
+
+TEST(Energy, RoundOffOfAFreeFlightIsNoExchange) {
+  Scene scene = rock_scene(0.01, 50);
+  scene.analysis.gravity.setZero();
+  scene.blocks = {block(rectangle(0, 0, 2, 1))};
+  scene.blocks[0].velocity = {3, 1};
+  const BuiltScene built = build(scene);
+  for (int k = 0; k < 50; ++k) {
+    run(*built.stepper, 1);
+    EXPECT_EQ(built.stepper->energy().balance_error(), 0);
+  }
+}
