@@ -36,8 +36,6 @@ void StepSystem::set_contacts(const BlockState& state, const std::vector<Contact
     for (int axis = 0; axis < 2; ++axis) {
       if (!(axis == 0 ? held.x : held.y)) continue;
       HeldSpring spring{static_cast<int>(h), axis, {}, 0};
-      const int v = blocks_.block(held.block).vertices().first + held.vertex;
-      spring.form.constant = state.position(axis, v) - blocks_.reference()(axis, v);
       blocks_.block(held.block).vertex_map(held.vertex).add_to(spring.form, Vec2::Unit(axis));
       held_springs_.push_back(spring);
     }
@@ -67,9 +65,9 @@ void StepSystem::set_step(const BlockState& state, const VectorXd& velocity, dou
   const double time = state.time + dt;
   prescribed_ = blocks_.prescribed(state, time);
   for (HeldSpring& spring : held_springs_) {
-    const TimeFunction& motion = blocks_.held_vertices[spring.held_vertex].motion;
-    const int v = blocks_.block(blocks_.held_vertices[spring.held_vertex].block).vertices().first +
-                  blocks_.held_vertices[spring.held_vertex].vertex;
+    const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
+    const TimeFunction& motion = held.motion;
+    const int v = blocks_.block(held.block).vertices().first + held.vertex;
     const double target = motion.at(time, blocks_.end_time)[spring.axis];
     spring.target_change = target - motion.at(state.time, blocks_.end_time)[spring.axis];
     spring.form.constant = state.position(spring.axis, v) - blocks_.reference()(spring.axis, v) - target;
