@@ -118,4 +118,10 @@ void AffineBlock::add_stress(const VectorXd& d, Tensors& stress) const {
   stress.col(stress_points().first) += material().elasticity * strain;
 }
 
+Points AffineBlock::strain_displacement(const BlockState& state) const {
+  const Vec3 strain = compliance() * state.stress.col(stress_points().first);
+  return uniform_strain_displacement(state.position.middleCols(vertices().first, vertices().count),
+                                     moments().centroid, strain);
+}
+
 }  // namespace ddacontact

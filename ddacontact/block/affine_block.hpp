@@ -27,6 +27,7 @@ class AffineBlock final : public Block {
   void add_stress_forces(const BlockState& state, VectorXd& F) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void add_stress(const VectorXd& d, Tensors& stress) const override;
+  Points strain_displacement(const BlockState& state) const override;
 
  private:
   using Mat6 = Eigen::Matrix<double, 6, 6>;

@@ -38,4 +38,10 @@ double Block::elastic_energy(const BlockState& state) const {
   return energy;
 }
 
+Points uniform_strain_displacement(const PointsRef& outline, const Vec2& centroid, const Vec3& strain) {
+  Mat2 gradient;
+  gradient << strain[0], strain[2] / 2, strain[2] / 2, strain[1];
+  return gradient * (outline.colwise() - centroid);
+}
+
 }  // namespace ddacontact

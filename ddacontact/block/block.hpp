@@ -64,6 +64,14 @@ class Block {
   /// Adds the stress that the step's displacements d make, Eq. (8), (9), (12).
   virtual void add_stress(const VectorXd& d, Tensors& stress) const = 0;
 
+  /// Displacements w of the outline vertices (2 x n, m, free of rigid motion) whose strains on the shape last
+  /// prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at every point x
+  /// of the block the field nearest in energy to the stresses at the integration points. It is that field
+  /// itself while the block has not turned, since the stress is then a sum of such fields.
+  virtual Points strain_displacement(const BlockState& state) const = 0;
+
+  const BlockMaterial& material() const { return material_; }
+
   /// Integral of sigma D^-1 sigma / 2 over the shape last prepared, J per m.
   double elastic_energy(const BlockState& state) const;
 
@@ -71,7 +79,7 @@ class Block {
   Block(const BlockMaterial& material, const PointsRef& outline);
 
   virtual void prepare_shape(const PointsRef& outline) = 0;
-  const BlockMaterial& material() const { return material_; }
+  const Mat3& compliance() const { return compliance_; }  ///< D^-1
   double current_density() const { return material_.density * reference_area_ / moments_.area; }
 
   MatrixXd stiffness_, mass_;
@@ -86,5 +94,8 @@ class Block {
   Range vertices_, unknowns_, stress_points_;
   polyfem::AreaMoments moments_;
 };
+
+/// The displacements about `centroid` of a uniform strain (xx, yy, gamma_xy), without rotation.
+Points uniform_strain_displacement(const PointsRef& outline, const Vec2& centroid, const Vec3& strain);
 
 }  // namespace ddacontact

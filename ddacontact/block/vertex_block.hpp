@@ -24,6 +24,7 @@ class VertexBlock final : public Block {
   void add_stress_forces(const BlockState& state, VectorXd& F) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void add_stress(const VectorXd& d, Tensors& stress) const override;
+  Points strain_displacement(const BlockState& state) const override;
 
  private:
   void prepare_shape(const PointsRef& outline) override;

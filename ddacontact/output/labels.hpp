@@ -14,6 +14,8 @@ struct Labels {
   Vec2 origin{0, 0};                     ///< what was subtracted from all coordinates
   std::vector<std::string> block_names;  ///< the name, else the index
   std::vector<std::string> block_models;
+  std::vector<int> block_materials;         ///< index into material_names
+  std::vector<std::string> material_names;  ///< in the order of the scene
   std::vector<bool> turned;  ///< the scene gave this block's vertices clockwise
 
   /// The scene's index of a block's vertex or edge, given ours; the map is its own inverse.

@@ -114,8 +114,10 @@ class Builder {
       system.names.push_back(scene_.block_name(static_cast<int>(b)));
       built_.labels.block_models.push_back(scene_.blocks[b].model == BlockModel::affine ? "affine"
                                                                                         : "wachspress");
+      built_.labels.block_materials.push_back(scene_.blocks[b].material);
       built_.labels.turned.push_back(placed_[b].turned);
     }
+    for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
     for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor));
 
     BlockState initial = system.initial_state();

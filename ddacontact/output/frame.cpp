@@ -1,0 +1,68 @@
+#include <ddacontact/output/frame.hpp>
+
+#include <ddacontact/output/block_summary.hpp>
+
+namespace ddacontact {
+
+namespace {
+
+FrameContact describe(const Contact& contact, const Frame& frame) {
+  const VertexEdge& pair = contact.pair;
+  const auto edge_outline = frame.outline(pair.edge_block);
+  const Vec2 edge = edge_outline.col((pair.edge + 1) % edge_outline.cols()) - edge_outline.col(pair.edge);
+  FrameContact described;
+  described.vertex_block = pair.vertex_block;
+  described.edge_block = pair.edge_block;
+  described.position = frame.outline(pair.vertex_block).col(pair.vertex);
+  described.normal = Vec2(edge.y(), -edge.x()).normalized();
+  described.gap = contact.end_gap;
+  described.normal_force = contact.normal;
+  described.shear_force = contact.shear;  // an edge runs along its outward normal turned left
+  described.state = contact.history.state;
+  return described;
+}
+
+}  // namespace
+
+Vec3 Frame::stress(int block, const polyfem::ShapeValues& shape) const {
+  const auto w = strain_displacement.middleCols(blocks[block].first, blocks[block].count);
+  const Mat2 gradient = w * shape.gradients.transpose();  // of the displacement: du_a / dx_b
+  const Vec3 strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+  return elasticity[materials[block]] * strain;
+}
+
+Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFields& fields) {
+  const BlockSystem& system = stepper.blocks();
+  const BlockState& state = stepper.state();
+  const int n_blocks = system.n_blocks();
+  Frame frame;
+  frame.step = stepper.counts().steps;
+  frame.time = state.time;
+  frame.materials = labels.block_materials;
+  frame.material_names = labels.material_names;
+  frame.elasticity.assign(labels.material_names.size(), Mat3::Zero());
+  frame.position = state.position.colwise() + labels.origin;
+  if (fields.displacement) frame.displacement = state.position - system.reference();
+  if (fields.velocity) frame.velocity.resize(2, state.position.cols());
+  if (fields.stress) {
+    frame.strain_displacement.resize(2, state.position.cols());
+    frame.mean_stress.resize(3, n_blocks);
+  }
+  for (int b = 0; b < n_blocks; ++b) {
+    const Block& block = system.block(b);
+    const Range& vertices = block.vertices();
+    frame.blocks.push_back(vertices);
+    frame.elasticity[labels.block_materials[b]] = block.material().elasticity;
+    for (int v = 0; fields.velocity && v < vertices.count; ++v)
+      frame.velocity.col(vertices.first + v) = block.vertex_map(v)(state.velocity);
+    if (fields.stress) {
+      frame.strain_displacement.middleCols(vertices.first, vertices.count) = block.strain_displacement(state);
+      frame.mean_stress.col(b) = stress_range(block, state).mean;
+    }
+  }
+  for (const Contact& contact : stepper.contacts())
+    if (contact.was_closed) frame.contacts.push_back(describe(contact, frame));
+  return frame;
+}
+
+}  // namespace ddacontact
