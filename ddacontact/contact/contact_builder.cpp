@@ -109,6 +109,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.law.normal_stiffness = properties_.normal_stiffness;
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.law.friction = strength.friction;
+  if (strength.friction_law) contact.law.friction_law = &strength.friction_law;
 
   const Block& edge_block = blocks_.block(pair.edge_block);
   const Vec2 i = state.position.col(blocks_.block(pair.vertex_block).vertices().first + pair.vertex);

@@ -10,7 +10,8 @@ double normal_force(const JointLaw& law, double gap) {
 }
 
 double shear_bound(const JointLaw& law, double normal_force, bool bonded) {
-  return std::max(0.0, normal_force) * law.friction + (bonded ? law.cohesion : 0.0);
+  const double N = std::max(0.0, normal_force);
+  return (law.friction_law ? (*law.friction_law)(N) : N * law.friction) + (bonded ? law.cohesion : 0.0);
 }
 
 namespace {
@@ -36,7 +37,8 @@ ContactState next_state(ContactState state, const JointLaw& law, const Trial& tr
   if (pull > 0 && !(state == ContactState::stick && is_slipping(sheared) && shear > pull))
     return ContactState::open;
   if (state == ContactState::stick || law.frictionless()) return sheared;
-  return slip_sign(state) * trial.slip_increment < -trial.tolerance ? ContactState::stick : state;
+  const bool moved_back = slip_sign(state) * trial.slip_increment < -trial.tolerance;
+  return moved_back && sheared != state ? ContactState::stick : state;
 }
 
 }  // namespace ddacontact

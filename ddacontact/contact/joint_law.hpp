@@ -1,7 +1,13 @@
 /// \file Mohr-Coulomb: what state a contact is in after a trial solution. Pure functions on values.
 #pragma once
 
+#include <functional>
+
 namespace ddacontact {
+
+/// A friction law of one's own: the largest shear force that friction bears under a normal force N >= 0, both
+/// in N per m of thickness and for one contact. 0 at N = 0, continuous, not decreasing.
+using FrictionLaw = std::function<double(double normal_force)>;
 
 /// Sliding is told apart by the sense of the slip, s of (50): forward along the edge from j to k.
 enum class ContactState { open, stick, slip_forward, slip_backward };
@@ -16,14 +22,16 @@ inline double slip_sign(ContactState s) {
 
 /// One contact's stiffnesses and bounds, forces per metre of thickness. Stresses times contact length.
 struct JointLaw {
-  double normal_stiffness = 0;      ///< p of (38)
-  double tangential_stiffness = 0;  ///< p bar of (46)
-  double friction = 0;              ///< tan(phi)
-  double cohesion = 0;              ///< c l, while the contact is bonded
-  double tension = 0;               ///< tensile strength times l, while the contact is bonded
+  double normal_stiffness = 0;                ///< p of (38)
+  double tangential_stiffness = 0;            ///< p bar of (46)
+  double friction = 0;                        ///< tan(phi)
+  const FrictionLaw* friction_law = nullptr;  ///< in place of N tan(phi); not owned
+  double cohesion = 0;                        ///< c l, while the contact is bonded
+  double tension = 0;                         ///< tensile strength times l, while the contact is bonded
 
   /// Nothing acts along the edge: no tangential terms are needed.
-  bool frictionless() const { return friction == 0 && cohesion == 0; }
+  bool frictionless() const { return !has_friction() && cohesion == 0; }
+  bool has_friction() const { return friction > 0 || friction_law; }
 };
 
 /// A trial solution seen by one contact.
@@ -38,13 +46,15 @@ struct Trial {
 
 /// N = -p g of a closed contact; > 0 is compression.
 double normal_force(const JointLaw& law, double gap);
-/// The bound of the shear force: max(0, N) tan(phi), plus the cohesion while bonded.
+/// The bound of the shear force: max(0, N) tan(phi), or what the friction law says, plus the cohesion while
+/// bonded.
 double shear_bound(const JointLaw& law, double normal_force, bool bonded);
 
 /// The state that agrees with the trial, from the state it was computed with: an open contact closes on
 /// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile
 /// bound; a contact that closes or sticks slips when its spring would exceed the shear bound, also when it is
-/// pulled as well but sheared by more; a slipping one sticks when it moved against its own sense. A closed
+/// pulled as well but sheared by more; a slipping one that moved against its own sense is judged by its
+/// spring anew (a contact that stuck before may spring back while it slips, when its bound falls). A closed
 /// contact without friction is slip_forward.
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial);
 

@@ -1,17 +1,20 @@
 /// \file Which joint law acts between which materials.
 #pragma once
 
+#include <ddacontact/contact/joint_law.hpp>
+
 #include <array>
 #include <optional>
 #include <vector>
 
 namespace ddacontact {
 
-/// Mohr-Coulomb strengths of a joint, as stresses.
+/// Mohr-Coulomb strengths of a joint, as stresses, or a friction law of one's own.
 struct JointStrength {
   double friction = 0;          ///< tan(phi)
   double cohesion = 0;          ///< Pa
   double tensile_strength = 0;  ///< Pa
+  FrictionLaw friction_law{};   ///< in place of Coulomb's N tan(phi); none: Coulomb
 };
 
 class JointTable {

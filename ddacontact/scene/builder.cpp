@@ -266,7 +266,7 @@ class Builder {
     std::vector<JointTable::Entry> joints;
     for (const Joint& joint : scene_.joints)
       joints.push_back(
-          {{std::tan(joint.friction_angle * std::numbers::pi / 180), joint.cohesion, joint.tensile_strength},
+          {{std::tan(joint.friction_angle * std::numbers::pi / 180), joint.cohesion, joint.tensile_strength, {}},
            joint.between});
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);

@@ -48,9 +48,12 @@ std::vector<Disagreement> find_disagreements(const VectorXd& d, const std::vecto
   return found;
 }
 
-void change_states(const std::vector<Disagreement>& disagreements, std::vector<Contact>& contacts) {
+/// With `breaking` a contact that comes back from an open or slipping state has lost its bond.
+void change_states(const std::vector<Disagreement>& disagreements, bool breaking,
+                   std::vector<Contact>& contacts) {
   for (const Disagreement& of : disagreements) {
     Contact& contact = contacts[of.contact];
+    if (breaking && contact.history.state != ContactState::stick) contact.history.bonded = false;
     contact.history.state = of.state;
     contact.was_closed = contact.was_closed || contact.closed();
   }
@@ -80,6 +83,10 @@ class Restraint {
     std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
   }
 
+  /// Bonds that come and go within a step may leave no state that agrees: a bonded contact carries shear at
+  /// no normal force, an open one does not.
+  bool breaks_bonds() const { return passes_without_gain_ >= 2; }
+
  private:
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   int passes_without_gain_ = 0;
@@ -87,7 +94,7 @@ class Restraint {
 
 bool has_friction_to_find(const std::vector<Contact>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
-    return is_slipping(contact.history.state) && contact.law.friction > 0;
+    return is_slipping(contact.history.state) && contact.law.has_friction();
   });
 }
 
@@ -115,6 +122,7 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
     }
     const bool friction_to_find = has_friction_to_find(contacts);
     const double before = r.largest;
+    const int last = std::min(options.max_iterations, report.iterations + options.max_iterations_per_pass);
     do {
       system.solve(r.force, correction);
       acceleration.advance(-correction, system.unknown_lengths(), d);
@@ -125,7 +133,7 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
         return report;
       }
     } while (friction_to_find && !r.balanced(options.residual_tolerance) &&
-             r.largest > sufficient_decrease * before && report.iterations < options.max_iterations);
+             r.largest > sufficient_decrease * before && report.iterations < last);
 
     std::vector<Disagreement> disagreements = find_disagreements(d, contacts);
     if (disagreements.empty() && r.balanced(options.residual_tolerance)) {
@@ -143,7 +151,7 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
                                                         : static_cast<int>(disagreements.front().contact);
     if (disagreements.empty()) continue;
     restraint.apply(disagreements);
-    change_states(disagreements, contacts);
+    change_states(disagreements, restraint.breaks_bonds(), contacts);
     acceleration.reset();
     system.compute_residual(d, contacts, r);
   }

@@ -6,8 +6,9 @@
 namespace ddacontact {
 
 struct OpenCloseOptions {
-  int max_iterations = 150;          ///< solutions of (13) per try
-  int max_passes = 40;               ///< changes of the contacts' states per try
+  int max_iterations = 600;  ///< solutions of (13) per try
+  int max_iterations_per_pass = 30;
+  int max_passes = 120;              ///< changes of the contacts' states per try
   double residual_tolerance = 1e-8;  ///< of the residual's scale
 };
 

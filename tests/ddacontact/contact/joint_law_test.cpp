@@ -66,8 +66,12 @@ const std::vector<Row> table{
     {"slides on backward", slip_backward, frictional, -0.01, 1, -0.1, false, slip_backward},
     {"halts without moving", slip_forward, frictional, -0.01, 0, 0, false, slip_forward},
     {"slides on within round-off", slip_forward, frictional, -0.01, 0, -0.9 * tolerance, false, slip_forward},
-    {"sticks on turning back", slip_forward, frictional, -0.01, 1, -1.1 * tolerance, false, stick},
-    {"sticks on turning forward", slip_backward, frictional, -0.01, -1, 1.1 * tolerance, false, stick},
+    {"sticks on turning back", slip_forward, frictional, -0.01, 0.0124, -1.1 * tolerance, false, stick},
+    {"sticks on turning forward", slip_backward, frictional, -0.01, -0.0124, 1.1 * tolerance, false, stick},
+    {"sticks before it slides the other way", slip_forward, frictional, -0.01, -1, -1, false, stick},
+    // A stretched spring moves back while it slides, when its bound falls.
+    {"springs back sliding", slip_forward, frictional, -0.01, 0.0126, -1, false, slip_forward},
+    {"springs back sliding backward", slip_backward, frictional, -0.01, -0.0126, 1, false, slip_backward},
     // Without friction a closed contact has one state.
     {"frictionless closing", open, frictionless, -0.01, 1, -1, false, slip_forward},
     {"frictionless sliding", slip_forward, frictionless, -0.01, -1, -1, false, slip_forward},
@@ -98,6 +102,21 @@ TEST(JointLaw, NextStateFollowsTheTable) {
                       .bonded = row.bonded};
     EXPECT_EQ(next_state(row.from, row.law, trial), row.to) << row.what;
   }
+}
+
+/// Rough joints: steep at small normal forces, flat at large ones.
+TEST(JointLaw, AFrictionLawOfOnesOwnTakesThePlaceOfCoulombs) {
+  const FrictionLaw rough = [](double N) { return N < 10 ? N : 10 + 0.25 * (N - 10); };
+  JointLaw law = glued;
+  law.friction_law = &rough;
+  EXPECT_FALSE(law.frictionless());
+  EXPECT_EQ(shear_bound(law, 8, false), 8);
+  EXPECT_EQ(shear_bound(law, 30, true), 15 + 3);
+  EXPECT_EQ(shear_bound(law, -5, false), 0);
+  Trial trial{.gap = -0.03, .slip = 0.0374};  // N = 30: the spring reaches 15 at 0.0375
+  EXPECT_EQ(next_state(stick, law, trial), stick);
+  trial.slip = 0.0376;
+  EXPECT_EQ(next_state(stick, law, trial), slip_forward);
 }
 
 /// Looking at a joint from behind turns the senses of slip around and changes nothing else.
