@@ -83,6 +83,8 @@ class Restraint {
     std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
   }
 
+  /// Nothing was gained for so long that cutting the step is cheaper.
+  bool is_hopeless() const { return passes_without_gain_ >= 40; }
   /// Bonds that come and go within a step may leave no state that agrees: a bonded contact carries shear at
   /// no normal force, an open one does not.
   bool breaks_bonds() const { return passes_without_gain_ >= 2; }
@@ -151,6 +153,7 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
                                                         : static_cast<int>(disagreements.front().contact);
     if (disagreements.empty()) continue;
     restraint.apply(disagreements);
+    if (restraint.is_hopeless()) return report;
     change_states(disagreements, restraint.breaks_bonds(), contacts);
     acceleration.reset();
     system.compute_residual(d, contacts, r);
