@@ -46,6 +46,11 @@ Points domain_of(const MakeArguments& arguments) {
   return domain;
 }
 
+/// For whole numbers without a sign, which the conversion would wrap around.
+std::string not_negative(const std::string& word) {
+  return word.starts_with('-') ? fmt::format("\"{}\" is negative", word) : std::string();
+}
+
 void make_voronoi(const MakeArguments& arguments) {
   ddacontact::geometry_format(arguments.file);  // an unknown ending is an error before anything is computed
   const polyfem::PolygonMesh mesh = polyfem::voronoi(domain_of(arguments), arguments.voronoi);
@@ -82,7 +87,7 @@ void add_make(CLI::App& app, MakeArguments& arguments) {
   voronoi->add_option("--cells", options.n_cells, "Number of blocks; a concave domain gets a few more")
       ->capture_default_str();
   voronoi->add_option("--seed", options.seed, "The same seed gives the same blocks")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative, "")
       ->capture_default_str();
   voronoi->add_option("--lloyd", options.lloyd_steps, "Steps that make the blocks more even")
       ->capture_default_str();
