@@ -22,13 +22,15 @@ struct VoronoiOptions {
 ///   areas sum up to its area but for the rounding of coordinates;
 /// - corners of the domain are vertices of the mesh, to the bit; vertices on its edges lie on them up to
 /// rounding;
-/// - every cell is strictly convex: each corner turns by more than 1e-6 as a sine, unless three corners of
-/// the
-///   domain within one cell leave no choice; corners below 3 degrees are bent away where neighbours allow it.
+/// - every cell is strictly convex: each corner turns by more than 1e-6 as a sine, and by more than 1e-3
+/// unless the
+///   cell is a triangle (a needle of a domain may leave no choice).
 ///
-/// Not guaranteed: an edge shorter than `smallest_edge` stays where taking it out would leave a corner of
-/// less than 3 degrees or change the domain (two corners of the domain that are near each other). A collapse
-/// moves vertices by up to half of `smallest_edge`, so cells are no longer exactly those of their sites.
+/// Aimed at, and kept in a rectangle with the default options: edges no shorter than `smallest_edge` and
+/// corners that turn by 3 degrees (those of the domain apart). Where both are not to be had a corner comes
+/// first: an edge stays when taking it out would leave a corner of less than half a degree or change the
+/// outline. Around a concave corner of the domain there may be small triangles. A collapse moves vertices, so
+/// cells are no longer exactly those of their sites.
 ///
 /// A convex domain is divided into exactly n_cells cells, unless it has corners that turn by less than 1e-3.
 /// Around a concave corner cells are cut along diagonals and a cell may have several parts, so that there are
