@@ -1,6 +1,7 @@
 /// \file The program `dda`: one verb, one file.
 #include "check.hpp"
 #include "exit_status.hpp"
+#include "make.hpp"
 #include "messages.hpp"
 #include "run.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 struct Call {
   dda::RunArguments run;
+  dda::MakeArguments make;
   std::vector<std::string> scenes_to_check, check_settings;
   std::string resume;
   int threads = 1, steps = 0;
@@ -30,6 +32,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 
 int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("check")) return dda::check(call.scenes_to_check, call.check_settings);
+  if (app.got_subcommand("make")) return dda::make(call.make);
   if (!call.resume.empty()) {
     dda::print_error(fmt::format("--resume {}", not_available));
     return dda::wrong_input;
@@ -66,15 +69,22 @@ int parse_and_execute(int argc, char** argv) {
       ->take_all()
       ->expected(1);
 
+  dda::add_make(app, call.make);
+
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (is_one_of(verb, {"plot", "info", "make", "view"})) {
-    dda::print_error(fmt::format("\"{}\" {} (known: run, check)", verb, not_available));
+  if (is_one_of(verb, {"plot", "info", "view"})) {
+    dda::print_error(fmt::format("\"{}\" {} (known: run, check, make)", verb, not_available));
     return dda::wrong_input;
   }
-  if (!verb.empty() && verb.front() != '-' && !is_one_of(verb, {"run", "check"})) {
-    dda::print_error(fmt::format("unknown verb \"{}\" (known: run, check)", verb));
+  if (!verb.empty() && verb.front() != '-' && !is_one_of(verb, {"run", "check", "make"})) {
+    dda::print_error(fmt::format("unknown verb \"{}\" (known: run, check, make)", verb));
     return dda::wrong_input;
   }
+  if (verb == "make")
+    if (const std::string problem = dda::problem_of_kind(argc > 2 ? argv[2] : ""); !problem.empty()) {
+      dda::print_error(problem);
+      return dda::wrong_input;
+    }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& answered) {

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -163,9 +164,14 @@ TEST_F(Program, WrongCallsEndWithStatus2) {
     EXPECT_EQ(dda(call), 2) << call;
     EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
   }
-  for (const char* call : {"plot DIR", "info DIR", "make voronoi", "view DIR", "run a.toml --resume b.bin"}) {
+  for (const char* call :
+       {"plot DIR", "info DIR", "make joints -o a.wkt", "view DIR", "run a.toml --resume b.bin"}) {
     EXPECT_EQ(dda(call), 2) << call;
     EXPECT_NE(err_.find("not available in this version"), std::string::npos) << err_;
+  }
+  for (const char* call : {"make", "make bricks -o a.wkt", "make voronoi", "make voronoi -o a.txt"}) {
+    EXPECT_EQ(dda(call), 2) << call;
+    EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
   }
   EXPECT_EQ(dda("--help"), 0);
   EXPECT_EQ(dda("run --help"), 0);
@@ -187,6 +193,44 @@ TEST_F(Program, AnAnalysisThatMustStopKeepsWhatItComputed) {
   EXPECT_EQ(s["status"], "stopped");
   EXPECT_FALSE(s["reason"].get<std::string>().empty());
   EXPECT_TRUE(fs::exists(directory_ / "result/vertices.csv"));
+}
+
+TEST_F(Program, MakeVoronoiWritesASceneThatRuns) {
+  ASSERT_EQ(dda("make voronoi -o rock.toml"), 0) << err_;
+  EXPECT_EQ(out_, "rock.toml: 100 Voronoi blocks, seed 1\n");
+  EXPECT_TRUE(err_.empty()) << err_;
+  ASSERT_EQ(dda("check rock.toml"), 0) << err_;
+  EXPECT_TRUE(err_.empty()) << err_;
+  ASSERT_EQ(dda("make voronoi -o rock.toml --cells 20 --seed 2 --lloyd 5 --smallest-edge 0.2"), 0) << err_;
+  ASSERT_EQ(dda("run rock.toml -o result --quiet"), 0) << err_;
+  const nlohmann::json s = summary("result");
+  EXPECT_EQ(s["status"], "completed");
+  EXPECT_EQ(s["blocks"], 20);
+}
+
+TEST_F(Program, MakeVoronoiGivesTheSameBytesForTheSameSeed) {
+  for (const char* ending : {"wkt", "geojson", "toml"}) {
+    const std::string file(ending);
+    ASSERT_EQ(dda("make voronoi --domain '0,0 3,0 3,1 1,1 1,2 0,2' --seed 5 -o a." + file), 0) << err_;
+    ASSERT_EQ(dda("make voronoi --domain '0,0 3,0 3,1 1,1 1,2 0,2' --seed 5 -o b." + file), 0) << err_;
+    ASSERT_EQ(dda("make voronoi --domain '0,0 3,0 3,1 1,1 1,2 0,2' --seed 6 -o c." + file), 0) << err_;
+    EXPECT_EQ(read_file(directory_ / ("a." + file)), read_file(directory_ / ("b." + file)));
+    EXPECT_NE(read_file(directory_ / ("a." + file)), read_file(directory_ / ("c." + file)));
+  }
+}
+
+TEST_F(Program, MakeVoronoiRefusesWhatMakesNoSense) {
+  for (const char* options :
+       {"--cells 0", "--cells many", "--seed -1", "--lloyd -1", "--smallest-edge 2", "--box 1", "--box 0 1",
+        "--box 1 nan", "--domain '0,0 1,0'", "--domain '0,0 1,0 1'", "--domain '0,0 1,0 1,1x'",
+        "--domain '0,0 2,2 2,0 0,2'", "--box 1 1 --domain '0,0 1,0 1,1'", "--corners 4"}) {
+    EXPECT_EQ(dda(std::string("make voronoi -o a.wkt ") + options), 2) << options;
+    EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << options << ": " << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    EXPECT_FALSE(fs::exists(directory_ / "a.wkt")) << options;
+  }
+  EXPECT_EQ(dda("make voronoi -o missing/a.wkt"), 4);
+  EXPECT_NE(err_.find("missing/a.wkt"), std::string::npos);
 }
 
 TEST_F(Program, ASignalEndsTheRunWithItsResults) {

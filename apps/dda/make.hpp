@@ -1,0 +1,30 @@
+/// \file `dda make`: writes block geometry.
+#pragma once
+
+#include <polyfem/mesh/voronoi.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace dda {
+
+/// What the options of `dda make voronoi` say.
+struct MakeArguments {
+  std::string file;
+  std::vector<double> box{20.0, 10.0};  ///< width and height of the domain
+  std::string domain;                   ///< "x,y x,y ..." instead of the box; empty: the box
+  polyfem::VoronoiOptions voronoi;
+};
+
+/// Why a word is not a kind of geometry that `make` knows; empty when it is one.
+std::string problem_of_kind(const std::string& kind);
+
+/// Adds the verb with its kinds and their options.
+void add_make(CLI::App& app, MakeArguments& arguments);
+
+/// Returns the exit status.
+int make(const MakeArguments& arguments);
+
+}  // namespace dda

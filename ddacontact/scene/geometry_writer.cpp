@@ -1,0 +1,100 @@
+#include <ddacontact/scene/geometry_writer.hpp>
+
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+namespace ddacontact {
+
+namespace {
+
+/// The vertices one after the other, each between `open` and `close`, and once more the first when `closed`;
+/// without a minus before a zero.
+std::string vertex_list(const Points& polygon, bool closed, std::string_view open, std::string_view between,
+                        std::string_view close) {
+  std::string text;
+  const Index n = polygon.cols() + (closed ? 1 : 0);
+  for (Index k = 0; k < n; ++k) {
+    const auto vertex = polygon.col(k % polygon.cols());
+    if (k > 0) text += ", ";
+    text += open;
+    text += scene_format::short_number(vertex.x() + 0.0);
+    text += between;
+    text += scene_format::short_number(vertex.y() + 0.0);
+    text += close;
+  }
+  return text;
+}
+
+void write_geojson(std::ostream& out, const std::vector<Points>& polygons) {
+  out << "{\"type\": \"FeatureCollection\", \"features\": [\n";
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    out << R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
+        << vertex_list(polygons[i], true, "[", ", ", "]") << "]]}}"
+        << (i + 1 < polygons.size() ? ",\n" : "\n");
+  out << "]}\n";
+}
+
+void write_wkt(std::ostream& out, const std::vector<Points>& polygons) {
+  for (const Points& polygon : polygons)
+    out << "POLYGON ((" << vertex_list(polygon, true, "", " ", "") << "))\n";
+}
+
+constexpr const char* scene_head = R"(
+[analysis]
+steps     = 50
+time_step = 0.01              # s
+gravity   = [0.0, -9.8]       # m/s2
+
+[[material]]
+name    = "rock"
+density = 2500.0              # kg/m3
+young   = "5 GPa"
+poisson = 0.25
+
+[[joint]]
+name = "rock joint"
+friction_angle = 35.0         # degrees
+)";
+
+void write_scene(std::ostream& out, const std::vector<Points>& polygons, const std::string& title) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Points& polygon : polygons) {
+    lowest = std::min(lowest, polygon.row(1).minCoeff());
+    highest = std::max(highest, polygon.row(1).maxCoeff());
+  }
+  const double level = lowest + 1e-9 * (highest - lowest);
+  out << "format = 1\ntitle = " << scene_format::quoted(title) << '\n' << scene_head;
+  for (const Points& polygon : polygons) {
+    out << "\n[[block]]\nmaterial = \"rock\"\n";
+    if (polygon.row(1).minCoeff() <= level) out << "fixed = true\n";
+    out << "vertices = [" << vertex_list(polygon, false, "[", ", ", "]") << "]\n";
+  }
+}
+
+}  // namespace
+
+GeometryFormat geometry_format(const std::string& path) {
+  const std::string_view file(path);
+  if (file.ends_with(".geojson")) return GeometryFormat::geojson;
+  if (file.ends_with(".wkt")) return GeometryFormat::wkt;
+  if (file.ends_with(".toml")) return GeometryFormat::toml;
+  throw Error("\"" + path + "\" has an unknown ending (known: .geojson, .wkt, .toml)");
+}
+
+void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title) {
+  const GeometryFormat format = geometry_format(path);
+  std::ofstream out(path, std::ios::binary);
+  if (format == GeometryFormat::geojson) write_geojson(out, polygons);
+  if (format == GeometryFormat::wkt) write_wkt(out, polygons);
+  if (format == GeometryFormat::toml) write_scene(out, polygons, title);
+  out.close();
+  if (!out) throw OutputError("cannot write \"" + path + "\"");
+}
+
+}  // namespace ddacontact

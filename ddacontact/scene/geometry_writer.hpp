@@ -1,0 +1,27 @@
+/// \file Polygons as a file that other programs, or this one, can read.
+#pragma once
+
+#include <ddacontact/core/types.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+enum class GeometryFormat {
+  geojson,  ///< a FeatureCollection with a Polygon for each block
+  wkt,      ///< a POLYGON a line
+  toml      ///< a scene ready to run
+};
+
+/// Chosen by the ending of the path. Throws Error for an ending other than .geojson, .wkt, .toml.
+GeometryFormat geometry_format(const std::string& path);
+
+/// Writes polygons in their order, counter-clockwise as they should be; numbers read back to the same
+/// doubles.
+///
+/// The scene has one material, one joint and gravity; blocks that reach down to the lowest vertex of all are
+/// held. Throws Error as `geometry_format` does and OutputError when the file cannot be written.
+void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title);
+
+}  // namespace ddacontact
