@@ -21,8 +21,10 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
 
 }  // namespace
 
-void NameTable::add(const std::optional<std::string>& name, const Places& places, ProblemList& problems) {
+void NameTable::add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
+                    const std::string& origin) {
   const int index = size();
+  origins_.push_back(origin);
   names_.push_back(name.value_or(""));
   if (!name || !places.good("name")) return;
   const Place& place = places.of("name");
@@ -47,6 +49,7 @@ int NameTable::find(const Reference& reference, const Place& place, ProblemList&
   }
   const std::optional<std::int64_t> index = reference.index ? reference.index : whole_number(reference.name);
   if (index && *index >= 0 && *index < size()) return static_cast<int>(*index);
+  if (incomplete_) return -1;
   const std::string range =
       size() == 0 ? "there is no " + kind_ : "indices run from 0 to " + std::to_string(size() - 1);
   if (index) {
@@ -77,7 +80,9 @@ void NameTable::warn_of_ambiguous_names(ProblemList& problems) const {
 
 std::string NameTable::title(int index) const {
   const std::string& name = names_[index];
-  return kind_ + ' ' + (name.empty() ? std::to_string(index) : "'" + excerpt(name) + "'");
+  const std::string& origin = origins_[index];
+  return kind_ + ' ' + (name.empty() ? std::to_string(index) : "'" + excerpt(name) + "'") +
+         (origin.empty() ? "" : " of " + origin);
 }
 
 }  // namespace ddacontact::scene_format
