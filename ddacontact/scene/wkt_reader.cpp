@@ -81,6 +81,11 @@ std::string capitals(std::string text) {
   return text;
 }
 
+bool is_word(const std::string& text) {
+  const std::string word = capitals(text);
+  return word.size() > 1 && word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+}
+
 /// NaN and infinity too, which from_chars knows; a number beyond all doubles is infinite or 0.
 std::optional<double> number_of(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -130,7 +135,7 @@ class WktReader {
   /// A geometry with its word.
   void read_geometry(const std::string& title, int depth) {
     if (depth > deepest_nesting) tokens_.fail("no more than 64 geometries inside each other");
-    if (tokens_.token().text.size() < 2 || number_of(tokens_.token().text)) tokens_.fail(expected_geometry);
+    if (!is_word(tokens_.token().text)) tokens_.fail(expected_geometry);
     const Token word = tokens_.take();
     std::string kind = capitals(word.text), measured = read_dimension(kind);
     if (!measured.empty())
