@@ -39,6 +39,8 @@ class GeometryScenes : public testing::Test {
 
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
   void write(const std::string& name, std::string_view text) const {
+    // A new file: some file systems flush one that is cut to nothing and written again.
+    std::filesystem::remove(directory_ / name);
     std::ofstream(directory_ / name, std::ios::binary) << text;
   }
 
