@@ -119,23 +119,20 @@ void FeatureProperties::read(const JsonMember& property, const std::string& titl
 }
 
 void FeatureProperties::warn_of(const JsonMember& member, const std::string& title) {
-  if (warned_.count(member.key) > 0 || member.value.is(JsonKind::null)) return;
+  if (member.value.is(JsonKind::null) || !judged_.insert(member.key).second) return;
   const std::string what = "the property '" + excerpt(member.key) + "' of " + title + " is not read";
   if (std::find(keys_of_tables.begin(), keys_of_tables.end(), member.key) != keys_of_tables.end())
     problems_.warning(member.place, what, "it belongs into a [[block]] of the scene");
   else if (const char* near = keys[nearest(member.key, {keys.begin(), keys.end()})];
            edit_distance(member.key, near) <= 1)
     problems_.warning(member.place, what, "did you mean '" + std::string(near) + "'?");
-  else
-    return;
-  warned_.insert(member.key);
 }
 
 /// Beside 'properties' a member means nothing.
 void FeatureProperties::warn_of_outside(const JsonValue& feature, const std::string& title) {
   for (const JsonMember& member : feature.members()) {
     if (std::find(keys.begin(), keys.end(), member.key) == keys.end()) continue;
-    if (!warned_.insert("properties " + member.key).second) continue;
+    if (!judged_outside_.insert(member.key).second) continue;
     problems_.warning(member.place, "'" + member.key + "' of " + title + " is not read",
                       "write it inside 'properties'");
   }

@@ -27,7 +27,7 @@ class FeatureProperties {
   void refuse_shared(const BlockRecord& record, const std::string& title, std::size_t n_blocks);
 
   ProblemList& problems_;
-  std::set<std::string> warned_;
+  std::set<std::string> judged_, judged_outside_;  ///< keys that need no second look
 };
 
 }  // namespace ddacontact::scene_format

@@ -1,5 +1,6 @@
 #include <ddacontact/scene/feature_properties.hpp>
 #include <ddacontact/scene/geojson_reader.hpp>
+#include <ddacontact/scene/json_parser.hpp>
 #include <ddacontact/scene/polygon_builder.hpp>
 #include <ddacontact/scene/spelling.hpp>
 
@@ -16,40 +17,41 @@ class GeoJsonReader {
  public:
   explicit GeoJsonReader(ProblemList& problems) : problems_(problems), properties_(problems) {}
 
-  GeometryBlocks read(const JsonValue& root) && {
-    if (!root.is(JsonKind::object)) {
-      problems_.error(root.place(), "the file holds " + root.description(), expected_root);
-      return {};
-    }
-    const std::optional<JsonValue> type = root.find("type");
-    if (!type || !type->is(JsonKind::string)) {
-      problems_.error(root.place(), "the object of the file has no 'type'", expected_root);
-      return {};
-    }
-    if (type->text() == "FeatureCollection") return std::move(*this).read_collection(root);
-    if (type->text() == "Feature")
-      read_feature(root, "the feature");
-    else
-      read_geometry(root, "the geometry", file_.blocks);
-    file_.complete = true;
+  GeometryBlocks read(const JsonValue& root) {
+    file_.complete = read_root(root);
     return std::move(file_);
   }
 
  private:
-  GeometryBlocks read_collection(const JsonValue& root) && {
+  /// Whether every polygon could be told from the others.
+  bool read_root(const JsonValue& root) {
+    const std::optional<JsonValue> type = root.is(JsonKind::object) ? root.find("type") : std::nullopt;
+    if (!type || !type->is(JsonKind::string)) {
+      problems_.error(root.place(), "the file holds " + root.description() + " without a 'type'",
+                      expected_root);
+      return false;
+    }
+    if (type->text() == "FeatureCollection") return read_collection(root);
+    if (type->text() == "Feature")
+      read_feature(root, "the feature");
+    else
+      read_geometry(root, "the geometry", file_.blocks);
+    return true;
+  }
+
+  bool read_collection(const JsonValue& root) {
     const std::optional<JsonValue> features = root.find("features");
     if (!features || !features->is(JsonKind::array)) {
       problems_.error(
-          features ? features->place() : root.place(),
+          features.value_or(root).place(),
           features ? "'features' is " + features->description() : "the FeatureCollection has no 'features'",
           "expected an array of features");
-      return {};
+      return false;
     }
     int index = 0;
     for (const JsonValue& feature : features->elements())
       read_feature(feature, "feature " + std::to_string(index++));
-    file_.complete = true;
-    return std::move(file_);
+    return true;
   }
 
   void read_feature(const JsonValue& feature, const std::string& title) {
@@ -161,9 +163,9 @@ class GeoJsonReader {
 
 GeometryBlocks read_geojson(const std::string& text, const std::shared_ptr<const std::string>& source,
                             ProblemList& problems) {
-  const std::optional<JsonTree> tree = JsonTree::parse(text, source, problems);
+  const std::optional<JsonTree> tree = parse_json(text, source, problems);
   if (!tree) return {};
-  return GeoJsonReader(problems).read(tree->root());
+  return GeoJsonReader(problems).read(JsonValue(*tree));
 }
 
 }  // namespace ddacontact::scene_format

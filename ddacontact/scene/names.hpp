@@ -16,7 +16,7 @@ class NameTable {
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
   /// The next member. One that is empty, taken or holds control characters is a problem.
-  /// `origin`, where not empty, follows its title in messages: "of feature 7".
+  /// `origin`, where not empty, follows its title in messages: "feature 7".
   void add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
            const std::string& origin = {});
 
@@ -24,8 +24,10 @@ class NameTable {
   void set_incomplete() { incomplete_ = true; }
 
   /// The index of a member called by name, by index, or by its index as a string when no one has that name;
-  /// -1 and a problem at `place` when there is none.
-  int find(const Reference& reference, const Place& place, ProblemList& problems) const;
+  /// -1 and a problem at `place` when there is none, in which `asked_by`, where not empty, is told: "feature
+  /// 7".
+  int find(const Reference& reference, const Place& place, ProblemList& problems,
+           const std::string& asked_by = {}) const;
 
   /// Warns of names that are the index of a member without a name: results would call two members the same.
   void warn_of_ambiguous_names(ProblemList& problems) const;
@@ -36,7 +38,7 @@ class NameTable {
 
  private:
   std::string kind_;
-  std::vector<std::string> names_, origins_;
+  std::vector<std::string> names_, origins_;         ///< origins as " of feature 7"
   std::vector<std::pair<int, Place>> number_names_;  ///< members whose name is a number
   std::unordered_map<std::string, int> indices_;
   mutable int suggestions_ = 0;

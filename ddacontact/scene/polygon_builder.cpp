@@ -54,7 +54,6 @@ BlockRecord PolygonBuilder::finish() && {
   if (good_) close_ring();
   BlockRecord record;
   record.origin = title_;
-  record.material.index = 0;
   record.places.table = place_;
   record.places.add("vertices", place_, good_);
   if (!good_) return record;

@@ -105,7 +105,7 @@ struct JointRecord {
 
 struct BlockRecord {
   std::optional<std::string> name;
-  Reference material;
+  Reference material;  ///< a geometry file may leave it out: the first
   Outline vertices;
   std::optional<BlockModel> model;
   FixedVertices fixed;

@@ -61,7 +61,7 @@ BlockTable resolve_blocks(const Document& document, const NameTable& materials, 
     BlockDescription& block = table.descriptions.emplace_back();
     block.name = record.name.value_or("");
     if (places.good("material"))
-      block.material = materials.find(record.material, places.of("material"), problems);
+      block.material = materials.find(record.material, places.of("material"), problems, record.origin);
     block.vertices = record.vertices.points;
     block.model = record.model.value_or(document.analysis.options.block_model);
     block.velocity = record.velocity;

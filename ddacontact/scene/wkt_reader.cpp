@@ -1,11 +1,9 @@
 #include <ddacontact/scene/polygon_builder.hpp>
 #include <ddacontact/scene/spelling.hpp>
-#include <ddacontact/scene/text_cursor.hpp>
 #include <ddacontact/scene/wkt_reader.hpp>
+#include <ddacontact/scene/wkt_tokens.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
 #include <utility>
 
 namespace ddacontact::scene_format {
@@ -14,90 +12,6 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 constexpr const char* expected_geometry = "expected POLYGON ((x y, ...)), MULTIPOLYGON or GEOMETRYCOLLECTION";
-
-/// A word or number, a sign of its own, or the end.
-struct Token {
-  std::string text;
-  Place place;
-};
-
-/// Ends the reading of the file.
-struct SyntaxError {
-  Token token;
-  std::string expected;
-};
-
-class TokenReader {
- public:
-  TokenReader(const std::string& text, std::shared_ptr<const std::string> source)
-      : cursor_(text), source_(std::move(source)) {
-    next();
-  }
-
-  const Token& token() const { return token_; }
-  bool at_end() const { return token_.text.empty(); }
-  bool at(std::string_view text) const { return token_.text == text; }
-  /// Steps over the token and returns it.
-  Token take() {
-    Token taken = std::move(token_);
-    next();
-    return taken;
-  }
-  bool take_if(std::string_view text) {
-    if (!at(text)) return false;
-    next();
-    return true;
-  }
-  void expect(std::string_view text) {
-    if (!take_if(text)) fail("expected '" + std::string(text) + "'");
-  }
-  [[noreturn]] void fail(const std::string& expected) const { throw SyntaxError{token_, expected}; }
-
- private:
-  void next() {
-    constexpr std::string_view blanks = " \t\r\n", signs = "(),;=#";
-    cursor_.skip_any_of(blanks);
-    while (cursor_.peek() == '#') {
-      cursor_.skip_until_any_of("\n");
-      cursor_.skip_any_of(blanks);
-    }
-    token_.place = {source_, cursor_.line(), cursor_.column()};
-    const std::size_t begin = cursor_.offset();
-    cursor_.skip_until_any_of(" \t\r\n(),;=#");
-    if (cursor_.offset() == begin && signs.find(cursor_.peek()) != std::string_view::npos &&
-        !cursor_.at_end())
-      cursor_.advance();
-    token_.text = cursor_.since(begin);
-  }
-
-  TextCursor cursor_;
-  std::shared_ptr<const std::string> source_;
-  Token token_;
-};
-
-std::string capitals(std::string text) {
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return text;
-}
-
-bool is_word(const std::string& text) {
-  const std::string word = capitals(text);
-  return word.size() > 1 && word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
-}
-
-/// NaN and infinity too, which from_chars knows; a number beyond all doubles is infinite or 0.
-std::optional<double> number_of(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size() || status == std::errc::invalid_argument) return std::nullopt;
-  if (status == std::errc::result_out_of_range)
-    value = text.find("e-") == std::string_view::npos && text.find("E-") == std::string_view::npos
-                ? std::numeric_limits<double>::infinity()
-                : 0;
-  return value;
-}
 
 class WktReader {
  public:
@@ -111,7 +25,7 @@ class WktReader {
         read_geometry("geometry " + std::to_string(index), 0);
       }
       file_.complete = true;
-    } catch (const SyntaxError& error) {
+    } catch (const WktError& error) {
       const std::string found = error.token.text.empty() ? "the file ends too early"
                                                          : "not WKT at '" + excerpt(error.token.text) + "'";
       problems_.error(error.token.place, found, error.expected + "; the file is read no further");
@@ -123,7 +37,7 @@ class WktReader {
   /// "SRID=4326;" before a geometry: a problem, once.
   void skip_reference_system() {
     if (capitals(tokens_.token().text) != "SRID") return;
-    const Token srid = tokens_.take();
+    const WktToken srid = tokens_.take();
     tokens_.expect("=");
     const std::string number = tokens_.take().text;
     tokens_.expect(";");
@@ -136,7 +50,7 @@ class WktReader {
   void read_geometry(const std::string& title, int depth) {
     if (depth > deepest_nesting) tokens_.fail("no more than 64 geometries inside each other");
     if (!is_word(tokens_.token().text)) tokens_.fail(expected_geometry);
-    const Token word = tokens_.take();
+    const WktToken word = tokens_.take();
     std::string kind = capitals(word.text), measured = read_dimension(kind);
     if (!measured.empty())
       return skip(word, title, "has the dimension '" + measured + "'",
@@ -154,7 +68,7 @@ class WktReader {
         "TRIANGLE",       "MULTISURFACE"};
     const bool is_other = std::find(other.begin(), other.end(), kind) != other.end();
     if (!is_other && !tokens_.at("(") && capitals(tokens_.token().text) != "EMPTY")
-      throw SyntaxError{word, expected_geometry};
+      throw WktError{word, expected_geometry};
     skip(word, title, "is a '" + excerpt(word.text) + "'",
          is_other ? "only polygons make blocks: leave it out" : suggestion(kind, "geometry", known));
   }
@@ -178,7 +92,7 @@ class WktReader {
   }
 
   template <class ReadPart>
-  void read_parts(const Token& word, const std::string& title, const ReadPart& read_part) {
+  void read_parts(const WktToken& word, const std::string& title, const ReadPart& read_part) {
     if (take_empty()) return add_unsound(word.place, title, "is empty", "leave it out, or give it polygons");
     tokens_.expect("(");
     int index = 0;
@@ -220,7 +134,8 @@ class WktReader {
   }
 
   /// Says what is wrong with a geometry and steps over what stands in its brackets.
-  void skip(const Token& word, const std::string& title, const std::string& what, const std::string& cure) {
+  void skip(const WktToken& word, const std::string& title, const std::string& what,
+            const std::string& cure) {
     add_unsound(word.place, title, what, cure);
     if (take_empty()) return;
     int depth = 0;
@@ -238,7 +153,7 @@ class WktReader {
     file_.blocks.push_back(std::move(polygon).finish());
   }
 
-  TokenReader tokens_;
+  WktTokens tokens_;
   ProblemList& problems_;
   GeometryBlocks file_;
   bool has_reference_system_ = false;

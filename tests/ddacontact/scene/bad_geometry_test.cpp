@@ -62,7 +62,7 @@ const Case json_cases[] = {
      "\"kind\": 3",
      1,
      1,
-     {"no 'type'", "FeatureCollection"}},
+     {"without a 'type'", "FeatureCollection"}},
     {"NoFeatures", "\"features\"", "\"feature\"", 1, 1, {"no 'features'"}},
     {"FeatureIsNumber", "[\n", "[3,\n", 1, 44, {"feature 0", "'3'"}},
     {"FeatureWithoutType",
@@ -173,9 +173,9 @@ const Case json_cases[] = {
     {"NameIsNumber", "\"slider\"", "12", 4, 44, {"'name' of feature 1", "'12'", "a string"}},
     {"EmptyName", "\"slider\"", "\"\"", 4, 44, {"'name'", "empty"}},
     {"NameOfTwoLines", "\"slider\"", "\"a\\nb\"", 4, 44, {"'name'", "control"}},
-    {"NameTwice", "\"slider\"", "\"base\"", 4, 44, {"'base'", "taken by block 0"}},
-    {"UnknownMaterial", "\"soil\"", "\"sol\"", 4, 66, {"unknown material 'sol'", "'soil'"}},
-    {"UnknownMaterialIndex", "\"soil\"", "2", 4, 66, {"unknown material '2'", "0 to 1"}},
+    {"NameTwice", "\"slider\"", "\"base\"", 4, 44, {"'base' of feature 1", "taken by block 0"}},
+    {"UnknownMaterial", "\"soil\"", "\"sol\"", 4, 66, {"unknown material 'sol' of feature 1", "'soil'"}},
+    {"UnknownMaterialIndex", "\"soil\"", "2", 4, 66, {"unknown material '2' of feature 1", "0 to 1"}},
     {"MaterialIsFraction",
      "\"soil\"",
      "0.5",
@@ -369,7 +369,7 @@ TEST_F(GeometryProblems, NamesAreUniqueAmongTablesAndFeatures) {
   ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
   EXPECT_EQ(reading.problems[0].file, path("wall.geojson"));
   EXPECT_EQ(reading.problems[0].line, 4);
-  EXPECT_NE(reading.problems[0].text().find("'slider' is taken by block 0"), std::string::npos);
+  EXPECT_NE(reading.problems[0].text().find("'slider' of feature 1 is taken by block 0"), std::string::npos);
 }
 
 TEST_F(GeometryProblems, ListsOfVerticesAreForOnePolygon) {

@@ -1,4 +1,4 @@
-#include <ddacontact/scene/json_tree.hpp>
+#include <ddacontact/scene/json_parser.hpp>
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@ using namespace ddacontact::scene_format;
 
 std::optional<JsonTree> parse(const std::string& text) {
   ProblemList problems("test");
-  std::optional<JsonTree> tree = JsonTree::parse(text, nullptr, problems);
+  std::optional<JsonTree> tree = parse_json(text, nullptr, problems);
   EXPECT_EQ(tree.has_value(), !problems.has_errors());
   return tree;
 }
 
-TEST(JsonTree, HoldsEveryKindOfValue) {
+TEST(JsonParser, HoldsEveryKindOfValue) {
   const auto tree = parse(R"({"a": [1, -2.5e1, true, false, null], "b\n": "\u00e9\"]", "c": {}, "d": []})");
-  const JsonValue root = tree->root();
+  const JsonValue root = JsonValue(*tree);
   ASSERT_TRUE(root.is(JsonKind::object));
   ASSERT_EQ(root.members().size(), 4u);
   EXPECT_EQ(root.members()[1].key, "b\n");
@@ -35,9 +35,9 @@ TEST(JsonTree, HoldsEveryKindOfValue) {
   EXPECT_FALSE(root.find("e"));
 }
 
-TEST(JsonTree, LargeWholeNumbersAreNumbers) {
+TEST(JsonParser, LargeWholeNumbersAreNumbers) {
   const auto tree = parse("[18446744073709551615, -9223372036854775808, 1000000000000000000000000]");
-  const auto values = tree->root().elements();
+  const auto values = JsonValue(*tree).elements();
   EXPECT_EQ(values[0].number(), 18446744073709551615.0);
   EXPECT_EQ(values[1].number(), -9223372036854775808.0);
   EXPECT_EQ(values[2].number(), 1e24);
@@ -108,7 +108,7 @@ void collect_places(const JsonValue& value, std::vector<std::pair<int, int>>& pl
     for (const JsonMember& member : value.members()) collect_places(member.value, places);
 }
 
-TEST(JsonTree, EveryValueKnowsWhereItStands) {
+TEST(JsonParser, EveryValueKnowsWhereItStands) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     RandomText random(seed);
     random.value(0);
@@ -116,19 +116,19 @@ TEST(JsonTree, EveryValueKnowsWhereItStands) {
       const auto tree = parse(mark + random.text);
       ASSERT_TRUE(tree) << random.text;
       std::vector<std::pair<int, int>> places;
-      collect_places(tree->root(), places);
+      collect_places(JsonValue(*tree), places);
       EXPECT_EQ(places, random.places) << random.text;
     }
   }
 }
 
-TEST(JsonTree, DeepNestingIsRefused) {
+TEST(JsonParser, DeepNestingIsRefused) {
   EXPECT_TRUE(parse(std::string(64, '[') + std::string(64, ']')));
   EXPECT_FALSE(parse(std::string(65, '[') + std::string(65, ']')));
   EXPECT_FALSE(parse(std::string(1000000, '[')));
 }
 
-TEST(JsonTree, ManyKeysAreFoundDistinctInTime) {
+TEST(JsonParser, ManyKeysAreFoundDistinctInTime) {
   std::string text = "{";
   for (int k = 0; k < 200000; ++k) text += "\"k" + std::to_string(k) + "\":0,";
   EXPECT_TRUE(parse(text + "\"end\":0}"));
