@@ -2,7 +2,6 @@
 #include <ddacontact/scene/polygon_builder.hpp>
 #include <ddacontact/scene/text.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ddacontact::scene_format {

@@ -7,6 +7,7 @@
 #include <ddacontact/scene/settings.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <iterator>
 
