@@ -419,6 +419,19 @@ TEST_F(GeometryProblems, SettingsDoNotReachTheFile) {
   }
 }
 
+TEST_F(GeometryProblems, OfDeepNestingEndTheReading) {
+  std::string wkt, json;
+  for (int i = 0; i < 100000; ++i) {
+    wkt += "GEOMETRYCOLLECTION (";
+    json += R"({"type": "GeometryCollection", "geometries": [)";
+  }
+  for (const SceneReading& reading : {read_with("a.wkt", wkt), read_with("a.json", json)}) {
+    EXPECT_FALSE(reading.scene);
+    ASSERT_EQ(reading.problems.size(), 1u);
+    EXPECT_NE(reading.problems[0].text().find("64"), std::string::npos) << reading.problems[0].text();
+  }
+}
+
 TEST_F(GeometryProblems, AnEmptyNameIsNoFile) {
   const SceneReading reading = ddacontact::read_scene_text("blocks = \"\"\n" + std::string(without_blocks),
                                                            "scene.toml", {}, directory_);
