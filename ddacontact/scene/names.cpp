@@ -21,36 +21,43 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
 
 }  // namespace
 
-void NameTable::add(const std::optional<std::string>& name, const Places& places, ProblemList& problems) {
+void NameTable::add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
+                    const std::string& origin) {
   const int index = size();
+  const std::string of_origin = origin.empty() ? "" : " of " + origin;
+  origins_.push_back(of_origin);
   names_.push_back(name.value_or(""));
   if (!name || !places.good("name")) return;
   const Place& place = places.of("name");
   if (name->empty()) {
-    problems.error(place, "'name' = '' is empty", "write a name or leave it out");
+    problems.error(place, "'name' = ''" + of_origin + " is empty", "write a name or leave it out");
     return;
   }
   if (std::any_of(name->begin(), name->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
-    problems.error(place, "'name' = '" + excerpt(*name) + "' holds control characters",
+    problems.error(place, "'name' = '" + excerpt(*name) + "'" + of_origin + " holds control characters",
                    "use letters and digits");
   if (whole_number(*name)) number_names_.emplace_back(index, place);
   const auto [known, is_new] = indices_.emplace(*name, index);
   if (!is_new)
-    problems.error(
-        place, "the name '" + excerpt(*name) + "' is taken by " + kind_ + ' ' + std::to_string(known->second),
-        "give each " + kind_ + " a name of its own");
+    problems.error(place,
+                   "the name '" + excerpt(*name) + "'" + of_origin + " is taken by " + kind_ + ' ' +
+                       std::to_string(known->second),
+                   "give each " + kind_ + " a name of its own");
 }
 
-int NameTable::find(const Reference& reference, const Place& place, ProblemList& problems) const {
+int NameTable::find(const Reference& reference, const Place& place, ProblemList& problems,
+                    const std::string& asked_by) const {
   if (!reference.index) {
     if (const auto known = indices_.find(reference.name); known != indices_.end()) return known->second;
   }
   const std::optional<std::int64_t> index = reference.index ? reference.index : whole_number(reference.name);
   if (index && *index >= 0 && *index < size()) return static_cast<int>(*index);
+  if (incomplete_) return -1;
+  const std::string of_asker = asked_by.empty() ? "" : " of " + asked_by;
   const std::string range =
       size() == 0 ? "there is no " + kind_ : "indices run from 0 to " + std::to_string(size() - 1);
   if (index) {
-    problems.error(place, "unknown " + kind_ + " '" + std::to_string(*index) + "'", range);
+    problems.error(place, "unknown " + kind_ + " '" + std::to_string(*index) + "'" + of_asker, range);
     return -1;
   }
   std::string cure = range;
@@ -61,7 +68,7 @@ int NameTable::find(const Reference& reference, const Place& place, ProblemList&
       if (!name.empty()) known.emplace_back(name);
     cure = suggestion(reference.name, kind_, known);
   }
-  problems.error(place, "unknown " + kind_ + " '" + excerpt(reference.name) + "'", cure);
+  problems.error(place, "unknown " + kind_ + " '" + excerpt(reference.name) + "'" + of_asker, cure);
   return -1;
 }
 
@@ -77,7 +84,7 @@ void NameTable::warn_of_ambiguous_names(ProblemList& problems) const {
 
 std::string NameTable::title(int index) const {
   const std::string& name = names_[index];
-  return kind_ + ' ' + (name.empty() ? std::to_string(index) : "'" + excerpt(name) + "'");
+  return kind_ + ' ' + (name.empty() ? std::to_string(index) : "'" + excerpt(name) + "'") + origins_[index];
 }
 
 }  // namespace ddacontact::scene_format

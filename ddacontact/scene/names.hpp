@@ -16,25 +16,33 @@ class NameTable {
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
   /// The next member. One that is empty, taken or holds control characters is a problem.
-  void add(const std::optional<std::string>& name, const Places& places, ProblemList& problems);
+  /// `origin`, where not empty, follows its title in messages: "feature 7".
+  void add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
+           const std::string& origin = {});
+
+  /// Some members are not known: from now on one that is not found is no problem.
+  void set_incomplete() { incomplete_ = true; }
 
   /// The index of a member called by name, by index, or by its index as a string when no one has that name;
-  /// -1 and a problem at `place` when there is none.
-  int find(const Reference& reference, const Place& place, ProblemList& problems) const;
+  /// -1 and a problem at `place` when there is none, in which `asked_by`, where not empty, is told: "feature
+  /// 7".
+  int find(const Reference& reference, const Place& place, ProblemList& problems,
+           const std::string& asked_by = {}) const;
 
   /// Warns of names that are the index of a member without a name: results would call two members the same.
   void warn_of_ambiguous_names(ProblemList& problems) const;
 
   int size() const { return static_cast<int>(names_.size()); }
-  /// The name in quotes, or the index: "block 'slider'", "block 3".
+  /// The name in quotes, or the index, and the origin: "block 'slider'", "block 3 of feature 3".
   std::string title(int index) const;
 
  private:
   std::string kind_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, origins_;         ///< origins as " of feature 7"
   std::vector<std::pair<int, Place>> number_names_;  ///< members whose name is a number
   std::unordered_map<std::string, int> indices_;
   mutable int suggestions_ = 0;
+  bool incomplete_ = false;
 };
 
 }  // namespace ddacontact::scene_format

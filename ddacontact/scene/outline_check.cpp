@@ -80,8 +80,8 @@ Complaint corner_complaint(const Points& polygon, int vertex, int name) {
 /// The vertex's place, but the setting's where one changed any vertex.
 const Place& place_of_vertex(const Outline& outline, int vertex, const Places& places) {
   for (const Place& place : outline.places)
-    if (place.source) return place;
-  if (vertex < 0 || places.of("vertices").source) return places.of("vertices");
+    if (place.source != places.table.source) return place;
+  if (vertex < 0 || places.of("vertices").source != places.table.source) return places.of("vertices");
   return outline.places[vertex];
 }
 
@@ -124,9 +124,7 @@ CheckedOutline check_outline(const Outline& outline, const Places& places, const
   if (const auto corner = polyfem::find_non_convex_corner(checked.polygon, straight_turn))
     return refuse(
         corner_complaint(checked.polygon, *corner, clockwise ? static_cast<int>(n) - 1 - *corner : *corner));
-  if (clockwise)
-    problems.warning(place_of_vertex(outline, -1, places), title + " runs clockwise: it is turned around",
-                     "its vertices keep their numbers");
+  checked.turned = clockwise;
   return checked;
 }
 

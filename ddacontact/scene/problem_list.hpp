@@ -9,9 +9,9 @@
 
 namespace ddacontact::scene_format {
 
-/// Where something stands: a line and a column (both from 1) of the scene file, or of a setting.
+/// Where something stands: a line and a column (both from 1) of the scene file, a geometry file or a setting.
 struct Place {
-  std::shared_ptr<const std::string> source;  ///< none: the scene file
+  std::shared_ptr<const std::string> source;  ///< the other file or the setting; none: the scene file
   int line = 1, column = 1;
 };
 
@@ -26,8 +26,9 @@ class ProblemList {
   const std::string& file() const { return file_; }
   bool has_errors() const { return ddacontact::has_errors(problems_); }
 
-  /// Those of the file by line and column, then those of settings as they were given. Control characters and
-  /// line ends inside a message are shown as spaces: one problem is one line.
+  /// Those of the scene file by line and column, then those of settings as they were given, then those of a
+  /// geometry file by line and column. Control characters and line ends inside a message are shown as spaces:
+  /// one problem is one line.
   std::vector<Problem> sorted() &&;
 
  private:

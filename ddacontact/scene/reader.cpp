@@ -1,41 +1,55 @@
 #include <ddacontact/scene/reader.hpp>
 
 #include <ddacontact/scene/document_reader.hpp>
+#include <ddacontact/scene/file_text.hpp>
+#include <ddacontact/scene/geometry_file.hpp>
 #include <ddacontact/scene/resolve.hpp>
 #include <ddacontact/scene/settings.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <exception>
-#include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace ddacontact {
 
 namespace {
 
+using scene_format::Document;
 using scene_format::ProblemList;
 
-std::optional<Scene> read(const std::string& text, const std::vector<std::string>& settings,
-                          ProblemList& problems) {
+/// Appends the blocks of the file that 'blocks' names. Returns whether that could be read.
+bool add_geometry(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
+  if (!document.places.written("blocks")) return true;
+  document.has_all_blocks = false;
+  if (!document.places.good("blocks")) return true;
+  scene_format::GeometryBlocks file = scene_format::read_geometry_file(
+      (directory / *document.geometry_file).string(), document.places.of("blocks"), problems);
+  document.has_all_blocks = file.complete;
+  std::move(file.blocks.begin(), file.blocks.end(), std::back_inserter(document.blocks));
+  return !file.unreadable;
+}
+
+void read(const std::string& text, const std::vector<std::string>& settings,
+          const std::filesystem::path& directory, ProblemList& problems, SceneReading& reading) {
   std::optional<toml::table> root = scene_format::parse_toml(text, problems.file(), problems);
-  if (!root) return std::nullopt;
+  if (!root) return;
   scene_format::apply_settings(settings, *root, problems);
-  const scene_format::Document document = scene_format::read_document(*root, problems);
+  Document document = scene_format::read_document(*root, problems);
+  reading.unreadable = !add_geometry(directory, document, problems);
   Scene scene = scene_format::resolve(document, problems);
-  if (problems.has_errors()) return std::nullopt;
-  return scene;
+  if (!problems.has_errors()) reading.scene = std::move(scene);
 }
 
 }  // namespace
 
 SceneReading read_scene_text(const std::string& text, const std::string& name,
-                             const std::vector<std::string>& settings) {
+                             const std::vector<std::string>& settings,
+                             const std::filesystem::path& directory) {
   SceneReading reading;
   ProblemList problems(name);
   try {
-    reading.scene = read(text, settings, problems);
+    read(text, settings, directory, problems, reading);
   } catch (const std::exception& error) {
     problems.error({}, std::string("the scene cannot be read: ") + error.what(),
                    "make it smaller or simpler");
@@ -45,19 +59,14 @@ SceneReading read_scene_text(const std::string& text, const std::string& name,
 }
 
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& settings) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  // An empty file sets failbit on `text`: nothing was inserted.
-  const bool unreadable = !file.is_open() || file.bad() || (text.fail() && errno != 0);
-  if (!unreadable) return read_scene_text(text.str(), path, settings);
+  const scene_format::FileText file = scene_format::read_text(path);
+  if (file.text)
+    return read_scene_text(*file.text, path, settings, std::filesystem::path(path).parent_path());
 
   SceneReading reading;
   reading.unreadable = true;
   ProblemList problems(path);
-  problems.error({}, "'" + path + "' cannot be read: " + std::strerror(errno != 0 ? errno : EIO),
-                 "check the path and the permissions");
+  problems.error({}, "'" + path + "' cannot be read: " + file.reason, "check the path and the permissions");
   reading.problems = std::move(problems).sorted();
   return reading;
 }

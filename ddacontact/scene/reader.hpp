@@ -4,6 +4,7 @@
 #include <ddacontact/scene/problem.hpp>
 #include <ddacontact/scene/scene.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace ddacontact {
 struct SceneReading {
   std::optional<Scene> scene;     ///< set when no problem is an error
   std::vector<Problem> problems;  ///< in the order of the file; warnings too (polygons turned around, ...)
-  bool unreadable = false;        ///< the file itself could not be read
+  bool unreadable = false;        ///< the file itself, or one that it names, could not be read
 };
 
 /// Reads and checks everything a run needs. Each `settings` entry is "PATH=VALUE" with a dotted path, array
@@ -21,8 +22,10 @@ struct SceneReading {
 /// adds a value before the scene is checked. Never throws for a bad file.
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& settings = {});
 
-/// The same for a text; `name` stands in the messages.
+/// The same for a text; `name` stands in the messages, and files that the text names are looked for from
+/// `directory` (empty: the current one).
 SceneReading read_scene_text(const std::string& text, const std::string& name,
-                             const std::vector<std::string>& settings = {});
+                             const std::vector<std::string>& settings = {},
+                             const std::filesystem::path& directory = {});
 
 }  // namespace ddacontact

@@ -105,13 +105,14 @@ struct JointRecord {
 
 struct BlockRecord {
   std::optional<std::string> name;
-  Reference material;
+  Reference material;  ///< a geometry file may leave it out: the first
   Outline vertices;
   std::optional<BlockModel> model;
   FixedVertices fixed;
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
   Vec3 stress{0, 0, 0};
+  std::string origin;  ///< of a geometry file: "feature 7"; empty for a [[block]]
   Places places;
 };
 
@@ -151,11 +152,13 @@ struct OutputRecord {
 struct Document {
   int format = 1;
   std::string title;
+  std::optional<std::string> geometry_file;  ///< key 'blocks'
   AnalysisRecord analysis;
   ContactRecord contact;
   std::vector<MaterialRecord> materials;
   std::vector<JointRecord> joints;
-  std::vector<BlockRecord> blocks;
+  std::vector<BlockRecord> blocks;  ///< those of the geometry file after those of the scene
+  bool has_all_blocks = true;       ///< false when the geometry file could not be read to its end
   std::vector<SupportRecord> supports;
   std::vector<LoadRecord> loads;
   std::vector<MonitorRecord> monitors;

@@ -28,6 +28,26 @@ std::vector<int> check_vertex_indices(const std::vector<int>& indices, int n_ver
   return good;
 }
 
+namespace {
+
+/// One warning for all [[block]] that run clockwise; in geometry files both orientations are usual.
+void warn_of_clockwise_blocks(const Document& document, const BlockTable& table, ProblemList& problems) {
+  int first = -1, n_more = -1;
+  for (int b = 0; b < table.names.size(); ++b) {
+    if (!table.outlines[b].outline.turned || !document.blocks[b].origin.empty()) continue;
+    if (++n_more == 0) first = b;
+  }
+  if (first < 0) return;
+  const std::string title = table.names.title(first);
+  problems.warning(
+      table.outlines[first].place,
+      n_more == 0 ? title + " runs clockwise: it is turned around"
+                  : title + " and " + std::to_string(n_more) + " more run clockwise: they are turned around",
+      "vertices keep their numbers");
+}
+
+}  // namespace
+
 BlockTable resolve_blocks(const Document& document, const NameTable& materials, ProblemList& problems) {
   BlockTable table;
   table.descriptions.reserve(document.blocks.size());
@@ -35,13 +55,13 @@ BlockTable resolve_blocks(const Document& document, const NameTable& materials, 
   for (const BlockRecord& record : document.blocks) {
     const int index = table.names.size();
     const Places& places = record.places;
-    table.names.add(record.name, places, problems);
+    table.names.add(record.name, places, problems, record.origin);
     const std::string title = table.names.title(index);
 
     BlockDescription& block = table.descriptions.emplace_back();
     block.name = record.name.value_or("");
     if (places.good("material"))
-      block.material = materials.find(record.material, places.of("material"), problems);
+      block.material = materials.find(record.material, places.of("material"), problems, record.origin);
     block.vertices = record.vertices.points;
     block.model = record.model.value_or(document.analysis.options.block_model);
     block.velocity = record.velocity;
@@ -62,7 +82,9 @@ BlockTable resolve_blocks(const Document& document, const NameTable& materials, 
     for (int k = 0; block.fixed && k < n; ++k)
       for (const int axis : {0, 1}) table.holds.by(index, k, axis) = Holds::fixed;
   }
+  if (!document.has_all_blocks) table.names.set_incomplete();
   table.names.warn_of_ambiguous_names(problems);
+  warn_of_clockwise_blocks(document, table, problems);
   return table;
 }
 

@@ -237,7 +237,12 @@ void describe(Document& d, Visit&& visit) {
   visit(Key{.name = "format", .what = "Version of the scene format.", .bounds = {.low = 1, .high = 1}},
         d.format);
   visit(Key{.name = "title", .what = "One line about the scene."}, d.title);
-  visit(Key{.name = "blocks", .what = "More blocks from a file."}, NotAvailable{});
+  visit(
+      Key{.name = "blocks",
+          .what = "More blocks, from the polygons of a geometry file (.geojson, .json or .wkt); relative to "
+                  "the scene file.",
+          .default_text = "none"},
+      d.geometry_file);
   visit.table(Key{.name = "analysis", .what = "What is computed and how.", .required = true}, d.analysis);
   visit.table(Key{.name = "contact", .what = "How contacts are enforced."}, d.contact);
   visit.tables(Key{.name = "material", .what = "What blocks are made of.", .required = true}, d.materials);
@@ -245,7 +250,7 @@ void describe(Document& d, Visit&& visit) {
       Key{.name = "joint",
           .what = "Mohr-Coulomb laws of contacts; without any, one without friction, cohesion and tension."},
       d.joints);
-  visit.tables(Key{.name = "block", .what = "The blocks.", .required = true}, d.blocks);
+  visit.tables(Key{.name = "block", .what = "The blocks.", .required = !d.geometry_file}, d.blocks);
   visit.tables(Key{.name = "support", .what = "Vertices held or moved; more general than `fixed`."},
                d.supports);
   visit.tables(Key{.name = "load", .what = "Forces."}, d.loads);

@@ -96,28 +96,41 @@ class Setting {
       return node->as_table();
     }
     toml::array* array = node ? node->as_array() : nullptr;
-    if (!array || array->empty()) {
-      refuse("the scene has no [[" + path_[0] + "]]", "only what is in the scene can be set");
-      return nullptr;
-    }
-    return find_element(*array);
+    if (!array || array->empty())
+      refuse("the scene has no [[" + path_[0] + "]]", "only what is in the scene can be set" + beyond(root));
+    else if (toml::table* element = find_element(*array))
+      return element;
+    else
+      refuse_part(1, known_elements(*array) + beyond(root));
+    return nullptr;
   }
 
-  toml::table* find_element(toml::array& array) {
-    std::vector<std::string_view> names;
-    for (toml::node& element : array) {
-      const toml::table* table = element.as_table();
-      const toml::value<std::string>* name =
-          table && table->get("name") ? table->get("name")->as_string() : nullptr;
-      if (!name) continue;
-      if (name->get() == path_[1]) return element.as_table();
-      names.emplace_back(name->get());
-    }
-    const std::string range = "indices run from 0 to " + std::to_string(array.size() - 1);
+  static const toml::value<std::string>* name_of(const toml::node& element) {
+    const toml::table* table = element.as_table();
+    return table && table->get("name") ? table->get("name")->as_string() : nullptr;
+  }
+
+  toml::table* find_element(toml::array& array) const {
+    for (toml::node& element : array)
+      if (const auto* name = name_of(element); name && name->get() == path_[1]) return element.as_table();
     const std::optional<std::size_t> index = index_of(path_[1]);
-    if (index && *index < array.size() && array[*index].is_table()) return array[*index].as_table();
-    refuse_part(1, index || names.empty() ? range : suggestion(path_[1], path_[0], names));
-    return nullptr;
+    return index && *index < array.size() ? array[*index].as_table() : nullptr;
+  }
+
+  /// What path_[1] could have been.
+  std::string known_elements(const toml::array& array) const {
+    std::vector<std::string_view> names;
+    for (const toml::node& element : array)
+      if (const auto* name = name_of(element)) names.emplace_back(name->get());
+    if (index_of(path_[1]) || names.empty())
+      return "indices run from 0 to " + std::to_string(array.size() - 1);
+    return suggestion(path_[1], path_[0], names);
+  }
+
+  /// Blocks of a geometry file are no tables.
+  std::string beyond(const toml::table& root) const {
+    if (path_[0] != "block" || !root.contains("blocks")) return "";
+    return "; settings do not reach the blocks of a geometry file: give the feature that property";
   }
 
   /// path_[part] is a key of `table`.

@@ -148,6 +148,33 @@ TEST_F(Program, CheckComputesNothingAndEndsWithTheWorstStatus) {
   EXPECT_FALSE(fs::exists(directory_ / "bad-out"));
 }
 
+TEST_F(Program, BlocksFromAGeometryFileAreInTheSceneAsRun) {
+  fs::create_directories(directory_ / "wall");
+  write(
+      "wall/scene.toml",
+      "blocks = \"blocks.geojson\"\n[analysis]\nsteps = 3\ntime_step = 0.01\n[[material]]\nname = \"rock\"\n"
+      "density = 2500\nyoung = 1e9\npoisson = 0.25\n[[monitor]]\nname = \"m\"\nblock = \"top\"\nat = "
+      "\"centroid\"\n");
+  write("wall/blocks.geojson", R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"fixed": true},
+     "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 1], [0, 1], [0, 0]]]}},
+    {"type": "Feature", "properties": {"name": "top"},
+     "geometry": {"type": "Polygon", "coordinates": [[[0, 1], [1, 1], [1, 2], [0, 2], [0, 1]]]}}]})");
+  ASSERT_EQ(dda("check wall/scene.toml"), 0) << err_;
+  ASSERT_EQ(dda("run wall/scene.toml -o first --quiet"), 0) << err_;
+  EXPECT_EQ(summary("first")["blocks"], 2);
+  ASSERT_EQ(dda("run first/scene.toml -o second --quiet"), 0) << err_;
+  for (const char* name : {"monitors.csv", "vertices.csv", "contacts.csv", "scene.toml"})
+    EXPECT_EQ(read_file(directory_ / "first" / name), read_file(directory_ / "second" / name)) << name;
+
+  EXPECT_EQ(dda("check wall/scene.toml --set blocks=missing.wkt"), 4);
+  EXPECT_NE(err_.find("wall/missing.wkt"), std::string::npos) << err_;
+  write("wall/bad.wkt", "\nPOINT (0 0)\n");
+  EXPECT_EQ(dda("run wall/scene.toml --set blocks=bad.wkt"), 2);
+  EXPECT_NE(err_.find("wall/bad.wkt:2:1: error: "), std::string::npos) << err_;
+  EXPECT_FALSE(fs::exists(directory_ / "wall/scene-out"));
+}
+
 TEST_F(Program, WrongInputWritesNothing) {
   write("bad.toml", "format = 1\n[analysis]\nstps = 3\n");
   EXPECT_EQ(dda("run bad.toml"), 2);

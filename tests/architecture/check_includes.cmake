@@ -9,7 +9,7 @@ set(ddacontact_folders core block detection contact solver time output scene)
 set(third_party
   "deal\\.II/"                            "^polyfem/dealii/"
   "toml\\+\\+|toml\\.hpp"                 "^ddacontact/scene/"
-  "nlohmann/"                             "^ddacontact/output/"
+  "nlohmann/"                             "^ddacontact/(output/|scene/json_parser\\.cpp$)"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
   "cholmod|suitesparse/|cblas|openblas"   "^polyfem/assembly/"
   "geos_c\\.h|geos/"                      "^polyfem/mesh/.*\\.cpp$")

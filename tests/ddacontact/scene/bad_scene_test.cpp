@@ -189,6 +189,21 @@ const Case cases[] = {
     {"EmptyName", "name = \"weak\"", "name = \"\"", 25, 8, {"empty"}},
     {"NameOfTwoLines", "name = \"weak\"", "name = \"we\\nak\"", 25, 8, {"control"}},
 
+    // The geometry file.
+    {"NoGeometryFile",
+     "title = \"Complete\"",
+     "blocks = \"no/wall.wkt\"",
+     2,
+     10,
+     {"'no/wall.wkt'", "cannot"}},
+    {"GeometryFormat",
+     "title = \"Complete\"",
+     "blocks = \"wall.shp\"",
+     2,
+     10,
+     {"'.shp'", ".geojson", ".wkt"}},
+    {"GeometryFileIsNumber", "title = \"Complete\"", "blocks = 3", 2, 10, {"'blocks'", "'3'", "a string"}},
+
     // What does not go together.
     {"DensityAndUnitWeight",
      "density = 2500.0",
@@ -326,7 +341,6 @@ const Case cases[] = {
     {"MeshBlock", "\"affine\"", "\"mesh\"", 38, 9, {"'mesh'", unavailable}},
     {"MeanValueForAll", "\"auto\"", "\"mean_value\"", 8, 15, {"'mean_value'", unavailable}},
     {"MeshForAll", "\"auto\"", "\"mesh\"", 8, 15, {"'mesh'", unavailable}},
-    {"BulkGeometry", "title = \"Complete\"", "blocks = \"wall.geojson\"", 2, 1, {"'blocks'", unavailable}},
     {"Solver", "[output]", "[solver]\n[output]", 80, 2, {"'solver'", unavailable}},
     {"Checkpoints", "every = 5", "checkpoint_every = 10", 81, 20, {"'checkpoint_every'", unavailable}},
 };

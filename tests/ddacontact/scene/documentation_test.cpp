@@ -1,6 +1,6 @@
 /// \file doc/scene_format.md and the declarations of the keys say the same. To renew its tables, run the
 /// tests with POLYDDA_UPDATE_DOC=1 in the environment.
-#include "example_scenes.hpp"
+#include "geometry_scenes.hpp"
 
 #include <ddacontact/scene/catalog.hpp>
 #include <ddacontact/scene/documentation.hpp>
@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace example_scenes;
+using namespace geometry_scenes;
 using namespace ddacontact::scene_format;
 
 std::string document() {
@@ -54,12 +54,26 @@ TEST(Documentation, HasEveryTable) {
   EXPECT_EQ(key_table("nothing"), "");
 }
 
+/// The first example in this language.
+std::string example(const std::string& language) {
+  const std::string text = document(), open = "```" + language + "\n";
+  const std::size_t begin = text.find(open) + open.size();
+  return text.substr(begin, text.find("```", begin) - begin);
+}
+
 TEST(Documentation, ExampleIsAGoodScene) {
-  const std::string text = document();
-  const std::size_t begin = text.find("```toml\n") + 8;
-  const SceneReading reading = read(text.substr(begin, text.find("```", begin) - begin));
+  const SceneReading reading = read(example("toml"));
   EXPECT_TRUE(reading.scene);
   EXPECT_EQ(all_text(reading.problems), "");
+}
+
+class GeometryDocumentation : public GeometryScenes {};
+
+TEST_F(GeometryDocumentation, ExampleIsAGoodFile) {
+  const Scene scene = scene_with("wall.geojson", example("json"));
+  ASSERT_EQ(scene.blocks.size(), 2u);
+  EXPECT_TRUE(scene.blocks[0].fixed);
+  EXPECT_EQ(scene.blocks[1].model, ddacontact::BlockModel::affine);
 }
 
 }  // namespace

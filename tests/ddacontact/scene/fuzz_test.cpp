@@ -1,5 +1,5 @@
-/// \file Scenes changed at random: reading them ends, with a sound scene or with problems.
-#include "example_scenes.hpp"
+/// \file Scenes and geometry files changed at random: reading them ends, with a sound scene or with problems.
+#include "geometry_scenes.hpp"
 
 #include <ddacontact/scene/outline_check.hpp>
 #include <ddacontact/scene/writer.hpp>
@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace example_scenes;
+using namespace geometry_scenes;
 using namespace ddacontact;
 
 constexpr std::string_view moving = R"(title = "Moving" # ...
@@ -89,7 +89,19 @@ const char* const tokens[] = {"nan",
                               "\n",
                               "\r",
                               "\t",
-                              " "};
+                              " ",
+                              "null",
+                              "{\"a\": 1}",
+                              "{",
+                              "}",
+                              "(",
+                              ")",
+                              "EMPTY",
+                              "POLYGON",
+                              "GEOMETRYCOLLECTION",
+                              "SRID=1;",
+                              "\"Polygon\"",
+                              "\"Feature\""};
 
 class Mutator {
  public:
@@ -231,35 +243,78 @@ unsigned n_mutants() {
   return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 4000;
 }
 
+/// Either a sound scene that can be written and read again, or problems with their places; whether it is a
+/// scene.
+bool expect_read_or_refused(const SceneReading& reading, const std::string& mutant) {
+  EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems)) << mutant;
+  for (const Problem& problem : reading.problems) {
+    EXPECT_GE(problem.line, 1) << mutant;
+    EXPECT_GE(problem.column, 1) << mutant;
+    EXPECT_EQ(problem.text().find('\n'), std::string::npos) << mutant;
+    EXPECT_EQ(problem.text().find("the scene cannot be read:"), std::string::npos) << problem.text() << '\n'
+                                                                                   << mutant;
+  }
+  if (!reading.scene) return false;
+  expect_sound(*reading.scene, mutant);
+  std::ostringstream first, second;
+  write_scene(first, *reading.scene);
+  const SceneReading again = read(first.str());
+  EXPECT_TRUE(again.scene) << all_text(again.problems) << first.str();
+  if (again.scene) write_scene(second, *again.scene);
+  EXPECT_EQ(first.str(), second.str());
+  return true;
+}
+
 TEST(Fuzz, MutatedScenesAreReadOrRefused) {
   unsigned accepted = 0, total = 0;
   for (const std::string_view text : {complete, minimal, moving}) {
     ASSERT_TRUE(scene_of(text).blocks.size() > 0);
     for (unsigned seed = 0; seed < n_mutants(); ++seed, ++total) {
       const std::string mutant = Mutator(seed)(std::string(text));
-      const SceneReading reading = read(mutant);
-      EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems)) << mutant;
-      for (const Problem& problem : reading.problems) {
-        EXPECT_GE(problem.line, 1) << mutant;
-        EXPECT_GE(problem.column, 1) << mutant;
-        EXPECT_EQ(problem.text().find('\n'), std::string::npos) << mutant;
-        EXPECT_EQ(problem.text().find("cannot be read:"), std::string::npos) << problem.text() << '\n'
-                                                                             << mutant;
-      }
-      if (!reading.scene) continue;
-      ++accepted;
-      expect_sound(*reading.scene, mutant);
-      std::ostringstream first, second;
-      write_scene(first, *reading.scene);
-      const SceneReading again = read(first.str());
-      ASSERT_TRUE(again.scene) << all_text(again.problems) << first.str();
-      write_scene(second, *again.scene);
-      EXPECT_EQ(first.str(), second.str());
+      if (expect_read_or_refused(read(mutant), mutant)) ++accepted;
     }
   }
   // The mutations are mild enough that both ways are tried.
   EXPECT_GT(accepted, total / 50);
   EXPECT_LT(accepted, total / 2);
+}
+
+constexpr std::string_view geojson = R"({"type": "FeatureCollection", "name": "wall", "features": [
+{"type": "Feature", "properties": {"name": "base", "material": "soil", "fixed": [0, 1], "fid": 1},
+ "geometry": {"type": "Polygon", "coordinates": [[[0, -1], [8, -1, 0], [8, 0], [0, 0], [0, -1]]]}},
+{"type": "Feature", "properties": {"name": "slider", "model": "affine", "material": null},
+ "geometry": {"type": "MultiPolygon", "coordinates": [[[[1, 2], [1, 0], [5, 0], [5.1, 2], [1, 2]]]]}},
+{"type": "Feature", "id": 3, "properties": {"material": 1, "fixed": true},
+ "geometry": {"type": "GeometryCollection", "geometries": [
+  {"coordinates": [[[6, 0], [7, 0], [6.5, 9e-1], [6, 0]]], "type": "Polygon"},
+  {"type": "MultiPolygon", "coordinates": [[[[16, 0], [16.5, 0.9], [17, 0], [16, 0]]]]}]}}
+]}
+)";
+
+constexpr std::string_view wkt = R"(# a wall
+POLYGON ((0 -1, 8 -1, 8 0, 0 0, 0 -1))
+MULTIPOLYGON Z (((1 0 0, 5 0 0, 5 2 0, 1 2 0, 1 0 0)),
+                ((6 0 0, 7 0 0, 6 1e0 0, 6 0 0))) # two of them
+GEOMETRYCOLLECTION (POLYGON ((10 0, 11 0, 10 1, 10 0)), POLYGON((12 0,12.5 1,13 0,12 0)))
+)";
+
+class FuzzGeometry : public GeometryScenes {};
+
+TEST_F(FuzzGeometry, MutatedFilesAreReadOrRefused) {
+  const std::string rest =
+      std::string(without_blocks) +
+      "[[monitor]]\nname = \"m\"\nblock = 1\nvertex = 2\n[[load]]\ntype = \"pressure\"\n" +
+      "block = 2\nedge = 1\nvalue = 10\n";
+  for (const auto& [name, text] : {std::pair{"a.geojson", geojson}, std::pair{"a.wkt", wkt}}) {
+    ASSERT_EQ(scene_with(name, text, rest).blocks.size(), text == wkt ? 5u : 4u);
+    unsigned accepted = 0;
+    for (unsigned seed = 0; seed < n_mutants(); ++seed) {
+      const std::string mutant = Mutator(seed)(std::string(text));
+      if (expect_read_or_refused(read_with(name, mutant, rest), mutant)) ++accepted;
+    }
+    EXPECT_GT(accepted, n_mutants() / 50) << name;
+    EXPECT_LT(accepted, n_mutants() / 2) << name;
+  }
 }
 
 TEST(Fuzz, MutatedSettingsAreAppliedOrRefused) {
@@ -271,6 +326,16 @@ TEST(Fuzz, MutatedSettingsAreAppliedOrRefused) {
     const SceneReading reading = read(complete, {mutate(settings[mutate.below(std::size(settings))])});
     EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems));
     if (reading.scene) expect_sound(*reading.scene, "");
+  }
+}
+
+TEST_F(FuzzGeometry, RandomBytesAreRefused) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 500; ++i) {
+    std::string text(random() % 200, '\0');
+    for (char& c : text) c = static_cast<char>(random() % 256);
+    EXPECT_FALSE(read_with("a.json", text).scene);
+    EXPECT_FALSE(read_with("a.wkt", text).scene);
   }
 }
 

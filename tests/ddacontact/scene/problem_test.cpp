@@ -112,6 +112,16 @@ TEST(Problems, ClockwisePolygonsAreTurnedAroundAndSaidSo) {
   EXPECT_EQ(reading.scene->blocks[0].vertices.col(1), ddacontact::Vec2(0, 1));
 }
 
+TEST(Problems, SeveralClockwisePolygonsAreOneWarning) {
+  std::string text = replaced(minimal, "[1, 0], [1, 1], [0, 1]", "[0, 1], [1, 1], [1, 0]");
+  for (const char* vertices : {"[[2, 0], [2, 1], [3, 1]]", "[[4, 0], [4, 1], [5, 1]]"})
+    text += "[[block]]\nmaterial = \"rock\"\nvertices = " + std::string(vertices) + "\n";
+  const SceneReading reading = read(text);
+  ASSERT_TRUE(reading.scene);
+  ASSERT_EQ(reading.problems.size(), 1u);
+  EXPECT_NE(reading.problems[0].text().find("block 0 and 2 more run clockwise"), std::string::npos);
+}
+
 TEST(Problems, AnUnusedJointIsAWarning) {
   const SceneReading reading = read(replaced(complete, "between = [\"rock\", \"soil\"]\n", ""));
   EXPECT_TRUE(reading.scene);

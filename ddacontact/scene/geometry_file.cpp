@@ -1,0 +1,47 @@
+#include <ddacontact/scene/geometry_file.hpp>
+
+#include <ddacontact/scene/file_text.hpp>
+#include <ddacontact/scene/geojson_reader.hpp>
+#include <ddacontact/scene/wkt_reader.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+std::string small_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+}  // namespace
+
+GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems) {
+  const std::string ending = small_ending(path);
+  const bool is_json = ending == ".geojson" || ending == ".json";
+  if (!is_json && ending != ".wkt") {
+    problems.error(key, "'blocks' = '" + path + "' is no geometry file by its ending '" + ending + "'",
+                   "known: .geojson, .json, .wkt");
+    return {};
+  }
+  const FileText file = read_text(path);
+  if (!file.text) {
+    problems.error(key, "'blocks' = '" + path + "' cannot be read: " + file.reason,
+                   "the path is relative to the scene's");
+    return {.blocks = {}, .unreadable = true};
+  }
+  const auto source = std::make_shared<const std::string>(path);
+  GeometryBlocks read =
+      is_json ? read_geojson(*file.text, source, problems) : read_wkt(*file.text, source, problems);
+  if (read.complete && read.blocks.empty()) {
+    problems.error({source, 1, 1}, "the file holds no polygon", "give it one, or leave out 'blocks'");
+    read.complete = false;
+  }
+  return read;
+}
+
+}  // namespace ddacontact::scene_format

@@ -1,0 +1,21 @@
+/// \file Geometry files: blocks of a scene from polygons of GeoJSON or well-known text.
+#pragma once
+
+#include <ddacontact/scene/records.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+struct GeometryBlocks {
+  std::vector<BlockRecord> blocks;
+  bool complete = false;    ///< every polygon has its place in `blocks`, unsound ones too
+  bool unreadable = false;  ///< the file could not be read
+};
+
+/// Reads the file at `path`; its ending says what it is. `key` is the place of what names it, for problems
+/// with the file as a whole; other problems have `path` for a file.
+GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems);
+
+}  // namespace ddacontact::scene_format

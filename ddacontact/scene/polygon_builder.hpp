@@ -1,0 +1,40 @@
+/// \file The polygon of a block from the rings of a geometry file, whatever its format.
+#pragma once
+
+#include <ddacontact/scene/records.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+/// Collects the rings of one polygon, vertex by vertex; the first thing that is wrong with it is a problem.
+class PolygonBuilder {
+ public:
+  /// `title` names the polygon in messages: "feature 7". `place` is its own.
+  PolygonBuilder(std::string title, Place place, ProblemList& problems)
+      : title_(std::move(title)), place_(std::move(place)), problems_(problems) {}
+
+  void begin_ring(const Place& place);
+  /// x and y, and a third coordinate that must be 0.
+  void add_vertex(const std::vector<double>& coordinates, const Place& place);
+  /// Notes what a reader found wrong itself.
+  void refuse(const Place& place, const std::string& what, const std::string& cure);
+
+  /// A block with these vertices, without the one that closes the ring; when something was wrong, with
+  /// 'vertices' marked as not good.
+  BlockRecord finish() &&;
+
+ private:
+  void close_ring();
+
+  std::string title_;
+  Place place_, ring_place_;
+  ProblemList& problems_;
+  int n_rings_ = 0;
+  bool good_ = true;
+  std::vector<Vec2> points_;
+  Outline outline_;
+};
+
+}  // namespace ddacontact::scene_format

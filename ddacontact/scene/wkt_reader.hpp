@@ -1,0 +1,18 @@
+/// \file Polygons of well-known text to blocks.
+#pragma once
+
+#include <ddacontact/scene/geometry_file.hpp>
+
+#include <memory>
+
+namespace ddacontact::scene_format {
+
+/// POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, any number of them, in any number of lines; '#' starts a
+/// comment. Every polygon is a block; a geometry of another kind is a problem and an unsound block, so that
+/// those after it keep their index.
+///
+/// Not GEOS's reader: that reads one geometry of a string and tells no places.
+GeometryBlocks read_wkt(const std::string& text, const std::shared_ptr<const std::string>& source,
+                        ProblemList& problems);
+
+}  // namespace ddacontact::scene_format
