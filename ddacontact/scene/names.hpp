@@ -16,7 +16,7 @@ class NameTable {
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
   /// The next member. One that is empty, taken or holds control characters is a problem.
-  /// `origin`, where not empty, follows its title in messages: "feature 7".
+  /// `origin`, where not empty, follows its title in messages: "block 3 of feature 7".
   void add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
            const std::string& origin = {});
 
@@ -24,8 +24,8 @@ class NameTable {
   void set_incomplete() { incomplete_ = true; }
 
   /// The index of a member called by name, by index, or by its index as a string when no one has that name;
-  /// -1 and a problem at `place` when there is none, in which `asked_by`, where not empty, is told: "feature
-  /// 7".
+  /// -1 and a problem at `place` when there is none. `asked_by`, where not empty, is told in the problem:
+  /// "feature 7".
   int find(const Reference& reference, const Place& place, ProblemList& problems,
            const std::string& asked_by = {}) const;
 
@@ -33,7 +33,7 @@ class NameTable {
   void warn_of_ambiguous_names(ProblemList& problems) const;
 
   int size() const { return static_cast<int>(names_.size()); }
-  /// The name in quotes, or the index, and the origin: "block 'slider'", "block 3 of feature 3".
+  /// The name in quotes, or the index, and the origin: "block 'slider'", "block 3 of feature 7".
   std::string title(int index) const;
 
  private:

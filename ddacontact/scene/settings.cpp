@@ -72,6 +72,9 @@ class Setting {
     const auto known = std::find(names.begin(), names.end(), path_[0]);
     if (known == names.end()) return refuse_part(0, suggestion(path_[0], "key", names));
     const CatalogEntry& entry = catalog()[known - names.begin()];
+    const toml::node* present = root.get(path_[0]);
+    if (entry.kind == CatalogEntry::Kind::key && path_.size() > 1 && present && present->is_value())
+      return refuse_part(1, "'" + path_[0] + "' has no elements");
     if (path_.size() == 1 || entry.kind == CatalogEntry::Kind::key) return put(root, 0);
     if (toml::table* table = find_table(entry, root))
       set_key(entry, *table, entry.kind == CatalogEntry::Kind::tables ? 2 : 1);

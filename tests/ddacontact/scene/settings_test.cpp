@@ -88,6 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NoKeyOfElement", "block.slider=3", {"names no key"}},
         Case{"NoSuchVertex", "block.slider.vertices.4.0=3", {"'4'", "4 elements"}},
         Case{"NoElements", "analysis.steps.0=3", {"'0'", "no elements"}},
+        Case{"NoElementsOfTopKey", "title.x=3", {"'x'", "'title' has no elements"}},
         Case{"NotWritten", "block.0.velocity.1=3", {"'velocity'", "as a whole"}},
         Case{"WrongType", "analysis.steps=many", {"'steps'", "'many'"}},
         Case{"EmptyValue", "analysis.steps=", {"'steps'", "whole number"}},
