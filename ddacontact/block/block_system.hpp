@@ -58,7 +58,7 @@ class BlockSystem {
   /// Outline vertices at the start.
   const Points& reference() const { return reference_; }
 
-  std::vector<std::string> names;  ///< of the blocks, for messages
+  std::vector<std::string> names;  ///< of the blocks, for messages; their indices unless replaced
   Vec2 gravity{0, 0};              ///< m/s2
   double end_time = 0;             ///< of ramps, s
   std::vector<PointLoad> point_loads;

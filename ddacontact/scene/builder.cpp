@@ -109,6 +109,7 @@ class Builder {
     add_loads(system);
 
     built_.labels.origin = origin_;
+    system.names.clear();
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));
       system.names.push_back(scene_.block_name(static_cast<int>(b)));

@@ -1,0 +1,4 @@
+# What polydda::polyfem needs, and the target. CHOLMOD is needed for linking only.
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(CHOLMOD)
+include(${CMAKE_CURRENT_LIST_DIR}/polydda-polyfem-targets.cmake)
