@@ -16,14 +16,17 @@ struct MaterialPoint {
   VectorXd weights;
 };
 
+/// A force that travels with its point.
 struct PointLoad {
   MaterialPoint point;
   TimeFunction force;  ///< N per m
 };
+/// A pressure on an edge.
 struct PressureLoad {
   int block = 0, edge = 0;
   double pressure = 0;  ///< Pa, > 0 pushes into the block; follows the edge
 };
+/// A force on every part of a block.
 struct BodyLoad {
   int block = 0;
   TimeFunction force;  ///< N/m3 of the undeformed block

@@ -14,6 +14,7 @@ struct JointStrength {
   double tensile_strength = 0;  ///< Pa
 };
 
+/// The strengths of the joint between any two materials.
 class JointTable {
  public:
   /// The first joint without `between` is what everything not named elsewhere takes; none: the first joint.
