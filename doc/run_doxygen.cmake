@@ -1,5 +1,5 @@
 # Runs DOXYGEN on doc/Doxyfile of SOURCE, pages go to OUTPUT/html. Every warning is an error but one: members of classes
-# need a sentence only where their name does not say it (types, functions, constants and files always do).
+# need a sentence only where their name does not say it (types and free functions always do).
 execute_process(COMMAND ${CMAKE_COMMAND} -E env POLYDDA_DOC_DIRECTORY=${OUTPUT} ${DOXYGEN} doc/Doxyfile
   WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE result ERROR_VARIABLE warnings OUTPUT_QUIET)
 string(REGEX REPLACE "[^\n]*: warning: Member [^\n]* of (class|struct|union) [^\n]* is not documented\\.\n" ""

@@ -1,12 +1,14 @@
 // Three polygons of a strip, held at the foot and pulled at the top.
 //
-//          t t t t t t              The strip (width 2, height 3) is under sigma_yy = t and nothing else, so
-//          in ^ ^ ^ ^ ^ ^              plane strain 5-----4---3                 eps_yy = t (1 - nu^2) / E,
-//          eps_xx = -t nu (1 + nu) / E, |  2  |   |                 u_y(top) = 3 eps_yy,         u_x(right) =
-//          2 eps_xx. |     | 1 | 6---7     |              A field linear in x and y is within reach of every
-//          element, and the assembled |    `----2              patch test says that the finite elements find
-//          it, to round-off. |   0     |
-//    (x,y) 0---------1 (y only)
+//    t t t t t t       The strip, 2 m wide and 3 m high, is under sigma_yy = t and nothing else. In plane
+//    ^ ^ ^ ^ ^ ^       strain that makes
+//    5----4----3          eps_yy = t (1 - nu^2) / E,      eps_xx = -t nu (1 + nu) / E,
+//    |  C |  B |          u_y(top) = 3 m eps_yy,          u_x(right side) = 2 m eps_xx.
+//    |  _-7_   |
+//    6-'    `--2       This field is linear in x and y, hence within reach of every element, and elements
+//    |    A    |       that pass the patch test find it to round-off: Wachspress functions with corrected
+//    0---------1       gradients do, with any quadrature.
+//    ^         o       Node 0 is held in x and y, node 1 in y.
 #include <polyfem/assembly/pattern_matrix.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>

@@ -1,14 +1,13 @@
 // The shape functions of one polygon and its stiffness matrix.
 //
-//          4-----3          N_i of Eq. (6) are rational functions that are 1 at vertex i and 0 at the others.
-//         /       \         They reproduce what is linear:
-//        /         2           sum N_i = 1,   sum N_i x_i = x,   sum grad N_i = 0,
-//       /         /         so that K = integral of B^T D B, Eq. (17), feels neither translations nor a small
-//      0---------1          rotation (three zero modes), and the energy of a uniform strain e is exactly area
-//      e.De / 2.
+//       4-----3        N_i of Eq. (6) is rational, 1 at vertex i and 0 at the others. What is linear is
+//      /       \       reproduced:
+//     /         2         sum N_i = 1,   sum N_i x_i = x,   sum grad N_i = 0.
+//    /         /       So K = integral of B^T D B, Eq. (17), feels neither translations nor a small rotation
+//   0---------1        (three zero modes), and the energy of a uniform strain e is area (e . D e) / 2.
 //
 // All of it holds to round-off, wherever the polygon lies and with any quadrature, since the gradients are
-// corrected.
+// corrected so that their integrals are exact.
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/soundness.hpp>

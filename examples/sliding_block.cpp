@@ -1,10 +1,10 @@
 // A block slides down a slope, by the library alone: no scene file, no program.
 //
-//   |\                        The paper's example 5.1: from rest, at time t, a rigid block on a slope of
-//   angle a with | \ /\                    friction angle phi has the velocity |  \  \                      v
-//   = g t (sin a - cos a tan phi),   Eq. (53). |   \ / |    \                    Blocks of rock are stiff
-//   enough for it (E = 35 GPa); contact springs are 40 E, as by
-//   |_____\ a                 default in scenes.
+//   |\  /\       Example 5.1 of the paper. From rest, a rigid block on a slope of angle a with friction
+//   | \/  \      angle phi has at time t the velocity
+//   |  \  /         v = g t (sin a - cos a tan phi),   Eq. (53).
+//   |   \/       It holds for blocks of hard rock (E = 35 GPa). Contact springs are 40 E along the normal
+//   |____\ a     and 16 E along the edge, as scenes have them by default.
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/block/vertex_block.hpp>
 #include <ddacontact/time/stepper.hpp>

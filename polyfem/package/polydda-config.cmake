@@ -1,5 +1,4 @@
 # find_package(polydda [COMPONENTS polyfem ddacontact]) gives the targets polydda::<component>; without COMPONENTS all.
-@PACKAGE_INIT@
 include(CMakeFindDependencyMacro)
 
 file(GLOB polydda_known RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/polydda-*-targets.cmake)
