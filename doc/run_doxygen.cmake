@@ -5,7 +5,8 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E env POLYDDA_DOC_DIRECTORY=${OUTPUT} 
 string(REGEX REPLACE "[^\n]*: warning: Member [^\n]* of (class|struct|union) [^\n]* is not documented\\.\n" ""
   warnings "${warnings}")
 if(NOT result EQUAL 0 OR NOT warnings STREQUAL "")
-  message(FATAL_ERROR "Doxygen complains:\n${warnings}")
+  message("${warnings}")
+  message(FATAL_ERROR "Doxygen complains")
 endif()
 if(NOT EXISTS ${OUTPUT}/html/classddacontact_1_1Stepper.html)
   message(FATAL_ERROR "Doxygen wrote no page on Stepper")
