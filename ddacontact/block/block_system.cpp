@@ -23,6 +23,7 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks, Points refe
     n_vertices = block->vertices().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
+    names.push_back(std::to_string(names.size()));
   }
   set_held_unknowns({});
 }

@@ -16,14 +16,17 @@ struct MaterialPoint {
   VectorXd weights;
 };
 
+/// A force that travels with its point.
 struct PointLoad {
   MaterialPoint point;
   TimeFunction force;  ///< N per m
 };
+/// A pressure on an edge.
 struct PressureLoad {
   int block = 0, edge = 0;
   double pressure = 0;  ///< Pa, > 0 pushes into the block; follows the edge
 };
+/// A force on every part of a block.
 struct BodyLoad {
   int block = 0;
   TimeFunction force;  ///< N/m3 of the undeformed block
@@ -58,7 +61,7 @@ class BlockSystem {
   /// Outline vertices at the start.
   const Points& reference() const { return reference_; }
 
-  std::vector<std::string> names;  ///< of the blocks, for messages
+  std::vector<std::string> names;  ///< of the blocks, for messages; their indices unless replaced
   Vec2 gravity{0, 0};              ///< m/s2
   double end_time = 0;             ///< of ramps, s
   std::vector<PointLoad> point_loads;

@@ -12,6 +12,7 @@ struct Integration {
   polyfem::GradientCorrection correction;
 };
 
+/// A convex block interpolated by (6), as stiff and as heavy as its integration makes it.
 class VertexBlock final : public Block {
  public:
   /// `outline`: strictly convex, counter-clockwise.

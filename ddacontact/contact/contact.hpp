@@ -16,6 +16,7 @@ struct ContactHistory {
   double length = 0;      ///< over which cohesion and tensile strength act, m
 };
 
+/// A vertex of one block against an edge of another, through one step.
 struct Contact {
   VertexEdge pair;
   JointLaw law;

@@ -18,6 +18,7 @@ struct ContactProperties {
   std::vector<int> materials;  ///< of each block
 };
 
+/// Finds the contacts of each step and hands on what they carry from step to step.
 class ContactBuilder {
  public:
   /// \param[in] blocks  in their reference places; must outlive the builder

@@ -12,6 +12,7 @@ using FrictionLaw = std::function<double(double normal_force)>;
 /// Sliding is told apart by the sense of the slip, s of (50): forward along the edge from j to k.
 enum class ContactState { open, stick, slip_forward, slip_backward };
 
+/// Whether the contact is closed and slides, in either sense.
 inline bool is_slipping(ContactState s) {
   return s == ContactState::slip_forward || s == ContactState::slip_backward;
 }

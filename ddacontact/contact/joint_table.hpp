@@ -17,6 +17,7 @@ struct JointStrength {
   FrictionLaw friction_law{};   ///< in place of Coulomb's N tan(phi); none: Coulomb
 };
 
+/// The strengths of the joint between any two materials.
 class JointTable {
  public:
   /// The first joint without `between` is what everything not named elsewhere takes; none: the first joint.

@@ -10,13 +10,20 @@ namespace ddacontact {
 using polyfem::GradientCorrection;
 using polyfem::Plane;
 
-enum class Preset { standard, paper };  ///< written "default", "paper"
-enum class Mode { dynamic, statics };   ///< velocities carry over | every step starts at rest
+/// Which defaults; written "default", "paper".
+enum class Preset { standard, paper };
+/// Velocities carry over | every step starts at rest.
+enum class Mode { dynamic, statics };
+/// The unknowns of a block: displacements of its vertices | the six of (1).
 enum class BlockModel { wachspress, affine };
+/// How displacements add up: increments on the current shape, Eq. (12).
 enum class Kinematics { incremental };
+/// The time scheme: Newmark (1/2, 1), Eq. (24)-(27).
 enum class Scheme { dda };
+/// How contact states are found: open-close iteration.
 enum class ContactMethod { classic };
 
+/// Steps, laws of motion and defaults of the blocks.
 struct AnalysisOptions {
   Preset preset = Preset::standard;
   Mode mode = Mode::dynamic;
@@ -32,6 +39,7 @@ struct AnalysisOptions {
   double cutting_factor = 0.3;  ///< a rejected step is tried again with this times its length
 };
 
+/// Springs of the contacts.
 struct ContactOptions {
   ContactMethod method = ContactMethod::classic;
   double normal_stiffness = 0;       ///< N/m per m; > 0 once resolved

@@ -7,6 +7,7 @@
 
 namespace ddacontact {
 
+/// A force, displacement or the like as a function of time.
 struct TimeFunction {
   enum class Kind {
     constant,  ///< `value` at all times

@@ -4,6 +4,7 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/core/types.hpp>
 
+/// Discontinuous deformation analysis: systems of deformable blocks in contact.
 namespace ddacontact {
 
 using polyfem::cross;

@@ -11,6 +11,7 @@ namespace ddacontact {
 using polyfem::PointsRef;
 using polyfem::Vec2;
 
+/// A rectangle along the axes, closed.
 struct Box {
   Vec2 low, high;
 };
@@ -18,6 +19,7 @@ struct Box {
 /// The bounding box of a polygon, widened by `margin` on every side.
 Box bounding_box(const PointsRef& polygon, double margin = 0);
 
+/// Indices of two boxes, the smaller first.
 using Pair = std::array<int, 2>;
 
 /// Every pair (i < j) of boxes with a point in common, sorted. Uniform grid; boxes much larger than the

@@ -21,6 +21,7 @@ struct Outline {
   PointsRef vertices;  ///< strictly convex, counter-clockwise
 };
 
+/// Lengths by which the contacts of two polygons are chosen, m.
 struct PairLimits {
   double reach;        ///< pairs of features further apart than this cannot meet within the step
   double max_depth;    ///< a vertex deeper inside than this did not come through this edge

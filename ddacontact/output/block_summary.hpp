@@ -5,12 +5,14 @@
 
 namespace ddacontact {
 
+/// Mean and extreme stresses of a block.
 struct StressRange {
   Vec3 mean, min, max;  ///< (xx, yy, xy): area average and extremes over the integration points, Pa
   double s1_max = 0;    ///< largest principal stress at an integration point
   double s2_min = 0;    ///< smallest
 };
 
+/// Of the shape that the block was last prepared for.
 StressRange stress_range(const Block& block, const BlockState& state);
 
 }  // namespace ddacontact

@@ -111,7 +111,7 @@ class Builder {
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));
-      system.names.push_back(scene_.block_name(static_cast<int>(b)));
+      system.names[b] = scene_.block_name(static_cast<int>(b));
       built_.labels.block_models.push_back(scene_.blocks[b].model == BlockModel::affine ? "affine"
                                                                                         : "wachspress");
       built_.labels.block_materials.push_back(scene_.blocks[b].material);

@@ -10,6 +10,7 @@
 
 namespace ddacontact {
 
+/// A scene ready to step, and what names its results.
 struct BuiltScene {
   std::unique_ptr<Stepper> stepper;
   std::vector<Probe> probes;  ///< the scene's monitors

@@ -6,6 +6,7 @@
 
 namespace ddacontact {
 
+/// An error or a warning and where it stands.
 struct Problem {
   enum class Severity { error, warning };
   Severity severity = Severity::error;
@@ -18,6 +19,7 @@ struct Problem {
   std::string text() const;
 };
 
+/// Whether one of them is more than a warning.
 bool has_errors(const std::vector<Problem>& problems);
 
 }  // namespace ddacontact

@@ -11,6 +11,7 @@
 
 namespace ddacontact {
 
+/// A scene, or why there is none.
 struct SceneReading {
   std::optional<Scene> scene;     ///< set when no problem is an error
   std::vector<Problem> problems;  ///< in the order of the file; warnings too (polygons turned around, ...)

@@ -15,6 +15,7 @@
 
 namespace ddacontact {
 
+/// What blocks are made of: isotropic, linear elastic.
 struct Material {
   std::string name;
   double density = 0;  ///< kg/m3; > 0
@@ -22,6 +23,7 @@ struct Material {
   double poisson = 0;  ///< [0, 0.5)
 };
 
+/// Mohr-Coulomb strength of contacts.
 struct Joint {
   std::string name;
   double friction_angle = 0;                  ///< degrees, [0, 90)
@@ -30,6 +32,7 @@ struct Joint {
   std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
 };
 
+/// One block as the scene states it.
 struct BlockDescription {
   std::string name;  ///< empty: known by its index alone
   int material = 0;
@@ -42,6 +45,7 @@ struct BlockDescription {
   Vec3 stress{0, 0, 0};                       ///< initial (xx, yy, xy), Pa
 };
 
+/// Vertices of a block whose displacement is prescribed.
 struct Support {
   int block = 0;
   std::vector<int> vertices;
@@ -49,6 +53,7 @@ struct Support {
   TimeFunction displacement;  ///< m
 };
 
+/// One force on a block; which members count depends on the kind.
 struct Load {
   enum class Kind { point, pressure, body };
   Kind kind = Kind::point;
@@ -59,6 +64,7 @@ struct Load {
   TimeFunction force;   ///< point: N per m; body: N/m3
 };
 
+/// A place whose motion is recorded.
 struct Monitor {
   enum class Kind { point, vertex, centroid };
   std::string name;
@@ -68,6 +74,7 @@ struct Monitor {
   int vertex = 0;
 };
 
+/// How much is written.
 struct OutputOptions {
   int every = 1;  ///< a frame every k steps; 0: only the last
   std::vector<std::string> fields{"displacement", "velocity", "stress", "principal"};
@@ -75,6 +82,7 @@ struct OutputOptions {
   int checkpoint_every = 0;
 };
 
+/// Everything that a scene file says.
 struct Scene {
   std::string title;
   AnalysisOptions analysis;

@@ -7,6 +7,7 @@
 
 namespace ddacontact {
 
+/// Writes a scene file that reads back as the same scene.
 void write_scene(std::ostream& out, const Scene& scene);
 
 }  // namespace ddacontact

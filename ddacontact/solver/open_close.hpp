@@ -5,6 +5,7 @@
 
 namespace ddacontact {
 
+/// When the iteration ends.
 struct OpenCloseOptions {
   int max_iterations = 600;  ///< solutions of (13) per try
   int max_iterations_per_pass = 30;
@@ -12,6 +13,7 @@ struct OpenCloseOptions {
   double residual_tolerance = 1e-8;  ///< of the residual's scale
 };
 
+/// Whether the states may be accepted; if not, the step is cut.
 enum class OpenCloseStatus {
   settled,             ///< every state agrees and the residual passes
   friction_unsettled,  ///< open and closed agree; stick and slip, or the size of friction, do not
@@ -20,6 +22,7 @@ enum class OpenCloseStatus {
   not_finite
 };
 
+/// How the iteration ended.
 struct OpenCloseReport {
   OpenCloseStatus status = OpenCloseStatus::unsettled;
   int iterations = 0;    ///< solutions of (13)

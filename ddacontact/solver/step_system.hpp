@@ -19,6 +19,7 @@ struct Residual {
   bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }
 };
 
+/// (13) of one step: assembles, factorizes and measures residuals for given contact states.
 class StepSystem {
  public:
   explicit StepSystem(const BlockSystem& blocks);

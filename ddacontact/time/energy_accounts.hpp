@@ -8,6 +8,7 @@
 
 namespace ddacontact {
 
+/// v M v / 2 over all blocks, J per m.
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 
 /// Of the blocks, of the springs of closed contacts at the end of their step,

@@ -9,15 +9,18 @@
 
 namespace ddacontact {
 
+/// A block's centre of mass.
 struct Centroid {
   int block = 0;
 };
 
+/// A named place on a block.
 struct Probe {
   std::string name;
   std::variant<MaterialPoint, Centroid> place;
 };
 
+/// Where a place is and how it moves.
 struct Motion {
   Vec2 position, displacement, velocity;  ///< position relative to the model's origin
 };

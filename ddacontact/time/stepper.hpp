@@ -11,6 +11,7 @@
 
 namespace ddacontact {
 
+/// What a run has done so far.
 struct StepCounts {
   long steps = 0;        ///< whole steps of the length the scene states
   long substeps = 0;     ///< accepted tries
@@ -27,6 +28,7 @@ struct StepTimes {
   double detection = 0, assembly = 0, solver = 0, update = 0;
 };
 
+/// Owns the blocks, their state and their contacts, and carries them through time.
 class Stepper {
  public:
   /// \param[in] initial  the state at the start, with velocities and stresses

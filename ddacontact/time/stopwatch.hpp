@@ -5,6 +5,7 @@
 
 namespace ddacontact {
 
+/// Measures from its construction to its destruction.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}

@@ -9,6 +9,7 @@
 
 namespace polyfem {
 
+/// Compressed columns with int indices, as CHOLMOD takes them.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// K = L L^T of a symmetric positive definite matrix given by its lower triangle.

@@ -5,6 +5,7 @@
 
 namespace polyfem {
 
+/// What the eigenvalues of an element's matrices say.
 struct Soundness {
   int zero_modes = 0;          ///< eigenvalues of K within 1e-12 of its largest; a sound element has 3
   double least_stiffness = 0;  ///< the smallest of the others over the largest; negative: indefinite

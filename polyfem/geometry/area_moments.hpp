@@ -5,6 +5,7 @@
 
 namespace polyfem {
 
+/// Integrals of 1, x and x x^T over a polygon.
 struct AreaMoments {
   double area = 0;  ///< signed: > 0 for counter-clockwise vertices
   Vec2 centroid = Vec2::Zero();

@@ -8,8 +8,10 @@
 
 namespace polyfem {
 
+/// What may be wrong with a polygon.
 enum class PolygonDefect { too_few_vertices, not_finite, repeated_vertex, zero_area, self_intersection };
 
+/// A defect and where it shows.
 struct DefectiveVertex {
   PolygonDefect defect;
   int vertex = 0;  ///< the vertex, or the first vertex of the edge, where it shows

@@ -6,6 +6,7 @@
 
 namespace polyfem {
 
+/// Integral of f = sum_q weights[q] f(points.col(q)).
 struct PolygonRule {
   Points points;
   VectorXd weights;  ///< sum to the area

@@ -1,4 +1,6 @@
 #include <ddacontact/block/block_system.hpp>
+
+#include <ddacontact/block/affine_block.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 #include <tests/support/random_polygon.hpp>
 
@@ -38,6 +40,16 @@ TEST(BlockSystem, NumbersUnknownsVerticesAndStressPointsInBlockOrderWithoutHoles
   EXPECT_EQ(system.n_stress_points(), point);
   EXPECT_EQ(built.stepper->state().position.cols(), vertex);
   EXPECT_EQ(system.n_equations(), unknown);
+}
+
+TEST(BlockSystem, CallsBlocksByTheirIndicesUntilToldTheirNames) {
+  const BlockMaterial rock{polyfem::elasticity_matrix(1e8, 0.25, Plane::strain), 2000};
+  Points outlines(2, 8);
+  outlines << rectangle(0, 0, 1, 1), rectangle(3, 0, 1, 1);
+  std::vector<std::unique_ptr<Block>> blocks;
+  for (int b : {0, 1}) blocks.push_back(std::make_unique<AffineBlock>(rock, outlines.middleCols(4 * b, 4)));
+  const BlockSystem system(std::move(blocks), outlines);
+  EXPECT_EQ(system.names, (std::vector<std::string>{"0", "1"}));
 }
 
 TEST(BlockSystem, HeldUnknownsAreLeftOutOfTheEquationsAndTheOthersKeepTheirOrder) {

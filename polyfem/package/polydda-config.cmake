@@ -1,0 +1,31 @@
+# find_package(polydda [COMPONENTS polyfem ddacontact]) gives the targets polydda::<component>; without COMPONENTS all.
+include(CMakeFindDependencyMacro)
+
+file(GLOB polydda_known RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/polydda-*-targets.cmake)
+list(TRANSFORM polydda_known REPLACE "^polydda-(.*)-targets\\.cmake$" "\\1")
+if(NOT polydda_FIND_COMPONENTS)
+  set(polydda_FIND_COMPONENTS ${polydda_known})
+endif()
+
+set(polydda_FOUND TRUE)
+set(polydda_saved_module_path ${CMAKE_MODULE_PATH})
+list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+# Every component stands on polyfem. A component's file returns where something it needs is not found.
+foreach(polydda_component IN ITEMS polyfem LISTS polydda_FIND_COMPONENTS)
+  if(polydda_component IN_LIST polydda_known)
+    include(${CMAKE_CURRENT_LIST_DIR}/polydda-${polydda_component}.cmake)
+    set(polydda_${polydda_component}_FOUND ${polydda_FOUND})
+  elseif(polydda_FIND_REQUIRED_${polydda_component})
+    list(JOIN polydda_known ", " polydda_known)
+    set(polydda_FOUND FALSE)
+    set(polydda_NOT_FOUND_MESSAGE
+      "polydda has no component \"${polydda_component}\"; its components are: ${polydda_known}")
+  endif()
+  if(NOT polydda_FOUND)
+    break()
+  endif()
+endforeach()
+set(CMAKE_MODULE_PATH ${polydda_saved_module_path})
+unset(polydda_saved_module_path)
+unset(polydda_component)
+unset(polydda_known)

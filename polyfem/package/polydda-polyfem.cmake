@@ -1,0 +1,5 @@
+# What polydda::polyfem needs, and the target. CHOLMOD and GEOS are needed for linking only.
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(CHOLMOD)
+find_dependency(GEOS)
+include(${CMAKE_CURRENT_LIST_DIR}/polydda-polyfem-targets.cmake)

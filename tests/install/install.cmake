@@ -1,0 +1,37 @@
+# Installs the build directory BUILD (configuration CONFIG) into WORK/prefix by way of another place: nothing installed
+# may know where it was. Then looks at what was installed.
+file(REMOVE_RECURSE ${WORK})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/before
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${WORK}/before ${WORK}/prefix)
+
+file(READ ${BUILD}/CMakeCache.txt cache)
+string(REGEX MATCH "polydda_SOURCE_DIR:STATIC=([^\n]*)" cache "${cache}")
+set(source ${CMAKE_MATCH_1})
+file(GLOB_RECURSE package ${WORK}/prefix/*.cmake)
+foreach(file IN LISTS package)
+  file(READ ${file} text)
+  foreach(place ${source} ${BUILD} ${WORK} polydda_options)
+    string(FIND "${text}" ${place} found)
+    if(NOT found EQUAL -1)
+      message(SEND_ERROR "${file} names ${place}")
+    endif()
+  endforeach()
+endforeach()
+
+# Headers need nothing but each other, Eigen and the standard library.
+file(GLOB_RECURSE headers ${WORK}/prefix/include/*.hpp)
+foreach(file IN LISTS headers)
+  file(STRINGS ${file} includes REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]*)[>\"].*$" "\\1" header "${line}")
+    if(NOT header MATCHES "^Eigen/|^[a-z_]+$" AND NOT EXISTS ${WORK}/prefix/include/${header})
+      message(SEND_ERROR "${file} includes <${header}>, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+list(LENGTH package n_package)
+list(LENGTH headers n_headers)
+if(n_package LESS 6 OR n_headers LESS 40)
+  message(SEND_ERROR "only ${n_package} files for CMake and ${n_headers} headers are installed")
+endif()
