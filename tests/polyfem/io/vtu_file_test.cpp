@@ -99,12 +99,13 @@ TEST_F(VtuFileTest, DamagedFilesAreErrorsOrRead) {
     file.read<std::uint8_t>(VtuSection::field_data, "text");
   };
   std::mt19937 random(11);
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < 2000; ++k) {
     std::string damaged = whole;
     if (k % 4 == 0)
       damaged.resize(random() % whole.size());
     else
       damaged[random() % whole.size()] = static_cast<char>(random());
+    std::filesystem::remove(path);  // replacing a file's contents is slow on some file systems
     std::ofstream(path, std::ios::binary) << damaged;
     try {
       read_everything();
