@@ -12,6 +12,9 @@ struct StressRange {
   double s2_min = 0;    ///< smallest
 };
 
+/// The area average of StressRange alone.
+Vec3 mean_stress(const Block& block, const BlockState& state);
+
 /// Of the shape that the block was last prepared for.
 StressRange stress_range(const Block& block, const BlockState& state);
 

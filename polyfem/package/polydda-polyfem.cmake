@@ -1,5 +1,7 @@
-# What polydda::polyfem needs, and the target. CHOLMOD and GEOS are needed for linking only.
+# What polydda::polyfem needs, and the target. The others are needed for linking only.
 find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(CHOLMOD)
 find_dependency(GEOS)
+find_dependency(ZLIB)
+find_dependency(pugixml)
 include(${CMAKE_CURRENT_LIST_DIR}/polydda-polyfem-targets.cmake)
