@@ -41,8 +41,7 @@ class PiecePicker {
   std::vector<double> ends_;
 };
 
-/// A point of the domain in the strip around a piece of a row; on the row itself when tries do not meet the
-/// domain.
+/// A point of the domain in the strip around a piece of a row; after many tries one on the row itself.
 Vec2 point_near(const RowPiece& piece, double height, const PointsRef& domain, std::mt19937_64& random) {
   constexpr int most_tries = 100;
   Vec2 on_row;

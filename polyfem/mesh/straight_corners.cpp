@@ -29,9 +29,10 @@ void bend_straight_corners(MeshEditor& mesh, double wanted_turn) {
   bool improved = true;
   for (int round = 0; improved && round < most_rounds; ++round) {
     improved = false;
-    for (int c = 0; c < mesh.n_cells(); ++c)
-      for (const int v : std::vector<int>(mesh.cell(c)))
-        if (mesh.turn(c) < wanted_turn) improved = improve(mesh, v) || improved;
+    for (int c = 0; c < mesh.n_cells(); ++c) {
+      if (mesh.turn(c) >= wanted_turn) continue;
+      for (const int v : mesh.cell(c)) improved = improve(mesh, v) || improved;
+    }
   }
 }
 
