@@ -37,7 +37,8 @@ struct VoronoiOptions {
 /// Cells come row by row from the bottom (rows sqrt(area / n_cells) high) and in a row from the left, by
 /// their centroids; vertices in the order in which cells first use them.
 ///
-/// \param[in] domain  a simple polygon in either orientation; corners straight to round-off are left out
+/// \param[in] domain  a simple polygon in either orientation, its area at least 1e-10 of its length squared;
+///                    corners straight to round-off are left out
 ///
 /// Throws Error for a domain with a defect, for options out of bounds, and when GEOS fails.
 PolygonMesh voronoi(const PointsRef& domain, const VoronoiOptions& options = {});

@@ -276,6 +276,8 @@ TEST(Voronoi, RefusesDomainsWithDefectsAndOptionsOutOfBounds) {
   EXPECT_THROW(voronoi(support::polygon_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}})), Error);
   EXPECT_THROW(voronoi(support::polygon_of({{0, 0}, {nan, 2}, {2, 0}})), Error);
   EXPECT_THROW(voronoi(support::polygon_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}})), Error);
+  EXPECT_THROW(voronoi(support::rectangle(1e15, 1e-15)), Error);
+  EXPECT_THROW(voronoi(support::rectangle(1e300, 1e300)), Error);
   const Points square = support::rectangle(1, 1);
   EXPECT_THROW(voronoi(square, {.n_cells = 0}), Error);
   EXPECT_THROW(voronoi(square, {.n_cells = 100'000'000}), Error);
