@@ -17,8 +17,7 @@ enum class GeometryFormat {
 /// Chosen by the ending of the path. Throws Error for an ending other than .geojson, .wkt, .toml.
 GeometryFormat geometry_format(const std::string& path);
 
-/// Writes polygons in their order, counter-clockwise as they should be; numbers read back to the same
-/// doubles.
+/// Writes counter-clockwise polygons in their order; numbers read back to the same doubles.
 ///
 /// The scene has one material, one joint and gravity; blocks that reach down to the lowest vertex of all are
 /// held. Throws Error as `geometry_format` does and OutputError when the file cannot be written.

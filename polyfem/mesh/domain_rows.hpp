@@ -17,8 +17,7 @@ struct DomainRows {
   double height = 0;             ///< of a row
 };
 
-/// \param[in] spacing  wanted height of a row; a low polygon gets at least 64 rows, a very high one at most
-/// 1e5
+/// \param[in] spacing  wanted height of a row; there are at least 64 rows and at most 1e5
 DomainRows domain_rows(const PointsRef& polygon, double spacing);
 
 }  // namespace polyfem

@@ -108,6 +108,7 @@ bool MeshEditor::collapse(int u, int v, double wanted_turn, bool may_vanish) {
       const int other = merged[i].front() == u ? merged[i].back() : merged[i].front();
       std::erase(cells_of_[other], around[i]);
       merged[i].clear();
+      ++n_vanished_;
     }
     cells_[around[i]] = std::move(merged[i]);
   }

@@ -16,12 +16,14 @@ class MeshEditor {
  public:
   MeshEditor(const PolygonMesh& mesh, std::vector<VertexPlace> places, const Points& domain);
 
+  /// Those that have vanished are counted too.
   int n_cells() const { return static_cast<int>(cells_.size()); }
   /// Corners of a cell, counter-clockwise; none when it has vanished.
   const std::vector<int>& cell(int c) const { return cells_[c]; }
   Vec2 vertex(int v) const { return vertices_.col(v); }
   double length(int u, int v) const { return (vertex(v) - vertex(u)).norm(); }
   double turn(int c) const;
+  int n_vanished() const { return n_vanished_; }
   /// The vertices joined to v by an edge, in ascending order.
   std::vector<int> neighbours(int v) const;
 
@@ -49,6 +51,7 @@ class MeshEditor {
 
   Points vertices_, domain_;
   std::vector<VertexPlace> places_;
+  int n_vanished_ = 0;
   std::vector<std::vector<int>> cells_, cells_of_;  ///< cells_of_[v]: those with corner v, ascending
 };
 

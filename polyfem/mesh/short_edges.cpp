@@ -45,12 +45,6 @@ std::vector<Edge> edges_to_collapse(const MeshEditor& mesh, double shortest) {
   return edges;
 }
 
-int count_cells(const MeshEditor& mesh) {
-  int n = 0;
-  for (int c = 0; c < mesh.n_cells(); ++c) n += !mesh.cell(c).empty();
-  return n;
-}
-
 bool are_joined(const MeshEditor& mesh, int u, int v) {
   const std::vector<int> neighbours = mesh.neighbours(u);
   return std::binary_search(neighbours.begin(), neighbours.end(), v);
@@ -59,16 +53,14 @@ bool are_joined(const MeshEditor& mesh, int u, int v) {
 }  // namespace
 
 void collapse_short_edges(MeshEditor& mesh, double shortest, double wanted_turn, int least_cells) {
-  int n_cells = count_cells(mesh);
   for (bool changed = true; changed;) {
     changed = false;
     for (const Edge& edge : edges_to_collapse(mesh, shortest)) {
       // An edge of this list may have moved or gone with one before it.
       if (!are_joined(mesh, edge.low, edge.high)) continue;
       if (mesh.length(edge.low, edge.high) >= shortest && !edge.of_thin_triangle) continue;
-      if (!mesh.collapse(edge.low, edge.high, wanted_turn, n_cells > least_cells)) continue;
-      changed = true;
-      if (n_cells > least_cells) n_cells = count_cells(mesh);
+      const bool may_vanish = mesh.n_cells() - mesh.n_vanished() > least_cells;
+      if (mesh.collapse(edge.low, edge.high, wanted_turn, may_vanish)) changed = true;
     }
   }
 }

@@ -41,8 +41,7 @@ class PiecePicker {
   std::vector<double> ends_;
 };
 
-/// A point of the domain in the strip around a piece of a row; on the row itself when tries do not meet the
-/// domain.
+/// A point of the domain in the strip around a piece of a row; after many tries one on the row itself.
 Vec2 point_near(const RowPiece& piece, double height, const PointsRef& domain, std::mt19937_64& random) {
   constexpr int most_tries = 100;
   Vec2 on_row;
@@ -71,9 +70,11 @@ Points lloyd_step(const PointsRef& domain, const Points& sites) {
   const SiteGrid grid(sites, domain.rowwise().minCoeff(), domain.rowwise().maxCoeff());
   Points moments = Points::Zero(2, sites.cols());
   VectorXd weights = VectorXd::Zero(sites.cols());
+  // In a very long domain the cells lie side by side, and this many samples of each row are enough.
+  const double most_samples = rows_per_site * rows_per_site * static_cast<double>(sites.cols());
   for (const RowPiece& piece : domain_rows(domain, spacing).pieces) {
     const double length = piece.x_end - piece.x_begin;
-    const int n = std::max(1, static_cast<int>(std::lround(length / spacing)));
+    const int n = static_cast<int>(std::clamp(std::round(length / spacing), 1.0, most_samples));
     for (int k = 0; k < n; ++k) {
       const Vec2 sample(piece.x_begin + (k + 0.5) / n * length, piece.y);
       const int site = grid.nearest(sample);

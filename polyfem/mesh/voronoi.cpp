@@ -32,6 +32,9 @@ constexpr double concave_turn = -1e-2;
 /// In units of the size of a cell: corners nearer than this are one.
 constexpr double weld_distance = 1e-9;
 
+/// Area of a domain relative to the square of its length, below which numbers run out.
+constexpr double thinnest = 1e-10;
+
 void check(const VoronoiOptions& options) {
   if (options.n_cells < 1 || options.n_cells > 10'000'000)
     throw Error("the number of cells must be 1 to 10000000, not " + std::to_string(options.n_cells));
@@ -62,7 +65,11 @@ std::string words(const DefectiveVertex& found) {
 /// The domain counter-clockwise, without corners that are straight to round-off.
 Points prepared(const PointsRef& domain) {
   if (const auto defect = find_defect(domain)) throw Error("the domain " + words(*defect));
-  const bool clockwise = signed_area(domain) < 0;
+  const double area = signed_area(domain);
+  const double length = (domain.rowwise().maxCoeff() - domain.rowwise().minCoeff()).norm();
+  if (!std::isfinite(area) || !(std::abs(area) > thinnest * length * length))
+    throw Error("the domain is too thin or too large to be divided");
+  const bool clockwise = area < 0;
   Points polygon = domain;
   if (clockwise) polygon = domain.rowwise().reverse();
   std::vector<Index> kept;

@@ -146,7 +146,10 @@ TEST(CutIntoConvex, CutsAlongDiagonalsOnly) {
 TEST(CutIntoConvex, MakesConvexCellsOfAnySimplePolygon) {
   const Points spiral = support::polygon_of(
       {{0, 0}, {6, 0}, {6, 6}, {1, 6}, {1, 3}, {3, 3}, {3, 4}, {2, 4}, {2, 5}, {5, 5}, {5, 1}, {0, 1}});
-  for (const Points& polygon : {spiral, support::star(5), support::star(20)}) {
+  // The best angles at vertex 0 are those of the diagonal to vertex 5, but a spike stands between them.
+  const Points spiked = support::polygon_of(
+      {{2, 6}, {2, 4}, {0, 4}, {0, 0}, {10, 0}, {10, 10}, {2.4, 10}, {2.2, 1}, {2.3, 10}, {0, 10}, {0, 6}});
+  for (const Points& polygon : {spiral, spiked, support::star(5), support::star(20)}) {
     PolygonMesh mesh;
     mesh.vertices = polygon;
     std::vector<int> corners(polygon.cols());

@@ -68,7 +68,7 @@ TEST(RandomSites, AreThoseOfTheGeneratorOfTheStandard) {
 TEST(RandomSites, FillThinDomains) {
   const Points needle = support::polygon_of({{0, 0}, {1000, 1000}, {999.9, 1000}});
   const Points sites = random_sites(needle, 2000, 1);
-    // The needle widens along its length: its middle divides the area 1 : 3.
+  // The needle widens along its length: its middle divides the area 1 : 3.
   EXPECT_NEAR((sites.row(0).array() < 500).count(), 500, 5 * 19);
 }
 

@@ -194,6 +194,26 @@ TEST(Voronoi, CollapsesLittleEvenWithoutLloydsMethod) {
     }
 }
 
+TEST(Voronoi, BendsCornersThatRandomSitesLeaveStraight) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const PolygonMesh mesh = voronoi(support::rectangle(1, 1),
+                                     {.n_cells = 100, .seed = seed, .lloyd_steps = 0, .smallest_edge = 0});
+    for (int c = 0; c < mesh.n_cells(); ++c) EXPECT_GT(turn_of(mesh.outline(c)), 0.05) << seed;
+  }
+}
+
+TEST(Voronoi, KeepsVerticesExactlyOnHorizontalAndVerticalEdges) {
+  const double left = -0.7, right = 3.1, bottom = 1e6 / 3, top = 1e6 / 3 + 0.7;
+  const Points domain = support::polygon_of({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+  const PolygonMesh mesh = voronoi(domain);
+  for (const auto& edge : boundary_edges(mesh)) {
+    const Vec2 a = mesh.vertices.col(edge[0]), b = mesh.vertices.col(edge[1]);
+    const bool vertical = a.x() == b.x() && (a.x() == left || a.x() == right);
+    const bool horizontal = a.y() == b.y() && (a.y() == bottom || a.y() == top);
+    EXPECT_TRUE(vertical || horizontal) << a.transpose() << ", " << b.transpose();
+  }
+}
+
 TEST(Voronoi, BecomesMoreEvenWithLloydsMethod) {
   const auto spread = [](int lloyd_steps) {
     double squares = 0;
@@ -256,6 +276,8 @@ TEST(Voronoi, RefusesDomainsWithDefectsAndOptionsOutOfBounds) {
   EXPECT_THROW(voronoi(support::polygon_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}})), Error);
   EXPECT_THROW(voronoi(support::polygon_of({{0, 0}, {nan, 2}, {2, 0}})), Error);
   EXPECT_THROW(voronoi(support::polygon_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}})), Error);
+  EXPECT_THROW(voronoi(support::rectangle(1e15, 1e-15)), Error);
+  EXPECT_THROW(voronoi(support::rectangle(1e300, 1e300)), Error);
   const Points square = support::rectangle(1, 1);
   EXPECT_THROW(voronoi(square, {.n_cells = 0}), Error);
   EXPECT_THROW(voronoi(square, {.n_cells = 100'000'000}), Error);
