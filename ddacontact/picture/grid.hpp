@@ -1,0 +1,44 @@
+/// \file Where panels and their colour bars stand on a page.
+#pragma once
+
+#include <ddacontact/core/types.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ddacontact {
+
+/// What the panels need; all in pixels but `extent`, the size of the scene's part in m.
+struct GridNeeds {
+  Vec2 extent{1, 1};
+  double width = 800, height = 1000;  ///< of the page at most
+  int n_panels = 1, columns = 1;
+  std::vector<double> bar_widths;     ///< of the bar beside each panel; 0: none
+  std::vector<std::string> captions;  ///< of each panel
+  double least_row_height = 0;        ///< of the drawing part
+  double above = 0, below = 0;        ///< for a title and a legend
+};
+
+constexpr double page_margin = 12, panel_gap = 18, bar_gap = 12, caption_size = 12.5, caption_line = 16;
+
+struct Grid {
+  double scale = 1;           ///< pixels per metre
+  Vec2 drawing{0, 0};         ///< size of each panel's picture
+  double row_height = 0;      ///< of pictures and bars
+  std::vector<Vec2> corners;  ///< upper left, of each panel's picture
+  std::vector<Vec2> bar_corners;
+  std::vector<std::vector<std::string>> captions;  ///< of each panel, broken into lines
+  double width = 0, height = 0;                    ///< of the page
+  double legend_top = 0;
+};
+
+Grid arrange(const GridNeeds& needs);
+
+/// The number of columns that makes the drawings largest; the fewest rows of several.
+int best_columns(GridNeeds needs);
+
+/// Broken at spaces into lines of at most `width` pixels, single long words aside.
+std::vector<std::string> wrapped(std::string_view text, double width, double font_size);
+
+}  // namespace ddacontact
