@@ -11,7 +11,7 @@ namespace ddacontact {
 
 namespace {
 
-constexpr double shaft = 0.65, head_half_width = 2.9, longest_head = 7.5, line_width = 1.5;
+constexpr double shaft = 0.75, head_half_width = 2.9, longest_head = 7.5, line_width = 1.5;
 
 std::vector<Arrow> contact_forces(const Frame& frame) {
   std::vector<Arrow> arrows;
@@ -58,7 +58,7 @@ void add_line(PathData& data, const Vec2& middle, const Vec2& vector) {
   data.line_to(middle + vector / 2);
 }
 
-Colour colour_of(Arrow::Look look) {
+Colour colour_of(VectorKind kind, Arrow::Look look) {
   switch (look) {
     case Arrow::Look::slipping:
       return perceptual_colour(0.62, 0.19, 40);
@@ -66,13 +66,16 @@ Colour colour_of(Arrow::Look look) {
       return perceptual_colour(0.55, 0.2, 28);
     case Arrow::Look::compression:
       return perceptual_colour(0.42, 0.15, 258);
-    default:
-      return {20, 20, 20};
+    case Arrow::Look::plain:
+      break;
   }
+  if (kind == VectorKind::displacement) return perceptual_colour(0.45, 0.11, 155);
+  if (kind == VectorKind::velocity) return perceptual_colour(0.42, 0.17, 310);
+  return {20, 20, 20};
 }
 
 void draw(SvgPage& page, const PathData& data, VectorKind kind, Arrow::Look look) {
-  const std::string colour = hex(colour_of(look));
+  const std::string colour = hex(colour_of(kind, look));
   if (kind == VectorKind::principal_stresses) {
     page.path(data, "fill=\"none\" stroke=\"#fff\" stroke-width=\"" + pixel_text(line_width + 1.4) + "\"");
     page.path(data,

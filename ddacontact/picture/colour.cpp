@@ -66,8 +66,7 @@ Colour perceptual_colour(double lightness, double chroma, double hue) {
 
 Colour sequential_colour(double t) {
   t = std::clamp(t, 0., 1.);
-  return perceptual_colour(0.97 - 0.62 * t, 0.05 + 0.1 * std::sin(std::numbers::pi * std::min(1., 0.15 + t)),
-                           105 + 160 * t);
+  return perceptual_colour(0.96 - 0.62 * t, 0.075 + 0.035 * t, 100 + 165 * t);
 }
 
 Colour diverging_colour(double t) {

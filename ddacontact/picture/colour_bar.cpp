@@ -9,7 +9,7 @@ namespace ddacontact {
 
 namespace {
 
-constexpr double bar_width = 13, title_height = 20, tip = 9, tick_length = 4, tick_size = 11,
+constexpr double bar_width = 13, title_height = 25, tip = 9, tick_length = 4, tick_size = 11,
                  title_size = 12.5;
 
 /// Ticks in the prefixed unit.

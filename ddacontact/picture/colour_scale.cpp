@@ -9,9 +9,10 @@ namespace ddacontact {
 
 namespace {
 
-constexpr int most_bands = 40;
+constexpr int most_bands = 60;
 /// Ranges narrower than this, relative to the values, are round-off.
 constexpr double round_off = 1e-9;
+constexpr double slack = 1e-6;  // of a band
 
 bool is_narrow(const ValueRange& range) {
   return !(range.high - range.low > round_off * std::max(std::abs(range.low), std::abs(range.high)));
@@ -26,14 +27,14 @@ ColourScale::ColourScale(Field field, const ValueRange& data, const ValueRange* 
     bounds_ = {range.low};
     return;
   }
-  if (shown != nullptr) {
-    for (int k = 0; k <= most_bands; ++k)
-      bounds_.push_back(range.low + (range.high - range.low) * k / most_bands);
-    return;
-  }
-  const double step = round_step(range.high - range.low, most_bands - 2);
-  const double last = std::ceil(range.high / step - 1e-6);
-  for (double k = std::floor(range.low / step + 1e-6); k <= last; ++k) bounds_.push_back(k * step);
+  const double step = round_step(range.high - range.low, most_bands);
+  const double shift = description(field).kind == FieldKind::with_sign ? 0.5 : 0;
+  const double first = std::floor(range.low / step - shift + slack);
+  const double last = std::ceil(range.high / step - shift - slack);
+  for (double k = first; k <= last; ++k) bounds_.push_back((k + shift) * step);
+  if (shown == nullptr) return;
+  bounds_.front() = range.low;
+  bounds_.back() = range.high;
 }
 
 int ColourScale::band(double value) const {

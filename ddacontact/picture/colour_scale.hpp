@@ -12,7 +12,8 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
-/// Bands of equal height between round values.
+/// Bands of equal height; those of signed fields lie about round values, so that zero has one, others between
+/// them.
 class ColourScale {
  public:
   /// Covers the range of the data, or `shown` where that is given: then values beyond it take the colour of

@@ -38,7 +38,10 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
 
 LegendItem scale_bar(double pixels_per_metre, double most_pixels) {
   const double length = round_below(most_pixels / pixels_per_metre), pixels = length * pixels_per_metre;
-  return item(pixels, quantity_text(length, "m"), [pixels](SvgPage& page, const Vec2& left) {
+  // 0.5 m rather than 500 mm beside a picture of metres.
+  const Prefix prefix = prefix_of(10 * length, "m");
+  const std::string text = number_text(length / prefix.factor, 1) + " " + prefix.symbol + "m";
+  return item(pixels, text, [pixels](SvgPage& page, const Vec2& left) {
     const Vec2 up(0, -3.5), right(pixels, 0);
     PathData data;
     data.move_to(left + up);

@@ -17,7 +17,7 @@ struct LegendItem {
 
 constexpr double legend_line_height = 22;
 
-/// A length of the scene, at most `most_pixels` long on the page.
+/// A round length of the scene, at most `most_pixels` long on the page.
 LegendItem scale_bar(double pixels_per_metre, double most_pixels);
 
 /// A square of a colour.

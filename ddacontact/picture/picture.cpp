@@ -129,6 +129,23 @@ class Picture {
     return last_in_row || contents_[i].scale != contents_[i + 1].scale;
   }
 
+  /// Makes room for arrows that reach beyond the blocks.
+  void include_arrows() {
+    const Box blocks = box_;
+    for (const Content& content : contents_)
+      for (std::size_t k = 0; k < options_.vectors.size(); ++k) {
+        const double reach = pixels_per_unit_[k] / grid_.scale;
+        for (const Arrow& arrow : content.arrows[k]) {
+          const Vec2 tip = arrow.from + reach * arrow.vector;
+          if (tip.allFinite()) box_ = united(box_, {tip, tip});
+        }
+      }
+    if (box_.low == blocks.low && box_.high == blocks.high) return;
+    box_ = padded(box_, 0.005);
+    needs_.extent = {box_.width(), box_.height()};
+    grid_ = arrange(needs_);
+  }
+
   void place() {
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       needs_.bar_widths[i] = has_bar(i) ? colour_bar_width(*contents_[i].scale) : 0;
@@ -136,6 +153,7 @@ class Picture {
     }
     grid_ = arrange(needs_);
     choose_arrow_scales();
+    if (!options_.window) include_arrows();
     make_legend();
     needs_.below = legend_lines(legend_, legend_width()) * legend_line_height;
     grid_ = arrange(needs_);
