@@ -15,6 +15,7 @@
 #include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/assembly/blas.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -53,6 +54,16 @@ void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
   write_scene(out, scene);
   out.close();
   if (!out) throw OutputError("cannot write \"" + path.string() + "\"");
+}
+
+FrameOptions frame_options(const OutputOptions& output) {
+  const auto asked_for = [&](const char* field) { return std::ranges::count(output.fields, field) > 0; };
+  return {.every = output.every,
+          .displacement = asked_for("displacement"),
+          .velocity = asked_for("velocity"),
+          .stress = asked_for("stress"),
+          .principal = asked_for("principal"),
+          .refine = output.refine};
 }
 
 std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
@@ -134,7 +145,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   const std::filesystem::path directory = arguments.directory.empty()
                                               ? default_directory(arguments.scene)
                                               : std::filesystem::path(arguments.directory);
-  ResultDirectory results(directory, built.labels);
+  ResultDirectory results(directory, built.labels, frame_options(scene.output));
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt");
   write_scene_file(directory / "scene.toml", scene);
   log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
@@ -151,6 +162,10 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   Progress progress(steps, arguments.quiet);
   run_steps(*built.stepper, steps, built.probes, progress, results, summary);
   progress.finish();
+  {
+    const Stopwatch watch(summary.seconds_output);
+    results.write_last_frame(*built.stepper);
+  }
 
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);

@@ -2,6 +2,8 @@
 
 #include <ddacontact/output/block_summary.hpp>
 
+#include <Eigen/LU>
+
 namespace ddacontact {
 
 namespace {
@@ -22,13 +24,27 @@ FrameContact describe(const Contact& contact, const Frame& frame) {
   return described;
 }
 
+/// Of a displacement u with the gradient du_a / dx_b.
+Vec3 strain_of(const Mat2& gradient) {
+  return {gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0)};
+}
+
 }  // namespace
 
 Vec3 Frame::stress(int block, const polyfem::ShapeValues& shape) const {
   const auto w = strain_displacement.middleCols(blocks[block].first, blocks[block].count);
-  const Mat2 gradient = w * shape.gradients.transpose();  // of the displacement: du_a / dx_b
-  const Vec3 strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
-  return elasticity[materials[block]] * strain;
+  return elasticity[materials[block]] * strain_of(w * shape.gradients.transpose());
+}
+
+Vec3 Frame::stress_at_vertex(int block, int vertex) const {
+  const auto [first, count] = blocks[block];
+  const int here = first + vertex, next = first + (vertex + 1) % count,
+            before = first + (vertex + count - 1) % count;
+  Mat2 edges, change;
+  edges << position.col(next) - position.col(here), position.col(before) - position.col(here);
+  change << strain_displacement.col(next) - strain_displacement.col(here),
+      strain_displacement.col(before) - strain_displacement.col(here);
+  return elasticity[materials[block]] * strain_of(change * edges.inverse());
 }
 
 Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFields& fields) {

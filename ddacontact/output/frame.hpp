@@ -31,7 +31,7 @@ struct FrameFields {
 struct Frame {
   long step = 0;
   double time = 0;
-  std::vector<Range> blocks;   ///< of the columns below, the outline of each block, counter-clockwise
+  std::vector<Range> blocks;   ///< of the columns below, one after another: outlines, counter-clockwise
   std::vector<int> materials;  ///< of each block
   std::vector<std::string> material_names;
   std::vector<Mat3> elasticity;   ///< D of each material (9), Pa
@@ -45,6 +45,8 @@ struct Frame {
   auto outline(int block) const { return position.middleCols(blocks[block].first, blocks[block].count); }
   /// Stress (xx, yy, xy) of a block by its shape functions at a point of its closed outline.
   Vec3 stress(int block, const polyfem::ShapeValues& shape) const;
+  /// The same at a vertex, where the functions' gradients are those of the triangle with its neighbours.
+  Vec3 stress_at_vertex(int block, int vertex) const;
 };
 
 /// The present state of a run.

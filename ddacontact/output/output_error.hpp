@@ -1,13 +1,10 @@
-/// \file Thrown when a result cannot be written.
+/// \file Thrown when a result cannot be written, or read back.
 #pragma once
 
 #include <ddacontact/core/types.hpp>
 
 namespace ddacontact {
 
-class OutputError : public Error {
- public:
-  using Error::Error;
-};
+using OutputError = polyfem::FileError;
 
 }  // namespace ddacontact

@@ -35,14 +35,15 @@ std::filesystem::path make_directory(std::filesystem::path directory) {
   return directory;
 }
 
-ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels)
+ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames)
     : directory_(make_directory(std::move(directory))),
       labels_(std::move(labels)),
       monitors_(file("monitors.csv"), "step,time,monitor,x,y,ux,uy,vx,vy"),
       energy_(
           file("energy.csv"),
           "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
-          "damping_dissipated") {}
+          "damping_dissipated"),
+      frames_(directory_, frames) {}
 
 void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe>& probes) {
   const long step = stepper.counts().steps;
@@ -56,6 +57,7 @@ void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe
   const Energy& e = stepper.energy().now;
   energy_.row(step, time, e.kinetic, e.elastic, e.gravity, e.friction_dissipated, e.numerical_dissipated,
               e.external, stepper.energy().balance_error(), e.damping_dissipated);
+  frames_.write_step(stepper, labels_);
 }
 
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/output/csv_file.hpp>
+#include <ddacontact/output/frame_writer.hpp>
 #include <ddacontact/output/labels.hpp>
 #include <ddacontact/time/probe.hpp>
 #include <ddacontact/time/stepper.hpp>
@@ -26,11 +27,13 @@ struct RunSummary {
 /// end. Everything throws OutputError on failure.
 class ResultDirectory {
  public:
-  /// Makes the directory and starts the histories.
-  ResultDirectory(std::filesystem::path directory, Labels labels);
+  /// Makes the directory and starts the histories and the frames.
+  ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames = {});
 
-  /// A row per probe and one of energies, for the state as it is.
+  /// A row per probe and one of energies, for the state as it is, and a frame when it is time for one.
   void write_step(const Stepper& stepper, const std::vector<Probe>& probes);
+  /// The frame a run ends with, unless it is there already.
+  void write_last_frame(const Stepper& stepper) { frames_.write_last(stepper, labels_); }
   /// blocks.csv, vertices.csv, contacts.csv, supports.csv and summary.json.
   void finish(const Stepper& stepper, const RunSummary& summary);
 
@@ -47,6 +50,7 @@ class ResultDirectory {
   std::filesystem::path directory_;
   Labels labels_;
   CsvFile monitors_, energy_;
+  FrameWriter frames_;
 };
 
 /// Makes the directory when it is not there, and returns it. Throws OutputError.

@@ -1,4 +1,4 @@
-/// \file The exception of both libraries.
+/// \file The exceptions of both libraries.
 #pragma once
 
 #include <stdexcept>
@@ -9,6 +9,12 @@ namespace polyfem {
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A file cannot be read or written; the message names it.
+class FileError : public Error {
+ public:
+  using Error::Error;
 };
 
 }  // namespace polyfem

@@ -11,6 +11,7 @@ set(third_party
   "toml\\+\\+|toml\\.hpp"                 "^ddacontact/scene/"
   "nlohmann/"                             "^ddacontact/output/"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
+  "zlib|pugixml"                          "^polyfem/io/"
   "cholmod|suitesparse/|cblas|openblas"   "^polyfem/assembly/")
 
 set(violations "")

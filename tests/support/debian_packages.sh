@@ -1,7 +1,7 @@
 # Packages of Debian 12 by what they are for; sourced by the scripts that set up a machine.
 
 program_packages=(g++ cmake ninja-build libeigen3-dev libsuitesparse-dev libopenblas-dev libtomlplusplus-dev
-  libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev)
+  libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev zlib1g-dev libpugixml-dev)
 test_packages=(libgtest-dev libdeal.ii-dev)
 
 # Installs those of the named packages that are missing; as root, or through sudo.

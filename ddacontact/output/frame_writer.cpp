@@ -1,0 +1,63 @@
+#include <ddacontact/output/frame_writer.hpp>
+
+#include <ddacontact/output/frame_file.hpp>
+#include <ddacontact/output/output_error.hpp>
+
+#include <cstdio>
+#include <regex>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr char folder[] = "frames";
+
+/// Relative to the result directory.
+std::string file_name(const char* kind, int number) {
+  char name[64];
+  std::snprintf(name, sizeof name, "%s/%s_%06d.vtu", folder, kind, number);
+  return name;
+}
+
+/// Makes the folder, or leaves nothing of ours in it.
+void clear(const std::filesystem::path& frames) {
+  static const std::regex ours("(blocks|contacts)_[0-9]{6,}\\.vtu");
+  try {
+    std::filesystem::create_directories(frames);
+    for (const auto& entry : std::filesystem::directory_iterator(frames))
+      if (std::regex_match(entry.path().filename().string(), ours)) std::filesystem::remove(entry.path());
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw OutputError("cannot clear \"" + frames.string() + "\": " + error.code().message());
+  }
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameOptions& options)
+    : directory_(directory),
+      options_(options),
+      results_(directory / "results.pvd"),
+      contacts_(directory / "contacts.pvd") {
+  clear(directory / folder);
+}
+
+void FrameWriter::write_step(const Stepper& stepper, const Labels& labels) {
+  if (options_.every > 0 && stepper.counts().steps % options_.every == 0)
+    write(capture_frame(stepper, labels, options_.fields()));
+}
+
+void FrameWriter::write_last(const Stepper& stepper, const Labels& labels) {
+  if (last_time_ != stepper.state().time) write(capture_frame(stepper, labels, options_.fields()));
+}
+
+void FrameWriter::write(const Frame& frame) {
+  const std::string blocks = file_name("blocks", n_frames_), contacts = file_name("contacts", n_frames_);
+  write_blocks(directory_ / blocks, frame, options_);
+  write_contacts(directory_ / contacts, frame);
+  contacts_.add({frame.time, frame.step, contacts});
+  results_.add({frame.time, frame.step, blocks});
+  last_time_ = frame.time;
+  ++n_frames_;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,74 @@
+#include <polyfem/io/pvd_file.hpp>
+
+#include <polyfem/core/error.hpp>
+#include <polyfem/io/text_file.hpp>
+
+#include <pugixml.hpp>
+
+#include <charconv>
+
+namespace polyfem {
+namespace {
+
+constexpr char head[] =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+    "<Collection>\n";
+constexpr char tail[] = "</Collection>\n</VTKFile>\n";
+
+template <class T>
+std::string text_of(T number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+template <class T>
+T number_in(const pugi::xml_node& node, const char* attribute, const std::filesystem::path& path) {
+  const std::string_view text = node.attribute(attribute).value();
+  T number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw FileError("\"" + path.string() + "\" is damaged: an entry has no valid \"" + attribute + "\"");
+  return number;
+}
+
+}  // namespace
+
+PvdFile::PvdFile(const std::filesystem::path& path) : path_(path), out_(path, std::ios::binary) {
+  out_ << head;
+  end_ = out_.tellp();
+  out_ << tail << std::flush;
+  if (!out_) throw FileError("cannot write \"" + path_.string() + "\"");
+}
+
+void PvdFile::add(const PvdEntry& entry) {
+  const std::string line = "<DataSet timestep=\"" + text_of(entry.time) + "\" step=\"" + text_of(entry.step) +
+                           "\" part=\"0\" file=\"" + entry.file + "\"/>\n";
+  out_.seekp(end_);
+  out_ << line + tail << std::flush;
+  if (!out_) {
+    out_.clear();
+    out_.seekp(end_);
+    out_ << tail << std::flush;
+    out_.clear();
+    std::error_code ignored;
+    std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(end_) + sizeof tail - 1, ignored);
+    throw FileError("cannot write \"" + path_.string() + "\"");
+  }
+  end_ += static_cast<std::streamoff>(line.size());
+}
+
+std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
+  const std::string text = read_text(path);
+  pugi::xml_document document;
+  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size()); !result)
+    throw FileError("\"" + path.string() + "\" is damaged: " + result.description());
+  const pugi::xml_node collection = document.child("VTKFile").child("Collection");
+  if (!collection) throw FileError("\"" + path.string() + "\" is not a series of files (no <Collection>)");
+  std::vector<PvdEntry> entries;
+  for (const pugi::xml_node& node : collection.children("DataSet"))
+    entries.push_back({number_in<double>(node, "timestep", path), number_in<long>(node, "step", path),
+                       node.attribute("file").value()});
+  return entries;
+}
+
+}  // namespace polyfem

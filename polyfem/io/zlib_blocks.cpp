@@ -1,0 +1,140 @@
+#include <polyfem/io/zlib_blocks.hpp>
+
+#include <polyfem/core/error.hpp>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <new>
+
+namespace polyfem {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "files are little endian");
+
+constexpr std::size_t block_size = 1 << 15;  // what deflate can see at once; fits a core's cache
+constexpr std::size_t blocks_per_trial = 16;
+constexpr std::size_t best_possible_ratio = 1032;  // of deflate
+
+/// One way to deflate blocks.
+class Stream {
+ public:
+  Stream(int level, int strategy) {
+    constexpr int window_bits = 15, memory_level = 8;
+    if (deflateInit2(&stream_, level, Z_DEFLATED, window_bits, memory_level, strategy) != Z_OK)
+      throw std::bad_alloc();
+    deflated_.resize(deflateBound(&stream_, block_size));
+  }
+  ~Stream() { deflateEnd(&stream_); }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+
+  /// Valid until the next call.
+  std::string_view deflate_block(std::span<const std::byte> block) {
+    deflateReset(&stream_);
+    stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(block.data()));
+    stream_.avail_in = static_cast<uInt>(block.size());
+    stream_.next_out = reinterpret_cast<Bytef*>(deflated_.data());
+    stream_.avail_out = static_cast<uInt>(deflated_.size());
+    deflate(&stream_, Z_FINISH);
+    return std::string_view(deflated_).substr(0, stream_.total_out);
+  }
+
+ private:
+  z_stream stream_{};
+  std::string deflated_;
+};
+
+std::uint64_t read_number(std::string_view data, std::size_t k) {
+  std::uint64_t number = 0;
+  if (data.size() / sizeof number <= k) throw Error("it ends too early");
+  std::memcpy(&number, data.data() + k * sizeof number, sizeof number);
+  return number;
+}
+
+struct BlockSizes {
+  std::size_t block = 0, n_bytes = 0;
+  std::size_t start = 0;  ///< of the first block
+  std::vector<std::size_t> deflated;
+};
+
+/// Sizes that can be true: a damaged header must not make anyone ask for all memory.
+BlockSizes read_sizes(std::string_view data) {
+  const std::uint64_t n_blocks = read_number(data, 0), block = read_number(data, 1),
+                      last = read_number(data, 2);
+  if (n_blocks == 0) return {};
+  if (n_blocks > data.size() / sizeof n_blocks || last > block) throw Error("its sizes are damaged");
+  BlockSizes sizes{block, 0, (3 + n_blocks) * sizeof n_blocks, {}};
+  std::size_t end = sizes.start;
+  for (std::uint64_t k = 0; k < n_blocks; ++k) {
+    const std::uint64_t deflated = read_number(data, 3 + k);
+    if (end > data.size() || deflated > data.size() - end) throw Error("it ends too early");
+    if (block / best_possible_ratio > deflated) throw Error("its sizes are damaged");
+    end += deflated;
+    sizes.deflated.push_back(deflated);
+    sizes.n_bytes += k + 1 == n_blocks && last > 0 ? last : block;
+  }
+  return sizes;
+}
+
+}  // namespace
+
+struct BlockDeflater::Streams {
+  Stream repetitions{1, Z_DEFAULT_STRATEGY}, runs{1, Z_RLE}, stored{0, Z_DEFAULT_STRATEGY};
+  Stream* chosen = nullptr;
+
+  std::string_view deflate_and_choose(std::span<const std::byte> block) {
+    const std::string_view by_repetitions = repetitions.deflate_block(block),
+                           by_runs = runs.deflate_block(block);
+    const bool runs_suffice = by_runs.size() <= by_repetitions.size() * 11 / 10;
+    chosen = runs_suffice ? &runs : &repetitions;
+    if (by_runs.size() > block.size() * 5 / 6 && by_repetitions.size() > block.size() * 5 / 6)
+      chosen = &stored;
+    return by_runs.size() < by_repetitions.size() ? by_runs : by_repetitions;
+  }
+};
+
+BlockDeflater::BlockDeflater() : streams_(std::make_unique<Streams>()) {}
+BlockDeflater::~BlockDeflater() = default;
+BlockDeflater::BlockDeflater(BlockDeflater&&) noexcept = default;
+BlockDeflater& BlockDeflater::operator=(BlockDeflater&&) noexcept = default;
+
+void BlockDeflater::append(std::span<const std::byte> bytes, std::string& out) {
+  const std::size_t n_blocks = (bytes.size() + block_size - 1) / block_size;
+  std::vector<std::uint64_t> header(3 + n_blocks);
+  header[0] = n_blocks;
+  header[1] = block_size;
+  header[2] = bytes.size() % block_size;
+  const std::size_t header_at = out.size(), header_bytes = header.size() * sizeof header[0];
+  out.resize(header_at + header_bytes);
+  for (std::size_t k = 0; k < n_blocks; ++k) {
+    const auto block = bytes.subspan(k * block_size, std::min(block_size, bytes.size() - k * block_size));
+    const std::string_view deflated = k % blocks_per_trial == 0 ? streams_->deflate_and_choose(block)
+                                                                : streams_->chosen->deflate_block(block);
+    header[3 + k] = deflated.size();
+    out += deflated;
+  }
+  std::memcpy(out.data() + header_at, header.data(), header_bytes);
+}
+
+std::vector<std::byte> inflate_blocks(std::string_view data) {
+  const BlockSizes sizes = read_sizes(data);
+  std::vector<std::byte> bytes(sizes.n_bytes);
+  std::size_t at = 0;
+  const char* deflated = data.data() + sizes.start;
+  for (const std::size_t deflated_size : sizes.deflated) {
+    uLongf inflated = std::min(sizes.block, bytes.size() - at);
+    const uLongf expected = inflated;
+    const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data() + at), &inflated,
+                                  reinterpret_cast<const Bytef*>(deflated), deflated_size);
+    if (status != Z_OK || inflated != expected) throw Error("its bytes are damaged");
+    at += inflated;
+    deflated += deflated_size;
+  }
+  return bytes;
+}
+
+}  // namespace polyfem

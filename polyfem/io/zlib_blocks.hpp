@@ -1,0 +1,36 @@
+/// \file Bytes deflated in blocks, the way VTK keeps arrays in its XML files.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polyfem {
+
+/// Deflates arrays. Their form is: number of blocks, size of a block, size of the last one when it is smaller
+/// (else 0), the deflated size of each block, all UInt64, then the blocks as zlib streams.
+///
+/// Numbers with all their digits hardly repeat: looking for repetitions (zlib's level 1) takes twice the time
+/// of run lengths and codes for bytes, and gains little. So one block in sixteen is deflated both ways, and
+/// the next ones as it turned out for that; what shrinks by less than a sixth either way is stored.
+class BlockDeflater {
+ public:
+  BlockDeflater();
+  ~BlockDeflater();
+  BlockDeflater(BlockDeflater&&) noexcept;
+  BlockDeflater& operator=(BlockDeflater&&) noexcept;
+
+  void append(std::span<const std::byte> bytes, std::string& out);
+
+ private:
+  struct Streams;
+  std::unique_ptr<Streams> streams_;
+};
+
+/// The bytes that `data` starts with an array of. Throws Error when it does not hold them whole.
+std::vector<std::byte> inflate_blocks(std::string_view data);
+
+}  // namespace polyfem
