@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <optional>
 
 namespace polyfem {
 namespace {
@@ -17,13 +18,14 @@ static_assert(std::endian::native == std::endian::little, "files are little endi
 
 constexpr std::size_t block_size = 1 << 15;  // what deflate can see at once; fits a core's cache
 constexpr std::size_t blocks_per_trial = 16;
+constexpr std::size_t small_array = 1 << 12;       // bytes: nothing to gain from deflating
 constexpr std::size_t best_possible_ratio = 1032;  // of deflate
 
 /// One way to deflate blocks.
 class Stream {
  public:
-  Stream(int level, int strategy) {
-    constexpr int window_bits = 15, memory_level = 8;
+  Stream(int level, int strategy, int memory_level) {
+    constexpr int window_bits = 15;
     if (deflateInit2(&stream_, level, Z_DEFLATED, window_bits, memory_level, strategy) != Z_OK)
       throw std::bad_alloc();
     deflated_.resize(deflateBound(&stream_, block_size));
@@ -70,12 +72,13 @@ BlockSizes read_sizes(std::string_view data) {
   BlockSizes sizes{block, 0, (3 + n_blocks) * sizeof n_blocks, {}};
   std::size_t end = sizes.start;
   for (std::uint64_t k = 0; k < n_blocks; ++k) {
-    const std::uint64_t deflated = read_number(data, 3 + k);
+    const std::uint64_t deflated = read_number(data, 3 + k),
+                        inflated = k + 1 == n_blocks && last > 0 ? last : block;
     if (end > data.size() || deflated > data.size() - end) throw Error("it ends too early");
-    if (block / best_possible_ratio > deflated) throw Error("its sizes are damaged");
+    if (inflated / best_possible_ratio > deflated) throw Error("its sizes are damaged");
     end += deflated;
     sizes.deflated.push_back(deflated);
-    sizes.n_bytes += k + 1 == n_blocks && last > 0 ? last : block;
+    sizes.n_bytes += inflated;
   }
   return sizes;
 }
@@ -83,16 +86,22 @@ BlockSizes read_sizes(std::string_view data) {
 }  // namespace
 
 struct BlockDeflater::Streams {
-  Stream repetitions{1, Z_DEFAULT_STRATEGY}, runs{1, Z_RLE}, stored{0, Z_DEFAULT_STRATEGY};
-  Stream* chosen = nullptr;
+  Stream stored{0, Z_DEFAULT_STRATEGY, 1};
+  std::optional<Stream> repetitions, runs;
+  Stream* chosen = &stored;
 
   std::string_view deflate_and_choose(std::span<const std::byte> block) {
-    const std::string_view by_repetitions = repetitions.deflate_block(block),
-                           by_runs = runs.deflate_block(block);
-    const bool runs_suffice = by_runs.size() <= by_repetitions.size() * 11 / 10;
-    chosen = runs_suffice ? &runs : &repetitions;
-    if (by_runs.size() > block.size() * 5 / 6 && by_repetitions.size() > block.size() * 5 / 6)
+    if (!runs) {
+      repetitions.emplace(1, Z_DEFAULT_STRATEGY, 8);
+      runs.emplace(1, Z_RLE, 8);
+    }
+    const std::string_view by_repetitions = repetitions->deflate_block(block),
+                           by_runs = runs->deflate_block(block);
+    const std::size_t worthwhile = block.size() - block.size() / 6;
+    if (std::min(by_runs.size(), by_repetitions.size()) > worthwhile)
       chosen = &stored;
+    else
+      chosen = by_runs.size() <= by_repetitions.size() * 11 / 10 ? &*runs : &*repetitions;
     return by_runs.size() < by_repetitions.size() ? by_runs : by_repetitions;
   }
 };
@@ -110,10 +119,12 @@ void BlockDeflater::append(std::span<const std::byte> bytes, std::string& out) {
   header[2] = bytes.size() % block_size;
   const std::size_t header_at = out.size(), header_bytes = header.size() * sizeof header[0];
   out.resize(header_at + header_bytes);
+  streams_->chosen = &streams_->stored;
   for (std::size_t k = 0; k < n_blocks; ++k) {
     const auto block = bytes.subspan(k * block_size, std::min(block_size, bytes.size() - k * block_size));
-    const std::string_view deflated = k % blocks_per_trial == 0 ? streams_->deflate_and_choose(block)
-                                                                : streams_->chosen->deflate_block(block);
+    const std::string_view deflated = k % blocks_per_trial == 0 && bytes.size() > small_array
+                                          ? streams_->deflate_and_choose(block)
+                                          : streams_->chosen->deflate_block(block);
     header[3 + k] = deflated.size();
     out += deflated;
   }
