@@ -1,7 +1,9 @@
 /// \file The program `dda`: one verb, one file.
 #include "check.hpp"
 #include "exit_status.hpp"
+#include "info.hpp"
 #include "messages.hpp"
+#include "plot_options.hpp"
 #include "run.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +19,8 @@ namespace {
 
 struct Call {
   dda::RunArguments run;
+  dda::PlotArguments plot;
+  std::string info;
   std::vector<std::string> scenes_to_check, check_settings;
   std::string resume;
   int threads = 1, steps = 0;
@@ -30,6 +34,8 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 
 int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("check")) return dda::check(call.scenes_to_check, call.check_settings);
+  if (app.got_subcommand("plot")) return dda::plot(call.plot);
+  if (app.got_subcommand("info")) return dda::info(call.info);
   if (!call.resume.empty()) {
     dda::print_error(fmt::format("--resume {}", not_available));
     return dda::wrong_input;
@@ -66,13 +72,17 @@ int parse_and_execute(int argc, char** argv) {
       ->take_all()
       ->expected(1);
 
+  dda::declare_plot(app, call.plot);
+  CLI::App* info = app.add_subcommand("info", "Tell a result in words");
+  info->add_option("DIR", call.info, "Result directory")->required();
+
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (is_one_of(verb, {"plot", "info", "make", "view"})) {
-    dda::print_error(fmt::format("\"{}\" {} (known: run, check)", verb, not_available));
+  if (is_one_of(verb, {"make", "view"})) {
+    dda::print_error(fmt::format("\"{}\" {} (known: run, check, plot, info)", verb, not_available));
     return dda::wrong_input;
   }
-  if (!verb.empty() && verb.front() != '-' && !is_one_of(verb, {"run", "check"})) {
-    dda::print_error(fmt::format("unknown verb \"{}\" (known: run, check)", verb));
+  if (!verb.empty() && verb.front() != '-' && !is_one_of(verb, {"run", "check", "plot", "info"})) {
+    dda::print_error(fmt::format("unknown verb \"{}\" (known: run, check, plot, info)", verb));
     return dda::wrong_input;
   }
   try {
