@@ -46,7 +46,7 @@ void tell_outcome(Answer& answer, const SummaryTable& summary) {
   if (const auto steps = summary.number("steps_completed"))
     text += " after " + plural(*steps, "step", "steps");
   if (const auto time = summary.number("time"))
-    text += fmt::format(", at t = {}", quantity_text(*time, "s", 4));
+    text += fmt::format(", at t = {}", number_text(*time, 4) + " s");
   answer.line(text);
   if (!summary.text("reason").empty()) answer.line("because: " + summary.text("reason"));
 }
@@ -193,9 +193,11 @@ void tell_reactions(Answer& answer, const std::optional<Scene>& scene, const fs:
   for (const double force : supports.numbers("fy")) sum.y() += force;
   std::string text =
       fmt::format("sum ({}, {})", quantity_text(sum.x(), "N/m", 4), quantity_text(sum.y(), "N/m", 4));
-  if (const auto w = weight(scene, directory); w && w->norm() > 0)
-    text += fmt::format(", {} % of the weight {}", number_text(-100 * sum.dot(*w) / w->squaredNorm(), 5),
-                        quantity_text(w->norm(), "N/m", 4));
+  if (const auto w = weight(scene, directory)) {
+    text += fmt::format("; the blocks weigh {}", quantity_text(w->norm(), "N/m", 4));
+    if (!scene->loads.empty())
+      text += " and " + plural(static_cast<double>(scene->loads.size()), "load acts", "loads act");
+  }
   answer.line(text);
 }
 

@@ -88,8 +88,9 @@ void expect_field(const Frame& frame, Field field, const fs::path& directory) {
                   directory.string(), description(field).name, fields_of(frame)));
 }
 
-/// Frames with what is told of them, in the order of the panels' rows.
+/// A frame with what is told of it.
 struct Shown {
+  int scene = 0;  ///< the number of the directory
   fs::path directory;
   std::string label;  ///< of the directory
   std::vector<std::string> block_names;
@@ -100,14 +101,15 @@ std::vector<Shown> read_frames(const PlotArguments& arguments) {
   std::vector<std::string> words = arguments.frames;
   if (words.empty()) words = {"last"};
   std::vector<Shown> all;
-  for (const std::string& name : arguments.directories) {
-    const fs::path directory(name);
+  for (std::size_t i = 0; i < arguments.directories.size(); ++i) {
+    const fs::path directory(arguments.directories[i]);
     expect_result_directory(directory);
     const FrameSeries series = read_series(directory);
     const std::vector<std::string> names =
         arguments.names ? block_names(directory) : std::vector<std::string>();
     for (const std::string& word : words)
-      all.push_back({directory, name_of(directory), names, read_frame(frame_of(series, word, directory))});
+      all.push_back({static_cast<int>(i), directory, name_of(directory), names,
+                     read_frame(frame_of(series, word, directory))});
   }
   return all;
 }
@@ -189,7 +191,7 @@ std::string blocks_picture(const PlotArguments& arguments) {
     expect_overlays(arguments, shown);
     for (const Field field : fields) {
       expect_field(shown.frame, field, shown.directory);
-      panels.push_back({&shown.frame, field, caption(arguments, shown), shown.block_names});
+      panels.push_back({&shown.frame, field, caption(arguments, shown), shown.block_names, shown.scene});
     }
   }
   return draw(panels, options);

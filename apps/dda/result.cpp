@@ -50,11 +50,20 @@ std::vector<std::string> block_names(const fs::path& directory) {
 }
 
 std::string steps_text(const FrameSeries& series) {
+  const long first = series.front().step, last = series.back().step;
+  const long stride = series.size() > 1 ? series[1].step - first : 0;
+  bool even = series.size() > 4;
+  for (std::size_t i = 1; i < series.size(); ++i)
+    even = even && series[i].step - series[i - 1].step == stride;
+  if (even)
+    return fmt::format("{} to {}, every {}", first, last, stride == 1 ? "one" : std::to_string(stride));
   std::string text;
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const bool shown = series.size() <= 8 || i < 4 || i + 1 == series.size();
-    if (shown) text += fmt::format("{}{}", text.empty() ? "" : ", ", series[i].step);
-    if (!shown && i == 4) text += " ...";
+    const bool shown = series.size() <= 8 || i < 4 || i + 2 >= series.size();
+    if (shown)
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", series[i].step);
+    else if (i == 4)
+      text += ", ...";
   }
   return text;
 }

@@ -30,7 +30,7 @@ std::vector<std::string> block_names(const std::filesystem::path& directory);
 const ddacontact::FrameFile& frame_of(const ddacontact::FrameSeries& series, const std::string& word,
                                       const std::filesystem::path& directory);
 
-/// "0, 10, 20 ... 300": the steps of a series, in a line.
+/// "0 to 300, every 10", or a list: the steps of a series.
 std::string steps_text(const ddacontact::FrameSeries& series);
 
 }  // namespace dda

@@ -3,6 +3,7 @@
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 
 namespace ddacontact {
@@ -21,6 +22,11 @@ PathData all_outlines(const View& view, const Frame& frame) {
   return data;
 }
 
+/// Numbers without a pattern, so that neighbours in rows differ.
+int mixed(int b) {
+  return static_cast<int>(static_cast<std::uint32_t>(b) * 2654435769u >> 29);
+}
+
 std::string stroke_width(double pixels) {
   return "stroke-width=\"" + pixel_text(pixels) + "\"";
 }
@@ -30,7 +36,7 @@ std::string stroke_width(double pixels) {
 void draw_kinds(SvgPage& page, const View& view, const Frame& frame, Field field) {
   std::map<int, PathData> kinds;
   for (int b = 0; b < frame.n_blocks(); ++b) {
-    const int kind = field == Field::material ? frame.materials[static_cast<std::size_t>(b)] : b % 8;
+    const int kind = field == Field::material ? frame.materials[static_cast<std::size_t>(b)] : mixed(b);
     add_outline(kinds[kind], view, frame.outline(b));
   }
   for (const auto& [kind, data] : kinds) page.path(data, "fill=\"" + hex(kind_colour(kind)) + "\"");

@@ -9,8 +9,8 @@ namespace ddacontact {
 
 namespace {
 
-constexpr double bar_width = 13, title_height = 25, tip = 9, tick_length = 4, tick_size = 11,
-                 title_size = 12.5;
+constexpr double least_bar_height = 110, bar_width = 13, title_height = 25, tip = 9, tick_length = 4,
+                 tick_size = 11, title_size = 12.5;
 
 /// Ticks in the prefixed unit.
 struct Marks {
@@ -86,6 +86,10 @@ void draw_rim(SvgPage& page, const Vec2& top, double height, const ColourScale& 
 }
 
 }  // namespace
+
+double least_bar_height_of(const ColourScale& scale) {
+  return scale.is_constant() ? 60 : least_bar_height;
+}
 
 double colour_bar_width(const ColourScale& scale) {
   const Marks marks = marks_of(scale, most_ticks(most_bar_height));

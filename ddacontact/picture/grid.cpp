@@ -26,18 +26,51 @@ double sum(const std::vector<double>& values) {
   return sum;
 }
 
-int n_rows(const GridNeeds& needs) {
-  return (needs.n_panels + needs.columns - 1) / needs.columns;
+double widest(const GridNeeds& needs) {
+  double width = 0;
+  for (const Vec2& extent : needs.extents) width = std::max(width, extent.x());
+  return width;
+}
+
+/// The panels of a row: from `first` to before `end`.
+struct Row {
+  std::size_t first = 0, end = 0;
+  double extent = 0;  ///< the largest height, m
+};
+
+std::vector<Row> rows_of(const GridNeeds& needs) {
+  std::vector<Row> rows;
+  const auto columns = static_cast<std::size_t>(needs.columns);
+  for (std::size_t i = 0; i < needs.n_panels(); ++i) {
+    if (i % columns == 0) rows.push_back({i, i, 0});
+    rows.back().end = i + 1;
+    rows.back().extent = std::max(rows.back().extent, needs.extents[i].y());
+  }
+  return rows;
 }
 
 double scale_for(const GridNeeds& needs) {
-  const double columns = needs.columns, rows = n_rows(needs);
-  const double beside = 2 * page_margin + (columns - 1) * panel_gap + sum(bar_slots(needs));
-  const double above =
-      2 * page_margin + needs.above + needs.below + rows * 2 * caption_line + (rows - 1) * panel_gap;
-  const double width = std::max((needs.width - beside) / columns, 40.);
-  const double height = std::max((needs.height - above) / rows, 40.);
-  return std::min(width / needs.extent.x(), height / needs.extent.y());
+  const std::vector<Row> rows = rows_of(needs);
+  const double n_columns = needs.columns, n_rows = static_cast<double>(rows.size());
+  const double beside = 2 * page_margin + (n_columns - 1) * panel_gap + sum(bar_slots(needs));
+  const double above = 2 * page_margin + needs.above + needs.below +
+                       n_rows * (2 * caption_line + needs.below_each) + (n_rows - 1) * panel_gap;
+  double extent = 0;
+  for (const Row& row : rows) extent += row.extent;
+  const double width = std::max(needs.width - beside, 40 * n_columns);
+  const double height = std::max(needs.height - above, 40 * n_rows);
+  return std::min(width / (n_columns * widest(needs)), height / extent);
+}
+
+/// Breaks the captions of a row; returns the height they take.
+double wrap_captions(const GridNeeds& needs, const Row& row, double column_width,
+                     const std::vector<double>& slots, Grid& grid) {
+  std::size_t n_lines = 0;
+  for (std::size_t i = row.first; i < row.end; ++i) {
+    grid.captions.push_back(wrapped(needs.captions[i], column_width + slots[i - row.first], caption_size));
+    n_lines = std::max(n_lines, grid.captions.back().size());
+  }
+  return n_lines == 0 ? 0 : static_cast<double>(n_lines) * caption_line + 4;
 }
 
 }  // namespace
@@ -60,30 +93,22 @@ std::vector<std::string> wrapped(std::string_view text, double width, double fon
 Grid arrange(const GridNeeds& needs) {
   Grid grid;
   grid.scale = scale_for(needs);
-  grid.drawing = grid.scale * needs.extent;
-  grid.row_height = std::max(grid.drawing.y(), needs.least_row_height);
+  grid.drawing_width = grid.scale * widest(needs);
   const std::vector<double> slots = bar_slots(needs);
-  const double column_width = std::max(grid.drawing.x(), least_column_width);
-
+  const double column_width = std::max(grid.drawing_width, least_column_width);
   double y = page_margin + needs.above;
-  for (int first = 0; first < needs.n_panels; first += needs.columns) {
-    const int end = std::min(first + needs.columns, needs.n_panels);
-    std::size_t n_lines = 0;
-    for (int i = first; i < end; ++i) {
-      const auto panel = static_cast<std::size_t>(i);
-      const double slot = slots[static_cast<std::size_t>(i - first)];
-      grid.captions.push_back(wrapped(needs.captions[panel], column_width + slot, caption_size));
-      n_lines = std::max(n_lines, grid.captions.back().size());
-    }
-    if (n_lines > 0) y += static_cast<double>(n_lines) * caption_line + 4;
+  for (const Row& row : rows_of(needs)) {
+    y += wrap_captions(needs, row, column_width, slots, grid);
+    const double height = std::max(grid.scale * row.extent + needs.below_each, needs.least_row_height);
     double x = page_margin;
-    for (int i = first; i < end; ++i) {
+    for (std::size_t i = row.first; i < row.end; ++i) {
       grid.corners.push_back({x, y});
-      grid.bar_corners.push_back({x + grid.drawing.x() + bar_gap, y});
-      x += column_width + slots[static_cast<std::size_t>(i - first)] + panel_gap;
+      grid.bar_corners.push_back({x + grid.drawing_width + bar_gap, y});
+      grid.heights.push_back(height);
+      x += column_width + slots[i - row.first] + panel_gap;
     }
     grid.width = std::max(grid.width, x - panel_gap + page_margin);
-    y += grid.row_height + panel_gap;
+    y += height + panel_gap;
   }
   grid.legend_top = y - panel_gap + 2;
   grid.height = grid.legend_top + needs.below + page_margin;
@@ -93,7 +118,7 @@ Grid arrange(const GridNeeds& needs) {
 int best_columns(GridNeeds needs) {
   int best = 1;
   double largest = 0;
-  for (int columns = needs.n_panels; columns >= 1; --columns) {
+  for (int columns = static_cast<int>(needs.n_panels()); columns >= 1; --columns) {
     needs.columns = columns;
     const double scale = scale_for(needs);
     if (scale > 1.0001 * largest) {

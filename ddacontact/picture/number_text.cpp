@@ -65,6 +65,7 @@ Prefix prefix_of(double magnitude, std::string_view unit) {
   const int exponent = decimal_exponent(magnitude, 3);
   int third = exponent >= 0 ? exponent / 3 : -((2 - exponent) / 3);
   const int highest = unit.front() == 's' ? 0 : unit.front() == 'm' ? 1 : 3;
+  if (exponent == -1 && highest < 3) third = 0;
   third = std::clamp(third, -3, highest);
   return {symbols[static_cast<std::size_t>(third + 3)], power_of_ten(3 * third)};
 }
@@ -73,7 +74,7 @@ std::string number_text(double value, int digits) {
   if (!std::isfinite(value)) return "undefined";
   if (value == 0) return "0";
   const int exponent = decimal_exponent(std::abs(value), digits);
-  if (exponent > 6 || exponent < -5) return with_power(value, exponent, digits);
+  if (exponent > 6 || exponent < -4) return with_power(value, exponent, digits);
   std::string magnitude = fixed(std::abs(value), std::max(0, digits - 1 - exponent));
   drop_trailing_zeros(magnitude);
   return signed_text(value, magnitude);
@@ -117,7 +118,7 @@ std::string tick_text(double value, double step) {
   int last = decimal_exponent(step, 2);  // of the last digit needed
   if (std::abs(step / power_of_ten(last) - 2.5) < 0.01) --last;
   const int digits = std::max(1, first - last + 1);
-  if (first > 6 || first < -5) return with_power(value, first, digits);
+  if (first > 6 || first < -4) return with_power(value, first, digits);
   return signed_text(value, fixed(magnitude, std::max(0, -last)));
 }
 

@@ -14,11 +14,12 @@ struct Prefix {
 };
 
 /// The prefix with which a number of this magnitude has one to three digits before the point: n, micro, m, k,
-/// M, G for any unit, up to k only for "m", below 1 only for "s"; none for no unit and for zero.
+/// M, G for any unit, up to k only for "m", none above 1 for "s", and 0.1 to 1 of both as it is; none for no
+/// unit and for zero.
 Prefix prefix_of(double magnitude, std::string_view unit);
 
 /// `digits` significant ones, trailing zeros left out, a proper minus sign; powers of ten for numbers of more
-/// than seven digits before or five zeros behind the point. Not finite: "undefined".
+/// than seven digits before or three zeros behind the point. Not finite: "undefined".
 std::string number_text(double value, int digits);
 
 /// "3.42 MPa".

@@ -5,7 +5,7 @@
 #include <ddacontact/picture/field_layer.hpp>
 #include <ddacontact/picture/grid.hpp>
 #include <ddacontact/picture/legend.hpp>
-#include <ddacontact/picture/number_text.hpp>
+#include <ddacontact/picture/panel_boxes.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -15,7 +15,7 @@ namespace ddacontact {
 
 namespace {
 
-constexpr double title_size = 14.5, title_line = 24, usual_bar_width = 62;
+constexpr double title_size = 14.5, title_line = 19, bold_factor = 1.06, usual_bar_width = 62;
 
 bool has_numbers(Field field) {
   const FieldKind kind = description(field).kind;
@@ -34,20 +34,21 @@ class Picture {
   Picture(const std::vector<Panel>& panels, const PictureOptions& options)
       : panels_(panels), options_(options) {
     check();
-    needs_.n_panels = static_cast<int>(panels.size());
     needs_.width = options.width;
     needs_.height = options.height;
     for (const Panel& panel : panels) needs_.captions.push_back(panel.caption);
-    if (!options.title.empty()) needs_.above = title_line;
-    choose_box();
+    title_ = wrapped(options.title, options.width - 2 * page_margin, bold_factor * title_size);
+    if (!title_.empty()) needs_.above = static_cast<double>(title_.size()) * title_line + 5;
+    choose_boxes();
     choose_columns();
     fill_panels();
     place();
   }
 
   std::string svg() {
-    if (!options_.title.empty())
-      page_.text({page_margin, page_margin + title_size}, options_.title, {.size = title_size, .bold = true});
+    for (std::size_t line = 0; line < title_.size(); ++line)
+      page_.text({page_margin, page_margin + title_size + static_cast<double>(line) * title_line},
+                 title_[line], {.size = title_size, .bold = true});
     for (std::size_t i = 0; i < panels_.size(); ++i) draw_panel(i);
     draw_legend(page_, {page_margin, grid_.legend_top}, legend_, legend_width());
     return page_.finish(std::max(grid_.width, least_width_), grid_.height);
@@ -67,16 +68,21 @@ class Picture {
     }
   }
 
-  void choose_box() {
-    if (options_.window) {
-      box_ = *options_.window;
-    } else {
-      box_ = bounding_box(*panels_[0].frame, options_.reference);
-      for (const Panel& panel : panels_) box_ = united(box_, bounding_box(*panel.frame, options_.reference));
-      box_ = padded(box_, 0.01);
-    }
-    needs_.extent = {box_.width(), box_.height()};
+  void choose_boxes() {
+    for (const Panel& panel : panels_)
+      needed_.push_back(options_.window ? *options_.window : bounding_box(*panel.frame, options_.reference));
+    fit_panels();
   }
+
+  void fit_panels() {
+    std::vector<int> scenes;
+    for (const Panel& panel : panels_) scenes.push_back(panel.scene);
+    fit_ = fit_boxes(needed_, scenes);
+    needs_.extents = fit_.extents;
+    needs_.below_each = fit_.same_scale ? 0 : legend_line_height;
+  }
+
+  double scale_of(std::size_t panel) const { return grid_.scale / fit_.unit(panel); }
 
   /// With bars of the usual width, since theirs is not known before the values are.
   void choose_columns() {
@@ -88,8 +94,8 @@ class Picture {
     needs_.below = legend_line_height;
     if (of_one_field && options_.sharing != RangeSharing::none)
       std::fill(needs_.bar_widths.begin() + 1, needs_.bar_widths.end(), 0.);
-    needs_.columns =
-        options_.columns > 0 ? std::min(options_.columns, needs_.n_panels) : best_columns(needs_);
+    needs_.columns = options_.columns > 0 ? std::min(options_.columns, static_cast<int>(panels_.size()))
+                                          : best_columns(needs_);
   }
 
   int row_of(std::size_t panel) const { return static_cast<int>(panel) / needs_.columns; }
@@ -101,12 +107,12 @@ class Picture {
   }
 
   void fill_panels() {
-    const double pixels_per_metre = arrange(needs_).scale;
+    grid_ = arrange(needs_);
     contents_.resize(panels_.size());
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       const Panel& panel = panels_[i];
       if (has_numbers(panel.field))
-        contents_[i].samples = std::make_unique<FieldSamples>(*panel.frame, panel.field, pixels_per_metre);
+        contents_[i].samples = std::make_unique<FieldSamples>(*panel.frame, panel.field, scale_of(i));
       for (const VectorKind kind : options_.vectors)
         contents_[i].arrows.push_back(arrows_of(*panel.frame, kind));
     }
@@ -131,25 +137,21 @@ class Picture {
 
   /// Makes room for arrows that reach beyond the blocks.
   void include_arrows() {
-    const Box blocks = box_;
-    for (const Content& content : contents_)
-      for (std::size_t k = 0; k < options_.vectors.size(); ++k) {
-        const double reach = pixels_per_unit_[k] / grid_.scale;
-        for (const Arrow& arrow : content.arrows[k]) {
-          const Vec2 tip = arrow.from + reach * arrow.vector;
-          if (tip.allFinite()) box_ = united(box_, {tip, tip});
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      for (std::size_t k = 0; k < options_.vectors.size(); ++k)
+        for (const Arrow& arrow : contents_[i].arrows[k]) {
+          const Vec2 tip = arrow.from + pixels_per_unit_[k] / scale_of(i) * arrow.vector;
+          if (tip.allFinite()) needed_[i] = united(needed_[i], {tip, tip});
         }
-      }
-    if (box_.low == blocks.low && box_.high == blocks.high) return;
-    box_ = padded(box_, 0.005);
-    needs_.extent = {box_.width(), box_.height()};
+    fit_panels();
     grid_ = arrange(needs_);
   }
 
   void place() {
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       needs_.bar_widths[i] = has_bar(i) ? colour_bar_width(*contents_[i].scale) : 0;
-      if (has_bar(i)) needs_.least_row_height = contents_[i].scale->is_constant() ? 60 : least_bar_height;
+      if (has_bar(i))
+        needs_.least_row_height = std::max(needs_.least_row_height, least_bar_height_of(*contents_[i].scale));
     }
     grid_ = arrange(needs_);
     choose_arrow_scales();
@@ -157,9 +159,8 @@ class Picture {
     make_legend();
     needs_.below = legend_lines(legend_, legend_width()) * legend_line_height;
     grid_ = arrange(needs_);
-    least_width_ = 0;
-    if (!options_.title.empty())
-      least_width_ = 2 * page_margin + text_width(options_.title, title_size) * 1.06;
+    for (const std::string& line : title_)
+      least_width_ = std::max(least_width_, 2 * page_margin + text_width(line, bold_factor * title_size));
     for (const LegendItem& item : legend_)
       least_width_ = std::max(least_width_, 2 * page_margin + item.width);
   }
@@ -167,7 +168,10 @@ class Picture {
   double legend_width() const { return std::max(grid_.width, 300.) - 2 * page_margin; }
 
   void choose_arrow_scales() {
-    const double longest_pixels = std::clamp(1.3 * grid_.scale * typical_size(*panels_[0].frame), 18., 60.);
+    double smallest = 1e9;
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      smallest = std::min(smallest, scale_of(i) * typical_size(*panels_[i].frame));
+    const double longest_pixels = std::clamp(1.3 * smallest, 18., 60.);
     for (std::size_t k = 0; k < options_.vectors.size(); ++k) {
       double longest = 0;
       for (const Content& content : contents_) longest = std::max(longest, largest(content.arrows[k]));
@@ -183,8 +187,12 @@ class Picture {
     return false;
   }
 
+  LegendItem scale_bar_of(std::size_t panel) const {
+    return scale_bar(scale_of(panel), std::clamp(0.3 * grid_.drawing_width, 30., 120.));
+  }
+
   void make_legend() {
-    legend_.push_back(scale_bar(grid_.scale, std::clamp(0.3 * grid_.drawing.x(), 30., 120.)));
+    if (fit_.same_scale) legend_.push_back(scale_bar_of(0));
     std::set<int> materials;
     for (const Panel& panel : panels_)
       if (panel.field == Field::material)
@@ -218,7 +226,7 @@ class Picture {
   void draw_panel(std::size_t i) {
     const Panel& panel = panels_[i];
     const Frame& frame = *panel.frame;
-    const View view{box_, grid_.corners[i], grid_.scale};
+    const View view{fit_.boxes[i], grid_.corners[i], scale_of(i)};
     double y = grid_.corners[i].y() - 8 - static_cast<double>(grid_.captions[i].size() - 1) * caption_line;
     for (const std::string& line : grid_.captions[i]) {
       page_.text({grid_.corners[i].x(), y}, line, {.size = caption_size});
@@ -237,19 +245,23 @@ class Picture {
       draw_arrows(page_, view, contents_[i].arrows[k], options_.vectors[k], pixels_per_unit_[k]);
     if (options_.names) draw_names(page_, view, frame, panel.block_names);
     if (options_.window) page_.end_group();
+    if (!fit_.same_scale)
+      draw_legend(page_, view.corner + Vec2(0, view.size().y()), {scale_bar_of(i)}, grid_.drawing_width);
     if (has_bar(i))
-      draw_colour_bar(page_, grid_.bar_corners[i], std::min(grid_.row_height, most_bar_height),
+      draw_colour_bar(page_, grid_.bar_corners[i], std::min(grid_.heights[i], most_bar_height),
                       *contents_[i].scale);
   }
 
   const std::vector<Panel>& panels_;
   const PictureOptions& options_;
-  Box box_;
+  std::vector<Box> needed_;  ///< by each panel
+  PanelBoxes fit_;
   GridNeeds needs_;
   Grid grid_;
   std::vector<Content> contents_;                  ///< of each panel
   std::vector<double> longest_, pixels_per_unit_;  ///< of each kind of vectors
   std::vector<LegendItem> legend_;
+  std::vector<std::string> title_;  ///< its lines
   double least_width_ = 0;
   SvgPage page_;
 };

@@ -20,6 +20,7 @@ struct Panel {
   Field field = Field::none;
   std::string caption;                   ///< above the blocks; may be empty
   std::vector<std::string> block_names;  ///< for `names`; left out: indices
+  int scene = 0;                         ///< panels of one scene are always drawn to one scale
 };
 
 /// Which panels of a field have the same colours.
@@ -38,8 +39,9 @@ struct PictureOptions {
   std::vector<VectorKind> vectors;  ///< drawn on top, one after the other
 };
 
-/// The whole SVG file. All panels show the same part of the scene at the same scale; vectors of a kind have
-/// the same scale in all of them. Throws Error when there is no panel or a frame does not hold what is asked.
+/// The whole SVG file. All panels show the same part of the plane at the same scale, unless they are of
+/// scenes that differ much in size; vectors of a kind have the same scale in all of them. Throws Error when
+/// there is no panel or a frame does not hold what is asked.
 std::string draw(const std::vector<Panel>& panels, const PictureOptions& options);
 
 }  // namespace ddacontact

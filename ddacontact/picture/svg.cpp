@@ -153,7 +153,8 @@ void SvgPage::open_text(const Vec2& at, const TextStyle& style) {
   body_ += " fill=\"" + hex(style.colour) + "\"";
   if (style.bold) body_ += " font-weight=\"bold\"";
   if (style.halo)
-    body_ += " stroke=\"#fff\" stroke-width=\"2.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+    body_ += " stroke=\"#fff\" stroke-linejoin=\"round\" paint-order=\"stroke\"" +
+             attribute("stroke-width", 0.2 * style.size);
   if (style.upwards)
     body_ += " transform=\"rotate(-90 " + pixel_text(at.x()) + " " + pixel_text(at.y()) + ")\"";
   body_ += ">";
