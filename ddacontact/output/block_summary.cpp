@@ -6,11 +6,16 @@
 
 namespace ddacontact {
 
-StressRange stress_range(const Block& block, const BlockState& state) {
+Vec3 mean_stress(const Block& block, const BlockState& state) {
   const auto stress = state.stress.middleCols(block.stress_points().first, block.stress_points().count);
   const VectorXd& weights = block.integration_weights();
+  return stress * weights / weights.sum();
+}
+
+StressRange stress_range(const Block& block, const BlockState& state) {
+  const auto stress = state.stress.middleCols(block.stress_points().first, block.stress_points().count);
   StressRange range;
-  range.mean = stress * weights / weights.sum();
+  range.mean = mean_stress(block, state);
   range.min = stress.rowwise().minCoeff();
   range.max = stress.rowwise().maxCoeff();
   for (Index q = 0; q < stress.cols(); ++q) {

@@ -11,6 +11,9 @@ struct StressRange {
   double s2_min = 0;    ///< smallest
 };
 
+/// The area average alone, the same number.
+Vec3 mean_stress(const Block& block, const BlockState& state);
+
 StressRange stress_range(const Block& block, const BlockState& state);
 
 }  // namespace ddacontact

@@ -73,7 +73,7 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
       frame.velocity.col(vertices.first + v) = block.vertex_map(v)(state.velocity);
     if (fields.stress) {
       frame.strain_displacement.middleCols(vertices.first, vertices.count) = block.strain_displacement(state);
-      frame.mean_stress.col(b) = stress_range(block, state).mean;
+      frame.mean_stress.col(b) = mean_stress(block, state);
     }
   }
   for (const Contact& contact : stepper.contacts())

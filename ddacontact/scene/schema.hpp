@@ -217,13 +217,17 @@ void describe(MonitorRecord& r, Visit&& visit) {
 template <class Visit>
 void describe(OutputRecord& r, Visit&& visit) {
   OutputOptions& o = r.options;
-  visit(Key{.name = "every", .what = "A frame every k steps; 0: only the last.", .bounds = not_negative},
+  visit(Key{.name = "every",
+            .what = "A frame every k steps, the start and the last state always; 0: only the last.",
+            .bounds = not_negative},
         o.every);
   visit(Key{.name = "fields", .what = "What frames hold; what is not asked for is not computed."}, o.fields);
-  visit(Key{.name = "refine",
-            .what = "Subdivisions for drawing the stress inside a block.",
-            .bounds = {.low = 0, .high = 10}},
-        o.refine);
+  visit(
+      Key{.name = "refine",
+          .what = "Subdivisions for drawing the stress inside a block: 0 draws it as one polygon, r >= 1 as "
+                  "triangles, r x r of them in each triangle between an edge and the centroid.",
+          .bounds = {.low = 0, .high = 10}},
+      o.refine);
   visit(Key{.name = "checkpoint_every",
             .what = "Steps between checkpoints; only 0 is available in this version.",
             .bounds = not_negative},

@@ -28,8 +28,9 @@ void VtuFile::append(std::string& elements, std::string_view name, std::span<con
   elements += "<DataArray" + attribute("type", vtk_type<T>) + attribute("Name", name) +
               attribute("NumberOfComponents", components);
   if (says_count) elements += attribute("NumberOfTuples", values.size() / components);
-  elements += attribute("format", "appended") + attribute("offset", data_.size()) + "/>\n";
-  deflater_.append(std::as_bytes(values), data_);
+  elements += attribute("format", "appended") + attribute("offset", data_size_) + "/>\n";
+  data_.push_back(deflater_.deflate(std::as_bytes(values)));
+  data_size_ += data_.back().size();
 }
 
 void VtuFile::set_points(std::span<const double> coordinates) {
@@ -73,8 +74,9 @@ void VtuFile::write(const std::filesystem::path& path) const {
   write_section(out, "CellData", cell_data_);
   write_section(out, "Points", points_);
   write_section(out, "Cells", cells_);
-  out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << data_
-      << "\n</AppendedData>\n</VTKFile>\n";
+  out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  for (const std::string& array : data_) out << array;
+  out << "\n</AppendedData>\n</VTKFile>\n";
   out.close();
   if (out) return;
   std::error_code ignored;

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace polyfem {
 
@@ -56,7 +57,8 @@ class VtuFile {
 
   std::string points_, cells_, field_data_, point_data_, cell_data_;  ///< the XML elements of arrays
   std::size_t n_points_ = 0, n_cells_ = 0;
-  std::string data_;
+  std::vector<std::string> data_;  ///< of each array, deflated
+  std::size_t data_size_ = 0;
   BlockDeflater deflater_;
 };
 

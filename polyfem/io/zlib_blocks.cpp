@@ -18,7 +18,6 @@ static_assert(std::endian::native == std::endian::little, "files are little endi
 
 constexpr std::size_t block_size = 1 << 15;  // what deflate can see at once; fits a core's cache
 constexpr std::size_t blocks_per_trial = 16;
-constexpr std::size_t small_array = 1 << 12;       // bytes: nothing to gain from deflating
 constexpr std::size_t best_possible_ratio = 1032;  // of deflate
 
 /// One way to deflate blocks.
@@ -111,24 +110,27 @@ BlockDeflater::~BlockDeflater() = default;
 BlockDeflater::BlockDeflater(BlockDeflater&&) noexcept = default;
 BlockDeflater& BlockDeflater::operator=(BlockDeflater&&) noexcept = default;
 
-void BlockDeflater::append(std::span<const std::byte> bytes, std::string& out) {
-  const std::size_t n_blocks = (bytes.size() + block_size - 1) / block_size;
+std::string BlockDeflater::deflate(std::span<const std::byte> array) {
+  const std::size_t n_blocks = (array.size() + block_size - 1) / block_size;
   std::vector<std::uint64_t> header(3 + n_blocks);
   header[0] = n_blocks;
   header[1] = block_size;
-  header[2] = bytes.size() % block_size;
-  const std::size_t header_at = out.size(), header_bytes = header.size() * sizeof header[0];
-  out.resize(header_at + header_bytes);
+  header[2] = array.size() % block_size;
+  const std::size_t header_bytes = header.size() * sizeof header[0];
+  std::string out;
+  out.reserve(header_bytes + array.size() + 64 * n_blocks);
+  out.resize(header_bytes);
   streams_->chosen = &streams_->stored;
   for (std::size_t k = 0; k < n_blocks; ++k) {
-    const auto block = bytes.subspan(k * block_size, std::min(block_size, bytes.size() - k * block_size));
-    const std::string_view deflated = k % blocks_per_trial == 0 && bytes.size() > small_array
-                                          ? streams_->deflate_and_choose(block)
-                                          : streams_->chosen->deflate_block(block);
+    const auto block = array.subspan(k * block_size, std::min(block_size, array.size() - k * block_size));
+    const bool trial = k % blocks_per_trial == 0 && array.size() >= block_size / 8;
+    const std::string_view deflated =
+        trial ? streams_->deflate_and_choose(block) : streams_->chosen->deflate_block(block);
     header[3 + k] = deflated.size();
     out += deflated;
   }
-  std::memcpy(out.data() + header_at, header.data(), header_bytes);
+  std::memcpy(out.data(), header.data(), header_bytes);
+  return out;
 }
 
 std::vector<std::byte> inflate_blocks(std::string_view data) {

@@ -15,7 +15,8 @@ namespace polyfem {
 ///
 /// Numbers with all their digits hardly repeat: looking for repetitions (zlib's level 1) takes twice the time
 /// of run lengths and codes for bytes, and gains little. So one block in sixteen is deflated both ways, and
-/// the next ones as it turned out for that; what shrinks by less than a sixth either way is stored.
+/// the next ones as it turned out for that; what shrinks by less than a sixth either way, and an array of
+/// less than a block's eighth, is stored.
 class BlockDeflater {
  public:
   BlockDeflater();
@@ -23,7 +24,7 @@ class BlockDeflater {
   BlockDeflater(BlockDeflater&&) noexcept;
   BlockDeflater& operator=(BlockDeflater&&) noexcept;
 
-  void append(std::span<const std::byte> bytes, std::string& out);
+  std::string deflate(std::span<const std::byte> array);
 
  private:
   struct Streams;

@@ -56,6 +56,13 @@ class Program : public testing::Test {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(directory_ / name, std::ios::binary) << text;
   }
+  /// That the series of blocks lists.
+  int number_of_frames(const std::string& directory) const {
+    const std::string series = read_file(directory_ / directory / "results.pvd");
+    int n = 0;
+    for (std::size_t at = 0; (at = series.find("<DataSet", at)) != std::string::npos; ++at) ++n;
+    return n;
+  }
   nlohmann::json summary(const std::string& directory) const {
     return nlohmann::json::parse(read_file(directory_ / directory / "summary.json"));
   }
@@ -73,9 +80,11 @@ const std::string sliding = "'" POLYDDA_EXAMPLES "/paper/sliding_30.toml'";
 
 TEST_F(Program, RunWritesEveryResultFile) {
   ASSERT_EQ(dda("run " + arch + " -o result --steps 10"), 0) << err_;
-  for (const char* name : {"summary.json", "monitors.csv", "blocks.csv", "vertices.csv", "contacts.csv",
-                           "supports.csv", "energy.csv", "scene.toml", "log.txt"})
+  for (const char* name :
+       {"summary.json", "monitors.csv", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv",
+        "energy.csv", "results.pvd", "contacts.pvd", "scene.toml", "log.txt"})
     EXPECT_TRUE(fs::exists(directory_ / "result" / name)) << name;
+  EXPECT_EQ(number_of_frames("result"), 11);
   EXPECT_NE(out_.find("results in result"), std::string::npos) << out_;
   EXPECT_NE(err_.find("step 10/10"), std::string::npos) << err_;
 }
@@ -134,8 +143,24 @@ TEST_F(Program, TheSceneAsRunGivesTheSameBytesAgain) {
             0);
   ASSERT_EQ(dda("run first/scene.toml -o second --quiet"), 0) << err_;
   for (const char* name : {"monitors.csv", "energy.csv", "blocks.csv", "vertices.csv", "contacts.csv",
-                           "supports.csv", "scene.toml"})
+                           "supports.csv", "scene.toml", "results.pvd", "contacts.pvd",
+                           "frames/blocks_000035.vtu", "frames/contacts_000035.vtu"})
     EXPECT_EQ(read_file(directory_ / "first" / name), read_file(directory_ / "second" / name)) << name;
+}
+
+TEST_F(Program, OutputSaysWhichFramesThereAre) {
+  const auto frames = [&](const std::string& setting) {
+    EXPECT_EQ(dda("run " + sliding + " -o result --quiet --steps 10 --set output." + setting), 0) << err_;
+    return number_of_frames("result");
+  };
+  EXPECT_EQ(frames("every=4"), 4);  // 0, 4, 8 and the end
+  EXPECT_EQ(frames("every=0"), 1);
+  frames("fields=[\"velocity\",\"principal\"]");
+  const std::string with_fields = read_file(directory_ / "result/frames/blocks_000000.vtu");
+  for (const char* name : {"velocity", "s1", "s2"})
+    EXPECT_NE(with_fields.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  for (const char* name : {"displacement", "sxx"})
+    EXPECT_EQ(with_fields.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
 }
 
 TEST_F(Program, CheckComputesNothingAndEndsWithTheWorstStatus) {
@@ -187,6 +212,7 @@ TEST_F(Program, AnAnalysisThatMustStopKeepsWhatItComputed) {
   EXPECT_EQ(s["status"], "stopped");
   EXPECT_FALSE(s["reason"].get<std::string>().empty());
   EXPECT_TRUE(fs::exists(directory_ / "result/vertices.csv"));
+  EXPECT_EQ(number_of_frames("result"), 1);
 }
 
 TEST_F(Program, ASignalEndsTheRunWithItsResults) {

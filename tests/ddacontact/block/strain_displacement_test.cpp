@@ -1,0 +1,140 @@
+// Stress inside a block as the strain of vertex displacements.
+
+#include <ddacontact/block/affine_block.hpp>
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/block/vertex_block.hpp>
+#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+#include <polyfem/quadrature/triangle_rule.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace ddacontact;
+using polyfem::GradientCorrection;
+using support::uniform;
+
+namespace {
+
+const Mat3 elasticity = polyfem::elasticity_matrix(7e6, 0.2, polyfem::Plane::strain);
+const polyfem::TriangleRule& rule = polyfem::hammer_rule(3);
+
+/// One vertex block and its integration points.
+struct VertexBlockAtRest {
+  BlockSystem system;
+  BlockState state;
+  polyfem::TabulatedElement element;
+
+  VertexBlockAtRest(const Points& outline, GradientCorrection correction)
+      : system(blocks_of(outline, correction), outline), state(system.initial_state()) {
+    system.prepare(state, true);
+    polyfem::tabulate(outline, rule, polyfem::wachspress, correction, element);
+  }
+  const Block& block() const { return system.block(0); }
+  Index n_points() const { return element.rule.points.cols(); }
+  /// Of the vertex displacements that stand for the stress, at a point.
+  Vec3 stress(const Points& w, const Vec2& x) const {
+    polyfem::ShapeValues shape;
+    polyfem::wachspress(state.position, x, shape);
+    const Mat2 gradient = w * shape.gradients.transpose();
+    return elasticity * Vec3(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+  }
+
+ private:
+  static std::vector<std::unique_ptr<Block>> blocks_of(const Points& outline, GradientCorrection correction) {
+    std::vector<std::unique_ptr<Block>> blocks;
+    blocks.push_back(std::make_unique<VertexBlock>(BlockMaterial{elasticity, 1500}, outline,
+                                                   Integration{&rule, correction}));
+    return blocks;
+  }
+};
+
+class StrainDisplacement : public testing::TestWithParam<GradientCorrection> {
+ protected:
+  std::mt19937 random{23};
+
+  template <class Check>
+  void for_each_block(const Check& check) {
+    for (int n = 3; n <= 9; ++n) {
+      SCOPED_TRACE(testing::Message() << n << " vertices");
+      check(VertexBlockAtRest(2 * support::random_convex_polygon(n, random), GetParam()));
+    }
+  }
+  VectorXd random_numbers(Index n) {
+    return VectorXd::NullaryExpr(n, [&] { return uniform(-1, 1, random); });
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, StrainDisplacement,
+                         testing::Values(GradientCorrection::on, GradientCorrection::off),
+                         [](const auto& p) { return p.param == GradientCorrection::on ? "on" : "off"; });
+
+/// The stress of a block that has deformed is found again at its integration points, and its rigid motion
+/// does not come back.
+TEST_P(StrainDisplacement, IsTheDeformationItselfWhileTheBlockHasNotTurned) {
+  for_each_block([&](VertexBlockAtRest one) {
+    one.block().add_stress(1e-3 * random_numbers(one.block().n_unknowns()), one.state.stress);
+    const Points w = one.block().strain_displacement(one.state);
+    const double scale = one.state.stress.norm();
+    for (Index q = 0; q < one.n_points(); ++q)
+      EXPECT_LE((one.stress(w, one.element.rule.points.col(q)) - one.state.stress.col(q)).norm(),
+                1e-10 * scale);
+  });
+}
+
+/// Any stresses at the integration points, such as those of a block that has turned, keep their mean.
+TEST_P(StrainDisplacement, KeepsTheMeanOfAnyStress) {
+  for_each_block([&](VertexBlockAtRest one) {
+    for (Index q = 0; q < one.n_points(); ++q) one.state.stress.col(q) = 1e4 * random_numbers(3);
+    const Points w = one.block().strain_displacement(one.state);
+    const VectorXd& weights = one.block().integration_weights();
+    Vec3 mean = Vec3::Zero(), expected = Vec3::Zero();
+    for (Index q = 0; q < one.n_points(); ++q) {
+      mean += weights[q] * one.stress(w, one.element.rule.points.col(q));
+      expected += weights[q] * one.state.stress.col(q);
+    }
+    EXPECT_LE((mean - expected).norm(), 1e-9 * 1e4 * weights.sum());
+  });
+}
+
+/// u = (x y, 0) about the centre, what bending is to this element: sxx follows y, and a shear follows x.
+TEST_P(StrainDisplacement, OfARectangleInBendingIsLinear) {
+  Points outline(2, 4);
+  outline << 1, 5, 5, 1,  //
+      2, 2, 3, 3;
+  VertexBlockAtRest one(outline, GetParam());
+  const Vec2 centre(3, 2.5);
+  VectorXd d = VectorXd::Zero(8);
+  for (int v = 0; v < 4; ++v) {
+    const Vec2 r = outline.col(v) - centre;
+    d[2 * v] = 1e-3 * r.x() * r.y();
+  }
+  one.block().add_stress(d, one.state.stress);
+  const Points w = one.block().strain_displacement(one.state);
+  for (int k = 0; k < 50; ++k) {
+    const Vec2 r(uniform(-2, 2, random), uniform(-0.5, 0.5, random));
+    const Vec3 expected = 1e-3 * elasticity * Vec3(r.y(), 0, r.x());
+    EXPECT_LE((one.stress(w, centre + r) - expected).norm(), 1e-10 * 1e-3 * elasticity.norm());
+  }
+}
+
+TEST(StrainDisplacementOfAnAffineBlock, IsItsUniformStress) {
+  std::mt19937 random(29);
+  const Points outline = support::random_convex_polygon(6, random);
+  std::vector<std::unique_ptr<Block>> blocks;
+  blocks.push_back(std::make_unique<AffineBlock>(BlockMaterial{elasticity, 1500}, outline));
+  BlockSystem system(std::move(blocks), outline);
+  BlockState state = system.initial_state();
+  system.prepare(state, true);
+  state.stress.col(0) << 3e4, -2e4, 1e4;
+  const Points w = system.block(0).strain_displacement(state);
+  polyfem::ShapeValues shape;
+  for (int k = 0; k < 20; ++k) {
+    polyfem::wachspress(outline, support::random_point_in(outline, random), shape);
+    const Mat2 gradient = w * shape.gradients.transpose();
+    const Vec3 stress = elasticity * Vec3(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+    EXPECT_LE((stress - state.stress.col(0)).norm(), 1e-10 * 3e4);
+  }
+}
+
+}  // namespace
