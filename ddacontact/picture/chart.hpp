@@ -22,7 +22,7 @@ struct Chart {
 };
 
 struct ChartOptions {
-  std::string title;         ///< above everything; may be empty
+  std::string title{};       ///< above everything; may be empty
   double width = 640;        ///< px
   double plot_height = 210;  ///< px, of the rectangle of each chart
 };

@@ -23,6 +23,17 @@ int rings_for(const Points& outline, double pixels_per_metre) {
   return static_cast<int>(std::clamp<double>(std::ceil(pixels / triangle_pixels), least, most_rings));
 }
 
+/// The bands to draw on a block's lowest one, ascending, the highest among them; those whose regions would be
+/// told apart by less than a pixel are left out.
+std::vector<int> bands_above(int lowest, int highest, double pixels) {
+  const int n = highest - lowest;
+  const int stride = std::max(1, static_cast<int>(std::ceil(n / std::max(pixels, 1.))));
+  std::vector<int> bands;
+  for (int band = highest; band > lowest; band -= stride) bands.push_back(band);
+  std::reverse(bands.begin(), bands.end());
+  return bands;
+}
+
 }  // namespace
 
 FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre) : frame_(frame) {
@@ -43,30 +54,33 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
 
 void FieldSamples::draw(SvgPage& page, const View& view, const ColourScale& scale) const {
   std::vector<PathData> bands(static_cast<std::size_t>(scale.n_bands()));
-  for (int b = 0; b < frame_.n_blocks(); ++b) {
-    const auto block = static_cast<std::size_t>(b);
-    const auto outline = frame_.outline(b);
-    const Vec2 start = outline.col(0), start_on_page = view(start);
-    const int lowest = scale.band(values_[block].minCoeff()), highest = scale.band(values_[block].maxCoeff());
-    std::vector<Vec2> corners;
-    for (Index i = 0; i < outline.cols(); ++i) corners.push_back(view(outline.col(i)));
-    bands[static_cast<std::size_t>(lowest)].polygon(corners);
-    if (lowest == highest) continue;
-
-    const std::vector<double> levels(scale.bounds().begin() + lowest + 1,
-                                     scale.bounds().begin() + highest + 1);
-    const Points local = outline.colwise() - start;
-    const Points nodes = meshes_[block].nodes(local, centroids_[block]);
-    const std::vector<Region> regions = superlevel_regions(meshes_[block], nodes, values_[block], levels);
-    for (std::size_t k = 0; k < regions.size(); ++k)
-      for (const std::vector<Vec2>& polygon : regions[k]) {
-        corners.clear();
-        for (const Vec2& x : polygon) corners.push_back(start_on_page + view.direction(x));
-        bands[static_cast<std::size_t>(lowest) + 1 + k].polygon(corners);
-      }
-  }
+  for (int b = 0; b < frame_.n_blocks(); ++b) add_block(b, view, scale, bands);
   for (int k = 0; k < scale.n_bands(); ++k)
     page.path(bands[static_cast<std::size_t>(k)], "fill=\"" + hex(scale.colour(k)) + "\"");
+}
+
+void FieldSamples::add_block(int b, const View& view, const ColourScale& scale,
+                             std::vector<PathData>& paths) const {
+  const auto block = static_cast<std::size_t>(b);
+  const auto outline = frame_.outline(b);
+  const Vec2 start = outline.col(0), start_on_page = view(start);
+  const int lowest = scale.band(values_[block].minCoeff()), highest = scale.band(values_[block].maxCoeff());
+  std::vector<Vec2> corners;
+  for (Index i = 0; i < outline.cols(); ++i) corners.push_back(view(outline.col(i)));
+  paths[static_cast<std::size_t>(lowest)].polygon(corners);
+
+  const double pixels = (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff()).norm() * view.scale;
+  const std::vector<int> bands = bands_above(lowest, highest, pixels);
+  std::vector<double> levels;
+  for (const int band : bands) levels.push_back(scale.bounds()[static_cast<std::size_t>(band)]);
+  const Points nodes = meshes_[block].nodes(outline.colwise() - start, centroids_[block]);
+  const std::vector<Region> regions = superlevel_regions(meshes_[block], nodes, values_[block], levels);
+  for (std::size_t k = 0; k < regions.size(); ++k)
+    for (const std::vector<Vec2>& polygon : regions[k]) {
+      corners.clear();
+      for (const Vec2& x : polygon) corners.push_back(start_on_page + view.direction(x));
+      paths[static_cast<std::size_t>(bands[k])].polygon(corners);
+    }
 }
 
 }  // namespace ddacontact

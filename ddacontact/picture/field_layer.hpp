@@ -21,6 +21,8 @@ class FieldSamples {
   void draw(SvgPage& page, const View& view, const ColourScale& scale) const;
 
  private:
+  void add_block(int block, const View& view, const ColourScale& scale, std::vector<PathData>& paths) const;
+
   const Frame& frame_;
   std::vector<FanMesh> meshes_;
   std::vector<Vec2> centroids_;  ///< relative to the outline's first vertex

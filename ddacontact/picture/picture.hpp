@@ -18,25 +18,25 @@ namespace ddacontact {
 struct Panel {
   const Frame* frame = nullptr;  ///< must live as long as the drawing takes
   Field field = Field::none;
-  std::string caption;                   ///< above the blocks; may be empty
-  std::vector<std::string> block_names;  ///< for `names`; left out: indices
-  int scene = 0;                         ///< panels of one scene are always drawn to one scale
+  std::string caption{};                   ///< above the blocks; may be empty
+  std::vector<std::string> block_names{};  ///< for `names`; left out: indices
+  int scene = 0;                           ///< panels of one scene are always drawn to one scale
 };
 
 /// Which panels of a field have the same colours.
 enum class RangeSharing { all, rows, none };
 
 struct PictureOptions {
-  std::string title;     ///< above everything; may be empty
+  std::string title{};   ///< above everything; may be empty
   double width = 800;    ///< px; the picture may come out narrower
   double height = 1000;  ///< px; no panel is made so large that the picture is much higher
   int columns = 0;       ///< panels in a row; 0: as many as make the blocks largest
   RangeSharing sharing = RangeSharing::all;
-  std::optional<ValueRange> range;  ///< of the colours; left out: of the values shown
-  std::optional<Box> window;        ///< the part of the scene to show; left out: all of every panel
-  bool reference = false;           ///< where the blocks were at the start, dashed
-  bool names = false;               ///< of the blocks, at their centroids
-  std::vector<VectorKind> vectors;  ///< drawn on top, one after the other
+  std::optional<ValueRange> range{};  ///< of the colours; left out: of the values shown
+  std::optional<Box> window{};        ///< the part of the scene to show; left out: all of every panel
+  bool reference = false;             ///< where the blocks were at the start, dashed
+  bool names = false;                 ///< of the blocks, at their centroids
+  std::vector<VectorKind> vectors{};  ///< drawn on top, one after the other
 };
 
 /// The whole SVG file. All panels show the same part of the plane at the same scale, unless they are of
