@@ -45,7 +45,7 @@ int ColourScale::band(double value) const {
 Colour ColourScale::colour(int band) const {
   const bool with_sign = description(field_).kind == FieldKind::with_sign;
   if (is_constant()) {
-    if (!with_sign) return sequential_colour(0.25);
+    if (!with_sign) return sequential_colour(bounds_[0] == 0 ? 0 : 0.25);
     return diverging_colour(bounds_[0] == 0 ? 0 : std::copysign(0.5, bounds_[0]));
   }
   const auto k = static_cast<std::size_t>(band);

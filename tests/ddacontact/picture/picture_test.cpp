@@ -232,7 +232,7 @@ TEST(Picture, ArrowsAreAsLongAsTheirSampleSays) {
 TEST(Picture, ScenesOfUnlikeSizeHaveEachTheirScale) {
   const Frame small = wall(2, 2), large = wall(2, 2, 50), similar = wall(2, 2, 1.5);
   EXPECT_NE(texts(parsed(draw({{&small, Field::none, "", {}, 0}, {&large, Field::none, "", {}, 1}}, {})))
-                .find("0.5 m\n20 m"),
+                .find("0.2 m\n10 m"),
             std::string::npos);
   const std::string one =
       texts(parsed(draw({{&small, Field::none, "", {}, 0}, {&similar, Field::none, "", {}, 1}}, {})));
