@@ -46,15 +46,20 @@ void PvdFile::add(const PvdEntry& entry) {
   out_.seekp(end_);
   out_ << line + tail << std::flush;
   if (!out_) {
-    out_.clear();
-    out_.seekp(end_);
-    out_ << tail << std::flush;
-    out_.clear();
-    std::error_code ignored;
-    std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(end_) + sizeof tail - 1, ignored);
+    restore_end();
     throw FileError("cannot write \"" + path_.string() + "\"");
   }
   end_ += static_cast<std::streamoff>(line.size());
+}
+
+void PvdFile::restore_end() {
+  out_.close();  // drops what was not written
+  out_.clear();
+  out_.open(path_, std::ios::binary | std::ios::in | std::ios::out);
+  out_.seekp(end_);
+  out_ << tail << std::flush;
+  std::error_code ignored;
+  std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(end_) + sizeof tail - 1, ignored);
 }
 
 std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {

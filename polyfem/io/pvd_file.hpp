@@ -25,6 +25,9 @@ class PvdFile {
   void add(const PvdEntry& entry);
 
  private:
+  /// Puts the closing lines back behind the last entry, where there is room for them.
+  void restore_end();
+
   std::filesystem::path path_;
   std::ofstream out_;
   std::streamoff end_ = 0;  ///< of the last entry

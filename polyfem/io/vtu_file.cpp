@@ -63,6 +63,7 @@ template void VtuFile::append(VtuSection, std::string_view, std::span<const std:
 
 void VtuFile::write(const std::filesystem::path& path) const {
   std::ofstream out(path, std::ios::binary);
+  if (!out) throw FileError("cannot write \"" + path.string() + "\"");
   out << "<?xml version=\"1.0\"?>\n<VTKFile"
       << attribute("type", "UnstructuredGrid") + attribute("version", "1.0") +
              attribute("byte_order", "LittleEndian") + attribute("header_type", "UInt64") +
@@ -80,7 +81,7 @@ void VtuFile::write(const std::filesystem::path& path) const {
   out.close();
   if (out) return;
   std::error_code ignored;
-  std::filesystem::remove(path, ignored);
+  if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
   throw FileError("cannot write \"" + path.string() + "\"");
 }
 

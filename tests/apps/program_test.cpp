@@ -83,7 +83,8 @@ TEST_F(Program, TheSceneAsRunGivesTheSameBytesAgain) {
 
 TEST_F(Program, OutputSaysWhichFramesThereAre) {
   const auto frames = [&](const std::string& setting) {
-    EXPECT_EQ(dda("run " + sliding + " -o result --quiet --steps 10 --set output." + setting), 0) << err_;
+    EXPECT_EQ(dda("run " + sliding + " -o result --quiet --steps 10 --set 'output." + setting + "'"), 0)
+        << err_;
     return number_of_frames("result");
   };
   EXPECT_EQ(frames("every=4"), 4);  // 0, 4, 8 and the end

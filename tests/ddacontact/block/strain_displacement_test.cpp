@@ -69,8 +69,7 @@ INSTANTIATE_TEST_SUITE_P(, StrainDisplacement,
                          testing::Values(GradientCorrection::on, GradientCorrection::off),
                          [](const auto& p) { return p.param == GradientCorrection::on ? "on" : "off"; });
 
-/// The stress of a block that has deformed is found again at its integration points, and its rigid motion
-/// does not come back.
+/// The stress of a block that has deformed is found again at its integration points.
 TEST_P(StrainDisplacement, IsTheDeformationItselfWhileTheBlockHasNotTurned) {
   for_each_block([&](VertexBlockAtRest one) {
     one.block().add_stress(1e-3 * random_numbers(one.block().n_unknowns()), one.state.stress);

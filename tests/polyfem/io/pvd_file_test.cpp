@@ -2,6 +2,9 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/io/pvd_file.hpp>
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <random>
 
 using namespace polyfem;
@@ -34,6 +37,42 @@ TEST_F(PvdFileTest, ANewSeriesTakesThePlaceOfAnOldOne) {
   PvdFile(path).add({1, 1, "old.vtu"});
   PvdFile series(path);
   EXPECT_TRUE(read_pvd(path).empty());
+}
+
+/// A limit on the size of files stands for a full disk: the write gets only so far.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST_F(PvdFileTest, OnAFullDiskTheSeriesStaysAsItWas) {
+  PvdFile series(path);
+  series.add({1, 1, "a.vtu"});
+  const auto size = std::filesystem::file_size(path);
+  for (const rlim_t more : {0, 1, 20, 40}) {
+    {
+      const FileSizeLimit limit(size + more);
+      EXPECT_THROW(series.add({2, 2, "b.vtu"}), FileError);
+    }
+    EXPECT_EQ(read_pvd(path).size(), 1u) << more;
+    EXPECT_EQ(std::filesystem::file_size(path), size);
+  }
+  series.add({2, 2, "c.vtu"});
+  EXPECT_EQ(read_pvd(path).back().file, "c.vtu");
 }
 
 TEST_F(PvdFileTest, DamageIsAnErrorThatNamesTheFile) {

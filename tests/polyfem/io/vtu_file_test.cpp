@@ -84,6 +84,8 @@ TEST_F(VtuFileTest, ArraysMustBeAsLongAsThereArePointsOrCells) {
 
 TEST_F(VtuFileTest, WhatCannotBeWrittenIsAnErrorAndLeavesNoFile) {
   EXPECT_THROW(VtuFile().write("/nowhere/at/all.vtu"), FileError);
+  EXPECT_THROW(VtuFile().write("/dev/full"), FileError);
+  EXPECT_TRUE(std::filesystem::exists("/dev/full"));
   EXPECT_THROW(VtuReader("/nowhere/at/all.vtu"), FileError);
   EXPECT_THROW(VtuReader("/"), FileError);
 }
