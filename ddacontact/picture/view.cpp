@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -24,9 +23,8 @@ Box bounding_box(const Frame& frame, bool reference) {
 
 Box padded(const Box& box, double margin) {
   const double larger = std::max(box.width(), box.height());
-  const double least = 1e-12 * std::max({box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff(),
-                                         std::numeric_limits<double>::min() * 1e20});
-  const double room = std::max(margin * larger, least);
+  const double least = 1e-12 * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  const double room = larger > 0 ? std::max(margin * larger, least) : 1;
   return {box.low.array() - room, box.high.array() + room};
 }
 

@@ -18,7 +18,7 @@ Box united(const Box& a, const Box& b);
 /// The outlines of a frame, and the undeformed ones too when `reference`.
 Box bounding_box(const Frame& frame, bool reference);
 
-/// A box and a margin about it, a fraction of its larger side; never empty.
+/// A box and a margin about it, a fraction of its larger side; a metre about a point.
 Box padded(const Box& box, double margin);
 
 /// Draws `box` with its upper left corner at `corner`, `scale` pixels a metre.

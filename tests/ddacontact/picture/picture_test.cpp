@@ -239,6 +239,22 @@ TEST(Picture, ScenesOfUnlikeSizeHaveEachTheirScale) {
   EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1) << one;
 }
 
+TEST(Picture, TheScaleBarIsToScaleBesideALongLegend) {
+  Frame frame = wall(1, 40);
+  frame.contacts.push_back({0, 0, Vec2(0, 0), {0, 1}, 0, 5e3, -1e3, ContactState::slip_forward});
+  PictureOptions options = everything();
+  options.reference = false;
+  const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));
+  const auto shapes = outlines(document);
+  ASSERT_EQ(shapes.size(), 40u);
+  const double metre = (shapes[38][0] - shapes[0][0]).norm() / 19;
+  const auto bar =
+      polygons(document.select_node("//*[name()='path'][@stroke-width='1.2']").node().attribute("d").value());
+  ASSERT_EQ(bar.size(), 3u);
+  EXPECT_NE(texts(document).find("\n1 m\n"), std::string::npos) << texts(document);
+  EXPECT_NEAR((bar[1][1] - bar[1][0]).norm(), metre, 0.02);
+}
+
 TEST(Picture, AThousandBlocksMakeASmallFile) {
   const Frame frame = wall(40, 25);
   EXPECT_LT(draw({{.frame = &frame, .field = Field::s1}}, {}).size(), 2'500'000u);
