@@ -8,6 +8,7 @@
 
 namespace ddacontact {
 
+/// What can be shown by arrows and lines.
 enum class VectorKind { contact_forces, displacement, velocity, principal_stresses };
 
 /// What the numbers of the vectors are, in SI units.

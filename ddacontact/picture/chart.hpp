@@ -21,6 +21,7 @@ struct Chart {
   std::vector<Series> series;
 };
 
+/// Sizes and title of a picture of charts.
 struct ChartOptions {
   std::string title{};       ///< above everything; may be empty
   double width = 640;        ///< px

@@ -7,6 +7,7 @@
 
 namespace ddacontact {
 
+/// From low to high, in the unit of a field.
 struct ValueRange {
   double low = 0, high = 0;
   bool operator==(const ValueRange&) const = default;

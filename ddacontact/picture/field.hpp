@@ -10,8 +10,10 @@
 
 namespace ddacontact {
 
+/// Numbers and kinds under the names of the result files' arrays.
 enum class Field { none, sxx, syy, sxy, s1, s2, displacement, velocity, material, block };
 
+/// How a field is drawn.
 enum class FieldKind {
   outlines,   ///< nothing but outlines
   kinds,      ///< a plain colour per block
@@ -19,6 +21,7 @@ enum class FieldKind {
   with_sign   ///< a number at every point, zero being special
 };
 
+/// What users read of a field.
 struct FieldDescription {
   Field field;
   const char* name;  ///< as on a command line
@@ -29,6 +32,7 @@ struct FieldDescription {
 
 /// All of them, in the order they are listed to users.
 const std::vector<FieldDescription>& all_fields();
+/// Of one field.
 const FieldDescription& description(Field field);
 /// The field of this name, or nothing.
 std::optional<Field> field_named(std::string_view name);

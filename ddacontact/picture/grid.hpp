@@ -25,6 +25,7 @@ struct GridNeeds {
 
 constexpr double page_margin = 12, panel_gap = 18, bar_gap = 12, caption_size = 12.5, caption_line = 16;
 
+/// Places on the page, in pixels.
 struct Grid {
   double scale = 1;             ///< pixels per metre
   double drawing_width = 0;     ///< of the widest picture
@@ -36,6 +37,7 @@ struct Grid {
   double legend_top = 0;
 };
 
+/// The largest drawings that fit.
 Grid arrange(const GridNeeds& needs);
 
 /// The number of columns that makes the drawings largest; the fewest rows of several.

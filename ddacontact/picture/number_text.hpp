@@ -31,6 +31,7 @@ double round_step(double length, int most);
 /// The largest 1, 2 or 5 times a power of ten that is at most `limit` > 0.
 double round_below(double limit);
 
+/// Where an axis is marked.
 struct Ticks {
   double step = 1;
   std::vector<double> values;  ///< multiples of the step within the range, ends included

@@ -8,6 +8,7 @@
 
 namespace ddacontact {
 
+/// The parts of all panels.
 struct PanelBoxes {
   std::vector<Box> boxes;     ///< of each panel
   bool same_scale = true;     ///< all panels show the same box; else each scene fills its panels as it can

@@ -14,6 +14,7 @@ namespace ddacontact {
 /// Whether a field is drawn by a colour scale.
 bool has_numbers(Field field);
 
+/// One panel's field with its colours, and its vectors.
 struct PanelContent {
   std::unique_ptr<FieldSamples> samples;  ///< of fields of numbers
   std::optional<ColourScale> scale;
@@ -32,6 +33,7 @@ struct VectorScale {
   double pixels_per_unit = 0;
 };
 
+/// The same scale for a kind in all panels.
 /// \param[in] longest_pixels  for the largest vector of each kind
 std::vector<VectorScale> vector_scales(const std::vector<PanelContent>& contents,
                                        const std::vector<VectorKind>& kinds, double longest_pixels);

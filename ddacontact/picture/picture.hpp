@@ -26,6 +26,7 @@ struct Panel {
 /// Which panels of a field have the same colours.
 enum class RangeSharing { all, rows, none };
 
+/// How panels are drawn, all alike.
 struct PictureOptions {
   std::string title{};   ///< above everything; may be empty
   double width = 800;    ///< px; the picture may come out narrower

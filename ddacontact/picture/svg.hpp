@@ -24,10 +24,13 @@ struct Label {
 
 /// What a text will be about as wide as in Helvetica or Arial.
 double text_width(std::string_view text, double font_size);
+/// The same with a smaller index.
 double text_width(const Label& label, double font_size);
 
+/// Which part of a text stands at its place.
 enum class Anchor { start, middle, end };
 
+/// How a text looks; sizes in pixels.
 struct TextStyle {
   double size = 12;
   Anchor anchor = Anchor::start;

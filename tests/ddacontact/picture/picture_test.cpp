@@ -229,6 +229,23 @@ TEST(Picture, ArrowsAreAsLongAsTheirSampleSays) {
   EXPECT_NEAR(directions[0].y() / lengths[0], -0.6, 1e-3);
 }
 
+TEST(Picture, ArrowsBeyondTheBlocksDoNotReachTheLegend) {
+  Frame frame = two_blocks();
+  frame.contacts.push_back({1, 0, Vec2(0.5, 0), {0, -1}, 0, 30e3, 0, ContactState::stick});
+  PictureOptions options;
+  options.vectors = {VectorKind::contact_forces};
+  const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));
+  double lowest = 0;
+  for (const pugi::xml_node& path : paths(document))
+    if (path.attribute("paint-order"))
+      for (const auto& polygon : polygons(path.attribute("d").value()))
+        if (std::abs(polygon[3].x() - polygon[0].x()) < 2) lowest = std::max(lowest, polygon[3].y());
+  const auto bar =
+      polygons(document.select_node("//*[name()='path'][@stroke-width='1.2']").node().attribute("d").value());
+  EXPECT_GT(lowest, outlines(document)[0][0].y() + 20);
+  EXPECT_LT(lowest, bar[0][0].y());
+}
+
 TEST(Picture, ScenesOfUnlikeSizeHaveEachTheirScale) {
   const Frame small = wall(2, 2), large = wall(2, 2, 50), similar = wall(2, 2, 1.5);
   EXPECT_NE(texts(parsed(draw({{&small, Field::none, "", {}, 0}, {&large, Field::none, "", {}, 1}}, {})))
@@ -251,8 +268,8 @@ TEST(Picture, TheScaleBarIsToScaleBesideALongLegend) {
   const auto bar =
       polygons(document.select_node("//*[name()='path'][@stroke-width='1.2']").node().attribute("d").value());
   ASSERT_EQ(bar.size(), 3u);
-  EXPECT_NE(texts(document).find("\n1 m\n"), std::string::npos) << texts(document);
-  EXPECT_NEAR((bar[1][1] - bar[1][0]).norm(), metre, 0.02);
+  EXPECT_NE(texts(document).find("\n0.5 m\n"), std::string::npos) << texts(document);
+  EXPECT_NEAR((bar[1][1] - bar[1][0]).norm(), metre / 2, 0.02);
 }
 
 TEST(Picture, AThousandBlocksMakeASmallFile) {
