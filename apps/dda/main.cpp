@@ -1,16 +1,19 @@
 /// \file The program `dda`: one verb, one file.
 #include "check.hpp"
 #include "exit_status.hpp"
+#include "info.hpp"
 #include "make.hpp"
 #include "messages.hpp"
+#include "plot_options.hpp"
 #include "run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <exception>
-#include <initializer_list>
 #include <new>
 #include <string_view>
 
@@ -19,20 +22,25 @@ namespace {
 struct Call {
   dda::RunArguments run;
   dda::MakeArguments make;
+  dda::PlotArguments plot;
+  std::string info;
   std::vector<std::string> scenes_to_check, check_settings;
   std::string resume;
   int threads = 1, steps = 0;
 };
 
 constexpr const char* not_available = "is not available in this version";
+constexpr std::array<std::string_view, 5> known_verbs{"run", "check", "make", "plot", "info"};
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+bool is_known(std::string_view verb) {
+  return std::find(known_verbs.begin(), known_verbs.end(), verb) != known_verbs.end();
 }
 
 int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("check")) return dda::check(call.scenes_to_check, call.check_settings);
   if (app.got_subcommand("make")) return dda::make(call.make);
+  if (app.got_subcommand("plot")) return dda::plot(call.plot);
+  if (app.got_subcommand("info")) return dda::info(call.info);
   if (!call.resume.empty()) {
     dda::print_error(fmt::format("--resume {}", not_available));
     return dda::wrong_input;
@@ -70,14 +78,17 @@ int parse_and_execute(int argc, char** argv) {
       ->expected(1);
 
   dda::add_make(app, call.make);
+  dda::declare_plot(app, call.plot);
+  CLI::App* info = app.add_subcommand("info", "Tell a result in words");
+  info->add_option("DIR", call.info, "Result directory")->required();
 
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (is_one_of(verb, {"plot", "info", "view"})) {
-    dda::print_error(fmt::format("\"{}\" {} (known: run, check, make)", verb, not_available));
+  if (verb == "view") {
+    dda::print_error(fmt::format("\"{}\" {} (known: {})", verb, not_available, fmt::join(known_verbs, ", ")));
     return dda::wrong_input;
   }
-  if (!verb.empty() && verb.front() != '-' && !is_one_of(verb, {"run", "check", "make"})) {
-    dda::print_error(fmt::format("unknown verb \"{}\" (known: run, check, make)", verb));
+  if (!verb.empty() && verb.front() != '-' && !is_known(verb)) {
+    dda::print_error(fmt::format("unknown verb \"{}\" (known: {})", verb, fmt::join(known_verbs, ", ")));
     return dda::wrong_input;
   }
   if (verb == "make")

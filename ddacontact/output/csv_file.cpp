@@ -13,7 +13,8 @@ CsvFile::CsvFile(const std::string& path, std::string_view header)
 }
 
 void CsvFile::separate() {
-  if (!line_.empty()) line_ += ',';
+  if (!first_cell_) line_ += ',';
+  first_cell_ = false;
 }
 
 void CsvFile::append(double value) {

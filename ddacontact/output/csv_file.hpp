@@ -17,6 +17,7 @@ class CsvFile {
   template <class... Cells>
   void row(const Cells&... cells) {
     line_.clear();
+    first_cell_ = true;
     (append(cells), ...);
     write_line();
   }
@@ -32,6 +33,7 @@ class CsvFile {
   void write_line();
 
   std::string path_, line_;
+  bool first_cell_ = true;
   std::ofstream file_;
 };
 

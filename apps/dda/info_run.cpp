@@ -1,0 +1,88 @@
+#include "info_run.hpp"
+
+#include <ddacontact/picture/number_text.hpp>
+
+#include <cmath>
+
+namespace dda {
+
+using namespace ddacontact;
+
+void tell_outcome(Answer& answer, const SummaryTable& summary) {
+  answer.topic("ended");
+  std::string text = summary.text("status").empty() ? "unknown" : summary.text("status");
+  if (const auto steps = summary.number("steps_completed"))
+    text += " after " + plural(*steps, "step", "steps");
+  if (const auto time = summary.number("time"))
+    text += fmt::format(", at t = {}", number_text(*time, 4) + " s");
+  answer.line(text);
+  if (!summary.text("reason").empty()) answer.line("because: " + summary.text("reason"));
+}
+
+void tell_size(Answer& answer, const SummaryTable& summary) {
+  answer.topic("system");
+  std::string text;
+  const auto add = [&](const char* key, const char* one, const char* many) {
+    if (const auto count = summary.number(key))
+      text += (text.empty() ? "" : ", ") + plural(*count, one, many);
+  };
+  add("blocks", "block", "blocks");
+  add("dofs", "unknown", "unknowns");
+  add("contacts_max", "contact at most", "contacts at most");
+  if (!text.empty()) answer.line(text);
+}
+
+void tell_work(Answer& answer, const SummaryTable& summary) {
+  answer.topic("work");
+  const auto substeps = summary.number("substeps"), rejected = summary.number("rejected_steps"),
+             unconverged = summary.number("unconverged_steps"),
+             passes = summary.number("open_close_iterations"), solves = summary.number("linear_solves"),
+             factorizations = summary.number("factorizations");
+  if (substeps && rejected)
+    answer.line(fmt::format("{}, {} tries rejected", plural(*substeps, "substep", "substeps"),
+                            *rejected == 0 ? "no" : fmt::format("{:.0f}", *rejected)));
+  if (unconverged)
+    answer.line(*unconverged == 0
+                    ? "every substep converged"
+                    : plural(*unconverged, "substep", "substeps") + " accepted without convergence");
+  if (passes && substeps && *substeps > 0)
+    answer.line(fmt::format("{}, {} a substep",
+                            plural(*passes, "open-close iteration", "open-close iterations"),
+                            number_text(*passes / *substeps, 3)));
+  if (solves && factorizations)
+    answer.line(fmt::format("{}, {}", plural(*solves, "linear solution", "linear solutions"),
+                            plural(*factorizations, "factorization", "factorizations")));
+}
+
+void tell_energy(Answer& answer, const SummaryTable& summary) {
+  answer.topic("energy");
+  const auto number = [&](const char* key) { return summary.number(std::string("energy.") + key); };
+  const auto text = [&](const char* key) { return quantity_text(number(key).value_or(0), "J/m"); };
+  if (!number("kinetic")) return;
+  answer.line(fmt::format("kinetic {}, elastic {}, gravity {}, external work {}", text("kinetic"),
+                          text("elastic"), text("gravity"), text("external")));
+  answer.line(fmt::format("lost to friction {}, to damping {}, to the time scheme {}",
+                          text("friction_dissipated"), text("damping_dissipated"),
+                          text("numerical_dissipated")));
+  const double error = std::abs(number("balance_error").value_or(0));
+  answer.line(error == 0 ? "the balance closes"
+                         : fmt::format("the balance closes to {} of the largest energy exchanged",
+                                       number_text(error, 2)));
+}
+
+void tell_times(Answer& answer, const SummaryTable& summary) {
+  answer.topic("wall time");
+  const auto total = summary.number("wall_seconds.total");
+  if (!total) return;
+  std::string text = quantity_text(*total, "s");
+  if (const auto memory = summary.number("peak_memory_mb"))
+    text += fmt::format(", at most {} MB of memory", number_text(*memory, 3));
+  answer.line(text);
+  text.clear();
+  for (const char* part : {"setup", "detection", "assembly", "solver", "update", "output"})
+    if (const auto seconds = summary.number(std::string("wall_seconds.") + part); seconds && *total > 0)
+      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", part, 100 * *seconds / *total);
+  if (!text.empty()) answer.line(text);
+}
+
+}  // namespace dda

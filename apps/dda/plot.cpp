@@ -1,0 +1,182 @@
+#include "plot.hpp"
+
+#include "call_error.hpp"
+#include "exit_status.hpp"
+#include "messages.hpp"
+#include "plot_curves.hpp"
+#include "plot_numbers.hpp"
+#include "result.hpp"
+
+#include <fmt/format.h>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/picture/picture.hpp>
+#include <ddacontact/scene/spelling.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace dda {
+
+namespace fs = std::filesystem;
+using namespace ddacontact;
+
+namespace {
+
+Field field_called(const std::string& name) {
+  if (const std::optional<Field> field = field_named(name)) return *field;
+  std::vector<std::string_view> known;
+  for (const FieldDescription& field : all_fields()) known.emplace_back(field.name);
+  throw CallError(fmt::format("unknown field \"{}\" ({})", scene_format::excerpt(name),
+                              scene_format::suggestion(name, "field", known)));
+}
+
+std::string fields_of(const Frame& frame) {
+  std::string names;
+  for (const FieldDescription& field : all_fields())
+    if (holds(frame, field.field)) names += fmt::format("{}{}", names.empty() ? "" : ", ", field.name);
+  return names;
+}
+
+void expect_field(const Frame& frame, Field field, const fs::path& directory) {
+  if (holds(frame, field)) return;
+  throw CallError(
+      fmt::format("the frames of \"{}\" do not hold \"{}\" (they hold: {}; [output] fields of the scene "
+                  "says what a run keeps)",
+                  directory.string(), description(field).name, fields_of(frame)));
+}
+
+/// A frame with what is told of it.
+struct Shown {
+  int scene = 0;  ///< the number of the directory
+  fs::path directory;
+  std::string label;  ///< of the directory
+  std::vector<std::string> block_names;
+  Frame frame;
+};
+
+std::vector<Shown> read_frames(const PlotArguments& arguments) {
+  std::vector<std::string> words = arguments.frames;
+  if (words.empty()) words = {"last"};
+  std::vector<Shown> all;
+  for (std::size_t i = 0; i < arguments.directories.size(); ++i) {
+    const fs::path directory(arguments.directories[i]);
+    expect_result_directory(directory);
+    const FrameSeries series = read_series(directory);
+    const std::vector<std::string> names =
+        arguments.names ? block_names(directory) : std::vector<std::string>();
+    for (const std::string& word : words)
+      all.push_back({static_cast<int>(i), directory, name_of(directory), names,
+                     read_frame(frame_of(series, word, directory))});
+  }
+  return all;
+}
+
+std::vector<Field> fields_to_show(const PlotArguments& arguments, const Frame& frame) {
+  std::vector<Field> fields;
+  for (const std::string& name : arguments.fields) fields.push_back(field_called(name));
+  if (fields.empty()) fields.push_back(holds(frame, Field::s2) ? Field::s2 : Field::none);
+  return fields;
+}
+
+std::vector<VectorKind> vectors_to_show(const PlotArguments& arguments) {
+  std::vector<VectorKind> kinds;
+  if (arguments.crosses) kinds.push_back(VectorKind::principal_stresses);
+  if (arguments.forces) kinds.push_back(VectorKind::contact_forces);
+  if (arguments.vectors == "displacement") kinds.push_back(VectorKind::displacement);
+  if (arguments.vectors == "velocity") kinds.push_back(VectorKind::velocity);
+  return kinds;
+}
+
+void expect_overlays(const PlotArguments& arguments, const Shown& shown) {
+  if (arguments.reference) expect_field(shown.frame, Field::displacement, shown.directory);
+  if (arguments.vectors == "displacement") expect_field(shown.frame, Field::displacement, shown.directory);
+  if (arguments.vectors == "velocity") expect_field(shown.frame, Field::velocity, shown.directory);
+  if (arguments.crosses) expect_field(shown.frame, Field::s1, shown.directory);
+}
+
+std::string caption(const PlotArguments& arguments, const Shown& shown) {
+  const std::string moment = fmt::format("step {}, t = {:.4g} s", shown.frame.step, shown.frame.time);
+  return arguments.directories.size() > 1 ? shown.label + ": " + moment : moment;
+}
+
+PictureOptions picture_options(const PlotArguments& arguments, const std::vector<Field>& fields) {
+  PictureOptions options;
+  if (arguments.width > 0) {
+    options.height *= arguments.width / options.width;
+    options.width = arguments.width;
+  }
+  options.reference = arguments.reference;
+  options.names = arguments.names;
+  options.vectors = vectors_to_show(arguments);
+  options.sharing = arguments.own_range ? RangeSharing::none : RangeSharing::all;
+  if (!arguments.range.empty()) options.range = colour_range(arguments.range, fields);
+  if (!arguments.window.empty()) options.window = window(arguments.window);
+  // Fields beside each other, else moments beside each other, else whatever makes the blocks largest.
+  const std::size_t n_fields = fields.size(), n_frames = arguments.frames.size(),
+                    n = arguments.directories.size();
+  if (n_fields > 1 && n_frames + n > 2) options.columns = static_cast<int>(n_fields);
+  if (n_fields == 1 && n_frames > 1 && n > 1) options.columns = static_cast<int>(n_frames);
+  if (n == 1)
+    options.title = title_of(arguments.directories.front(), scene_of(arguments.directories.front()));
+  return options;
+}
+
+std::string blocks_picture(const PlotArguments& arguments) {
+  for (const std::string& name : arguments.fields) field_called(name);  // a wrong call before a wrong file
+  const std::vector<Shown> all = read_frames(arguments);
+  const std::vector<Field> fields = fields_to_show(arguments, all.front().frame);
+  const PictureOptions options = picture_options(arguments, fields);
+  std::vector<Panel> panels;
+  for (const Shown& shown : all) {
+    expect_overlays(arguments, shown);
+    for (const Field field : fields) {
+      expect_field(shown.frame, field, shown.directory);
+      panels.push_back({&shown.frame, field, caption(arguments, shown), shown.block_names, shown.scene});
+    }
+  }
+  return draw(panels, options);
+}
+
+void check_call(const PlotArguments& arguments) {
+  if (fs::path(arguments.output).extension() != ".svg")
+    throw CallError(
+        fmt::format("-o \"{}\": pictures are SVG, so the name must end in .svg", arguments.output));
+  const bool curves = arguments.energy || !arguments.history.empty();
+  const bool blocks = !arguments.fields.empty() || !arguments.frames.empty() || arguments.reference ||
+                      arguments.forces || arguments.crosses || arguments.names || arguments.own_range ||
+                      !arguments.vectors.empty() || !arguments.range.empty() || !arguments.window.empty();
+  if (curves && blocks)
+    throw CallError(
+        "--history and --energy draw curves; what belongs to pictures of blocks cannot be given with them");
+  if (!arguments.monitors.empty() && arguments.history.empty())
+    throw CallError("--monitor chooses among the curves of --history; give that too");
+}
+
+void write_picture(const std::string& path, const std::string& svg) {
+  std::ofstream out(path, std::ios::binary);
+  out << svg;
+  out.close();
+  if (!out) throw OutputError("cannot write \"" + path + "\"");
+}
+
+}  // namespace
+
+int plot(const PlotArguments& call) {
+  PlotArguments arguments = call;
+  for (std::vector<std::string>* list : {&arguments.fields, &arguments.frames, &arguments.history})
+    *list = single_words(*list);
+  try {
+    check_call(arguments);
+    const bool curves = arguments.energy || !arguments.history.empty();
+    write_picture(arguments.output, curves ? curves_picture(arguments) : blocks_picture(arguments));
+    return done;
+  } catch (const CallError& error) {
+    print_error(error.what());
+    return wrong_input;
+  } catch (const Error& error) {
+    print_error(error.what());
+    return file_error;
+  }
+}
+
+}  // namespace dda

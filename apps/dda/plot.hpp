@@ -1,0 +1,26 @@
+/// \file `dda plot`: a picture of results.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dda {
+
+struct PlotArguments {
+  std::vector<std::string> directories;
+  std::vector<std::string> fields, frames;  ///< empty: the usual one
+  std::string output;
+  bool reference = false, forces = false, crosses = false, names = false, own_range = false;
+  std::string vectors;                ///< "displacement", "velocity" or empty
+  std::string range;                  ///< "MIN,MAX" or empty
+  std::string window;                 ///< "XMIN,XMAX,YMIN,YMAX" or empty
+  double width = 0;                   ///< px; 0: the usual one
+  std::vector<std::string> history;   ///< columns of monitors.csv
+  std::vector<std::string> monitors;  ///< for `history`; empty: all
+  bool energy = false;
+};
+
+/// Returns the exit status.
+int plot(const PlotArguments& arguments);
+
+}  // namespace dda

@@ -1,0 +1,158 @@
+#include "plot_curves.hpp"
+
+#include "call_error.hpp"
+#include "result.hpp"
+
+#include <fmt/format.h>
+#include <ddacontact/output/csv_table.hpp>
+#include <ddacontact/picture/chart.hpp>
+#include <ddacontact/scene/spelling.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace dda {
+
+namespace fs = std::filesystem;
+using namespace ddacontact;
+
+namespace {
+
+struct HistoryColumn {
+  const char* name;
+  Label symbol;
+  const char* unit;
+};
+
+const std::array<HistoryColumn, 6> history_columns = {{{"x", {"x", "", ""}, "m"},
+                                                       {"y", {"y", "", ""}, "m"},
+                                                       {"ux", {"u", "x", ""}, "m"},
+                                                       {"uy", {"u", "y", ""}, "m"},
+                                                       {"vx", {"v", "x", ""}, "m/s"},
+                                                       {"vy", {"v", "y", ""}, "m/s"}}};
+
+struct EnergyColumn {
+  const char* name;
+  const char* text;
+};
+
+const std::array<EnergyColumn, 7> energy_columns = {{{"kinetic", "kinetic"},
+                                                     {"elastic", "elastic"},
+                                                     {"gravity", "gravity"},
+                                                     {"friction_dissipated", "lost to friction"},
+                                                     {"numerical_dissipated", "lost to the scheme"},
+                                                     {"external", "external work"},
+                                                     {"damping_dissipated", "lost to damping"}}};
+
+const HistoryColumn& column_called(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const HistoryColumn& column : history_columns) {
+    if (name == column.name) return column;
+    known.emplace_back(column.name);
+  }
+  throw CallError(fmt::format("unknown history \"{}\" ({})", scene_format::excerpt(name),
+                              scene_format::suggestion(name, "history", known)));
+}
+
+/// Monitors of a result in the order of their first row.
+struct Histories {
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<std::size_t>> rows;
+};
+
+Histories histories_of(const CsvTable& table, const fs::path& directory,
+                       const std::vector<std::string>& wanted) {
+  Histories histories;
+  const std::vector<std::string> monitors = table.texts("monitor");
+  for (std::size_t i = 0; i < monitors.size(); ++i) {
+    std::vector<std::size_t>& rows = histories.rows[monitors[i]];
+    if (rows.empty()) histories.names.push_back(monitors[i]);
+    rows.push_back(i);
+  }
+  if (histories.names.empty())
+    throw CallError(fmt::format("\"{}\" has no histories: its scene has no [[monitor]]", directory.string()));
+  if (wanted.empty()) return histories;
+  const std::vector<std::string_view> known(histories.names.begin(), histories.names.end());
+  for (const std::string& name : wanted)
+    if (!histories.rows.contains(name))
+      throw CallError(fmt::format("\"{}\" has no monitor \"{}\" ({})", directory.string(),
+                                  scene_format::excerpt(name),
+                                  scene_format::suggestion(name, "monitor", known)));
+  histories.names = wanted;
+  return histories;
+}
+
+std::vector<double> chosen(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
+  std::vector<double> chosen;
+  for (const std::size_t row : rows) chosen.push_back(values[row]);
+  return chosen;
+}
+
+Chart empty_chart(const Label& symbol, const char* unit) {
+  Chart chart;
+  chart.x_symbol = {"time", "", ""};
+  chart.x_unit = "s";
+  chart.y_symbol = symbol;
+  chart.y_unit = unit;
+  return chart;
+}
+
+std::vector<Chart> history_charts(const PlotArguments& arguments) {
+  std::vector<Chart> charts;
+  for (const std::string& name : arguments.history) {
+    const HistoryColumn& column = column_called(name);
+    charts.push_back(empty_chart(column.symbol, column.unit));
+  }
+  for (const std::string& name : arguments.directories) {
+    expect_result_directory(name);
+    const CsvTable table(fs::path(name) / "monitors.csv");
+    const Histories histories = histories_of(table, name, arguments.monitors);
+    const std::vector<double> time = table.numbers("time");
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+      const std::vector<double> values = table.numbers(arguments.history[i]);
+      for (const std::string& monitor : histories.names) {
+        const std::string label = arguments.directories.size() > 1 ? name_of(name) + ": " + monitor : monitor;
+        const std::vector<std::size_t>& rows = histories.rows.at(monitor);
+        charts[i].series.push_back({label, chosen(time, rows), chosen(values, rows)});
+      }
+    }
+  }
+  return charts;
+}
+
+/// A chart of energies for each directory; what is zero throughout is left out.
+std::vector<Chart> energy_charts(const PlotArguments& arguments) {
+  std::vector<Chart> charts;
+  for (const std::string& name : arguments.directories) {
+    expect_result_directory(name);
+    const CsvTable table(fs::path(name) / "energy.csv");
+    const std::vector<double> time = table.numbers("time");
+    Chart chart =
+        empty_chart({"energy", "", arguments.directories.size() > 1 ? " of " + name_of(name) : ""}, "J/m");
+    for (const EnergyColumn& column : energy_columns) {
+      const std::vector<double> values = table.numbers(column.name);
+      if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
+        chart.series.push_back({column.text, time, values});
+    }
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+}  // namespace
+
+std::string curves_picture(const PlotArguments& arguments) {
+  ChartOptions options;
+  if (arguments.width > 0) options.width = arguments.width;
+  std::vector<Chart> charts = history_charts(arguments);
+  if (arguments.energy)
+    for (Chart& chart : energy_charts(arguments)) charts.push_back(std::move(chart));
+  if (arguments.directories.size() == 1) {
+    const fs::path directory(arguments.directories.front());
+    options.title = title_of(directory, scene_of(directory));
+  }
+  return draw(charts, options);
+}
+
+}  // namespace dda

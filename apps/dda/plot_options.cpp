@@ -1,0 +1,65 @@
+#include "plot_options.hpp"
+
+namespace dda {
+
+namespace {
+
+void declare_what(CLI::App& plot, PlotArguments& call) {
+  plot.add_option("DIR", call.directories, "Result directories; several are drawn beside each other")
+      ->required();
+  plot.add_option("-o,--output", call.output, "The picture to write, FILE.svg")->required();
+  plot.add_option("--width", call.width, "Pixels; a picture may come out narrower")
+      ->check(CLI::Range(200, 20000));
+}
+
+void declare_blocks(CLI::App& plot, PlotArguments& call) {
+  constexpr const char* blocks = "Blocks";
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* text) {
+    plot.add_option(name, values, text)->take_all()->expected(1)->group(blocks);
+  };
+  const auto flag = [&](const char* name, bool& value, const char* text) {
+    plot.add_flag(name, value, text)->group(blocks);
+  };
+  list(
+      "--field", call.fields,
+      "Colours: sxx, syy, sxy, s1, s2, displacement, velocity, material, block or none; several with commas, "
+      "or repeated. Left out: s2, or none without stress");
+  list("--frame", call.frames,
+       "The number of a step, or last (what is drawn when left out); several likewise");
+  flag("--reference", call.reference, "Outlines at the start, dashed");
+  flag("--forces", call.forces, "Contact forces on the block whose vertex touches, as arrows");
+  plot.add_option("--vectors", call.vectors, "An arrow for each block: displacement or velocity")
+      ->check(CLI::IsMember({"displacement", "velocity"}))
+      ->group(blocks);
+  flag("--crosses", call.crosses, "Mean principal stresses of each block, as lines along their directions");
+  flag("--names", call.names, "Names of the blocks");
+  plot.add_option("--range", call.range, "MIN,MAX of the colours, with units or in SI")->group(blocks);
+  flag("--own-range", call.own_range,
+       "Colours of each picture cover its own values, not those of all pictures");
+  plot.add_option("--window", call.window, "XMIN,XMAX,YMIN,YMAX of the part to show")->group(blocks);
+}
+
+void declare_curves(CLI::App& plot, PlotArguments& call) {
+  constexpr const char* curves = "Curves";
+  plot.add_option("--history", call.history,
+                  "Of monitors: x, y, ux, uy, vx or vy; several with commas, or repeated")
+      ->take_all()
+      ->expected(1)
+      ->group(curves);
+  plot.add_option("--monitor", call.monitors, "Only this one; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->group(curves);
+  plot.add_flag("--energy", call.energy, "Energies over time")->group(curves);
+}
+
+}  // namespace
+
+void declare_plot(CLI::App& app, PlotArguments& arguments) {
+  CLI::App* plot = app.add_subcommand("plot", "Draw results as SVG: blocks in colours, or curves over time");
+  declare_what(*plot, arguments);
+  declare_blocks(*plot, arguments);
+  declare_curves(*plot, arguments);
+}
+
+}  // namespace dda

@@ -1,0 +1,25 @@
+/// \file summary.json of a result, read back.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace ddacontact {
+
+/// The numbers and texts of summary.json by their key; within an object by both: "energy.kinetic". What is
+/// neither is left out.
+struct SummaryTable {
+  std::map<std::string, double> numbers;
+  std::map<std::string, std::string> texts;
+
+  std::optional<double> number(const std::string& key) const;
+  /// Empty when there is none.
+  std::string text(const std::string& key) const;
+};
+
+/// Throws Error, which names the file, when it cannot be read or is no JSON object.
+SummaryTable read_summary(const std::filesystem::path& path);
+
+}  // namespace ddacontact

@@ -1,0 +1,181 @@
+#include <ddacontact/picture/chart.hpp>
+
+#include <ddacontact/picture/number_text.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double margin = 12, tick_size = 11, label_size = 12, title_size = 14.5, title_line = 26;
+constexpr double tick_length = 4, below_axis = 40, between = 14, key_line = 17, sample = 24;
+
+/// One direction: values, their pixels and their ticks.
+struct Axis {
+  double low = 0, high = 1;  ///< what the ends stand for
+  Prefix prefix;
+  Ticks ticks;  ///< in the prefixed unit
+
+  double share(double value) const { return (value - low) / (high - low); }
+  std::string text(std::size_t tick) const { return tick_text(ticks.values[tick], ticks.step); }
+};
+
+/// \param[in] room  how much of the range is left free at both ends
+Axis axis_of(const std::vector<Series>& series, std::vector<double> Series::*values, const std::string& unit,
+             double room, int most_ticks) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Axis axis{infinity, -infinity, {}, {}};
+  for (const Series& line : series)
+    for (const double value : line.*values) {
+      if (!std::isfinite(value)) continue;
+      axis.low = std::min(axis.low, value);
+      axis.high = std::max(axis.high, value);
+    }
+  if (axis.low > axis.high) axis.low = axis.high = 0;
+  const double size = std::max(std::abs(axis.low), std::abs(axis.high));
+  if (axis.high - axis.low <= 1e-9 * size || size == 0) {
+    const double half = size == 0 ? 1 : 0.5 * size;
+    axis.low -= half;
+    axis.high += half;
+  }
+  const double free = room * (axis.high - axis.low);
+  axis.low -= free;
+  axis.high += free;
+  axis.prefix = prefix_of(size, unit);
+  axis.ticks = ticks_between(axis.low / axis.prefix.factor, axis.high / axis.prefix.factor, most_ticks);
+  return axis;
+}
+
+Label titled(const Label& symbol, const Axis& axis, const std::string& unit) {
+  Label label = symbol;
+  if (!unit.empty()) label.rest += " (" + axis.prefix.symbol + unit + ")";
+  return label;
+}
+
+std::string line_style(std::size_t line) {
+  constexpr std::array<const char*, 3> dashes = {"", " stroke-dasharray=\"6 3\"",
+                                                 " stroke-dasharray=\"2 2.5\""};
+  return "fill=\"none\" stroke-width=\"1.5\" stroke-linejoin=\"round\" stroke=\"" +
+         hex(line_colour(static_cast<int>(line))) + "\"" + dashes[line / 6 % dashes.size()];
+}
+
+class ChartPage {
+ public:
+  ChartPage(const std::vector<Chart>& charts, const ChartOptions& options)
+      : charts_(charts), options_(options) {
+    if (charts.empty()) throw Error("a picture of curves needs a chart");
+    for (const Chart& chart : charts) {
+      x_axes_.push_back(axis_of(chart.series, &Series::x, chart.x_unit, 0, 8));
+      y_axes_.push_back(axis_of(chart.series, &Series::y, chart.y_unit, 0.04, 6));
+      for (std::size_t i = 0; i < y_axes_.back().ticks.values.size(); ++i)
+        widest_tick_ = std::max(widest_tick_, text_width(y_axes_.back().text(i), tick_size));
+      for (const Series& line : chart.series)
+        if (chart.series.size() > 1) widest_name_ = std::max(widest_name_, text_width(line.name, tick_size));
+    }
+    left_ = margin + label_size + 8 + widest_tick_ + tick_length + 4;
+    const double key = widest_name_ > 0 ? sample + 10 + widest_name_ + 6 : 14;
+    width_ = std::max(options.width - left_ - key - margin, 160.);
+    page_width_ = left_ + width_ + key + margin;
+  }
+
+  std::string svg() {
+    double y = margin;
+    if (!options_.title.empty()) {
+      page_.text({margin, margin + title_size}, options_.title, {.size = title_size, .bold = true});
+      y += title_line;
+    }
+    for (std::size_t i = 0; i < charts_.size(); ++i) {
+      corner_ = {left_, y + 6};
+      draw_axes(i);
+      draw_lines(i);
+      draw_key(charts_[i]);
+      const double key =
+          charts_[i].series.size() > 1 ? static_cast<double>(charts_[i].series.size()) * key_line : 0;
+      y += std::max(options_.plot_height + below_axis, key) + 6 + (i + 1 < charts_.size() ? between : 0);
+    }
+    return page_.finish(page_width_, y + 4);
+  }
+
+ private:
+  void draw_axes(std::size_t i) {
+    const Axis &x = x_axes_[i], &y = y_axes_[i];
+    const Vec2 low = corner_ + Vec2(0, options_.plot_height);
+    PathData grid, marks;
+    for (std::size_t k = 0; k < x.ticks.values.size(); ++k) {
+      const Vec2 at = low + Vec2(x.share(x.ticks.values[k] * x.prefix.factor) * width_, 0);
+      grid.move_to(at);
+      grid.line_to(at - Vec2(0, options_.plot_height));
+      marks.move_to(at);
+      marks.line_to(at + Vec2(0, tick_length));
+      page_.text(at + Vec2(0, tick_length + tick_size + 1), x.text(k),
+                 {.size = tick_size, .anchor = Anchor::middle});
+    }
+    for (std::size_t k = 0; k < y.ticks.values.size(); ++k) {
+      const Vec2 at = low - Vec2(0, y.share(y.ticks.values[k] * y.prefix.factor) * options_.plot_height);
+      grid.move_to(at);
+      grid.line_to(at + Vec2(width_, 0));
+      marks.move_to(at);
+      marks.line_to(at - Vec2(tick_length, 0));
+      page_.text(at + Vec2(-tick_length - 3, 0.35 * tick_size), y.text(k),
+                 {.size = tick_size, .anchor = Anchor::end});
+    }
+    page_.path(grid, "fill=\"none\" stroke=\"#e4e4e4\" stroke-width=\"0.7\"");
+    page_.path(marks, "fill=\"none\" stroke=\"#222\" stroke-width=\"0.8\"");
+    page_.rectangle(corner_, {width_, options_.plot_height},
+                    "fill=\"none\" stroke=\"#222\" stroke-width=\"0.8\"");
+    page_.text(low + Vec2(width_ / 2, below_axis - 6), titled(charts_[i].x_symbol, x, charts_[i].x_unit),
+               {.size = label_size, .anchor = Anchor::middle});
+    page_.text({margin + label_size - 2, corner_.y() + options_.plot_height / 2},
+               titled(charts_[i].y_symbol, y, charts_[i].y_unit),
+               {.size = label_size, .anchor = Anchor::middle, .upwards = true});
+  }
+
+  void draw_lines(std::size_t i) {
+    const Axis &x = x_axes_[i], &y = y_axes_[i];
+    page_.begin_clipped(corner_ - Vec2(0, 1), {width_ + 1, options_.plot_height + 2});
+    for (std::size_t line = 0; line < charts_[i].series.size(); ++line) {
+      const Series& series = charts_[i].series[line];
+      PathData data;
+      bool drawing = false;
+      for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
+        const bool finite = std::isfinite(series.x[k]) && std::isfinite(series.y[k]);
+        const Vec2 at =
+            corner_ + Vec2(x.share(series.x[k]) * width_, (1 - y.share(series.y[k])) * options_.plot_height);
+        if (finite && drawing) data.line_to(at);
+        if (finite && !drawing) data.move_to(at);
+        drawing = finite;
+      }
+      page_.path(data, line_style(line));
+    }
+    page_.end_group();
+  }
+
+  void draw_key(const Chart& chart) {
+    if (chart.series.size() < 2) return;
+    for (std::size_t line = 0; line < chart.series.size(); ++line) {
+      const Vec2 at = corner_ + Vec2(width_ + 10, (static_cast<double>(line) + 0.5) * key_line);
+      page_.line(at, at + Vec2(sample, 0), line_style(line));
+      page_.text(at + Vec2(sample + 6, 0.35 * tick_size), chart.series[line].name, {.size = tick_size});
+    }
+  }
+
+  const std::vector<Chart>& charts_;
+  const ChartOptions& options_;
+  std::vector<Axis> x_axes_, y_axes_;
+  double widest_tick_ = 0, widest_name_ = 0;
+  double left_ = 0, width_ = 0, page_width_ = 0;
+  Vec2 corner_{0, 0};  ///< upper left, of the chart being drawn
+  SvgPage page_;
+};
+
+}  // namespace
+
+std::string draw(const std::vector<Chart>& charts, const ChartOptions& options) {
+  return ChartPage(charts, options).svg();
+}
+
+}  // namespace ddacontact

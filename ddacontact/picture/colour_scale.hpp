@@ -1,0 +1,45 @@
+/// \file Which colour stands for which values.
+#pragma once
+
+#include <ddacontact/picture/field.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// From low to high, in the unit of a field.
+struct ValueRange {
+  double low = 0, high = 0;
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// Bands of equal height; those of signed fields lie about round values, so that zero has one, others between
+/// them.
+class ColourScale {
+ public:
+  /// Covers the range of the data, or `shown` where that is given: then values beyond it take the colour of
+  /// the nearest end. Signed fields get colours symmetric about zero.
+  ColourScale(Field field, const ValueRange& data, const ValueRange* shown = nullptr);
+
+  Field field() const { return field_; }
+  /// Whether there is but one value, `bounds()[0]`, and one band.
+  bool is_constant() const { return bounds_.size() == 1; }
+  /// Between the bands, ascending, and at both ends: n_bands() + 1 values.
+  const std::vector<double>& bounds() const { return bounds_; }
+  int n_bands() const { return is_constant() ? 1 : static_cast<int>(bounds_.size()) - 1; }
+  /// The band a value lies in, 0 .. n_bands() - 1.
+  int band(double value) const;
+  Colour colour(int band) const;
+  /// Whether the data go on below, above the bands.
+  bool cut_below() const { return !is_constant() && data_.low < bounds_.front(); }
+  bool cut_above() const { return !is_constant() && data_.high > bounds_.back(); }
+
+  bool operator==(const ColourScale&) const = default;
+
+ private:
+  Field field_;
+  ValueRange data_;
+  std::vector<double> bounds_;
+};
+
+}  // namespace ddacontact

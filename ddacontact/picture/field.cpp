@@ -1,0 +1,103 @@
+#include <ddacontact/picture/field.hpp>
+
+#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/validity.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr const char* sigma = "\u03c3";
+
+const std::vector<FieldDescription> fields = {
+    {Field::none, "none", {}, "", FieldKind::outlines},
+    {Field::sxx, "sxx", {sigma, "xx", ""}, "Pa", FieldKind::with_sign},
+    {Field::syy, "syy", {sigma, "yy", ""}, "Pa", FieldKind::with_sign},
+    {Field::sxy, "sxy", {sigma, "xy", ""}, "Pa", FieldKind::with_sign},
+    {Field::s1, "s1", {sigma, "1", ""}, "Pa", FieldKind::with_sign},
+    {Field::s2, "s2", {sigma, "2", ""}, "Pa", FieldKind::with_sign},
+    {Field::displacement, "displacement", {"displacement", "", ""}, "m", FieldKind::magnitude},
+    {Field::velocity, "velocity", {"velocity", "", ""}, "m/s", FieldKind::magnitude},
+    {Field::material, "material", {"material", "", ""}, "", FieldKind::kinds},
+    {Field::block, "block", {"block", "", ""}, "", FieldKind::kinds}};
+
+/// What the block is as a whole, where its shape functions are of no use.
+Eigen::VectorXd mean(const Frame& frame, int block, Field field) {
+  const Range& range = frame.blocks[static_cast<std::size_t>(block)];
+  if (field == Field::displacement)
+    return frame.displacement.middleCols(range.first, range.count).rowwise().mean();
+  if (field == Field::velocity) return frame.velocity.middleCols(range.first, range.count).rowwise().mean();
+  return frame.mean_stress.col(block);
+}
+
+}  // namespace
+
+const std::vector<FieldDescription>& all_fields() {
+  return fields;
+}
+
+const FieldDescription& description(Field field) {
+  return fields[static_cast<std::size_t>(field)];
+}
+
+std::optional<Field> field_named(std::string_view name) {
+  for (const FieldDescription& field : fields)
+    if (name == field.name) return field.field;
+  return std::nullopt;
+}
+
+bool holds(const Frame& frame, Field field) {
+  const Index n = frame.position.cols();
+  if (description(field).kind == FieldKind::with_sign) return frame.strain_displacement.cols() == n;
+  if (field == Field::displacement) return frame.displacement.cols() == n;
+  if (field == Field::velocity) return frame.velocity.cols() == n;
+  return true;
+}
+
+BlockField::BlockField(const Frame& frame, int block, Field field)
+    : frame_(frame), block_(block), field_(field) {
+  const auto outline = frame.outline(block);
+  outline_ = outline.colwise() - Vec2(outline.col(0));
+  centroid_ = polyfem::area_moments(outline_).centroid;
+  convex_ = !polyfem::find_non_convex_corner(outline_, 1e-9);
+  if (!centroid_.allFinite()) centroid_ = outline_.rowwise().mean();
+}
+
+double BlockField::stress_value(const Vec3& stress) const {
+  switch (field_) {
+    case Field::sxx:
+      return stress[0];
+    case Field::syy:
+      return stress[1];
+    case Field::sxy:
+      return stress[2];
+    case Field::s1:
+      return polyfem::principal_stresses(stress).s1;
+    default:
+      return polyfem::principal_stresses(stress).s2;
+  }
+}
+
+double BlockField::operator()(const Vec2& point) {
+  const bool of_stress = description(field_).kind == FieldKind::with_sign;
+  Eigen::VectorXd tensor;
+  if (!convex_) {
+    tensor = mean(frame_, block_, field_);
+  } else {
+    polyfem::wachspress(outline_, point, shape_);
+    const Range& range = frame_.blocks[static_cast<std::size_t>(block_)];
+    const Points& vectors = field_ == Field::velocity ? frame_.velocity : frame_.displacement;
+    if (of_stress)
+      tensor = frame_.stress(block_, shape_);
+    else
+      tensor = vectors.middleCols(range.first, range.count) * shape_.values;
+  }
+  const double value = of_stress ? stress_value(tensor) : tensor.norm();
+  return std::isfinite(value) ? value : 0;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,69 @@
+/// \file What can be shown of a frame in colours.
+#pragma once
+
+#include <ddacontact/output/frame.hpp>
+#include <ddacontact/picture/svg.hpp>
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ddacontact {
+
+/// Numbers and kinds under the names of the result files' arrays.
+enum class Field { none, sxx, syy, sxy, s1, s2, displacement, velocity, material, block };
+
+/// How a field is drawn.
+enum class FieldKind {
+  outlines,   ///< nothing but outlines
+  kinds,      ///< a plain colour per block
+  magnitude,  ///< a number >= 0 at every point
+  with_sign   ///< a number at every point, zero being special
+};
+
+/// What users read of a field.
+struct FieldDescription {
+  Field field;
+  const char* name;  ///< as on a command line
+  Label symbol;
+  const char* unit;
+  FieldKind kind;
+};
+
+/// All of them, in the order they are listed to users.
+const std::vector<FieldDescription>& all_fields();
+/// Of one field.
+const FieldDescription& description(Field field);
+/// The field of this name, or nothing.
+std::optional<Field> field_named(std::string_view name);
+
+/// Whether the frame holds what the field is computed from.
+bool holds(const Frame& frame, Field field);
+
+/// A field inside one block, on its current outline, by its shape functions.
+///
+/// Coordinates are relative to the outline's first vertex, so that they stay exact far from the origin.
+class BlockField {
+ public:
+  /// `field` is one of numbers (`magnitude` or `with_sign`) that the frame holds; the frame must outlive
+  /// this.
+  BlockField(const Frame& frame, int block, Field field);
+
+  const Points& outline() const { return outline_; }
+  const Vec2& centroid() const { return centroid_; }
+  /// The value at a point of the closed outline; 0 where it is not finite.
+  double operator()(const Vec2& point);
+
+ private:
+  double stress_value(const Vec3& stress) const;
+
+  const Frame& frame_;
+  int block_;
+  Field field_;
+  Points outline_;
+  Vec2 centroid_;
+  bool convex_;  ///< else the block's mean stands for the field
+  polyfem::ShapeValues shape_;
+};
+
+}  // namespace ddacontact

@@ -1,0 +1,135 @@
+// `dda plot` and `dda info` from outside: what they write and say, and what they refuse.
+
+#include "program.hpp"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace support;
+
+/// With a result: ten steps of the arch.
+class Results : public Program {
+ protected:
+  Results() {
+    const std::string scene = "'" POLYDDA_EXAMPLES "/paper/arch_friction30.toml'";
+    EXPECT_EQ(dda("run " + scene + " -o result --steps 10 --quiet --set output.every=5"), 0) << err_;
+  }
+
+  std::string svg(const std::string& name) const {
+    const std::string text = read_file(directory_ / name);
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_string(text.c_str())) << name;
+    return text;
+  }
+  void expect_refused(const std::string& arguments, int status, const std::vector<std::string>& told) {
+    EXPECT_EQ(dda(arguments), status) << arguments;
+    EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    for (const std::string& words : told)
+      EXPECT_NE(err_.find(words), std::string::npos) << words << ": " << err_;
+    EXPECT_FALSE(fs::exists(directory_ / "x.svg"));
+  }
+};
+
+TEST_F(Results, AreDrawn) {
+  ASSERT_EQ(dda("plot result -o a.svg"), 0) << err_;
+  EXPECT_TRUE(out_.empty());
+  EXPECT_NE(svg("a.svg").find("step 10, t = 0.1 s"), std::string::npos);
+  EXPECT_NE(svg("a.svg").find("Arch bridge"), std::string::npos);
+  for (const char* field :
+       {"sxx", "syy", "sxy", "s1", "s2", "displacement", "velocity", "material", "block", "none"})
+    EXPECT_EQ(dda(std::string("plot result --field ") + field + " -o a.svg"), 0) << err_;
+}
+
+TEST_F(Results, AreDrawnInPanelsWithAllThatGoesOnTop) {
+  ASSERT_EQ(dda("plot result result --field s1,displacement --field syy --frame 5,last --reference --forces "
+                "--crosses "
+                "--vectors velocity --names --width 1200 -o b.svg"),
+            0)
+      << err_;
+  const std::string picture = svg("b.svg");
+  for (const char* words : {"result: step 5", "result: step 10", "crown", "contact force", "compression"})
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+  ASSERT_EQ(dda("plot result --field s1 --range '-1 kPa,2000' --window 0,1,0,1 --own-range -o c.svg"), 0)
+      << err_;
+  EXPECT_NE(svg("c.svg").find("clip-path"), std::string::npos);
+}
+
+TEST_F(Results, HaveTheirHistoriesDrawn) {
+  ASSERT_EQ(dda("plot result --history ux,vy --energy -o d.svg"), 0) << err_;
+  const std::string picture = svg("d.svg");
+  for (const char* words : {"kinetic", "time", "mJ/m"})
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+  EXPECT_EQ(dda("plot result result --history y --monitor crown -o e.svg"), 0) << err_;
+}
+
+TEST_F(Results, WrongCallsAreRefusedWithACure) {
+  expect_refused("plot", 2, {"DIR"});
+  expect_refused("plot result", 2, {"--output"});
+  expect_refused("plot result -o x.png", 2, {"x.png", ".svg"});
+  expect_refused("plot result --field stress -o x.svg", 2, {"\"stress\"", "known"});
+  expect_refused("plot result --field displacment -o x.svg", 2, {"'displacement'"});
+  expect_refused("plot result --frame 7 -o x.svg", 2, {"step 7", "0, 5, 10"});
+  expect_refused("plot result --frame first -o x.svg", 2, {"\"first\"", "\"last\""});
+  expect_refused("plot result --vectors force -o x.svg", 2, {"velocity"});
+  expect_refused("plot result --range 5 -o x.svg", 2, {"2 numbers"});
+  expect_refused("plot result --range 5,1 -o x.svg", 2, {"below"});
+  expect_refused("plot result --range 1kN,2 -o x.svg", 2, {"1kN"});
+  expect_refused("plot result --field block --range 1,2 -o x.svg", 2, {"--range"});
+  expect_refused("plot result --window 0,1,2 -o x.svg", 2, {"4 numbers"});
+  expect_refused("plot result --history uz -o x.svg", 2, {"\"uz\"", "ux"});
+  expect_refused("plot result --history ux --monitor crwn -o x.svg", 2, {"crwn", "crown"});
+  expect_refused("plot result --monitor crown -o x.svg", 2, {"--history"});
+  expect_refused("plot result --energy --field s1 -o x.svg", 2, {"--energy"});
+  expect_refused("plot result --width 10 -o x.svg", 2, {"--width"});
+  expect_refused("info", 2, {"DIR"});
+}
+
+TEST_F(Results, FilesThatAreNotThereOrDamagedEndWithStatus4) {
+  fs::create_directories(directory_ / "empty");
+  write("file", "text");
+  expect_refused("plot missing -o x.svg", 4, {"missing"});
+  expect_refused("plot empty -o x.svg", 4, {"empty", "not a result directory"});
+  expect_refused("plot file -o x.svg", 4, {"is a file"});
+  expect_refused("plot result -o nowhere/x.svg", 4, {"nowhere/x.svg"});
+  expect_refused("info missing", 4, {"missing"});
+  expect_refused("info empty", 4, {"empty"});
+  write("result/summary.json", "{\"status\":");
+  expect_refused("info result", 4, {"summary.json"});
+  write("result/monitors.csv", "step,time\n1\n");
+  expect_refused("plot result --history ux -o x.svg", 4, {"monitors.csv"});
+  fs::remove(directory_ / "result/results.pvd");
+  expect_refused("plot result -o x.svg", 4, {"results.pvd"});
+}
+
+TEST_F(Results, WhatARunDidNotKeepIsNamed) {
+  ASSERT_EQ(dda("run '" POLYDDA_EXAMPLES "/paper/sliding_0.toml' -o bare --steps 1 --quiet --set "
+                "'output.fields=[\"displacement\"]'"),
+            0)
+      << err_;
+  expect_refused("plot bare --field s1 -o x.svg", 2, {"\"s1\"", "displacement", "[output]"});
+  EXPECT_EQ(dda("plot bare -o y.svg"), 0) << err_;  // outlines, without being asked
+}
+
+TEST_F(Results, AreToldInWords) {
+  ASSERT_EQ(dda("info result"), 0) << err_;
+  for (const char* words :
+       {"Arch bridge", "completed after 10 steps", "7 blocks", "largest displacement", "block crown",
+        "Pa in block", "12 stick", "of the smallest block's size", "kinetic", "balance closes",
+        "the blocks weigh 2.412 kN/m", "wall time", "3: steps 0, 5, 10", "monitors.csv"})
+    EXPECT_NE(out_.find(words), std::string::npos) << words << "\n" << out_;
+}
+
+TEST_F(Results, AreToldAsFarAsTheyAreThere) {
+  fs::remove(directory_ / "result/vertices.csv");
+  fs::remove(directory_ / "result/scene.toml");
+  EXPECT_EQ(dda("info result"), 4);
+  EXPECT_NE(err_.find("vertices.csv"), std::string::npos) << err_;
+  EXPECT_NE(out_.find("completed after 10 steps"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("12 stick"), std::string::npos) << out_;
+}
+
+}  // namespace

@@ -1,0 +1,305 @@
+// Whole pictures: they show what the frame holds, whatever it holds.
+
+#include "frames.hpp"
+
+#include "../../support/run_scene.hpp"
+
+#include <ddacontact/picture/field_layer.hpp>
+#include <ddacontact/picture/number_text.hpp>
+#include <ddacontact/picture/picture.hpp>
+
+#include <limits>
+#include <map>
+
+namespace {
+
+using namespace support;
+
+const Mat2 stretch_x = (Mat2() << 1e-3, 0, 0, 0).finished();
+
+/// Two unit squares under 1 MPa and -2 MPa of sxx.
+Frame two_blocks() {
+  Frame frame = empty_frame();
+  add_block(frame, box(0, 0, 1, 1), stretch_x);
+  add_block(frame, box(2, 0, 1, 1), -2 * stretch_x);
+  return frame;
+}
+
+PictureOptions everything() {
+  PictureOptions options;
+  options.title = "All <there> & \"is\"";
+  options.reference = options.names = true;
+  options.vectors = {VectorKind::principal_stresses, VectorKind::contact_forces, VectorKind::displacement,
+                     VectorKind::velocity};
+  return options;
+}
+
+/// The polygons of the path with that fill.
+std::vector<std::vector<Vec2>> filled(const pugi::xml_document& document, const Colour& colour) {
+  for (const pugi::xml_node& path : paths(document))
+    if (path.attribute("fill").value() == hex(colour)) return polygons(path.attribute("d").value());
+  return {};
+}
+
+/// The polygons of the block outlines: the only dark strokes with round joins.
+std::vector<std::vector<Vec2>> outlines(const pugi::xml_document& document) {
+  const auto path =
+      document.select_node("//*[name()='path'][@stroke='#222'][@stroke-linejoin='round']").node();
+  return polygons(path.attribute("d").value());
+}
+
+void expect_sound(const std::string& svg) {
+  const pugi::xml_document document = parsed(svg);
+  const pugi::xml_node root = document.document_element();
+  const double width = root.attribute("width").as_double(), height = root.attribute("height").as_double();
+  EXPECT_GT(width, 100);
+  EXPECT_LT(width, 2000);
+  EXPECT_LT(height, 3000);
+  for (const pugi::xml_node& path : paths(document)) {
+    const std::string data = path.attribute("d").value();
+    EXPECT_EQ(data.find_first_not_of("mz-. 0123456789"), std::string::npos) << data.substr(0, 80);
+    for (const auto& polygon : polygons(data))
+      for (const Vec2& x : polygon) {
+        EXPECT_TRUE(x.x() >= -1 && x.x() <= width + 1) << x.transpose();
+        EXPECT_TRUE(x.y() >= -1 && x.y() <= height + 1) << x.transpose();
+      }
+  }
+  for (const char* wrong : {"nan", "inf", "undefined"})
+    EXPECT_EQ(svg.find(wrong), std::string::npos) << wrong;
+}
+
+TEST(Picture, AKnownStressHasItsColour) {
+  const Frame frame = two_blocks();
+  const pugi::xml_document document = parsed(draw({{.frame = &frame, .field = Field::sxx}}, {}));
+  const ColourScale scale(Field::sxx, {-2e6, 1e6});
+  const auto tension = filled(document, scale.colour(scale.band(1e6)));
+  const auto compression = filled(document, scale.colour(scale.band(-2e6)));
+  ASSERT_EQ(tension.size(), 1u);
+  ASSERT_EQ(compression.size(), 1u);
+  EXPECT_LT(tension[0][0].x(), compression[0][0].x());
+  const auto shapes = outlines(document);
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_NEAR(std::abs(area(tension[0])), std::abs(area(shapes[0])), 0.5);
+}
+
+TEST(Picture, EveryBlockIsOutlinedInShapeAndPlace) {
+  const Frame frame = wall(7, 5);
+  const auto shapes = outlines(parsed(draw({{.frame = &frame, .field = Field::s1}}, {})));
+  ASSERT_EQ(shapes.size(), 35u);
+  const double scale = (shapes[6][0] - shapes[0][0]).norm() / 6;  // blocks are 1 m apart
+  for (int b = 0; b < 35; ++b)
+    for (int v = 0; v < 4; ++v) {
+      const Vec2 x = frame.outline(b).col(v) - frame.outline(0).col(0);
+      const Vec2 page = shapes[b][v] - shapes[0][0];
+      EXPECT_NEAR(page.x(), scale * x.x(), 0.03);
+      EXPECT_NEAR(page.y(), -scale * x.y(), 0.03);
+    }
+}
+
+TEST(Picture, HigherColoursLieOnLowerOnesAndShrink) {
+  const Frame frame = wall(1, 1);
+  const FieldSamples samples(frame, Field::s2, 400);
+  const ColourScale scale(Field::s2, samples.range());
+  SvgPage page;
+  samples.draw(page, {{{0, 0}, {1, 0.5}}, {0, 0}, 400}, scale);
+  const pugi::xml_document document = parsed(page.finish(400, 200));
+  std::map<std::string, int> band_of;
+  for (int k = 0; k < scale.n_bands(); ++k) band_of[hex(scale.colour(k))] = k;
+  int last = -1;
+  double before = 400 * 200 * 1.0001;
+  for (const pugi::xml_node& path : paths(document)) {
+    const int band = band_of.at(path.attribute("fill").value());
+    EXPECT_GT(band, last);
+    double sum = 0;
+    for (const auto& polygon : polygons(path.attribute("d").value())) sum -= area(polygon);  // y is downwards
+    EXPECT_LE(sum, before);
+    before = sum;
+    last = band;
+  }
+  EXPECT_EQ(last, scale.n_bands() - 1);
+  EXPECT_GT(last, 20);
+}
+
+TEST(Picture, ValuesAtVerticesAndInsideAreThoseOfTheShapeFunctions) {
+  Frame frame = two_blocks();
+  BlockField stress(frame, 1, Field::s2), displacement(frame, 1, Field::displacement);
+  for (const Vec2& x : {Vec2(0, 0), Vec2(1, 1), Vec2(0.5, 0), Vec2(0.3, 0.6)}) {  // from the first vertex
+    EXPECT_NEAR(stress(x), -2e6, 1e-6);
+    EXPECT_NEAR(displacement(x), 2e-3 * (2 + x.x()), 1e-15);
+  }
+}
+
+TEST(Picture, IsTheSameFarFromTheOrigin) {
+  const double far = 1 << 20;
+  const Frame here = wall(3, 3), there = wall(3, 3, 1, Vec2(far, -far));
+  const PictureOptions options = everything();
+  EXPECT_EQ(draw({{.frame = &here, .field = Field::s1}}, options),
+            draw({{.frame = &there, .field = Field::s1}}, options));
+}
+
+TEST(Picture, IsSoundWhateverTheFrameHolds) {
+  std::vector<Frame> zoo = {
+      two_blocks(), wall(4, 3), wall(3, 2, 1e-6), wall(3, 2, 1e6), wall(1, 1, 1, Vec2(1e6, 1e6)),
+      wall(40, 1),  wall(1, 60)};
+  Frame at_rest = empty_frame();
+  add_block(at_rest, box(0, 0, 1, 1), Mat2::Zero());
+  zoo.push_back(at_rest);
+  Frame sliver = empty_frame();
+  add_block(sliver, box(0, 0, 1, 1e-7), stretch_x);
+  zoo.push_back(sliver);
+  Frame concave = empty_frame();
+  Points arrow(2, 4);
+  arrow << 0, 2, 0, 0.5, 0, 1, 2, 1;
+  add_block(concave, arrow, stretch_x);
+  zoo.push_back(concave);
+  Frame huge = two_blocks();
+  huge.strain_displacement *= 1e250;
+  huge.velocity *= 1e-300;
+  zoo.push_back(huge);
+  Frame broken = two_blocks();
+  broken.strain_displacement(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  broken.velocity(0, 2) = std::numeric_limits<double>::infinity();
+  zoo.push_back(broken);
+  for (Frame& frame : zoo)
+    for (const ContactState state : {ContactState::stick, ContactState::slip_forward})
+      frame.contacts.push_back({0, 0, frame.position.col(1), {0, 1}, -1e-9, 5e3, -1e3, state});
+  for (std::size_t i = 0; i < zoo.size(); ++i)
+    for (const FieldDescription& field : all_fields()) {
+      SCOPED_TRACE(std::to_string(i) + " " + field.name);
+      expect_sound(draw({{.frame = &zoo[i], .field = field.field, .caption = "one"}}, everything()));
+      expect_sound(draw({{&zoo[i], field.field, "left", {}, 0}, {&zoo[0], field.field, "right", {}, 1}}, {}));
+    }
+}
+
+TEST(Picture, AnUnstressedSceneSaysSo) {
+  Frame frame = empty_frame();
+  add_block(frame, box(0, 0, 1, 1), Mat2::Zero());
+  const std::string told = texts(parsed(draw({{.frame = &frame, .field = Field::s1}}, {})));
+  EXPECT_NE(told.find("\u03c31 (Pa)"), std::string::npos) << told;
+  EXPECT_NE(told.find("everywhere"), std::string::npos) << told;
+}
+
+TEST(Picture, PanelsShareColoursUnlessToldOtherwise) {
+  const Frame weak = two_blocks();
+  Frame strong = weak;
+  strong.strain_displacement *= 3;
+  const std::vector<Panel> panels = {{&weak, Field::sxx, "weak", {}, 0},
+                                     {&strong, Field::sxx, "strong", {}, 0}};
+  const auto n_titles = [&](const PictureOptions& options) {
+    const std::string told = texts(parsed(draw(panels, options)));
+    int n = 0;
+    for (std::size_t at = 0; (at = told.find("\u03c3xx", at)) != std::string::npos; ++at) ++n;
+    return n;
+  };
+  PictureOptions options;
+  options.columns = 2;
+  EXPECT_EQ(n_titles(options), 1);
+  options.sharing = RangeSharing::none;
+  EXPECT_EQ(n_titles(options), 2);
+  options.sharing = RangeSharing::rows;
+  EXPECT_EQ(n_titles(options), 1);
+  options.columns = 1;
+  EXPECT_EQ(n_titles(options), 2);
+  // The strongest colour belongs to the strongest value of all panels.
+  options.sharing = RangeSharing::all;
+  const ColourScale scale(Field::sxx, {-6e6, 3e6});
+  EXPECT_EQ(filled(parsed(draw(panels, options)), scale.colour(scale.band(-6e6))).size(), 1u);
+  EXPECT_EQ(filled(parsed(draw(panels, options)), scale.colour(scale.band(1e6))).size(), 1u);
+}
+
+TEST(Picture, ArrowsAreAsLongAsTheirSampleSays) {
+  Frame frame = two_blocks();
+  frame.contacts.push_back({1, 0, Vec2(0.5, 0.5), {0, 1}, 0, 30e3, 40e3, ContactState::stick});
+  PictureOptions options;
+  options.vectors = {VectorKind::contact_forces};
+  const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));
+  std::vector<double> lengths;
+  std::vector<Vec2> directions;
+  for (const pugi::xml_node& path : paths(document))
+    for (const auto& polygon : polygons(path.attribute("d").value()))
+      if (polygon.size() == 7) {  // tail, neck, tip, neck, tail
+        directions.push_back(polygon[3] - (polygon[0] + polygon[6]) / 2);
+        lengths.push_back(directions.back().norm());
+      }
+  ASSERT_EQ(lengths.size(), 2u);  // the force and the sample
+  EXPECT_NE(texts(document).find("50 kN/m contact force"), std::string::npos) << texts(document);
+  EXPECT_NEAR(lengths[0], lengths[1], 0.05);
+  // The normal up, shear along the normal turned left; y is downwards on the page.
+  EXPECT_NEAR(directions[0].x() / lengths[0], -0.8, 1e-3);
+  EXPECT_NEAR(directions[0].y() / lengths[0], -0.6, 1e-3);
+}
+
+TEST(Picture, ArrowsBeyondTheBlocksDoNotReachTheLegend) {
+  Frame frame = two_blocks();
+  frame.contacts.push_back({1, 0, Vec2(0.5, 0), {0, -1}, 0, 30e3, 0, ContactState::stick});
+  PictureOptions options;
+  options.vectors = {VectorKind::contact_forces};
+  const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));
+  double lowest = 0;
+  for (const pugi::xml_node& path : paths(document))
+    if (path.attribute("paint-order"))
+      for (const auto& polygon : polygons(path.attribute("d").value()))
+        if (std::abs(polygon[3].x() - polygon[0].x()) < 2) lowest = std::max(lowest, polygon[3].y());
+  const auto bar =
+      polygons(document.select_node("//*[name()='path'][@stroke-width='1.2']").node().attribute("d").value());
+  EXPECT_GT(lowest, outlines(document)[0][0].y() + 20);
+  EXPECT_LT(lowest, bar[0][0].y());
+}
+
+TEST(Picture, ScenesOfUnlikeSizeHaveEachTheirScale) {
+  const Frame small = wall(2, 2), large = wall(2, 2, 50), similar = wall(2, 2, 1.5);
+  EXPECT_NE(texts(parsed(draw({{&small, Field::none, "", {}, 0}, {&large, Field::none, "", {}, 1}}, {})))
+                .find("0.2 m\n10 m"),
+            std::string::npos);
+  const std::string one =
+      texts(parsed(draw({{&small, Field::none, "", {}, 0}, {&similar, Field::none, "", {}, 1}}, {})));
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1) << one;
+}
+
+TEST(Picture, TheScaleBarIsToScaleBesideALongLegend) {
+  Frame frame = wall(1, 40);
+  frame.contacts.push_back({0, 0, Vec2(0, 0), {0, 1}, 0, 5e3, -1e3, ContactState::slip_forward});
+  PictureOptions options = everything();
+  options.reference = false;
+  const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));
+  const auto shapes = outlines(document);
+  ASSERT_EQ(shapes.size(), 40u);
+  const double metre = (shapes[38][0] - shapes[0][0]).norm() / 19;
+  const auto bar =
+      polygons(document.select_node("//*[name()='path'][@stroke-width='1.2']").node().attribute("d").value());
+  ASSERT_EQ(bar.size(), 3u);
+  EXPECT_NE(texts(document).find("\n0.5 m\n"), std::string::npos) << texts(document);
+  EXPECT_NEAR((bar[1][1] - bar[1][0]).norm(), metre / 2, 0.02);
+}
+
+TEST(Picture, AThousandBlocksMakeASmallFile) {
+  const Frame frame = wall(40, 25);
+  EXPECT_LT(draw({{.frame = &frame, .field = Field::s1}}, {}).size(), 2'500'000u);
+}
+
+TEST(Picture, WhatAFrameDoesNotHoldIsRefused) {
+  Frame frame = two_blocks();
+  frame.strain_displacement.resize(2, 0);
+  EXPECT_THROW(draw({{.frame = &frame, .field = Field::s1}}, {}), Error);
+  EXPECT_NO_THROW(draw({{.frame = &frame, .field = Field::velocity}}, {}));
+  EXPECT_THROW(draw(std::vector<Panel>{}, PictureOptions{}), Error);
+  frame.displacement.resize(2, 0);
+  PictureOptions options;
+  options.reference = true;
+  EXPECT_THROW(draw({{.frame = &frame}}, options), Error);
+}
+
+TEST(Picture, OfARunShowsItsFieldsAndContacts) {
+  BuiltScene built = build_example("paper/arch_friction30.toml");
+  ASSERT_TRUE(run(*built.stepper, 20));
+  const Frame frame = capture_frame(*built.stepper, built.labels, {});
+  const std::vector<std::string>& names = built.labels.block_names;
+  const std::string svg = draw(
+      {{&frame, Field::s1, "step 20", names, 0}, {&frame, Field::s2, "step 20", names, 0}}, everything());
+  expect_sound(svg);
+  const std::string told = texts(parsed(svg));
+  for (const char* word : {"crown", "left_haunch", "step 20", "contact force", "compression"})
+    EXPECT_NE(told.find(word), std::string::npos) << word;
+}
+
+}  // namespace
