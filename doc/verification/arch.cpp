@@ -14,7 +14,8 @@ namespace verification {
 namespace {
 
 constexpr int n_blocks = 7, crown = 3, n_steps = 30;
-constexpr std::array springers{0, 6}, middle{1, 2, 3, 4, 5};
+constexpr std::array springers{0, 6};
+constexpr std::array middle{1, 2, 3, 4, 5};
 
 std::string kpa(double stress) {
   return fmt::format("{:.2f}", stress / 1e3);

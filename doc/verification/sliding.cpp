@@ -47,7 +47,7 @@ std::string scene(int angle) {
 }
 
 void velocities(Report& report) {
-  Chart chart{.x_symbol = {"t"}, .y_symbol = {"v"}, .x_unit = "s", .y_unit = "m/s", .series = {}};
+  Chart chart{.x_symbol = {"t", "", ""}, .y_symbol = {"v", "", ""}, .x_unit = "s", .y_unit = "m/s", .series = {}};
   std::vector<std::vector<std::string>> rows{{"friction angle", "(53) at 0.7 s, m/s", "original DDA", "error",
                                               "Wachspress", "error", "Wachspress, E = 35 GPa", "error"}};
   double largest_soft = 0, largest_stiff = 0, at_40 = 0;
