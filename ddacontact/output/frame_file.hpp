@@ -12,10 +12,10 @@ namespace ddacontact {
 /// `strain_displacement` hold what else makes the frame. Throws OutputError.
 void write_blocks(const std::filesystem::path& path, const Frame& frame, const FrameOptions& options);
 
-/// Contacts as points at the vertex. Point arrays: `normal_force`, `shear_force`, `gap`, `state` (0 open, 1
-/// stick, 2 slip), `slip_sense` (1: the vertex moves along the edge, its block's boundary on the left; -1
-/// against it), `force` on `block_a`, whose vertex it is, `normal` out of `block_b`, whose edge it is. Throws
-/// OutputError.
+/// Contacts as points at the vertex. Point arrays: `normal_force`, `shear_force` along the normal turned
+/// left, `gap`, `state` (0 open, 1 stick, 2 slip), `slip_sense` (1 when the vertex slides that way too, -1
+/// when against it, 0 when it does not), `force` on `block_a`, whose vertex it is, `normal` out of `block_b`,
+/// whose edge it is. Throws OutputError.
 void write_contacts(const std::filesystem::path& path, const Frame& frame);
 
 }  // namespace ddacontact
