@@ -67,8 +67,8 @@ void tell_stress(Answer& answer, const fs::path& directory) {
   for (double& value : s2) value = -value;
   const std::size_t i = at_largest(s1), j = at_largest(s2);
   answer.line(fmt::format("largest principal stress {} in block {}", quantity_text(s1[i], "Pa"), names[i]));
-  answer.line(
-      fmt::format("smallest {} in block {} (tension positive, at integration points)", quantity_text(-s2[j], "Pa"), names[j]));
+  answer.line(fmt::format("smallest {} in block {} (tension positive, at integration points)",
+                          quantity_text(-s2[j], "Pa"), names[j]));
 }
 
 void tell_contacts(Answer& answer, const SummaryTable& summary, const fs::path& directory) {
