@@ -13,6 +13,7 @@ void draw_colour_bar(SvgPage& page, const Vec2& corner, double height, const Col
 
 /// What looks well; a constant needs little room.
 double least_bar_height_of(const ColourScale& scale);
+/// Beside tall pictures, px.
 constexpr double most_bar_height = 300;
 
 }  // namespace ddacontact

@@ -23,7 +23,16 @@ struct GridNeeds {
   std::size_t n_panels() const { return extents.size(); }
 };
 
-constexpr double page_margin = 12, panel_gap = 18, bar_gap = 12, caption_size = 12.5, caption_line = 16;
+/// Free about everything, px.
+constexpr double page_margin = 12;
+/// Between panels, px.
+constexpr double panel_gap = 18;
+/// Between a picture and its bar, px.
+constexpr double bar_gap = 12;
+/// Font size of captions, px.
+constexpr double caption_size = 12.5;
+/// From line to line of a caption, px.
+constexpr double caption_line = 16;
 
 /// Places on the page, in pixels.
 struct Grid {

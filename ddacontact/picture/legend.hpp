@@ -15,6 +15,7 @@ struct LegendItem {
   std::function<void(SvgPage&, const Vec2&)> draw;
 };
 
+/// px.
 constexpr double legend_line_height = 22;
 
 /// A round length of the scene, at most `most_pixels` long on the page.
