@@ -25,23 +25,17 @@ int main() {
   slider << 1, 3, 4, 2,  //
       11, 9, 10, 12;
   std::vector<std::unique_ptr<Block>> blocks;
-  for (const Points& outline : {ramp, slider}) {
-    bool sound = false;
-    const Integration integration = choose_integration(outline, GradientCorrection::on, sound);
-    blocks.push_back(std::make_unique<VertexBlock>(rock, outline, integration));
-  }
-  Points outlines(2, 7);
-  outlines << ramp, slider;
+  for (const Points& outline : {ramp, slider}) blocks.push_back(std::make_unique<VertexBlock>(rock, outline));
 
-  BlockSystem system(std::move(blocks), outlines);
+  BlockSystem system(std::move(blocks));
   system.gravity = Vec2(0, -g);
   std::vector<HeldUnknown> held;  // every vertex of the ramp, in x and y
   for (int vertex = 0; vertex < 3; ++vertex)
     for (int axis = 0; axis < 2; ++axis) held.push_back({2 * vertex + axis, vertex, axis, {}});
   system.set_held_unknowns(held);
 
-  const std::vector<JointTable::Entry> joints{{{friction, 0, 0}, std::nullopt}};
-  const ContactProperties contacts{40 * young, 16 * young, JointTable(joints), {0, 0}};
+  const JointTable joints(JointStrength{.friction = friction});
+  const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}};
   AnalysisOptions analysis;
   analysis.time_step = 0.02;
   BlockState start = system.initial_state();

@@ -9,12 +9,12 @@ namespace ddacontact {
 Block::Block(const BlockMaterial& material, const PointsRef& outline)
     : material_(material),
       compliance_(material.elasticity.inverse()),
-      n_vertices_(static_cast<int>(outline.cols())),
+      reference_(outline),
       reference_area_(polyfem::signed_area(outline)),
       moments_(polyfem::area_moments(outline)) {}
 
 void Block::place(int first_vertex, int first_unknown, int first_stress_point) {
-  vertices_ = {first_vertex, n_vertices_};
+  vertices_ = {first_vertex, n_vertices()};
   unknowns_ = {first_unknown, n_unknowns()};
   stress_points_ = {first_stress_point, n_stress_points()};
 }

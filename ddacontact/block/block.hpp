@@ -26,13 +26,15 @@ class Block {
 
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
-  int n_vertices() const { return n_vertices_; }
+  int n_vertices() const { return static_cast<int>(reference_.cols()); }
   /// Where this block's entries start in the arrays of the state.
   void place(int first_vertex, int first_unknown, int first_stress_point);
   const Range& vertices() const { return vertices_; }
   const Range& unknowns() const { return unknowns_; }
   const Range& stress_points() const { return stress_points_; }
 
+  /// At the start.
+  const Points& reference() const { return reference_; }
   double reference_area() const { return reference_area_; }
   double mass_total() const { return material_.density * reference_area_; }
   /// The square root of the reference area: what tolerances are relative to.
@@ -89,7 +91,7 @@ class Block {
  private:
   BlockMaterial material_;
   Mat3 compliance_;
-  int n_vertices_;
+  Points reference_;
   double reference_area_;
   Range vertices_, unknowns_, stress_points_;
   polyfem::AreaMoments moments_;

@@ -15,8 +15,7 @@ bool stays(const TimeFunction& motion) {
 
 }  // namespace
 
-BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks, Points reference)
-    : blocks_(std::move(blocks)), reference_(std::move(reference)) {
+BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
   int n_vertices = 0;
   for (const auto& block : blocks_) {
     block->place(n_vertices, n_unknowns_, n_stress_points_);
@@ -25,6 +24,9 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks, Points refe
     n_stress_points_ = block->stress_points().end();
     names.push_back(std::to_string(names.size()));
   }
+  reference_.resize(2, n_vertices);
+  for (const auto& block : blocks_)
+    reference_.middleCols(block->vertices().first, block->vertices().count) = block->reference();
   set_held_unknowns({});
 }
 

@@ -51,8 +51,8 @@ struct HeldVertex {
 /// Owns the blocks; their unknowns, vertices and integration points are numbered in block order.
 class BlockSystem {
  public:
-  /// Takes blocks whose outlines are the consecutive column ranges of `reference`, and numbers them.
-  BlockSystem(std::vector<std::unique_ptr<Block>> blocks, Points reference);
+  /// Takes blocks and numbers them.
+  explicit BlockSystem(std::vector<std::unique_ptr<Block>> blocks);
 
   int n_blocks() const { return static_cast<int>(blocks_.size()); }
   int n_unknowns() const { return n_unknowns_; }

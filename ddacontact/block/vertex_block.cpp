@@ -90,7 +90,7 @@ Points VertexBlock::strain_displacement(const BlockState& state) const {
   return w;
 }
 
-Integration choose_integration(const PointsRef& outline, GradientCorrection correction, bool& sound) {
+Integration choose_integration(const PointsRef& outline, GradientCorrection correction) {
   static const TriangleRule fine = polyfem::collapsed_gauss_rule(12, 12, 2);
   const std::array rules{&polyfem::hammer_rule(3), &polyfem::hammer_rule(5), &fine};
   const Mat3 elasticity = polyfem::elasticity_matrix(1, 0.3, polyfem::Plane::strain);
@@ -100,10 +100,10 @@ Integration choose_integration(const PointsRef& outline, GradientCorrection corr
     tabulate(outline, *rule, polyfem::wachspress, correction, element);
     polyfem::stiffness(element, elasticity, K);
     polyfem::mass(element, M);
-    sound = polyfem::judge(K, M).sound();
-    if (sound || correction == GradientCorrection::off) return {rule, correction};
+    const bool sound = polyfem::judge(K, M).sound();
+    if (sound || correction == GradientCorrection::off) return {rule, correction, sound};
   }
-  return {rules.back(), correction};
+  return {rules.back(), correction, false};
 }
 
 }  // namespace ddacontact

@@ -10,13 +10,20 @@ namespace ddacontact {
 struct Integration {
   const polyfem::TriangleRule* triangle_rule;  ///< of each triangle of the fan; not owned
   polyfem::GradientCorrection correction;
+  bool sound = true;  ///< whether it gives the block a stiffness of full rank and a definite mass
 };
+
+/// The paper's integration, or, with the correction on, the cheapest rule from there that is sound for this
+/// outline.
+Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction);
 
 /// A convex block interpolated by (6), as stiff and as heavy as its integration makes it.
 class VertexBlock final : public Block {
  public:
   /// `outline`: strictly convex, counter-clockwise.
   VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration);
+  VertexBlock(const BlockMaterial& material, const PointsRef& outline)
+      : VertexBlock(material, outline, choose_integration(outline, polyfem::GradientCorrection::on)) {}
 
   int n_unknowns() const override { return 2 * n_vertices(); }
   int n_stress_points() const override;
@@ -34,9 +41,5 @@ class VertexBlock final : public Block {
   polyfem::TabulatedElement element_;
   VectorXd shape_integrals_;
 };
-
-/// The paper's integration, or, with the correction on, the cheapest rule from there that gives this outline
-/// a sound stiffness (rank) and mass (definite). \param[out] sound whether the rule returned does.
-Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction, bool& sound);
 
 }  // namespace ddacontact

@@ -26,6 +26,8 @@ class JointTable {
     std::optional<std::array<int, 2>> between;  ///< materials, either order
   };
   explicit JointTable(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+  /// One joint for all contacts.
+  explicit JointTable(JointStrength everywhere) : entries_{{std::move(everywhere), std::nullopt}} {}
 
   const JointStrength& between(int material_a, int material_b) const {
     const Entry* general = nullptr;

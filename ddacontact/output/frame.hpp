@@ -28,6 +28,7 @@ struct FrameFields {
   bool displacement = true, velocity = true, stress = true;
 };
 
+/// One moment of a run.
 struct Frame {
   long step = 0;
   double time = 0;

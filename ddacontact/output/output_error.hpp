@@ -5,6 +5,7 @@
 
 namespace ddacontact {
 
+/// A result cannot be written.
 using OutputError = polyfem::FileError;
 
 }  // namespace ddacontact

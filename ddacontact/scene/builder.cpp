@@ -101,7 +101,7 @@ class Builder {
     std::vector<std::unique_ptr<Block>> blocks;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) blocks.push_back(make_block(static_cast<int>(b)));
 
-    BlockSystem system(std::move(blocks), all_vertices());
+    BlockSystem system(std::move(blocks));
     hold(system);
     note_idle_velocities(system);
     system.gravity = scene_.analysis.gravity;
@@ -136,10 +136,9 @@ class Builder {
     const Points& outline = placed_[b].outline;
     if (description.model == BlockModel::affine) return make_affine_block(b, material);
 
-    bool sound = false;
-    const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction, sound);
+    const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction);
     const std::string name = "block \"" + scene_.block_name(b) + "\": ";
-    if (!sound)
+    if (!integration.sound)
       built_.notes.push_back(name + "its integration rule gives an unsound stiffness or mass matrix");
     else if (integration.triangle_rule != &polyfem::hammer_rule(3))
       built_.notes.push_back(name + "integration rule raised to keep stiffness and mass sound");
@@ -173,18 +172,6 @@ class Builder {
           local_holds_[b].push_back({2 * k + axis, vertices[k], axis, *motion});
     }
     return std::make_unique<AffineBlock>(material, outline, control);
-  }
-
-  Points all_vertices() const {
-    Index n = 0;
-    for (const Placed& p : placed_) n += p.outline.cols();
-    Points all(2, n);
-    n = 0;
-    for (const Placed& p : placed_) {
-      all.middleCols(n, p.outline.cols()) = p.outline;
-      n += p.outline.cols();
-    }
-    return all;
   }
 
   void hold(BlockSystem& system) const {
@@ -265,9 +252,11 @@ class Builder {
   ContactProperties contact_properties() const {
     std::vector<JointTable::Entry> joints;
     for (const Joint& joint : scene_.joints)
-      joints.push_back(
-          {{std::tan(joint.friction_angle * std::numbers::pi / 180), joint.cohesion, joint.tensile_strength, {}},
-           joint.between});
+      joints.push_back({{std::tan(joint.friction_angle * std::numbers::pi / 180),
+                         joint.cohesion,
+                         joint.tensile_strength,
+                         {}},
+                        joint.between});
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);
     return {scene_.contact.normal_stiffness, scene_.contact.tangential_stiffness,

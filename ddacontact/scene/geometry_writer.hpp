@@ -8,6 +8,7 @@
 
 namespace ddacontact {
 
+/// What a file of blocks may be.
 enum class GeometryFormat {
   geojson,  ///< a FeatureCollection with a Polygon for each block
   wkt,      ///< a POLYGON a line

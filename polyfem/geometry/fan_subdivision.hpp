@@ -5,6 +5,7 @@
 
 namespace polyfem {
 
+/// Points and triangles of the subdivision.
 struct FanSubdivision {
   Points points;                                    ///< those of the outline first
   Eigen::Matrix<int, 3, Eigen::Dynamic> triangles;  ///< three points a column, counter-clockwise

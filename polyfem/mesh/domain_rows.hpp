@@ -12,6 +12,7 @@ struct RowPiece {
   double x_begin = 0, x_end = 0, y = 0;
 };
 
+/// All pieces of all rows.
 struct DomainRows {
   std::vector<RowPiece> pieces;  ///< row by row from the bottom, each from left to right
   double height = 0;             ///< of a row

@@ -7,6 +7,7 @@
 
 namespace polyfem {
 
+/// How many cells, and of what kind.
 struct VoronoiOptions {
   int n_cells = 100;           ///< 1 .. 10 000 000
   std::uint64_t seed = 1;      ///< the same seed gives the same bytes

@@ -45,7 +45,7 @@ struct OneBlock {
   BlockSystem system;
   BlockState state;
 
-  OneBlock(Model model, const Points& outline) : system(blocks_of(model, outline), reference_of(outline)) {
+  OneBlock(Model model, const Points& outline) : system(blocks_of(model, outline)) {
     state = system.initial_state();
     system.prepare(state, true);
   }
@@ -79,11 +79,6 @@ struct OneBlock {
     blocks.push_back(make_block(Model::vertex, first()));
     blocks.push_back(make_block(model, outline));
     return blocks;
-  }
-  static Points reference_of(const Points& outline) {
-    Points all(2, 3 + outline.cols());
-    all << first(), outline;
-    return all;
   }
 };
 

@@ -26,7 +26,7 @@ struct VertexBlockAtRest {
   polyfem::TabulatedElement element;
 
   VertexBlockAtRest(const Points& outline, GradientCorrection correction)
-      : system(blocks_of(outline, correction), outline), state(system.initial_state()) {
+      : system(blocks_of(outline, correction)), state(system.initial_state()) {
     system.prepare(state, true);
     polyfem::tabulate(outline, rule, polyfem::wachspress, correction, element);
   }
@@ -122,7 +122,7 @@ TEST(StrainDisplacementOfAnAffineBlock, IsItsUniformStress) {
   const Points outline = support::random_convex_polygon(6, random);
   std::vector<std::unique_ptr<Block>> blocks;
   blocks.push_back(std::make_unique<AffineBlock>(BlockMaterial{elasticity, 1500}, outline));
-  BlockSystem system(std::move(blocks), outline);
+  BlockSystem system(std::move(blocks));
   BlockState state = system.initial_state();
   system.prepare(state, true);
   state.stress.col(0) << 3e4, -2e4, 1e4;

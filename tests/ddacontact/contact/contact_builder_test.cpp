@@ -9,7 +9,7 @@ using enum ContactState;
 namespace {
 
 JointTable one_joint(const JointStrength& strength) {
-  return JointTable(std::vector<JointTable::Entry>{{strength, std::nullopt}});
+  return JointTable(strength);
 }
 
 /// A block on a wider fixed one, shifted against the place where their edges just touch.

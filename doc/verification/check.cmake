@@ -1,0 +1,22 @@
+# Makes the verification anew and compares its verdicts with those of the committed text; figures may differ in their last
+# digits from machine to machine, what is seen may not.
+#   cmake -DPROGRAM=... -DCOMMITTED=.../paper.md -DDIRECTORY=... -P check.cmake
+file(REMOVE_RECURSE ${DIRECTORY})
+file(MAKE_DIRECTORY ${DIRECTORY})
+execute_process(COMMAND ${PROGRAM} ${DIRECTORY} COMMAND_ERROR_IS_FATAL ANY)
+foreach(text ${COMMITTED} ${DIRECTORY}/paper.md)
+  file(READ ${text} content)
+  string(REGEX MATCHALL "\n\\| [^|\n]* \\| (yes|\\*\\*no\\*\\*) \\|" verdicts "${content}")
+  list(LENGTH verdicts n_verdicts)
+  if(n_verdicts EQUAL 0)
+    message(FATAL_ERROR "no verdicts in ${text}")
+  endif()
+  if(NOT DEFINED expected)
+    set(expected "${verdicts}")
+  elseif(NOT expected STREQUAL verdicts)
+    message(FATAL_ERROR "other verdicts than in ${COMMITTED}; make it anew with doc/verification/make.sh:${verdicts}")
+  endif()
+endforeach()
+file(GLOB pictures ${DIRECTORY}/*.svg)
+list(LENGTH pictures n_pictures)
+message(STATUS "${n_verdicts} verdicts as committed, ${n_pictures} pictures")
