@@ -1,0 +1,33 @@
+/// \file The area that two convex polygons have in common.
+#pragma once
+
+#include <polyfem/geometry/area_moments.hpp>
+
+#include <vector>
+
+namespace support {
+
+/// Cuts `a` by each edge of `b` in turn (Sutherland and Hodgman); both convex and counter-clockwise.
+inline double overlap_area(const polyfem::PointsRef& a, const polyfem::PointsRef& b) {
+  using polyfem::Vec2;
+  std::vector<Vec2> rest;
+  for (polyfem::Index k = 0; k < a.cols(); ++k) rest.emplace_back(a.col(k));
+  for (polyfem::Index e = 0; e < b.cols() && !rest.empty(); ++e) {
+    const Vec2 from = b.col(e), along = b.col((e + 1) % b.cols()) - from;
+    std::vector<Vec2> kept;
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      const Vec2 p = rest[k], q = rest[(k + 1) % rest.size()];
+      const double at_p = polyfem::cross(along, p - from), at_q = polyfem::cross(along, q - from);
+      if (at_p >= 0) kept.push_back(p);
+      if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
+        kept.emplace_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    rest = std::move(kept);
+  }
+  if (rest.size() < 3) return 0;
+  polyfem::Points polygon(2, rest.size());
+  for (std::size_t k = 0; k < rest.size(); ++k) polygon.col(static_cast<polyfem::Index>(k)) = rest[k];
+  return polyfem::signed_area(polygon);
+}
+
+}  // namespace support
