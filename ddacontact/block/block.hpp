@@ -66,7 +66,7 @@ class Block {
   /// Adds the stress that the step's displacements d make, Eq. (8), (9), (12).
   virtual void add_stress(const VectorXd& d, Tensors& stress) const = 0;
 
-  /// Displacements w of the outline vertices (2 x n, m, free of rigid motion) whose strains on the shape last
+  /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the shape last
   /// prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at every point x
   /// of the block the field nearest in energy to the stresses at the integration points. It is that field
   /// itself while the block has not turned, since the stress is then a sum of such fields.

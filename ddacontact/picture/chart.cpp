@@ -63,6 +63,17 @@ std::string line_style(std::size_t line) {
          hex(line_colour(static_cast<int>(line))) + "\"" + dashes[line / 6 % dashes.size()];
 }
 
+std::string marker_style(std::size_t marker) {
+  return "fill=\"#fff\" stroke-width=\"1.2\" stroke=\"" + hex(line_colour(static_cast<int>(marker))) + "\"";
+}
+
+void add_marker(PathData& data, const Vec2& at) {
+  constexpr double half = 3.5;
+  data.move_to(at - Vec2(half, 0));
+  for (const Vec2& corner : {Vec2(0, -half), Vec2(half, 0), Vec2(0, half), Vec2(-half, 0)})
+    data.line_to(at + corner);
+}
+
 class ChartPage {
  public:
   ChartPage(const std::vector<Chart>& charts, const ChartOptions& options)
@@ -136,30 +147,38 @@ class ChartPage {
 
   void draw_lines(std::size_t i) {
     const Axis &x = x_axes_[i], &y = y_axes_[i];
-    page_.begin_clipped(corner_ - Vec2(0, 1), {width_ + 1, options_.plot_height + 2});
-    for (std::size_t line = 0; line < charts_[i].series.size(); ++line) {
-      const Series& series = charts_[i].series[line];
+    page_.begin_clipped(corner_ - Vec2(4, 4), {width_ + 8, options_.plot_height + 8});
+    std::size_t n_lines = 0, n_marked = 0;
+    for (const Series& series : charts_[i].series) {
       PathData data;
       bool drawing = false;
       for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
         const bool finite = std::isfinite(series.x[k]) && std::isfinite(series.y[k]);
         const Vec2 at =
             corner_ + Vec2(x.share(series.x[k]) * width_, (1 - y.share(series.y[k])) * options_.plot_height);
-        if (finite && drawing) data.line_to(at);
-        if (finite && !drawing) data.move_to(at);
+        if (finite && series.markers) add_marker(data, at);
+        if (finite && !series.markers && drawing) data.line_to(at);
+        if (finite && !series.markers && !drawing) data.move_to(at);
         drawing = finite;
       }
-      page_.path(data, line_style(line));
+      page_.path(data, series.markers ? marker_style(n_marked++) : line_style(n_lines++));
     }
     page_.end_group();
   }
 
   void draw_key(const Chart& chart) {
     if (chart.series.size() < 2) return;
-    for (std::size_t line = 0; line < chart.series.size(); ++line) {
-      const Vec2 at = corner_ + Vec2(width_ + 10, (static_cast<double>(line) + 0.5) * key_line);
-      page_.line(at, at + Vec2(sample, 0), line_style(line));
-      page_.text(at + Vec2(sample + 6, 0.35 * tick_size), chart.series[line].name, {.size = tick_size});
+    std::size_t n_lines = 0, n_marked = 0;
+    Vec2 at = corner_ + Vec2(width_ + 10, 0.5 * key_line);
+    for (const Series& series : chart.series) {
+      PathData marker;
+      add_marker(marker, at + Vec2(sample / 2, 0));
+      if (series.markers)
+        page_.path(marker, marker_style(n_marked++));
+      else
+        page_.line(at, at + Vec2(sample, 0), line_style(n_lines++));
+      page_.text(at + Vec2(sample + 6, 0.35 * tick_size), series.name, {.size = tick_size});
+      at.y() += key_line;
     }
   }
 

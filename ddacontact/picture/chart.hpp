@@ -12,6 +12,7 @@ namespace ddacontact {
 struct Series {
   std::string name;
   std::vector<double> x, y;
+  bool markers = false;  ///< diamonds instead of a line; the k-th such series has the colour of the k-th line
 };
 
 /// Lines over one pair of axes. Axes get a prefix of the unit that suits the values.

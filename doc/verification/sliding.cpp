@@ -49,14 +49,15 @@ std::string scene(int angle) {
 void velocities(Report& report) {
   Chart chart{
       .x_symbol = {"t", "", ""}, .y_symbol = {"v", "", ""}, .x_unit = "s", .y_unit = "m/s", .series = {}};
+  std::vector<Series> marked;
   std::vector<std::vector<std::string>> rows{{"friction angle", "(53) at 0.7 s, m/s", "original DDA", "error",
                                               "Wachspress", "error", "Wachspress, E = 35 GPa", "error"}};
   double largest_soft = 0, largest_stiff = 0, at_40 = 0;
   for (const int angle : angles) {
     const double exact = exact_velocity(angle, n_steps * time_step);
     std::vector<std::string> row{fmt::format("{}", angle), fmt::format("{:.4f}", exact)};
-    Series computed{fmt::format("{} degrees, Wachspress", angle), {}, {}};
-    Series expected{fmt::format("{} degrees, (53)", angle), {}, {}};
+    Series computed{fmt::format("{}°, Wachspress", angle), {}, {}, true};
+    Series expected{fmt::format("{}°, (53)", angle), {}, {}};
     for (int k = 0; k <= n_steps; k += 5) {
       const double time = k * time_step;
       computed.x.push_back(time);
@@ -65,8 +66,8 @@ void velocities(Report& report) {
       expected.x.push_back(time);
       expected.y.push_back(exact_velocity(angle, time));
     }
-    chart.series.push_back(computed);
     chart.series.push_back(expected);
+    marked.push_back(computed);
     for (const char* model : models) {
       const double v = velocity_along_slope(run_scene(scene(angle), model).stepper());
       const double error = v / exact - 1;
@@ -79,6 +80,7 @@ void velocities(Report& report) {
     row.insert(row.end(), {fmt::format("{:.4f}", stiff), fmt::format("{:.1e}", stiff / exact - 1)});
     rows.push_back(row);
   }
+  chart.series.insert(chart.series.end(), marked.begin(), marked.end());
   report.paragraph("### Velocities (figure 7)");
   report.table(rows);
   report.picture("sliding_velocities",
