@@ -26,7 +26,7 @@ struct Call {
   std::string info;
   std::vector<std::string> scenes_to_check, check_settings;
   std::string resume;
-  int threads = 1, steps = 0;
+  int steps = 0;
 };
 
 constexpr const char* not_available = "is not available in this version";
@@ -66,9 +66,10 @@ int parse_and_execute(int argc, char** argv) {
       ->take_all()
       ->expected(1);
   run->add_option("--resume", call.resume, "Checkpoint to go on from");
-  run->add_option("--threads", call.threads,
-                  "Threads; results are the same for any number (this version uses one)")
-      ->check(CLI::Range(1, 1024));
+  run->add_option("--threads", call.run.threads,
+                  "Threads; results are the same for any number (this version writes frames with them)")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   run->add_flag("--quiet", call.run.quiet, "Print problems only");
 
   CLI::App* check = app.add_subcommand("check", "Read and check scenes, compute nothing");

@@ -56,13 +56,14 @@ void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
   if (!out) throw OutputError("cannot write \"" + path.string() + "\"");
 }
 
-FrameOptions frame_options(const OutputOptions& output) {
+FrameOptions frame_options(const OutputOptions& output, int n_threads) {
   const auto asked_for = [&](const char* field) { return std::ranges::count(output.fields, field) > 0; };
   return {.every = output.every,
           .displacement = asked_for("displacement"),
           .velocity = asked_for("velocity"),
           .stress = asked_for("stress"),
           .principal = asked_for("principal"),
+          .n_threads = n_threads,
           .refine = output.refine};
 }
 
@@ -145,7 +146,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   const std::filesystem::path directory = arguments.directory.empty()
                                               ? default_directory(arguments.scene)
                                               : std::filesystem::path(arguments.directory);
-  ResultDirectory results(directory, built.labels, frame_options(scene.output));
+  ResultDirectory results(directory, built.labels, frame_options(scene.output, arguments.threads));
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt");
   write_scene_file(directory / "scene.toml", scene);
   log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);

@@ -1,8 +1,10 @@
 /// \file `dda run`: runs a scene and writes its results.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace dda {
@@ -12,6 +14,7 @@ struct RunArguments {
   std::string directory;              ///< empty: the scene's name without its ending, plus "-out"
   std::optional<int> steps;           ///< where to stop, in steps from the start
   std::vector<std::string> settings;  ///< PATH=VALUE
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool quiet = false;
 };
 

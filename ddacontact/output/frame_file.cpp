@@ -73,7 +73,7 @@ int state_number(ContactState state) {
 void write_blocks(const std::filesystem::path& path, const Frame& frame, const FrameOptions& options) {
   const FrameMesh mesh =
       options.refine == 0 ? draw_outlines(frame) : draw_sub_triangles(frame, options.refine);
-  VtuFile file;
+  VtuFile file(options.n_threads);
   add_time(file, frame);
   add_field_data(file, frame, mesh);
   file.set_points(entries(mesh.points));

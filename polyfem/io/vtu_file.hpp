@@ -22,6 +22,9 @@ enum class VtuSection { field_data, point_data, cell_data };
 /// quoting in XML. Little endian, appended raw, zlib: read by VTK, ParaView and meshio.
 class VtuFile {
  public:
+  /// The file's bytes are the same for any number of threads.
+  explicit VtuFile(int n_threads = 1) : deflater_(n_threads) {}
+
   /// \param[in] coordinates  x, y, z of each point
   void set_points(std::span<const double> coordinates);
   /// \param[in] connectivity  the points of each cell, one cell after another

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <future>
 #include <new>
 #include <optional>
 
@@ -105,31 +106,53 @@ struct BlockDeflater::Streams {
   }
 };
 
-BlockDeflater::BlockDeflater() : streams_(std::make_unique<Streams>()) {}
+BlockDeflater::BlockDeflater(int n_threads) : streams_(std::max(n_threads, 1)) {
+  for (auto& streams : streams_) streams = std::make_unique<Streams>();
+}
 BlockDeflater::~BlockDeflater() = default;
 BlockDeflater::BlockDeflater(BlockDeflater&&) noexcept = default;
 BlockDeflater& BlockDeflater::operator=(BlockDeflater&&) noexcept = default;
 
 std::string BlockDeflater::deflate(std::span<const std::byte> array) {
-  const std::size_t n_blocks = (array.size() + block_size - 1) / block_size;
+  const std::size_t n_blocks = (array.size() + block_size - 1) / block_size,
+                    n_groups = (n_blocks + blocks_per_trial - 1) / blocks_per_trial;
   std::vector<std::uint64_t> header(3 + n_blocks);
   header[0] = n_blocks;
   header[1] = block_size;
   header[2] = array.size() % block_size;
-  const std::size_t header_bytes = header.size() * sizeof header[0];
+  const bool tries = array.size() >= block_size / 8;
+
+  std::vector<std::string> groups(n_groups);
+  const auto deflate_group = [&](std::size_t group, Streams& streams) {
+    const std::size_t first = group * blocks_per_trial, end = std::min(n_blocks, first + blocks_per_trial);
+    groups[group].reserve((end - first) * (block_size + 64));
+    streams.chosen = &streams.stored;
+    for (std::size_t k = first; k < end; ++k) {
+      const auto block = array.subspan(k * block_size, std::min(block_size, array.size() - k * block_size));
+      const std::string_view deflated =
+          tries && k == first ? streams.deflate_and_choose(block) : streams.chosen->deflate_block(block);
+      header[3 + k] = deflated.size();
+      groups[group] += deflated;
+    }
+  };
+  const std::size_t n_threads = std::min(streams_.size(), n_groups);
+  const auto deflate_every_nth = [&](std::size_t thread) {
+    for (std::size_t group = thread; group < n_groups; group += n_threads)
+      deflate_group(group, *streams_[thread]);
+  };
+  std::vector<std::future<void>> others;
+  for (std::size_t thread = 1; thread < n_threads; ++thread)
+    others.push_back(std::async(std::launch::async, deflate_every_nth, thread));
+  if (n_threads > 0) deflate_every_nth(0);
+  for (std::future<void>& other : others) other.get();
+
+  const std::string_view head(reinterpret_cast<const char*>(header.data()), header.size() * sizeof header[0]);
+  std::size_t size = head.size();
+  for (const std::string& group : groups) size += group.size();
   std::string out;
-  out.reserve(header_bytes + array.size() + 64 * n_blocks);
-  out.resize(header_bytes);
-  streams_->chosen = &streams_->stored;
-  for (std::size_t k = 0; k < n_blocks; ++k) {
-    const auto block = array.subspan(k * block_size, std::min(block_size, array.size() - k * block_size));
-    const bool trial = k % blocks_per_trial == 0 && array.size() >= block_size / 8;
-    const std::string_view deflated =
-        trial ? streams_->deflate_and_choose(block) : streams_->chosen->deflate_block(block);
-    header[3 + k] = deflated.size();
-    out += deflated;
-  }
-  std::memcpy(out.data(), header.data(), header_bytes);
+  out.reserve(size);
+  out += head;
+  for (const std::string& group : groups) out += group;
   return out;
 }
 

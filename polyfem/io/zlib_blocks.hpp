@@ -16,10 +16,11 @@ namespace polyfem {
 /// Numbers with all their digits hardly repeat: looking for repetitions (zlib's level 1) takes twice the time
 /// of run lengths and codes for bytes, and gains little. So one block in sixteen is deflated both ways, and
 /// the next ones as it turned out for that; what shrinks by less than a sixth either way, and an array of
-/// less than a block's eighth, is stored.
+/// less than a block's eighth, is stored. Each such group of blocks is deflated by itself, so that the bytes
+/// are the same for any number of threads.
 class BlockDeflater {
  public:
-  BlockDeflater();
+  explicit BlockDeflater(int n_threads = 1);
   ~BlockDeflater();
   BlockDeflater(BlockDeflater&&) noexcept;
   BlockDeflater& operator=(BlockDeflater&&) noexcept;
@@ -28,7 +29,7 @@ class BlockDeflater {
 
  private:
   struct Streams;
-  std::unique_ptr<Streams> streams_;
+  std::vector<std::unique_ptr<Streams>> streams_;  ///< one a thread
 };
 
 /// The bytes that `data` starts with an array of. Throws Error when it does not hold them whole.

@@ -2,6 +2,7 @@
 find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(CHOLMOD)
 find_dependency(GEOS)
+find_dependency(Threads)
 find_dependency(ZLIB)
 find_dependency(pugixml)
 include(${CMAKE_CURRENT_LIST_DIR}/polydda-polyfem-targets.cmake)

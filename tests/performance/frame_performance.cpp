@@ -1,4 +1,5 @@
-// How long frames of many blocks take: frame_performance [DIRECTORY], medians of five, on one core.
+// How long frames of many blocks take: frame_performance [DIRECTORY], medians of five, with one thread and
+// with two.
 //
 // A honeycomb or a grid of 1e5 blocks with all fields. Displacements and stresses are noise, which no
 // compression can shorten much: a run's own numbers are no worse.
@@ -85,12 +86,14 @@ void report(const char* shape, int corners, const std::filesystem::path& directo
   add_noise(1e-3, frame.displacement);
   add_noise(1e-3, frame.strain_displacement);
   const Milliseconds write = measure([&] { write_blocks(path, frame, {}); });
+  const Milliseconds write_by_two = measure([&] { write_blocks(path, frame, {.n_threads = 2}); });
   write_contacts(contacts, frame);
   const Milliseconds read = measure([&] { read_frame({frame.step, frame.time, path, contacts}); });
   std::printf("%d %s, %.1f MB\n", frame.n_blocks(), shape,
               static_cast<double>(std::filesystem::file_size(path)) / 1e6);
-  for (const auto& [task, time] : {std::pair("capture", capture), {"write", write}, {"read", read}})
-    std::printf("  %-8s %5.0f ms, %5.0f ms of the processor\n", task, time.wall, time.processor);
+  for (const auto& [task, time] :
+       {std::pair("capture", capture), {"write", write}, {"write, 2 threads", write_by_two}, {"read", read}})
+    std::printf("  %-16s %5.0f ms, %5.0f ms of the processor\n", task, time.wall, time.processor);
 }
 
 }  // namespace

@@ -23,6 +23,17 @@ Bytes sample(std::size_t size, int kind) {
   return bytes;
 }
 
+TEST(ZlibBlocks, AnyNumberOfThreadsGivesTheSameBytes) {
+  BlockDeflater one(1), two(2), many(7);
+  for (std::size_t size : {0, 1, 32769, 524289, 5000003})
+    for (int kind : {0, 1, 2}) {
+      const Bytes bytes = sample(size, kind);
+      const std::string expected = one.deflate(bytes);
+      EXPECT_EQ(two.deflate(bytes), expected) << size << " bytes of kind " << kind;
+      EXPECT_EQ(many.deflate(bytes), expected) << size << " bytes of kind " << kind;
+    }
+}
+
 TEST(ZlibBlocks, InflateGivesTheBytesBack) {
   BlockDeflater deflater;
   for (std::size_t size : {0, 1, 8, 4095, 4096, 32767, 32768, 32769, 65536, 2000003})
