@@ -2,6 +2,9 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace dda {
 
@@ -10,5 +13,8 @@ class CallError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// The cure for a word that is not among the known ones: the nearest, and the list of all.
+std::string choice_among(std::string_view word, const std::vector<std::string_view>& known);
 
 }  // namespace dda

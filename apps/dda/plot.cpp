@@ -12,6 +12,8 @@
 #include <ddacontact/picture/picture.hpp>
 #include <ddacontact/scene/spelling.hpp>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -26,8 +28,8 @@ Field field_called(const std::string& name) {
   if (const std::optional<Field> field = field_named(name)) return *field;
   std::vector<std::string_view> known;
   for (const FieldDescription& field : all_fields()) known.emplace_back(field.name);
-  throw CallError(fmt::format("unknown field \"{}\" ({})", scene_format::excerpt(name),
-                              scene_format::suggestion(name, "field", known)));
+  throw CallError(
+      fmt::format("unknown field \"{}\" ({})", scene_format::excerpt(name), choice_among(name, known)));
 }
 
 std::string fields_of(const Frame& frame) {
@@ -153,10 +155,12 @@ void check_call(const PlotArguments& arguments) {
 }
 
 void write_picture(const std::string& path, const std::string& svg) {
+  errno = 0;
   std::ofstream out(path, std::ios::binary);
   out << svg;
   out.close();
-  if (!out) throw OutputError("cannot write \"" + path + "\"");
+  if (!out)
+    throw OutputError(fmt::format("cannot write \"{}\": {}", path, std::strerror(errno != 0 ? errno : EIO)));
 }
 
 }  // namespace

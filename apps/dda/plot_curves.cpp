@@ -51,8 +51,8 @@ const HistoryColumn& column_called(const std::string& name) {
     if (name == column.name) return column;
     known.emplace_back(column.name);
   }
-  throw CallError(fmt::format("unknown history \"{}\" ({})", scene_format::excerpt(name),
-                              scene_format::suggestion(name, "history", known)));
+  throw CallError(
+      fmt::format("unknown history \"{}\" ({})", scene_format::excerpt(name), choice_among(name, known)));
 }
 
 /// Monitors of a result in the order of their first row.
@@ -77,8 +77,7 @@ Histories histories_of(const CsvTable& table, const fs::path& directory,
   for (const std::string& name : wanted)
     if (!histories.rows.contains(name))
       throw CallError(fmt::format("\"{}\" has no monitor \"{}\" ({})", directory.string(),
-                                  scene_format::excerpt(name),
-                                  scene_format::suggestion(name, "monitor", known)));
+                                  scene_format::excerpt(name), choice_among(name, known)));
   histories.names = wanted;
   return histories;
 }

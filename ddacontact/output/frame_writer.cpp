@@ -4,7 +4,7 @@
 #include <ddacontact/output/output_error.hpp>
 
 #include <cstdio>
-#include <regex>
+#include <string>
 
 namespace ddacontact {
 
@@ -19,13 +19,21 @@ std::string file_name(const char* kind, int number) {
   return name;
 }
 
+/// A name that `file_name` gives: kind_NUMBER.vtu.
+bool is_ours(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t number = stem.find('_') + 1;
+  const std::string kind = stem.substr(0, number);
+  return file.extension() == ".vtu" && (kind == "blocks_" || kind == "contacts_") &&
+         stem.size() >= number + 6 && stem.find_first_not_of("0123456789", number) == std::string::npos;
+}
+
 /// Makes the folder, or leaves nothing of ours in it.
 void clear(const std::filesystem::path& frames) {
-  static const std::regex ours("(blocks|contacts)_[0-9]{6,}\\.vtu");
   try {
     std::filesystem::create_directories(frames);
     for (const auto& entry : std::filesystem::directory_iterator(frames))
-      if (std::regex_match(entry.path().filename().string(), ours)) std::filesystem::remove(entry.path());
+      if (is_ours(entry.path())) std::filesystem::remove(entry.path());
   } catch (const std::filesystem::filesystem_error& error) {
     throw OutputError("cannot clear \"" + frames.string() + "\": " + error.code().message());
   }
