@@ -28,6 +28,7 @@ const Case cases[] = {
     {"UnitOutsideQuotes", "= 35e6", "= 35 MPa", 14, 12, {"TOML", "quotes"}},
     {"UnclosedString", "\"Complete\"", "\"Complete", 2, 18, {"TOML"}},
     {"DuplicateKey", "mode = \"dynamic\"", "steps = 3", 5, 1, {"'steps'", "once"}},
+    {"TopKeyInATable", "mode = \"dynamic\"", "title = \"late\"", 4, 1, {"'title'", "top of the file"}},
     {"DuplicateTable", "[contact]", "[analysis]", 9, 1, {"'analysis'", "once"}},
     {"NotUtf8", "Complete", "Compl\xff\xfete", 2, 14, {"utf-8", "UTF-8"}},
     {"NumberTooLargeForToml", "= 35\n", "= 1e400\n", 5, 14, {"1e400"}},
