@@ -82,8 +82,8 @@ Points VertexBlock::strain_displacement(const BlockState& state) const {
   const PointsRef outline = state.position.middleCols(vertices().first, vertices().count);
   polyfem::ShapeValues shape;
   polyfem::wachspress(outline, element_.rule.points.col(0), shape);
-  const VectorXd cx = element_.dx.col(0) - shape.gradients.row(0).transpose(),
-                 cy = element_.dy.col(0) - shape.gradients.row(1).transpose();
+  const VectorXd cx = element_.dx.row(0).transpose() - shape.gradients.row(0).transpose(),
+                 cy = element_.dy.row(0).transpose() - shape.gradients.row(1).transpose();
   const Vec2 u_by_x = w * cx, u_by_y = w * cy;
   const Vec3 strain(u_by_x.x(), u_by_y.y(), u_by_y.x() + u_by_x.y());
   w += uniform_strain_displacement(outline, moments().centroid, strain);

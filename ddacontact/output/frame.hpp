@@ -4,7 +4,7 @@
 #include <ddacontact/contact/joint_law.hpp>
 #include <ddacontact/output/labels.hpp>
 #include <ddacontact/time/stepper.hpp>
-#include <polyfem/basis/shape_values.hpp>
+#include <polyfem/basis/basis.hpp>
 
 #include <vector>
 

@@ -1,4 +1,5 @@
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -70,16 +71,11 @@ void products_without_own_edges(const std::vector<Product>& area, std::vector<Pr
   product[1] = behind;
 }
 
-}  // namespace
-
-void wachspress(const PointsRef& polygon, const Vec2& x, ShapeValues& shape) {
-  assert(polygon.cols() >= 3);
+void evaluate_at(const PointsRef& polygon, const Vec2& x, Index q, ShapeTable& table) {
   const std::size_t n = static_cast<std::size_t>(polygon.cols());
   thread_local std::vector<Product> area, product;
   area.resize(n);
   product.resize(n);
-  shape.values.resize(polygon.cols());
-  shape.gradients.resize(2, polygon.cols());
 
   const double scale = unit_scale(polygon, x);
   edge_areas(polygon, x, scale, area);
@@ -93,16 +89,35 @@ void wachspress(const PointsRef& polygon, const Vec2& x, ShapeValues& shape) {
     double b =
         cross(area[i == 0 ? n - 1 : i - 1].gradient, area[i].gradient);  // turned edges: the same cross
     if (product[i].exponent != exponent) b = std::ldexp(b, exponent_step * (product[i].exponent - exponent));
-    const Index vertex = static_cast<Index>(i);
-    shape.values[vertex] = b * product[i].value;
-    shape.gradients.col(vertex) = b * product[i].gradient;
-    sum += shape.values[vertex];
-    sum_gradient += shape.gradients.col(vertex);
+    product[i].value *= b;
+    product[i].gradient *= b;
+    sum += product[i].value;
+    sum_gradient += product[i].gradient;
   }
   // N_i = w_i / W, grad N_i = (grad w_i - N_i grad W) / W
-  shape.values /= sum;
-  shape.gradients -= sum_gradient * shape.values.transpose();
-  shape.gradients *= scale / sum;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Index vertex = static_cast<Index>(i);
+    const double N = product[i].value / sum;
+    table.values(q, vertex) = N;
+    table.dx(q, vertex) = (product[i].gradient.x() - N * sum_gradient.x()) * (scale / sum);
+    table.dy(q, vertex) = (product[i].gradient.y() - N * sum_gradient.y()) * (scale / sum);
+  }
+}
+
+}  // namespace
+
+std::optional<Objection> Wachspress::find_objection(const PointsRef& polygon) const {
+  if (const std::optional<int> corner = find_non_convex_corner(polygon))
+    return Objection{*corner, "does not turn left, which Wachspress functions need: use mean_value"};
+  return std::nullopt;
+}
+
+void Wachspress::evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const {
+  assert(polygon.cols() >= 3);
+  table.values.resize(points.cols(), polygon.cols());
+  table.dx.resize(points.cols(), polygon.cols());
+  table.dy.resize(points.cols(), polygon.cols());
+  for (Index q = 0; q < points.cols(); ++q) evaluate_at(polygon, points.col(q), q, table);
 }
 
 }  // namespace polyfem

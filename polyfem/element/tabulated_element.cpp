@@ -14,29 +14,30 @@ Vec2 boundary_integral(const PointsRef& polygon, Index i) {
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
   for (Index i = 0; i < polygon.cols(); ++i) {
     const Vec2 exact = boundary_integral(polygon, i);
-    element.dx.row(i).array() += (exact.x() - element.dx.row(i).dot(element.rule.weights)) / element.area;
-    element.dy.row(i).array() += (exact.y() - element.dy.row(i).dot(element.rule.weights)) / element.area;
+    element.dx.col(i).array() += (exact.x() - element.dx.col(i).dot(element.rule.weights)) / element.area;
+    element.dy.col(i).array() += (exact.y() - element.dy.col(i).dot(element.rule.weights)) / element.area;
   }
+}
+
+void tabulate_at_rule(const PointsRef& polygon, const Basis& basis, GradientCorrection correction,
+                      TabulatedElement& element) {
+  element.area = element.rule.weights.sum();
+  basis.evaluate(polygon, element.rule.points, element);
+  if (correction == GradientCorrection::on) correct_gradients(polygon, element);
 }
 
 }  // namespace
 
-void tabulate(const PointsRef& polygon, const TriangleRule& triangle_rule, Basis basis,
+void tabulate(const PointsRef& polygon, const PolygonRule& rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element) {
-  thread_local ShapeValues shape;
+  element.rule = rule;
+  tabulate_at_rule(polygon, basis, correction, element);
+}
+
+void tabulate(const PointsRef& polygon, const TriangleRule& triangle_rule, const Basis& basis,
+              GradientCorrection correction, TabulatedElement& element) {
   make_fan_rule(polygon, triangle_rule, element.rule);
-  element.area = element.rule.weights.sum();
-  const Index n = polygon.cols(), n_points = element.rule.weights.size();
-  element.values.resize(n, n_points);
-  element.dx.resize(n, n_points);
-  element.dy.resize(n, n_points);
-  for (Index q = 0; q < n_points; ++q) {
-    basis(polygon, element.rule.points.col(q), shape);
-    element.values.col(q) = shape.values;
-    element.dx.col(q) = shape.gradients.row(0).transpose();
-    element.dy.col(q) = shape.gradients.row(1).transpose();
-  }
-  if (correction == GradientCorrection::on) correct_gradients(polygon, element);
+  tabulate_at_rule(polygon, basis, correction, element);
 }
 
 }  // namespace polyfem

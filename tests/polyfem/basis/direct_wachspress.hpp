@@ -1,7 +1,7 @@
 /// \file Eq. (6) as it is written, O(n^2), in extended precision: the oracle of the fast path.
 #pragma once
 
-#include <polyfem/basis/shape_values.hpp>
+#include <polyfem/basis/basis.hpp>
 
 #include <vector>
 

@@ -43,8 +43,8 @@ TEST_P(ElementMatrices, StiffnessIsTheSumOfTransposedBTimesDTimesB) {
   for (Index q = 0; q < element_.n_points(); ++q) {
     MatrixXd B = MatrixXd::Zero(3, 2 * n_);  // Eq. (8)
     for (Index i = 0; i < n_; ++i) {
-      B(0, 2 * i) = B(2, 2 * i + 1) = element_.dx(i, q);
-      B(1, 2 * i + 1) = B(2, 2 * i) = element_.dy(i, q);
+      B(0, 2 * i) = B(2, 2 * i + 1) = element_.dx(q, i);
+      B(1, 2 * i + 1) = B(2, 2 * i) = element_.dy(q, i);
     }
     expected += element_.rule.weights[q] * B.transpose() * anisotropic * B;
   }

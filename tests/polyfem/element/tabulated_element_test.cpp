@@ -32,8 +32,8 @@ Points boundary_integrals(const Points& polygon) {
 
 Points integrals_of_gradients(const TabulatedElement& element) {
   Points integrals(2, element.n_vertices());
-  integrals.row(0) = (element.dx * element.rule.weights).transpose();
-  integrals.row(1) = (element.dy * element.rule.weights).transpose();
+  integrals.row(0) = element.rule.weights.transpose() * element.dx;
+  integrals.row(1) = element.rule.weights.transpose() * element.dy;
   return integrals;
 }
 
@@ -45,9 +45,9 @@ TEST_P(Tabulate, HoldsTheBasisAtThePointsOfTheFan) {
   ShapeValues shape;
   for (Index q = 0; q < element_.n_points(); ++q) {
     wachspress(polygon_, element_.rule.points.col(q), shape);
-    EXPECT_EQ(element_.values.col(q), shape.values);
-    EXPECT_EQ(element_.dx.col(q), shape.gradients.row(0).transpose());
-    EXPECT_EQ(element_.dy.col(q), shape.gradients.row(1).transpose());
+    EXPECT_EQ(element_.values.row(q), shape.values.transpose());
+    EXPECT_EQ(element_.dx.row(q), shape.gradients.row(0));
+    EXPECT_EQ(element_.dy.row(q), shape.gradients.row(1));
   }
 }
 
@@ -78,7 +78,7 @@ TEST_P(Tabulate, CorrectionKeepsTheSumOfGradientsAndTheIdentity) {
   tabulate(polygon_, hammer_rule(3), wachspress, GradientCorrection::on, element_);
   for (Index q = 0; q < element_.n_points(); ++q) {
     Points gradients(2, n_);
-    gradients << element_.dx.col(q).transpose(), element_.dy.col(q).transpose();
+    gradients << element_.dx.row(q), element_.dy.row(q);
     EXPECT_LT(gradients.rowwise().sum().norm(), 1e-13);
     EXPECT_LT((polygon_ * gradients.transpose() - Mat2::Identity()).norm(), 1e-13);
   }
