@@ -63,10 +63,19 @@ void find_outline(const Cell& cell, std::vector<Corner>& outline) {
   }
 }
 
+/// Those of active cells. deal.II calls used also what a file had besides.
+std::vector<bool> vertices_of_cells(const Triangulation& triangulation) {
+  std::vector<bool> used(triangulation.n_vertices());
+  for (const Cell& cell : triangulation.active_cell_iterators())
+    for (const unsigned k : cell->vertex_indices()) used[cell->vertex_index(k)] = true;
+  return used;
+}
+
 void add_vertices(const Triangulation& triangulation, TriangulationMesh& mesh) {
-  mesh.mesh_vertex.assign(triangulation.n_vertices(), -1);
-  for (unsigned v = 0; v < triangulation.n_vertices(); ++v)
-    if (triangulation.vertex_used(v)) {
+  const std::vector<bool> used = vertices_of_cells(triangulation);
+  mesh.mesh_vertex.assign(used.size(), -1);
+  for (unsigned v = 0; v < used.size(); ++v)
+    if (used[v]) {
       mesh.mesh_vertex[v] = static_cast<int>(mesh.triangulation_vertex.size());
       mesh.triangulation_vertex.push_back(v);
     }

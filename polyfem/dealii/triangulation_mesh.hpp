@@ -26,7 +26,7 @@ struct BoundaryLine {
 /// values of cells are already in the order of the vectors that dealii::DataOut takes for cells.
 struct TriangulationMesh : PolygonMesh {
   std::vector<unsigned> triangulation_vertex;  ///< deal.II's number of each vertex of the mesh, increasing
-  std::vector<int> mesh_vertex;                ///< the inverse: -1 for those deal.II does not use
+  std::vector<int> mesh_vertex;                ///< the inverse: -1 for those without an active cell
   std::vector<unsigned> material_ids;          ///< of each cell
   std::vector<BoundaryLine> boundary;          ///< cell after cell
 };
