@@ -1,10 +1,12 @@
-# find_package(polydda [COMPONENTS polyfem ddacontact]) gives the targets polydda::<component>; without COMPONENTS all.
+# find_package(polydda [COMPONENTS polyfem ddacontact polyfem_dealii]) gives the targets polydda::<component>; without
+# COMPONENTS all but polyfem_dealii, which needs deal.II and is there when polydda was built with POLYDDA_DEALII=ON.
 include(CMakeFindDependencyMacro)
 
 file(GLOB polydda_known RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/polydda-*-targets.cmake)
 list(TRANSFORM polydda_known REPLACE "^polydda-(.*)-targets\\.cmake$" "\\1")
 if(NOT polydda_FIND_COMPONENTS)
   set(polydda_FIND_COMPONENTS ${polydda_known})
+  list(REMOVE_ITEM polydda_FIND_COMPONENTS polyfem_dealii)
 endif()
 
 set(polydda_FOUND TRUE)
@@ -12,20 +14,32 @@ set(polydda_saved_module_path ${CMAKE_MODULE_PATH})
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 # Every component stands on polyfem. A component's file returns where something it needs is not found.
 foreach(polydda_component IN ITEMS polyfem LISTS polydda_FIND_COMPONENTS)
+  set(polydda_optional TRUE)
+  if(polydda_component STREQUAL polyfem OR polydda_FIND_REQUIRED_${polydda_component}
+     OR NOT DEFINED polydda_FIND_REQUIRED_${polydda_component})
+    set(polydda_optional FALSE)
+  endif()
   if(polydda_component IN_LIST polydda_known)
     include(${CMAKE_CURRENT_LIST_DIR}/polydda-${polydda_component}.cmake)
     set(polydda_${polydda_component}_FOUND ${polydda_FOUND})
-  elseif(polydda_FIND_REQUIRED_${polydda_component})
+  elseif(NOT polydda_optional)
     list(JOIN polydda_known ", " polydda_known)
     set(polydda_FOUND FALSE)
     set(polydda_NOT_FOUND_MESSAGE
       "polydda has no component \"${polydda_component}\"; its components are: ${polydda_known}")
+    if(polydda_component STREQUAL polyfem_dealii)
+      string(APPEND polydda_NOT_FOUND_MESSAGE
+        ". It was built without deal.II: configure polydda with POLYDDA_DEALII=ON and install it again")
+    endif()
   endif()
-  if(NOT polydda_FOUND)
+  if(polydda_optional)
+    set(polydda_FOUND TRUE)
+  elseif(NOT polydda_FOUND)
     break()
   endif()
 endforeach()
 set(CMAKE_MODULE_PATH ${polydda_saved_module_path})
 unset(polydda_saved_module_path)
 unset(polydda_component)
+unset(polydda_optional)
 unset(polydda_known)
