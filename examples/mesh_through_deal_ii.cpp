@@ -2,21 +2,19 @@
 //
 //    +-----+        Laplace's equation, div grad u = 0, around a corner that points inward, with
 //    |     |            u = r^(2/3) sin(2 theta / 3)
-//    |     |        prescribed on the boundary. theta runs from the side above the corner o, where u = 0, to
-//    |     o----+   the one right of it, where u = 0 again. This is the solution inside too; its gradient is
-//    |          |   infinite at o, so that halving all n cells twice, 16 n of them, makes the energy error
-//    |          |   smaller by 2.5 only. Refined where deal.II finds the error, it falls like 1/sqrt(n), as
-//    if
-//    +----------+   u were smooth.
+//    |     |        prescribed on the boundary. theta runs from the side above the corner o, where u = 0,
+//    |     o----+   to the one right of it, where u = 0 again. This is the solution inside too; its gradient
+//    |          |   is infinite at o, so that halving all n cells twice, 16 n of them, makes the energy
+//    |          |   error smaller by 2.5 only. Refined where deal.II finds the error, it falls like
+//    +----------+   1/sqrt(n), as if u were smooth.
 //
 // Cells of such a mesh meet cells half their size:
 //
 //    +-------+---+    The node x in the middle of the larger cell's side is called hanging. Bilinear
-//    functions |       |   |    are linear along that side: in deal.II x has no say and is tied to its
-//    neighbours. Here |       x---+    the larger cell is a pentagon with a straight corner at x and a shape
-//    function for it: |       |   |    nothing is tied, and x carries an unknown like any other vertex. Mean
-//    value functions
-//    +-------+---+    do not mind straight corners.
+//    |       |   |    functions are linear along that side: in deal.II x has no say and is tied to its
+//    |       x---+    neighbours. Here the larger cell is a pentagon with a straight corner at x and a shape
+//    |       |   |    function for it: nothing is tied, and x carries an unknown like any other vertex. Mean
+//    +-------+---+    value functions do not mind straight corners.
 //
 // Each cycle: triangulation -> polygons -> u at the vertices -> a vector of deal.II, whose error estimator
 // (Kelly's, the jumps of the normal derivative) says which fifth of the cells to refine.
