@@ -16,35 +16,51 @@ constexpr double tick_length = 4, below_axis = 40, between = 14, key_line = 17, 
 
 /// One direction: values, their pixels and their ticks.
 struct Axis {
-  double low = 0, high = 1;  ///< what the ends stand for
+  bool logarithmic = false;
+  double low = 0, high = 1;  ///< what the ends stand for; logarithms on a logarithmic axis
   Prefix prefix;
   Ticks ticks;  ///< in the prefixed unit
 
-  double share(double value) const { return (value - low) / (high - low); }
-  std::string text(std::size_t tick) const { return tick_text(ticks.values[tick], ticks.step); }
+  /// Not finite for what a logarithmic axis cannot show.
+  double coordinate(double value) const { return logarithmic ? std::log10(value) : value; }
+  double share(double value) const { return (coordinate(value) - low) / (high - low); }
+  double tick_share(std::size_t tick) const { return share(ticks.values[tick] * prefix.factor); }
+  std::string text(std::size_t tick) const {
+    return logarithmic ? decade_text(ticks.values[tick]) : tick_text(ticks.values[tick], ticks.step);
+  }
 };
+
+/// Widens a range that is nearly a single number.
+void spread(Axis& axis) {
+  const double size = std::max(std::abs(axis.low), std::abs(axis.high));
+  if (axis.high - axis.low > 1e-9 * size && size > 0) return;
+  const double half = axis.logarithmic || size == 0 ? 1 : 0.5 * size;
+  axis.low -= half;
+  axis.high += half;
+}
 
 /// \param[in] room  how much of the range is left free at both ends
 Axis axis_of(const std::vector<Series>& series, std::vector<double> Series::*values, const std::string& unit,
-             double room, int most_ticks) {
+             bool logarithmic, double room, int most_ticks) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Axis axis{infinity, -infinity, {}, {}};
+  Axis axis{logarithmic, infinity, -infinity, {}, {}};
   for (const Series& line : series)
     for (const double value : line.*values) {
-      if (!std::isfinite(value)) continue;
-      axis.low = std::min(axis.low, value);
-      axis.high = std::max(axis.high, value);
+      const double coordinate = axis.coordinate(value);
+      if (!std::isfinite(coordinate)) continue;
+      axis.low = std::min(axis.low, coordinate);
+      axis.high = std::max(axis.high, coordinate);
     }
   if (axis.low > axis.high) axis.low = axis.high = 0;
   const double size = std::max(std::abs(axis.low), std::abs(axis.high));
-  if (axis.high - axis.low <= 1e-9 * size || size == 0) {
-    const double half = size == 0 ? 1 : 0.5 * size;
-    axis.low -= half;
-    axis.high += half;
-  }
+  spread(axis);
   const double free = room * (axis.high - axis.low);
   axis.low -= free;
   axis.high += free;
+  if (logarithmic) {
+    axis.ticks.values = logarithmic_ticks(std::pow(10, axis.low), std::pow(10, axis.high), most_ticks);
+    return axis;
+  }
   axis.prefix = prefix_of(size, unit);
   axis.ticks = ticks_between(axis.low / axis.prefix.factor, axis.high / axis.prefix.factor, most_ticks);
   return axis;
@@ -63,6 +79,9 @@ std::string line_style(std::size_t line) {
          hex(line_colour(static_cast<int>(line))) + "\"" + dashes[line / 6 % dashes.size()];
 }
 
+constexpr const char* guide_style =
+    "fill=\"none\" stroke-width=\"1\" stroke=\"#888\" stroke-dasharray=\"1.5 2.5\"";
+
 std::string marker_style(std::size_t marker) {
   return "fill=\"#fff\" stroke-width=\"1.2\" stroke=\"" + hex(line_colour(static_cast<int>(marker))) + "\"";
 }
@@ -74,14 +93,25 @@ void add_marker(PathData& data, const Vec2& at) {
     data.line_to(at + corner);
 }
 
+void add_dot(PathData& data, const Vec2& at) {
+  constexpr double half = 2;
+  data.polygon(
+      {at + Vec2(-half, -half), at + Vec2(half, -half), at + Vec2(half, half), at + Vec2(-half, half)});
+}
+
+std::string dot_style(std::size_t line) {
+  return "fill=\"" + hex(line_colour(static_cast<int>(line))) + "\"";
+}
+
 class ChartPage {
  public:
   ChartPage(const std::vector<Chart>& charts, const ChartOptions& options)
       : charts_(charts), options_(options) {
     if (charts.empty()) throw Error("a picture of curves needs a chart");
     for (const Chart& chart : charts) {
-      x_axes_.push_back(axis_of(chart.series, &Series::x, chart.x_unit, 0, 8));
-      y_axes_.push_back(axis_of(chart.series, &Series::y, chart.y_unit, 0.04, 6));
+      x_axes_.push_back(axis_of(chart.series, &Series::x, chart.x_unit, chart.x_logarithmic,
+                                chart.x_logarithmic ? 0.04 : 0, 8));
+      y_axes_.push_back(axis_of(chart.series, &Series::y, chart.y_unit, chart.y_logarithmic, 0.04, 6));
       for (std::size_t i = 0; i < y_axes_.back().ticks.values.size(); ++i)
         widest_tick_ = std::max(widest_tick_, text_width(y_axes_.back().text(i), tick_size));
       for (const Series& line : chart.series)
@@ -117,7 +147,7 @@ class ChartPage {
     const Vec2 low = corner_ + Vec2(0, options_.plot_height);
     PathData grid, marks;
     for (std::size_t k = 0; k < x.ticks.values.size(); ++k) {
-      const Vec2 at = low + Vec2(x.share(x.ticks.values[k] * x.prefix.factor) * width_, 0);
+      const Vec2 at = low + Vec2(x.tick_share(k) * width_, 0);
       grid.move_to(at);
       grid.line_to(at - Vec2(0, options_.plot_height));
       marks.move_to(at);
@@ -126,7 +156,7 @@ class ChartPage {
                  {.size = tick_size, .anchor = Anchor::middle});
     }
     for (std::size_t k = 0; k < y.ticks.values.size(); ++k) {
-      const Vec2 at = low - Vec2(0, y.share(y.ticks.values[k] * y.prefix.factor) * options_.plot_height);
+      const Vec2 at = low - Vec2(0, y.tick_share(k) * options_.plot_height);
       grid.move_to(at);
       grid.line_to(at + Vec2(width_, 0));
       marks.move_to(at);
@@ -150,20 +180,28 @@ class ChartPage {
     page_.begin_clipped(corner_ - Vec2(4, 4), {width_ + 8, options_.plot_height + 8});
     std::size_t n_lines = 0, n_marked = 0;
     for (const Series& series : charts_[i].series) {
-      PathData data;
+      PathData data, dots;
       bool drawing = false;
       for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
-        const bool finite = std::isfinite(series.x[k]) && std::isfinite(series.y[k]);
-        const Vec2 at =
-            corner_ + Vec2(x.share(series.x[k]) * width_, (1 - y.share(series.y[k])) * options_.plot_height);
+        const double x_share = x.share(series.x[k]), y_share = y.share(series.y[k]);
+        const bool finite = std::isfinite(x_share) && std::isfinite(y_share);
+        const Vec2 at = corner_ + Vec2(x_share * width_, (1 - y_share) * options_.plot_height);
         if (finite && series.markers) add_marker(data, at);
         if (finite && !series.markers && drawing) data.line_to(at);
         if (finite && !series.markers && !drawing) data.move_to(at);
+        if (finite && series.dots) add_dot(dots, at);
         drawing = finite;
       }
-      page_.path(data, series.markers ? marker_style(n_marked++) : line_style(n_lines++));
+      page_.path(dots, dot_style(n_lines));
+      page_.path(data, style_of(series, n_lines, n_marked));
     }
     page_.end_group();
+  }
+
+  /// Counts the series of its kind.
+  static std::string style_of(const Series& series, std::size_t& n_lines, std::size_t& n_marked) {
+    if (series.guide) return guide_style;
+    return series.markers ? marker_style(n_marked++) : line_style(n_lines++);
   }
 
   void draw_key(const Chart& chart) {
@@ -171,12 +209,17 @@ class ChartPage {
     std::size_t n_lines = 0, n_marked = 0;
     Vec2 at = corner_ + Vec2(width_ + 10, 0.5 * key_line);
     for (const Series& series : chart.series) {
-      PathData marker;
-      add_marker(marker, at + Vec2(sample / 2, 0));
-      if (series.markers)
-        page_.path(marker, marker_style(n_marked++));
-      else
-        page_.line(at, at + Vec2(sample, 0), line_style(n_lines++));
+      const Vec2 middle = at + Vec2(sample / 2, 0);
+      PathData dot, mark;
+      if (series.dots) add_dot(dot, middle);
+      if (series.markers) {
+        add_marker(mark, middle);
+      } else {
+        mark.move_to(at);
+        mark.line_to(at + Vec2(sample, 0));
+      }
+      page_.path(dot, dot_style(n_lines));
+      page_.path(mark, style_of(series, n_lines, n_marked));
       page_.text(at + Vec2(sample + 6, 0.35 * tick_size), series.name, {.size = tick_size});
       at.y() += key_line;
     }

@@ -1,4 +1,4 @@
-/// \file Line charts of histories, as SVG.
+/// \file Line charts, as SVG.
 #pragma once
 
 #include <ddacontact/picture/svg.hpp>
@@ -13,13 +13,17 @@ struct Series {
   std::string name;
   std::vector<double> x, y;
   bool markers = false;  ///< diamonds instead of a line; the k-th such series has the colour of the k-th line
+  bool dots = false;     ///< a dot at each point of the line
+  bool guide = false;    ///< a thin grey line that has no colour of its own
 };
 
-/// Lines over one pair of axes. Axes get a prefix of the unit that suits the values.
+/// Lines over one pair of axes. Linear axes get a prefix of the unit that suits the values. Logarithmic ones
+/// show numbers > 0; others are left out.
 struct Chart {
   Label x_symbol, y_symbol;
   std::string x_unit, y_unit;
   std::vector<Series> series;
+  bool x_logarithmic = false, y_logarithmic = false;
 };
 
 /// Sizes and title of a picture of charts.

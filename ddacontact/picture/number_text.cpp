@@ -111,6 +111,32 @@ Ticks ticks_between(double low, double high, int most) {
   return ticks;
 }
 
+std::vector<double> logarithmic_ticks(double low, double high, int most) {
+  const double slack = 1e-9;
+  const int first = static_cast<int>(std::ceil(std::log10(low) - slack));
+  const int last = static_cast<int>(std::floor(std::log10(high) + slack));
+  std::vector<double> ticks;
+  if (last - first < 2) {
+    for (int exponent = first - 1; exponent <= last; ++exponent)
+      for (const double digit : {1., 2., 5.}) {
+        const double tick = digit * power_of_ten(exponent);
+        if (tick >= low * (1 - slack) && tick <= high * (1 + slack)) ticks.push_back(tick);
+      }
+    return ticks;
+  }
+  const int step = std::max(1, (last - first + most) / most);
+  for (int exponent = first; exponent <= last; ++exponent)
+    if (exponent % step == 0) ticks.push_back(power_of_ten(exponent));
+  return ticks;
+}
+
+std::string decade_text(double value) {
+  const int exponent = decimal_exponent(value, 1);
+  if (std::abs(exponent) < 2) return number_text(value, 1);
+  const std::string digit = fixed(value / power_of_ten(exponent), 0);
+  return (digit == "1" ? "" : digit + "\u00d7") + "10" + superscript(exponent);
+}
+
 std::string tick_text(double value, double step) {
   const double magnitude = std::abs(value);
   if (magnitude < step / 2) return "0";

@@ -40,6 +40,14 @@ struct Ticks {
 /// At most `most` + 1 ticks in low < high.
 Ticks ticks_between(double low, double high, int most);
 
+/// Where a logarithmic axis is marked from low to high, 0 < low < high: at powers of ten, every second, third
+/// ... one when there would be more than `most`; where there are less than three, at 2 and 5 times them as
+/// well.
+std::vector<double> logarithmic_ticks(double low, double high, int most);
+
+/// A digit times a power of ten as on a logarithmic axis: "10⁻³", "2×10⁴", and "1", "20", "0.5" near one.
+std::string decade_text(double value);
+
 /// A multiple of `step`, with the digits the step needs.
 std::string tick_text(double value, double step);
 

@@ -114,7 +114,7 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
   held_.forget_couplings();
   matrix_.set_zero();
   cell_loads_.setZero();
-  factorized_ = false;
+  assembled_ = factorized_ = false;
   Points polygon;
   MatrixXd K;
   VectorXd f;

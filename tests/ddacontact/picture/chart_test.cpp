@@ -82,4 +82,53 @@ TEST(Chart, ManyLinesAreToldApart) {
   EXPECT_EQ(std::unique(looks.begin(), looks.end()), looks.end());
 }
 
+Chart logarithmic(std::vector<Series> series) {
+  Chart chart = chart_of(std::move(series));
+  chart.x_logarithmic = chart.y_logarithmic = true;
+  return chart;
+}
+
+TEST(Chart, PowersAreStraightOnLogarithmicAxes) {
+  Series line{"a", {}, {}};
+  for (const double x : {1e-3, 4e-2, 1., 7e2}) {
+    line.x.push_back(x);
+    line.y.push_back(1e-5 * x * x);
+  }
+  const std::vector<Vec2> drawn = first_line(draw({logarithmic({line})}, {}));
+  ASSERT_EQ(drawn.size(), 4u);
+  const Vec2 whole = drawn[3] - drawn[0];
+  for (std::size_t i = 1; i < 3; ++i) {
+    const double share = std::log(line.x[i] / line.x[0]) / std::log(line.x[3] / line.x[0]);
+    EXPECT_LT((drawn[i] - drawn[0] - share * whole).norm(), 0.02);
+  }
+}
+
+TEST(Chart, LogarithmicAxesAreMarkedAtPowersOfTenInThePlainUnit) {
+  const std::string told = texts(parsed(draw({logarithmic({{"a", {20, 3e4}, {2e-6, 7e-3}}})}, {})));
+  for (const char* text : {"10\u00b2", "10\u2074", "10\u207b\u2075", "10\u207b\u00b3", "time (s)", "ux (m)"})
+    EXPECT_NE(told.find(text), std::string::npos) << text << " in " << told;
+}
+
+TEST(Chart, LogarithmicAxesLeaveOutWhatHasNoLogarithm) {
+  const Series line{"a", {1, 2, 0, -1, 10, 20}, {1, 2, 3, 4, 0, 5}};
+  const std::string svg =
+      draw({logarithmic({line}), logarithmic({{"none", {-1}, {0}}}), logarithmic({})}, {});
+  EXPECT_EQ(first_line(svg).size(), 2u);
+  for (const char* wrong : {"nan", "inf", "undefined"})
+    EXPECT_EQ(svg.find(wrong), std::string::npos) << wrong;
+}
+
+TEST(Chart, GuidesTakeNoColourFromTheLines) {
+  const Series a{"a", {1, 2}, {1, 2}, false, true}, guide{"guide", {1, 2}, {2, 1}, false, false, true};
+  const auto last_stroke = [](const std::vector<Series>& series) {
+    const pugi::xml_document document = parsed(draw({chart_of(series)}, {}));
+    return std::string(document.select_nodes("//*[name()='g']/*[name()='path'][@stroke]")[series.size() - 1]
+                           .node()
+                           .attribute("stroke")
+                           .value());
+  };
+  EXPECT_EQ(last_stroke({a, guide, a}), last_stroke({a, a}));
+  EXPECT_NE(last_stroke({a, guide}), last_stroke({a, a}));
+}
+
 }  // namespace

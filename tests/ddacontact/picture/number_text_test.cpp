@@ -76,4 +76,27 @@ TEST(RoundStep, IsTheSmallestThatIsNotTooFine) {
   EXPECT_DOUBLE_EQ(round_below(4.99e6), 2e6);
 }
 
+TEST(LogarithmicTicks, AreFewWithinTheRangeAndReadApart) {
+  for (const double low : {1e-12, 3e-5, 1., 47.})
+    for (const double ratio : {9., 30., 300., 1e7, 1e15}) {
+      const std::vector<double> ticks = logarithmic_ticks(low, low * ratio, 6);
+      ASSERT_GE(ticks.size(), 2u) << low << " " << ratio;
+      EXPECT_LE(ticks.size(), 8u) << low << " " << ratio;
+      EXPECT_GE(ticks.front(), low * (1 - 1e-8));
+      EXPECT_LE(ticks.back(), low * ratio * (1 + 1e-8));
+      std::set<std::string> texts;
+      for (const double tick : ticks) texts.insert(decade_text(tick));
+      EXPECT_EQ(texts.size(), ticks.size());
+    }
+  EXPECT_EQ(logarithmic_ticks(1e-3, 1e1, 6), (std::vector<double>{1e-3, 1e-2, 1e-1, 1, 10}));
+}
+
+TEST(LogarithmicTicks, ReadAsPowersOfTen) {
+  EXPECT_EQ(decade_text(1e-3), "10\u207b\u00b3");
+  EXPECT_EQ(decade_text(2e4), "2\u00d710\u2074");
+  EXPECT_EQ(decade_text(0.5), "0.5");
+  EXPECT_EQ(decade_text(1), "1");
+  EXPECT_EQ(decade_text(20), "20");
+}
+
 }  // namespace

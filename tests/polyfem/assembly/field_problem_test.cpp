@@ -1,0 +1,291 @@
+#include <polyfem/assembly/field_problem.hpp>
+#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/core/error.hpp>
+#include <polyfem/element/matrices.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+#include <polyfem/mesh/generators.hpp>
+#include <polyfem/mesh/mesh_boundary.hpp>
+#include <polyfem/mesh/voronoi.hpp>
+#include <tests/support/domains.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace polyfem;
+
+namespace {
+
+const Mat3 D = elasticity_matrix(1, 0.3, Plane::strain);
+
+void elastic(int, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+  TabulatedElement element;
+  tabulate(polygon, hammer_rule(3), wachspress, GradientCorrection::on, element);
+  stiffness(element, D, K);
+}
+
+/// The integral of grad N_i . grad N_j, and with a source the integrals of N_i.
+void conduct(const PointsRef& polygon, MatrixXd& K) {
+  TabulatedElement element;
+  tabulate(polygon, hammer_rule(3), wachspress, GradientCorrection::on, element);
+  const auto w = element.rule.weights.asDiagonal();
+  K = element.dx.transpose() * w * element.dx + element.dy.transpose() * w * element.dy;
+}
+void conducting(int, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+  conduct(polygon, K);
+}
+
+const PolygonMesh mesh = voronoi(support::rectangle(3, 1), {.n_cells = 90});
+bool at_left(const Vec2& x) {
+  return x.x() == 0;
+}
+bool at_right(const Vec2& x) {
+  return x.x() == 3;
+}
+
+void clamp_left(FieldProblem& problem) {
+  for (const int v : boundary_vertices(mesh, at_left))
+    for (const int component : {0, 1}) problem.hold(v, component);
+}
+
+std::string message_of(FieldProblem& problem) {
+  try {
+    problem.solve();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FieldProblem, FindsALinearPotentialFromItsBoundary) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble(conducting);
+  const VectorXd exact = 5 + (mesh.vertices.row(0) - 2 * mesh.vertices.row(1)).transpose().array();
+  for (const int v : boundary_vertices(mesh)) problem.hold(v, 0, exact[v]);
+  EXPECT_LT((problem.solve() - exact).lpNorm<Eigen::Infinity>(), 1e-13);
+  for (const int v : boundary_vertices(mesh)) EXPECT_EQ(problem.solution()[v], exact[v]) << "to the bit";
+}
+
+TEST(FieldProblem, TakesFluxesThroughTheBoundary) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble(conducting);
+  for (const int v : boundary_vertices(mesh, at_left)) problem.hold(v, 0, 1);
+  const Vec2 gradient(0.7, 0);
+  problem.add_edge_loads(
+      boundary_edges(mesh, [](const Vec2& x) { return !at_left(x) || x.y() == 0 || x.y() == 1; }),
+      [&](const Vec2&, const Vec2& normal) { return VectorXd::Constant(1, gradient.dot(normal)); });
+  const VectorXd exact = 1 + 0.7 * mesh.vertices.row(0).transpose().array();
+  EXPECT_LT((problem.solve() - exact).lpNorm<Eigen::Infinity>(), 1e-13);
+}
+
+TEST(FieldProblem, CarriesAQuadraticTractionExactlyToItsReactions) {
+  FieldProblem problem(mesh, 2);
+  problem.assemble(elastic);
+  clamp_left(problem);
+  problem.add_edge_loads(boundary_edges(mesh, at_right),
+                         [](const Vec2& x, const Vec2&) { return Vec2(1, 6 * x.y() * (1 - x.y())); });
+  problem.add_load(boundary_vertices(mesh, at_left)[0], 1, 17);  // straight into a support
+  problem.solve();
+  const VectorXd reactions = problem.reactions();
+  Vec2 sum = Vec2::Zero();
+  double moment = 0;
+  for (Index v = 0; v < mesh.vertices.cols(); ++v) {
+    const Vec2 force = reactions.segment<2>(2 * v);
+    sum += force;
+    moment += cross(mesh.vertices.col(v), force);
+    if (!at_left(mesh.vertices.col(v))) {
+      EXPECT_EQ(force, Vec2(0, 0));
+    }
+  }
+  EXPECT_LT((sum + Vec2(1, 1 + 17)).norm(), 1e-12) << "forces balance";
+  EXPECT_NEAR(moment + (3 * 1 - 0.5 * 1), 0, 1e-11) << "moments balance about the lower left corner";
+}
+
+TEST(FieldProblem, KeepsAnalysisAndFactorForAsLongAsTheyAreGood) {
+  FieldProblem problem(mesh, 2);
+  problem.assemble(elastic);
+  clamp_left(problem);
+  const auto expect_counts = [&](int n_analyses, int n_factorizations, int n_solves) {
+    EXPECT_EQ(problem.n_analyses(), n_analyses);
+    EXPECT_EQ(problem.n_factorizations(), n_factorizations);
+    EXPECT_EQ(problem.n_solves(), n_solves);
+  };
+  const int tip = boundary_vertices(mesh, at_right).back();
+  problem.add_load(tip, 1, -1);
+  const VectorXd first = problem.solve();
+  expect_counts(1, 1, 1);
+
+  problem.clear_loads();
+  problem.add_load(tip, 1, -2);
+  EXPECT_LT((problem.solve() - 2 * first).norm(), 1e-12 * first.norm());
+  expect_counts(1, 1, 2);
+
+  problem.hold(boundary_vertices(mesh, at_left)[0], 0, 0.1);  // held before, at another value
+  problem.solve();
+  expect_counts(1, 1, 3);
+
+  problem.hold(tip, 0);
+  problem.solve();
+  expect_counts(1, 2, 4);
+
+  problem.assemble(elastic);
+  problem.release_all();
+  clamp_left(problem);
+  problem.clear_loads();
+  problem.add_load(tip, 1, -1);
+  EXPECT_LT((problem.solve() - first).norm(), 1e-12 * first.norm());
+  expect_counts(1, 3, 5);
+}
+
+TEST(FieldProblem, GivesTheSameForAnotherSetOfHeldUnknownsAsIfItHadBeenTheFirst) {
+  const auto hold_ends = [](FieldProblem& problem) {
+    clamp_left(problem);
+    for (const int v : boundary_vertices(mesh, at_right)) problem.hold(v, 1, -0.1);
+  };
+  FieldProblem changed(mesh, 2), fresh(mesh, 2);
+  changed.assemble(elastic);
+  for (const int v : boundary_vertices(mesh)) changed.hold(v, 0, 0.3);
+  for (const int v : boundary_vertices(mesh)) changed.hold(v, 1, 0.2);
+  changed.solve();
+  changed.release_all();
+  hold_ends(changed);
+  fresh.assemble(elastic);
+  hold_ends(fresh);
+  EXPECT_EQ(changed.solve(), fresh.solve());
+  EXPECT_EQ(changed.reactions(), fresh.reactions());
+}
+
+TEST(FieldProblem, TakesTheLoadsOfCells) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble([](int, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
+    conduct(polygon, K);
+    f.setConstant(signed_area(polygon) / static_cast<double>(polygon.cols()));
+  });
+  for (const int v : boundary_vertices(mesh)) problem.hold(v, 0);
+  problem.solve();
+  EXPECT_NEAR(problem.reactions().sum(), -3, 1e-12) << "what flows in, one for each unit of area, flows out";
+}
+
+TEST(FieldProblem, NamesAPotentialThatIsHeldNowhere) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble(conducting);
+  problem.add_load(0, 0, 1);
+  const std::string message = message_of(problem);
+  EXPECT_NE(message.find("vertex 0 at (0, 0)"), std::string::npos) << message;
+  EXPECT_NE(message.find("hold one of its vertices"), std::string::npos) << message;
+  problem.hold(0, 0);
+  EXPECT_EQ(message_of(problem), "");
+}
+
+TEST(FieldProblem, NamesABodyThatIsFreeToMoveOrTurn) {
+  struct Hold {
+    Vec2 place;
+    int component;
+  };
+  const auto message_for = [](std::initializer_list<Hold> holds) {
+    FieldProblem problem(mesh, 2);
+    problem.assemble(elastic);
+    for (const auto& [place, component] : holds) {
+      Index v;
+      (mesh.vertices.colwise() - place).colwise().norm().minCoeff(&v);
+      problem.hold(static_cast<int>(v), component);
+    }
+    return message_of(problem);
+  };
+  const auto names = [](const std::string& message, const char* words) {
+    return message.find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(names(message_for({}), "held too little"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "by (")) << "free to move up";
+  EXPECT_FALSE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "turning"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 0}, 1}}), "turning"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{3, 0}, 0}, {{0, 0}, 1}}), "turning"))
+      << "all lines of support meet";
+  EXPECT_EQ(message_for({{{0, 0}, 0}, {{0, 1}, 0}, {{0, 0}, 1}}), "");
+}
+
+TEST(FieldProblem, NamesThePartThatIsNotHeld) {
+  PolygonMesh two = rectangles({0, 0}, {1, 1}, 2, 2);
+  const PolygonMesh other = rectangles({5, 0}, {6, 1}, 2, 2);
+  const int n = static_cast<int>(two.vertices.cols());
+  two.vertices.conservativeResize(2, 2 * n);
+  two.vertices.rightCols(n) = other.vertices;
+  for (int c = 0; c < other.n_cells(); ++c) {
+    std::vector<int> corners(other.cell(c).begin(), other.cell(c).end());
+    for (int& v : corners) v += n;
+    two.add_cell(corners);
+  }
+  FieldProblem problem(two, 1);
+  problem.assemble(conducting);
+  problem.hold(2, 0);
+  const std::string message = message_of(problem);
+  EXPECT_NE(message.find("vertex 9 at (5, 0) (9 vertices)"), std::string::npos) << message;
+  problem.hold(12, 0);
+  EXPECT_EQ(message_of(problem), "");
+}
+
+TEST(FieldProblem, NamesAVertexOfNoCell) {
+  PolygonMesh lonely = rectangles({0, 0}, {1, 1}, 2, 2);
+  lonely.vertices.conservativeResize(2, 10);
+  lonely.vertices.rightCols(1) << 7, 8;
+  FieldProblem problem(lonely, 1);
+  problem.assemble(conducting);
+  problem.hold(0, 0);
+  const std::string message = message_of(problem);
+  EXPECT_NE(message.find("vertex 9 at (7, 8) belongs to no cell"), std::string::npos) << message;
+}
+
+TEST(FieldProblem, NeedsNoHeldUnknownWhereTheMatrixIsDefiniteByItself) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble([](int, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
+    conduct(polygon, K);
+    f.setConstant(signed_area(polygon) / static_cast<double>(polygon.cols()));
+    K.diagonal() += f;  // a lumped mass: -u'' + u = 1 has the solution 1
+  });
+  EXPECT_LT((problem.solve().array() - 1).abs().maxCoeff(), 1e-12);
+}
+
+TEST(FieldProblem, NamesAMatrixThatIsNotPositiveDefinite) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble([](int, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+    conduct(polygon, K);
+    K = -K;
+  });
+  problem.hold(0, 0);
+  const std::string message = message_of(problem);
+  EXPECT_NE(message.find("not positive definite"), std::string::npos) << message;
+  EXPECT_NE(message.find("vertex "), std::string::npos) << message;
+}
+
+TEST(FieldProblem, RefusesWhatItCannotUse) {
+  FieldProblem problem(mesh, 2);
+  EXPECT_THROW(problem.solve(), Error) << "not assembled";
+  EXPECT_THROW(problem.hold(-1, 0), Error);
+  EXPECT_THROW(problem.hold(0, 2), Error);
+  EXPECT_THROW(problem.hold(0, 0, std::nan("")), Error);
+  EXPECT_THROW(problem.add_load(static_cast<int>(mesh.vertices.cols()), 0, 1), Error);
+  const auto message_for = [&](const FieldProblem::CellMatrix& cell_matrix) -> std::string {
+    try {
+      problem.assemble(cell_matrix);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message_for(conducting).find("cell 0 is"), std::string::npos) << "one component instead of two";
+  const std::string message = message_for([](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
+    elastic(cell, polygon, K, f);
+    if (cell == 7) K(0, 0) = std::nan("");
+  });
+  EXPECT_NE(message.find("cell 7"), std::string::npos) << message;
+  EXPECT_THROW(problem.solve(), Error) << "what was assembled in part is not solved";
+
+  PolygonMesh wrong = mesh;
+  wrong.indices[5] = static_cast<int>(mesh.vertices.cols());
+  EXPECT_THROW(FieldProblem(wrong, 1), Error);
+  wrong.indices[5] = wrong.indices[4];
+  EXPECT_THROW(FieldProblem(wrong, 1), Error);
+}
+
+}  // namespace

@@ -1,0 +1,250 @@
+#include <polyfem/core/error.hpp>
+#include <polyfem/mesh/generators.hpp>
+#include <polyfem/mesh/mesh_defects.hpp>
+#include <polyfem/mesh/voronoi.hpp>
+#include <tests/support/domains.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <ostream>
+
+using namespace polyfem;
+
+namespace {
+
+// Vertices 0 .. 11 in three rows of four, cells of the lower row 0 1 2, of the upper one 3 4 5; cell 4 has
+// vertices 5 6 10 9.
+const PolygonMesh sound = rectangles({0, 0}, {3, 2}, 3, 2);
+
+void replace_vertex(PolygonMesh& mesh, int cell, int from, int to) {
+  std::replace(mesh.indices.begin() + mesh.offsets[cell], mesh.indices.begin() + mesh.offsets[cell + 1], from,
+               to);
+}
+int add_vertex(PolygonMesh& mesh, const Vec2& x) {
+  mesh.vertices.conservativeResize(2, mesh.vertices.cols() + 1);
+  mesh.vertices.rightCols(1) = x;
+  return static_cast<int>(mesh.vertices.cols()) - 1;
+}
+
+/// A way to spoil the mesh, and what must be found first.
+struct Spoilt {
+  const char* name;
+  std::function<void(PolygonMesh&)> spoil;
+  MeshFlaw flaw;
+  int cell, vertex;
+  std::vector<const char*> words;
+};
+void PrintTo(const Spoilt& spoilt, std::ostream* out) {
+  *out << spoilt.name;
+}
+
+const Spoilt spoilt_meshes[] = {
+    {"offsets", [](PolygonMesh& m) { m.offsets.back() = 23; }, MeshFlaw::offsets, -1, -1, {"24", "add_cell"}},
+    {"two_vertices",
+     [](PolygonMesh& m) {
+       m.add_cell(std::vector{3, 7});
+     },
+     MeshFlaw::too_few_vertices,
+     6,
+     3,
+     {"cell 6 has 2 vertices", "three"}},
+    {"no_vertices",
+     [](PolygonMesh& m) { m.add_cell({}); },
+     MeshFlaw::too_few_vertices,
+     6,
+     -1,
+     {"cell 6 has 0"}},
+    {"index_too_large",
+     [](PolygonMesh& m) { m.indices[17] = 12; },
+     MeshFlaw::index_out_of_range,
+     4,
+     12,
+     {"cell 4 has a vertex 12", "0 to 11"}},
+    {"index_negative",
+     [](PolygonMesh& m) { m.indices[17] = -1; },
+     MeshFlaw::index_out_of_range,
+     4,
+     -1,
+     {"vertex -1"}},
+    {"vertex_twice",
+     [](PolygonMesh& m) { m.indices[17] = 5; },
+     MeshFlaw::repeated_vertex,
+     4,
+     5,
+     {"cell 4 has vertex 5 at (1, 1) twice"}},
+    {"same_place_in_a_cell",
+     [](PolygonMesh& m) { m.vertices.col(6) = m.vertices.col(5); },
+     MeshFlaw::repeated_vertex,
+     1,
+     5,
+     {"vertex 5 at (1, 1) and vertex 6", "cell 1", "same place"}},
+    {"not_a_number",
+     [](PolygonMesh& m) { m.vertices(1, 3) = std::nan(""); },
+     MeshFlaw::not_finite,
+     2,
+     3,
+     {"vertex 3 at (3, nan)", "cell 2", "finite"}},
+    {"infinite",
+     [](PolygonMesh& m) { m.vertices(0, 8) = -INFINITY; },
+     MeshFlaw::not_finite,
+     3,
+     8,
+     {"(-inf, 2)"}},
+    {"on_a_line",
+     [](PolygonMesh& m) {
+       m.add_cell(std::vector{0, 1, 2});
+     },
+     MeshFlaw::no_area,
+     6,
+     0,
+     {"cell 6", "no area"}},
+    {"clockwise",
+     [](PolygonMesh& m) { std::reverse(m.indices.begin() + 16, m.indices.begin() + 20); },
+     MeshFlaw::clockwise,
+     4,
+     9,
+     {"cell 4", "vertex 9 at (1, 2)", "clockwise", "reverse"}},
+    {"crossed",
+     [](PolygonMesh& m) { std::swap(m.indices[16], m.indices[17]); },
+     MeshFlaw::self_intersection,
+     4,
+     -1,
+     {"cell 4", "crosses", "edge from vertex"}},
+    {"on_each_other",
+     [](PolygonMesh& m) {
+       m.add_cell(std::vector{5, 6, 11});
+     },
+     MeshFlaw::overlap,
+     4,
+     5,
+     {"cells 4 and 6", "vertex 5 at (1, 1) to vertex 6 at (2, 1)", "overlap"}},
+    {"hanging",
+     [](PolygonMesh& m) {
+       const int v = add_vertex(m, {1.5, 1});
+       m.indices.insert(m.indices.begin() + m.offsets[4] + 1, v);
+       for (int c = 5; c <= 6; ++c) ++m.offsets[c];
+     },
+     MeshFlaw::hanging_vertex,
+     1,
+     12,
+     {"vertex 12 at (1.5, 1)", "inside the edge from vertex 6 at (2, 1) to vertex 5 at (1, 1) of cell 1",
+      "insert"}},
+    {"crack",
+     [](PolygonMesh& m) {
+       replace_vertex(m, 3, 9, add_vertex(m, {1, 2 + 1e-12}));
+     },
+     MeshFlaw::crack,
+     -1,
+     12,
+     {"vertices 9 and vertex 12 at (1, 2)", "same place", "make them one"}},
+    {"unused",
+     [](PolygonMesh& m) {
+       add_vertex(m, {0.3, 0.4});
+     },
+     MeshFlaw::unused_vertex,
+     -1,
+     12,
+     {"vertex 12 at (0.3, 0.4)", "no cell", "leave it out"}}};
+
+class MeshDefects : public testing::TestWithParam<Spoilt> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, MeshDefects, testing::ValuesIn(spoilt_meshes),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(MeshDefects, AreNamedWithPlaceAndCure) {
+  PolygonMesh mesh = sound;
+  GetParam().spoil(mesh);
+  const std::vector<MeshDefect> defects = find_defects(mesh);
+  ASSERT_FALSE(defects.empty());
+  EXPECT_EQ(defects[0].flaw, GetParam().flaw);
+  if (GetParam().cell >= 0) {
+    EXPECT_EQ(defects[0].cell, GetParam().cell);
+  }
+  if (GetParam().vertex >= 0) {
+    EXPECT_EQ(defects[0].vertex, GetParam().vertex);
+  }
+  for (const char* words : GetParam().words)
+    EXPECT_NE(defects[0].text.find(words), std::string::npos) << words << " is not in: " << defects[0].text;
+}
+
+TEST_P(MeshDefects, AreThrownTogether) {
+  PolygonMesh mesh = sound;
+  GetParam().spoil(mesh);
+  try {
+    require_valid(mesh);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(find_defects(mesh)[0].text), std::string::npos);
+  }
+}
+
+TEST(FindDefects, FindsAllOfThemAtOnce) {
+  PolygonMesh mesh = sound;
+  add_vertex(mesh, {9, 9});
+  std::reverse(mesh.indices.begin() + 16, mesh.indices.begin() + 20);  // cell 4
+  mesh.indices[0] = 77;
+  const std::vector<MeshDefect> defects = find_defects(mesh);
+  std::vector<MeshFlaw> flaws;
+  for (const MeshDefect& defect : defects) flaws.push_back(defect.flaw);
+  EXPECT_EQ(flaws, (std::vector{MeshFlaw::index_out_of_range, MeshFlaw::clockwise, MeshFlaw::unused_vertex,
+                                MeshFlaw::unused_vertex}));
+}
+
+TEST(FindDefects, ShowsTenAndCountsTheRest) {
+  PolygonMesh mesh = sound;
+  for (int k = 0; k < 25; ++k) add_vertex(mesh, {k, -1});
+  try {
+    require_valid(mesh);
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("25 defects"), std::string::npos);
+    EXPECT_NE(text.find("and 15 more"), std::string::npos);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);
+  }
+}
+
+TEST(FindDefects, FindsEachVertexOfEachCrackOfAMeshInPieces) {
+  const PolygonMesh whole = rectangles({0, 0}, {1, 1}, 40, 40);
+  PolygonMesh pieces;
+  pieces.vertices.resize(2, 4 * whole.n_cells());
+  for (int c = 0; c < whole.n_cells(); ++c) {
+    pieces.vertices.middleCols(4 * c, 4) = whole.outline(c);
+    pieces.add_cell(std::vector{4 * c, 4 * c + 1, 4 * c + 2, 4 * c + 3});
+  }
+  const std::vector<MeshDefect> defects = find_defects(pieces);
+  // Of the pairs of pieces around a vertex: six at each of 39 x 39 inner ones, one at each of 4 x 39 on a
+  // side.
+  EXPECT_EQ(defects.size(), 39u * 39 * 6 + 4 * 39);
+  EXPECT_TRUE(std::all_of(defects.begin(), defects.end(), [](auto& d) { return d.flaw == MeshFlaw::crack; }));
+}
+
+TEST(FindDefects, FindsHangingVerticesInEdgesOfAnyDirectionAndLength) {
+  for (const double angle : {0., 0.1, 0.8, 1.5, 1.5707, 2.5, 4.}) {
+    Mat2 turn;
+    turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    PolygonMesh mesh =
+        rectangles({0, 0}, {1, 0.01}, 100, 1);  // under one large cell with a single edge to it
+    mesh.vertices.conservativeResize(2, mesh.vertices.cols() + 2);
+    const int n = static_cast<int>(mesh.vertices.cols());
+    mesh.vertices.rightCols(2) << 1, 0, 0.7, 0.7;
+    mesh.add_cell(std::vector{101, 201, n - 2, n - 1});
+    mesh.vertices = (turn * mesh.vertices).eval();
+    const std::vector<MeshDefect> defects = find_defects(mesh);
+    ASSERT_EQ(defects.size(), 99u) << angle;
+    for (const MeshDefect& defect : defects) {
+      EXPECT_EQ(defect.flaw, MeshFlaw::hanging_vertex);
+      EXPECT_EQ(defect.cell, 100);
+    }
+  }
+}
+
+TEST(FindDefects, FindsNothingInSoundMeshes) {
+  EXPECT_TRUE(find_defects(PolygonMesh{}).empty());
+  for (const Points& domain : {support::rectangle(3, 1), support::l_shape(), support::star(5)})
+    EXPECT_NO_THROW(require_valid(voronoi(domain, {.n_cells = 300})));
+}
+
+}  // namespace
