@@ -36,10 +36,11 @@ class PiecewiseLinear final : public Basis {
  private:
   static void evaluate_at(const PointsRef& polygon, const Vec2& x, Index row, ShapeTable& table) {
     const Index n = polygon.cols();
-    const Vec2 c = polygon.rowwise().mean(), r = x - c;
+    const Points vertices = polygon.colwise() - x;  // as seen from x: no digits are lost far from the origin
+    const Vec2 c = vertices.rowwise().mean(), r = -c;
     for (Index i = 0; i < n; ++i) {
       const Index next = (i + 1) % n;
-      const Vec2 p = polygon.col(i) - c, q = polygon.col(next) - c;
+      const Vec2 p = vertices.col(i) - c, q = vertices.col(next) - c;
       if (cross(p, r) < 0 || cross(r, q) < 0) continue;  // x is not between the rays through p and q
       const double doubled_area = cross(p, q);
       const Vec2 grad_p = Vec2(q.y(), -q.x()) / doubled_area, grad_q = Vec2(-p.y(), p.x()) / doubled_area;

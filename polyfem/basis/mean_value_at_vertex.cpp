@@ -32,7 +32,7 @@ void mean_value_at_vertex(const PointsRef& polygon, Index j, Index row, ShapeTab
   const Vec2 in = polygon.col(j) - polygon.col(before), out = polygon.col(after) - polygon.col(j);
   const double l_in = in.norm(), l_out = out.norm(), area = cross(in, out);
   if (in.dot(out) < 0 || std::abs(area) > straight_turn * l_in * l_out) {
-    add(before, Vec2(-out.y(), out.x()) / -area);
+    add(before, Vec2(-out.y(), out.x()) / area);
     add(after, Vec2(-in.y(), in.x()) / area);
     return;
   }

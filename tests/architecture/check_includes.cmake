@@ -2,7 +2,7 @@
 #   cmake -DROOT=<source directory> -P check_includes.cmake
 # Folders of a library include themselves and what stands before them; polyfem knows nothing of ddacontact, the
 # libraries nothing of apps, and each third-party library has its place.
-set(polyfem_folders core geometry quadrature basis material element mesh assembly io dealii)
+set(polyfem_folders core geometry quadrature basis material element mesh assembly io dealii testing)
 set(ddacontact_folders core block detection contact solver time output picture scene)
 
 # What may include it, as a pattern of paths, for each third-party header.
@@ -13,6 +13,7 @@ set(third_party
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
   "cholmod|suitesparse/|cblas|openblas"   "^polyfem/assembly/"
   "zlib|pugixml"                          "^polyfem/io/"
+  "gtest/|gmock/"                         "^polyfem/testing/"
   "geos_c\\.h|geos/"                      "^polyfem/mesh/.*\\.cpp$")
 
 set(violations "")

@@ -37,7 +37,8 @@ inline void exact_mean_value(const polyfem::PointsRef& polygon, const polyfem::V
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t k = after(i);
     const Real product = rho[i] * rho[k], s = rho[i] * rho[i], r = rho[k] * rho[k];
-    t[i] = dot(i, k) < 0 ? Real((product - dot(i, k)) / cross(i, k)) : Real(cross(i, k) / (product + dot(i, k)));
+    t[i] =
+        dot(i, k) < 0 ? Real((product - dot(i, k)) / cross(i, k)) : Real(cross(i, k) / (product + dot(i, k)));
     const Real half = (1 + t[i] * t[i]) / 2;  // times the gradient of the angle
     t_gradient[i] = {half * (d[k].y / r - d[i].y / s), half * (d[i].x / s - d[k].x / r)};
   }
