@@ -13,13 +13,15 @@
 //    +-------+---+    The node x in the middle of the larger cell's side is called hanging. Bilinear
 //    |       |   |    functions are linear along that side: in deal.II x has no say and is tied to its
 //    |       x---+    neighbours. Here the larger cell is a pentagon with a straight corner at x and a shape
-//    |       |   |    function for it: nothing is tied, and x carries an unknown like any other vertex. Mean
-//    +-------+---+    value functions do not mind straight corners.
+//    |       |   |    function for it: nothing is tied, and x carries an unknown like any other vertex.
+//    +-------+---+    Mean value functions do not mind straight corners; squares keep Wachspress
+//                     functions, which are the bilinear ones there. Both are linear along a side, so
+//                     that they fit together.
 //
 // Each cycle: triangulation -> polygons -> u at the vertices -> a vector of deal.II, whose error estimator
 // (Kelly's, the jumps of the normal derivative) says which fifth of the cells to refine.
 #include <polyfem/assembly/field_problem.hpp>
-#include <polyfem/basis/mean_value.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/dealii/vertex_dofs.hpp>
 #include <polyfem/element/tabulated_element.hpp>
 
@@ -56,7 +58,7 @@ Vec2 exact_gradient(const Vec2& x) {
 }
 
 void tabulate_cell(const PointsRef& polygon, TabulatedElement& element) {
-  tabulate(polygon, hammer_rule(5), mean_value, GradientCorrection::on, element);
+  tabulate(polygon, hammer_rule(5), suitable_basis(polygon), GradientCorrection::on, element);
 }
 
 /// Values at the vertices: the exact ones on the boundary, inside K u = 0 with K = sum of grad N^T grad N.

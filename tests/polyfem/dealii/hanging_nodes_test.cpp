@@ -1,7 +1,7 @@
 // Hanging nodes as vertices: linear fields pass, on squares, on curved cells whose hanging nodes are off the
 // line, and on triangles.
 #include <polyfem/assembly/field_problem.hpp>
-#include <polyfem/basis/mean_value.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/dealii/triangulation_mesh.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/material/linear_elastic.hpp>
@@ -26,8 +26,7 @@ void expect_patch_test(const dealii::Triangulation<2>& triangulation) {
   TabulatedElement element;
   const Mat3 D = elasticity_matrix(1, 0.3, Plane::strain);
   problem.assemble([&](int, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
-    require_suitable(mean_value, polygon);
-    tabulate(polygon, hammer_rule(3), mean_value, GradientCorrection::on, element);
+    tabulate(polygon, hammer_rule(3), suitable_basis(polygon), GradientCorrection::on, element);
     stiffness(element, D, K);
   });
   for (const BoundaryLine& line : mesh.boundary)
