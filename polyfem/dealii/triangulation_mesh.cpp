@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include <cassert>
 #include <span>
 
 namespace polyfem {
@@ -13,7 +14,7 @@ using Triangulation = dealii::Triangulation<2>;
 using Cell = Triangulation::active_cell_iterator;
 using Line = Triangulation::line_iterator;
 
-/// A corner of an outline, by deal.II's number, and the line to the next one.
+/// A corner of an outline, by deal.II's number, and the line that leads to the next one.
 struct Corner {
   unsigned vertex;
   Line line;
@@ -25,18 +26,6 @@ std::span<const std::array<unsigned, 2>> corners_and_lines(const Cell& cell) {
   static constexpr std::array<std::array<unsigned, 2>, 4> quadrilateral{{{0, 2}, {1, 1}, {3, 3}, {2, 0}}};
   if (cell->n_vertices() == 3) return triangle;
   return quadrilateral;
-}
-
-/// The pieces of a line that starts at the vertex `from`; more than one where the neighbour is refined.
-void append_pieces(const Line& line, unsigned from, std::vector<Corner>& outline) {
-  if (!line->has_children()) {
-    outline.push_back({from, line});
-    return;
-  }
-  const unsigned middle = line->child(0)->vertex_index(1);
-  const unsigned first = line->vertex_index(0) == from ? 0 : 1;
-  append_pieces(line->child(first), from, outline);
-  append_pieces(line->child(1 - first), middle, outline);
 }
 
 double signed_area(const Cell& cell) {
@@ -59,7 +48,12 @@ void find_outline(const Cell& cell, std::vector<Corner>& outline) {
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t side = clockwise ? n - 1 - k : k;
     const std::size_t start = clockwise ? (side + 1) % n : side;
-    append_pieces(cell->line(order[side][1]), cell->vertex_index(order[start][0]), outline);
+    const Line line = cell->line(order[side][1]);
+    outline.push_back({cell->vertex_index(order[start][0]), line});
+    if (line->has_children()) {  // the neighbour is refined, once at most
+      assert(!line->child(0)->has_children() && !line->child(1)->has_children());
+      outline.push_back({line->child(0)->vertex_index(1), line});
+    }
   }
 }
 
