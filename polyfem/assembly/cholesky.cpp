@@ -127,9 +127,7 @@ int Cholesky::failed_row() const {
 }
 
 double Cholesky::n_factor_entries() const {
-  const cholmod_factor* L = factor_->L;
-  if (!L) return 0;
-  return static_cast<double>(L->is_super ? L->xsize : L->nzmax);
+  return factor_->L ? factor_->common.lnz : 0;
 }
 
 }  // namespace polyfem

@@ -33,7 +33,7 @@ class Cholesky {
 
   /// The row whose pivot was not positive in the last factorization; -1 when all were.
   int failed_row() const;
-  /// Entries of L, those inside its supernodes included.
+  /// Entries of L that the last analysis found.
   double n_factor_entries() const;
 
   int n_analyses() const { return n_analyses_; }
