@@ -6,16 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <tuple>
 
 namespace polyfem {
 namespace {
 
-constexpr std::size_t fewest_smoothed = 32;
 constexpr int n_passes = 2;
-constexpr int cells_of_leaf = 2;  // fewer make fewer entries of the factor, see doc/decisions.md
+constexpr std::size_t cells_of_leaf = 512;  // more are cut: up to there minimum degree does better
 
 struct CellCentre {
   double x, y;
@@ -70,14 +68,12 @@ class Dissection {
 
  private:
   void number_leaves(std::span<CellCentre> cells, int height, std::uint32_t leaf) {
-    if (height == 0 || cells.size() < 2) {
-      leaf <<= height;
+    if (height == 0) {
       for (const CellCentre& centre : cells) leaf_of_cell_[static_cast<std::size_t>(centre.cell)] = leaf;
       return;
     }
     halve(cells);
-    std::size_t half = cells.size() / 2;
-    if (cells.size() >= fewest_smoothed) half = smooth_cut(cells, half);
+    const std::size_t half = smooth_cut(cells, cells.size() / 2);
     number_leaves(cells.first(half), height - 1, 2 * leaf);
     number_leaves(cells.subspan(half), height - 1, 2 * leaf + 1);
   }
@@ -142,25 +138,20 @@ std::uint32_t common_node(std::uint32_t leaf, std::uint32_t other) {
 }  // namespace
 
 std::vector<int> nested_dissection(const PolygonMesh& mesh) {
-  const std::size_t n_vertices = static_cast<std::size_t>(mesh.vertices.cols());
   std::vector<CellCentre> centres = centres_of(mesh);
   const int height = static_cast<int>(std::bit_width(centres.size() / cells_of_leaf));
   const std::vector<std::uint32_t> leaf_of_cell = Dissection(mesh).leaves(centres, height);
 
-  std::vector<std::uint32_t> lowest(n_vertices, std::numeric_limits<std::uint32_t>::max()),
-      highest(n_vertices, 0);
+  std::vector<std::array<std::uint32_t, 2>> range(static_cast<std::size_t>(mesh.vertices.cols()),
+                                                  {std::numeric_limits<std::uint32_t>::max(), 0});
   for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int v : mesh.cell(c)) {
-      lowest[v] = std::min(lowest[v], leaf_of_cell[c]);
-      highest[v] = std::max(highest[v], leaf_of_cell[c]);
-    }
-
-  std::vector<int> next((std::size_t{2} << height) + 1, 0), order(n_vertices);
-  const auto node = [&](std::size_t v) { return common_node(std::min(lowest[v], highest[v]), highest[v]); };
-  for (std::size_t v = 0; v < n_vertices; ++v) ++next[node(v) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t v = 0; v < n_vertices; ++v) order[next[node(v)]++] = static_cast<int>(v);
-  return order;
+    for (const int v : mesh.cell(c))
+      range[v] = {std::min(range[v][0], leaf_of_cell[c]), std::max(range[v][1], leaf_of_cell[c])};
+  std::vector<int> stage;
+  stage.reserve(range.size());
+  for (const auto& [lowest, highest] : range)
+    stage.push_back(static_cast<int>(common_node(std::min(lowest, highest), highest)));
+  return stage;
 }
 
 }  // namespace polyfem

@@ -198,9 +198,9 @@ TEST(FieldProblem, NamesABodyThatIsFreeToMoveOrTurn) {
   };
   EXPECT_TRUE(names(message_for({}), "held too little"));
   EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "by (")) << "free to move up";
-  EXPECT_FALSE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "turning"));
-  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 0}, 1}}), "turning"));
-  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{3, 0}, 0}, {{0, 0}, 1}}), "turning"))
+  EXPECT_FALSE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "while turning"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 0}, 1}}), "while turning"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{3, 0}, 0}, {{0, 0}, 1}}), "while turning"))
       << "all lines of support meet";
   EXPECT_EQ(message_for({{{0, 0}, 0}, {{0, 1}, 0}, {{0, 0}, 1}}), "");
 }
