@@ -127,9 +127,31 @@ int Cholesky::failed_row() const {
 }
 
 double Cholesky::n_factor_entries() const {
-  const cholmod_factor* L = factor_->L;
-  if (!L) return 0;
-  return static_cast<double>(L->is_super ? L->xsize : L->nzmax);
+  return factor_->L ? factor_->common.lnz : 0;
+}
+
+std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row,
+                                      std::span<const int> stage) {
+  std::vector<int> order(stage.size());
+  if (order.empty()) return order;
+  cholmod_sparse pattern{};
+  pattern.nrow = pattern.ncol = stage.size();
+  pattern.nzmax = row.size();
+  pattern.p = const_cast<int*>(first.data());
+  pattern.i = const_cast<int*>(row.data());
+  pattern.stype = -1;
+  pattern.itype = CHOLMOD_INT;
+  pattern.xtype = CHOLMOD_PATTERN;
+  pattern.dtype = CHOLMOD_DOUBLE;
+  pattern.sorted = pattern.packed = 1;
+  cholmod_common common;
+  cholmod_start(&common);
+  common.print = 0;
+  const bool done =
+      cholmod_camd(&pattern, nullptr, 0, const_cast<int*>(stage.data()), order.data(), &common) != 0;
+  cholmod_finish(&common);
+  if (!done) throw Error("CHOLMOD could not order a matrix of " + std::to_string(stage.size()) + " rows");
+  return order;
 }
 
 }  // namespace polyfem

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace polyfem {
 
@@ -33,7 +34,7 @@ class Cholesky {
 
   /// The row whose pivot was not positive in the last factorization; -1 when all were.
   int failed_row() const;
-  /// Entries of L, those inside its supernodes included.
+  /// Entries of L that the last analysis found.
   double n_factor_entries() const;
 
   int n_analyses() const { return n_analyses_; }
@@ -45,5 +46,15 @@ class Cholesky {
   std::unique_ptr<Factor> factor_;
   int n_analyses_ = 0, n_factorizations_ = 0, n_solves_ = 0;
 };
+
+/// An order in which to eliminate the rows of a symmetric pattern so that few entries arise: stage by stage,
+/// and within a stage by approximate minimum degree.
+///
+/// \param[in] first, row  the lower triangle with its diagonal: rows row[first[c]] .. row[first[c + 1] - 1]
+/// of
+///                        column c, ascending
+/// \param[in] stage       of each row, 0 or more and less than the number of rows
+std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row,
+                                      std::span<const int> stage);
 
 }  // namespace polyfem

@@ -155,8 +155,11 @@ void FieldProblem::factorize() {
   held_.take_out(matrix_.lower());
   if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), held_))
     throw Error(words(*motion, *mesh_));
-  if (cholesky_.n_analyses() == 0)
-    cholesky_.analyze(matrix_.lower(), expanded(nested_dissection(*mesh_), n_components_));
+  if (cholesky_.n_analyses() == 0) {
+    const std::vector<int> order =
+        minimum_degree_order(matrix_.first_neighbours(), matrix_.neighbours(), nested_dissection(*mesh_));
+    cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));
+  }
   factorized_ = cholesky_.factorize(matrix_.lower());
   if (!factorized_)
     throw Error("the matrix is not positive definite (noticed at " +

@@ -112,6 +112,7 @@ std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_compon
     if (const auto combination = without_energy(displacements, lower)) {
       VectorXd motion = free * *combination;
       motion /= motion.lpNorm<Eigen::Infinity>();
+      motion = (motion.array().abs() < 1e-9).select(0, motion);
       return FreeMotion{part[0], static_cast<int>(part.size()), motion.head(n_components),
                         motion.size() > n_components ? motion[n_components] : 0};
     }

@@ -26,6 +26,11 @@ class MeshMatrix {
   const SparseMatrix& lower() const { return lower_; }
   SparseMatrix& lower() { return lower_; }
 
+  /// Where the neighbours of each vertex begin, and where the last ones end.
+  std::span<const int> first_neighbours() const { return first_block_; }
+  /// The vertices from v on that vertex v shares a cell with, ascending, v itself included; of all vertices.
+  std::span<const int> neighbours() const { return block_row_; }
+
  private:
   void find_blocks();
   void make_pattern();

@@ -18,12 +18,14 @@ struct EdgeOverlap {
   int other_cell;
 };
 
-/// The edges of one cell only, and those with two cells on the same side; `edges` in any order, of which all
-/// but the directions may be reordered.
+/// What does not go with a second edge in the opposite direction.
 struct UnpairedEdges {
-  std::vector<CellEdge> single;
-  std::vector<EdgeOverlap> overlaps;
+  std::vector<CellEdge> single;  ///< edges of cells on one side only
+  std::vector<EdgeOverlap>
+      overlaps;  ///< each pair of cells on the same side of an edge, next to each other by number
 };
+
+/// Sorts edges out by counting: takes time in proportion to their number.
 UnpairedEdges unpaired_edges(const std::vector<CellEdge>& edges, int n_vertices);
 
 /// A vertex in an edge that does not have it: inside the edge, or at the place of one of its ends.

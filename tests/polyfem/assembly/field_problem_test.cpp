@@ -172,7 +172,7 @@ TEST(FieldProblem, NamesAPotentialThatIsHeldNowhere) {
   problem.assemble(conducting);
   problem.add_load(0, 0, 1);
   const std::string message = message_of(problem);
-  EXPECT_NE(message.find("vertex 0 at (0, 0)"), std::string::npos) << message;
+  EXPECT_NE(message.find("vertex 0 at ("), std::string::npos) << message;
   EXPECT_NE(message.find("hold one of its vertices"), std::string::npos) << message;
   problem.hold(0, 0);
   EXPECT_EQ(message_of(problem), "");
@@ -198,9 +198,9 @@ TEST(FieldProblem, NamesABodyThatIsFreeToMoveOrTurn) {
   };
   EXPECT_TRUE(names(message_for({}), "held too little"));
   EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "by (")) << "free to move up";
-  EXPECT_FALSE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "turning"));
-  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 0}, 1}}), "turning"));
-  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{3, 0}, 0}, {{0, 0}, 1}}), "turning"))
+  EXPECT_FALSE(names(message_for({{{0, 0}, 0}, {{0, 1}, 0}}), "while turning"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{0, 0}, 1}}), "while turning"));
+  EXPECT_TRUE(names(message_for({{{0, 0}, 0}, {{3, 0}, 0}, {{0, 0}, 1}}), "while turning"))
       << "all lines of support meet";
   EXPECT_EQ(message_for({{{0, 0}, 0}, {{0, 1}, 0}, {{0, 0}, 1}}), "");
 }
@@ -284,7 +284,8 @@ TEST(FieldProblem, RefusesWhatItCannotUse) {
   PolygonMesh wrong = mesh;
   wrong.indices[5] = static_cast<int>(mesh.vertices.cols());
   EXPECT_THROW(FieldProblem(wrong, 1), Error);
-  wrong.indices[5] = wrong.indices[4];
+  wrong = mesh;
+  wrong.indices[1] = wrong.indices[0];
   EXPECT_THROW(FieldProblem(wrong, 1), Error);
 }
 

@@ -46,7 +46,7 @@ class Generators : public testing::TestWithParam<Generator> {
   static constexpr std::array<int, 2> sizes[] = {{1, 1}, {1, 2}, {2, 1}, {3, 4}, {7, 5}};
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, Generators, testing::ValuesIn(generators),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& kind) { return kind.param.name; });
 
 TEST_P(Generators, FillTheRectangleWithSoundCells) {
   for (const auto [n_x, n_y] : sizes) {

@@ -79,8 +79,8 @@ const Spoilt spoilt_meshes[] = {
      [](PolygonMesh& m) { m.vertices.col(6) = m.vertices.col(5); },
      MeshFlaw::repeated_vertex,
      1,
-     5,
-     {"vertex 5 at (1, 1) and vertex 6", "cell 1", "same place"}},
+     6,
+     {"vertex 6 at (1, 1) and vertex 5", "cell 1", "same place"}},
     {"not_a_number",
      [](PolygonMesh& m) { m.vertices(1, 3) = std::nan(""); },
      MeshFlaw::not_finite,
@@ -112,7 +112,7 @@ const Spoilt spoilt_meshes[] = {
      MeshFlaw::self_intersection,
      4,
      -1,
-     {"cell 4", "crosses", "edge from vertex"}},
+     {"cell 4", "meets itself", "edge from vertex"}},
     {"on_each_other",
      [](PolygonMesh& m) {
        m.add_cell(std::vector{5, 6, 11});
@@ -151,7 +151,7 @@ const Spoilt spoilt_meshes[] = {
 
 class MeshDefects : public testing::TestWithParam<Spoilt> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, MeshDefects, testing::ValuesIn(spoilt_meshes),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& kind) { return kind.param.name; });
 
 TEST_P(MeshDefects, AreNamedWithPlaceAndCure) {
   PolygonMesh mesh = sound;
