@@ -9,6 +9,8 @@
 //                       The gradients jump between the triangles, and the library's quadrature, whose
 // triangles meet at the centroid instead, integrates them badly: a uniform stress is not in equilibrium
 // with its tractions (the patch test). The gradient correction mends that to round-off.
+//
+// polyfem/testing/basis_properties.hpp is a suite of tests for bases of one's own; this one passes it.
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
