@@ -21,6 +21,9 @@ namespace polyfem {
 /// good is kept: the analysis for as long as the problem lives, the factor until the matrix or the set of
 /// held unknowns changes. So further right hand sides, and other values at held unknowns, cost a
 /// substitution.
+///
+/// Factors are made by the BLAS in use: `pin_blas_to_one_thread` first, if the last bits must not depend on
+/// the number of its threads (small problems are faster, too).
 class FieldProblem {
  public:
   /// Fills K (square, symmetric) and f for the unknowns of a cell's vertices in order; `polygon` is the

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -86,6 +87,31 @@ TEST_P(CholeskyOfGrid, ReportsAMatrixThatIsNotPositiveDefiniteAndRecovers) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST_P(CholeskyOfGrid, TakesAnOrderAndGoesBackToItsOwn) {
+  const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
+  const VectorXd b = random_vector(K.rows());
+  std::vector<int> backwards(static_cast<std::size_t>(K.rows()));
+  std::iota(backwards.rbegin(), backwards.rend(), 0);
+  VectorXd x, own, own_again;
+  Cholesky cholesky;
+  cholesky.analyze(K);
+  const double n_entries = cholesky.n_factor_entries();
+  ASSERT_TRUE(cholesky.factorize(K));
+  cholesky.solve(b, own);
+
+  cholesky.analyze(K, backwards);
+  EXPECT_GE(cholesky.n_factor_entries(), n_entries) << "a band is fuller";
+  ASSERT_TRUE(cholesky.factorize(K));
+  cholesky.solve(b, x);
+  EXPECT_LT(relative_residual(K, x, b), 1e-13);
+
+  cholesky.analyze(K);
+  EXPECT_EQ(cholesky.n_factor_entries(), n_entries);
+  ASSERT_TRUE(cholesky.factorize(K));
+  cholesky.solve(b, own_again);
+  EXPECT_EQ(own, own_again);
+}
+
 TEST_P(CholeskyOfGrid, GivesTheSameBytesEachTime) {
   const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
   const VectorXd b = random_vector(K.rows());
@@ -106,6 +132,9 @@ TEST(Cholesky, FindsOneNegativePivotAmongMany) {
     Cholesky cholesky;
     cholesky.analyze(K);
     EXPECT_FALSE(cholesky.factorize(K));
+    EXPECT_GE(cholesky.failed_row(), 0);
+    EXPECT_TRUE(cholesky.factorize(grid_laplacian(side, 0.1)));
+    EXPECT_EQ(cholesky.failed_row(), -1);
   }
 }
 
