@@ -1,3 +1,4 @@
+#include <polyfem/element/gradient_products.hpp>
 #include <polyfem/element/matrices.hpp>
 
 #include <cassert>
@@ -5,37 +6,32 @@
 namespace polyfem {
 
 void stiffness(const TabulatedElement& element, const Mat3& elasticity, MatrixXd& K) {
-  const Index n = element.n_vertices();
-  K.setZero(2 * n, 2 * n);
-  for (Index q = 0; q < element.n_points(); ++q) {
-    const Mat3 wD = element.rule.weights[q] * elasticity;
-    for (Index j = 0; j < n; ++j) {
-      const double xj = element.dx(q, j), yj = element.dy(q, j);
-      const Vec3 for_u = wD.col(0) * xj + wD.col(2) * yj;  // the two columns of w D B_j
-      const Vec3 for_v = wD.col(1) * yj + wD.col(2) * xj;
-      for (Index i = 0; i <= j; ++i) {
-        const double xi = element.dx(q, i), yi = element.dy(q, i);
-        K(2 * i, 2 * j) += xi * for_u[0] + yi * for_u[2];
-        K(2 * i + 1, 2 * j) += yi * for_u[1] + xi * for_u[2];
-        K(2 * i, 2 * j + 1) += xi * for_v[0] + yi * for_v[2];
-        K(2 * i + 1, 2 * j + 1) += yi * for_v[1] + xi * for_v[2];
-      }
-    }
-  }
-  K.triangularView<Eigen::StrictlyLower>() = K.transpose();
+  K.resize(2 * element.n_vertices(), 2 * element.n_vertices());
+  for_each_gradient_product(element, [&K, D = elasticity](Index i, Index j, const GradientProduct& G) {
+    // B_i^T D B_j with B_i = [N_i,x 0; 0 N_i,y; N_i,y N_i,x]
+    const double uu = D(0, 0) * G.xx + D(0, 2) * (G.xy + G.yx) + D(2, 2) * G.yy,
+                 vv = D(1, 1) * G.yy + D(1, 2) * (G.xy + G.yx) + D(2, 2) * G.xx,
+                 twice = D(0, 2) * G.xx + D(1, 2) * G.yy, uv = D(0, 1) * G.xy + D(2, 2) * G.yx + twice,
+                 vu = D(0, 1) * G.yx + D(2, 2) * G.xy + twice;
+    K(2 * i, 2 * j) = K(2 * j, 2 * i) = uu;
+    K(2 * i, 2 * j + 1) = K(2 * j + 1, 2 * i) = uv;
+    K(2 * i + 1, 2 * j) = K(2 * j, 2 * i + 1) = vu;
+    K(2 * i + 1, 2 * j + 1) = K(2 * j + 1, 2 * i + 1) = vv;
+  });
 }
 
 void mass(const TabulatedElement& element, MatrixXd& M) {
   const Index n = element.n_vertices();
   M.setZero(2 * n, 2 * n);
-  for (Index j = 0; j < n; ++j)
+  thread_local VectorXd weighted;
+  for (Index j = 0; j < n; ++j) {
+    weighted = element.rule.weights.cwiseProduct(element.values.col(j));
     for (Index i = 0; i <= j; ++i) {
-      double integral = 0;
-      for (Index q = 0; q < element.n_points(); ++q)
-        integral += element.rule.weights[q] * element.values(q, i) * element.values(q, j);
+      const double integral = element.values.col(i).dot(weighted);
       M(2 * i, 2 * j) = M(2 * i + 1, 2 * j + 1) = integral;
       M(2 * j, 2 * i) = M(2 * j + 1, 2 * i + 1) = integral;
     }
+  }
 }
 
 void shape_integrals(const TabulatedElement& element, VectorXd& integrals) {
