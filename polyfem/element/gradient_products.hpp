@@ -49,4 +49,34 @@ void for_each_gradient_product(const TabulatedElement& element, Use&& use) {
   }
 }
 
+/// B_i^T D B_j for B_i = [N_i,x 0; 0 N_i,y; N_i,y N_i,x], D symmetric: what a pair of vertices adds to a
+/// stiffness matrix.
+struct StiffnessBlock {
+  double uu, uv, vu, vv;
+
+  StiffnessBlock(const Mat3& D, const GradientProduct& G) {
+    const double shear = G.xy + G.yx, both = D(0, 2) * G.xx + D(1, 2) * G.yy;
+    uu = D(0, 0) * G.xx + D(0, 2) * shear + D(2, 2) * G.yy;
+    uv = D(0, 1) * G.xy + D(2, 2) * G.yx + both;
+    vu = D(0, 1) * G.yx + D(2, 2) * G.xy + both;
+    vv = D(1, 1) * G.yy + D(1, 2) * shear + D(2, 2) * G.xx;
+  }
+
+  StiffnessBlock& operator+=(const StiffnessBlock& other) {
+    uu += other.uu;
+    uv += other.uv;
+    vu += other.vu;
+    vv += other.vv;
+    return *this;
+  }
+
+  /// Writes it to its place in K and to the one across the diagonal.
+  void put(Index i, Index j, MatrixXd& K) const {
+    K(2 * i, 2 * j) = K(2 * j, 2 * i) = uu;
+    K(2 * i, 2 * j + 1) = K(2 * j + 1, 2 * i) = uv;
+    K(2 * i + 1, 2 * j) = K(2 * j, 2 * i + 1) = vu;
+    K(2 * i + 1, 2 * j + 1) = K(2 * j + 1, 2 * i + 1) = vv;
+  }
+};
+
 }  // namespace polyfem

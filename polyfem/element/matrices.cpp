@@ -1,3 +1,4 @@
+#include <polyfem/element/diffusion.hpp>
 #include <polyfem/element/gradient_products.hpp>
 #include <polyfem/element/matrices.hpp>
 
@@ -8,30 +9,17 @@ namespace polyfem {
 void stiffness(const TabulatedElement& element, const Mat3& elasticity, MatrixXd& K) {
   K.resize(2 * element.n_vertices(), 2 * element.n_vertices());
   for_each_gradient_product(element, [&K, D = elasticity](Index i, Index j, const GradientProduct& G) {
-    // B_i^T D B_j with B_i = [N_i,x 0; 0 N_i,y; N_i,y N_i,x]
-    const double uu = D(0, 0) * G.xx + D(0, 2) * (G.xy + G.yx) + D(2, 2) * G.yy,
-                 vv = D(1, 1) * G.yy + D(1, 2) * (G.xy + G.yx) + D(2, 2) * G.xx,
-                 twice = D(0, 2) * G.xx + D(1, 2) * G.yy, uv = D(0, 1) * G.xy + D(2, 2) * G.yx + twice,
-                 vu = D(0, 1) * G.yx + D(2, 2) * G.xy + twice;
-    K(2 * i, 2 * j) = K(2 * j, 2 * i) = uu;
-    K(2 * i, 2 * j + 1) = K(2 * j + 1, 2 * i) = uv;
-    K(2 * i + 1, 2 * j) = K(2 * j, 2 * i + 1) = vu;
-    K(2 * i + 1, 2 * j + 1) = K(2 * j + 1, 2 * i + 1) = vv;
+    StiffnessBlock(D, G).put(i, j, K);
   });
 }
 
 void mass(const TabulatedElement& element, MatrixXd& M) {
   const Index n = element.n_vertices();
+  thread_local MatrixXd one_direction;
+  scalar_mass(element, one_direction);
   M.setZero(2 * n, 2 * n);
-  thread_local VectorXd weighted;
-  for (Index j = 0; j < n; ++j) {
-    weighted = element.rule.weights.cwiseProduct(element.values.col(j));
-    for (Index i = 0; i <= j; ++i) {
-      const double integral = element.values.col(i).dot(weighted);
-      M(2 * i, 2 * j) = M(2 * i + 1, 2 * j + 1) = integral;
-      M(2 * j, 2 * i) = M(2 * j + 1, 2 * i + 1) = integral;
-    }
-  }
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) M(2 * i, 2 * j) = M(2 * i + 1, 2 * j + 1) = one_direction(i, j);
 }
 
 void shape_integrals(const TabulatedElement& element, VectorXd& integrals) {
