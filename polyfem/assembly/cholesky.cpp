@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <string>
+#include <utility>
 
 namespace polyfem {
 
@@ -84,6 +85,20 @@ void Cholesky::analyze(const SparseMatrix& lower) {
   factor_->check("analyze");
 }
 
+void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
+  assert(static_cast<Index>(order.size()) == lower.rows());
+  ++n_analyses_;
+  cholmod_free_factor(&factor_->L, &factor_->common);
+  if (lower.rows() == 0) return;
+  cholmod_sparse A = view_of_lower(lower);
+  const int n_methods = std::exchange(factor_->common.nmethods, 1);
+  const int ordering = std::exchange(factor_->common.method[0].ordering, CHOLMOD_GIVEN);
+  factor_->L = cholmod_analyze_p(&A, const_cast<int*>(order.data()), nullptr, 0, &factor_->common);
+  factor_->common.nmethods = n_methods;
+  factor_->common.method[0].ordering = ordering;
+  factor_->check("analyze");
+}
+
 bool Cholesky::factorize(const SparseMatrix& lower) {
   ++n_factorizations_;
   if (lower.rows() == 0) return true;
@@ -104,6 +119,17 @@ void Cholesky::solve(const VectorXd& b, VectorXd& x) {
                  &factor_->work_e, &factor_->common);
   factor_->check("solve with");
   std::copy_n(static_cast<const double*>(factor_->solution->x), b.size(), x.data());
+}
+
+int Cholesky::failed_row() const {
+  const cholmod_factor* L = factor_->L;
+  return L && L->minor < L->n ? static_cast<const int*>(L->Perm)[L->minor] : -1;
+}
+
+double Cholesky::n_factor_entries() const {
+  const cholmod_factor* L = factor_->L;
+  if (!L) return 0;
+  return static_cast<double>(L->is_super ? L->xsize : L->nzmax);
 }
 
 }  // namespace polyfem

@@ -6,6 +6,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <span>
 
 namespace polyfem {
 
@@ -22,10 +23,18 @@ class Cholesky {
 
   /// Finds the ordering and the pattern of L. Call again only when the pattern of K changes.
   void analyze(const SparseMatrix& lower);
+  /// The same with the ordering given: the rows in the order in which to eliminate them (up to a reordering
+  /// that leaves the number of entries of L as it is).
+  void analyze(const SparseMatrix& lower, std::span<const int> order);
   /// Computes L for the analyzed pattern; false when K is not positive definite (nothing to solve with then).
   [[nodiscard]] bool factorize(const SparseMatrix& lower);
   /// x = K^-1 b with the last factor.
   void solve(const VectorXd& b, VectorXd& x);
+
+  /// The row whose pivot was not positive in the last factorization; -1 when all were.
+  int failed_row() const;
+  /// Entries of L, those inside its supernodes included.
+  double n_factor_entries() const;
 
   int n_analyses() const { return n_analyses_; }
   int n_factorizations() const { return n_factorizations_; }

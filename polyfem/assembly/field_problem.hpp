@@ -1,0 +1,81 @@
+/// \file From a mesh to a field on it: unknowns at vertices, some held, loads, one sparse symmetric system.
+#pragma once
+
+#include <polyfem/assembly/held_unknowns.hpp>
+#include <polyfem/assembly/mesh_matrix.hpp>
+
+#include <array>
+#include <functional>
+#include <span>
+
+namespace polyfem {
+
+/// One field on a mesh: n_components unknowns a vertex, unknown c of vertex v being n_components v + c.
+///
+///     FieldProblem problem(mesh, 1);
+///     problem.assemble([&](int, const PointsRef& polygon, MatrixXd& K, VectorXd& f) { ... });
+///     for (int v : boundary_vertices(mesh)) problem.hold(v, 0);
+///     const VectorXd& u = problem.solve();
+///
+/// Holding, loading and assembling come in any order and may be repeated between solutions; what is still
+/// good is kept: the analysis for as long as the problem lives, the factor until the matrix or the set of
+/// held unknowns changes. So further right hand sides, and other values at held unknowns, cost a
+/// substitution.
+class FieldProblem {
+ public:
+  /// Fills K (square, symmetric) and f for the unknowns of a cell's vertices in order; `polygon` is the
+  /// cell's outline. K and f come with what the last call left in them, f set to zero in the right size.
+  using CellMatrix = std::function<void(int cell, const PointsRef& polygon, MatrixXd& K, VectorXd& f)>;
+  /// Load per unit length at a point of the boundary, n_components entries.
+  using EdgeLoad = std::function<VectorXd(const Vec2& x, const Vec2& outward_normal)>;
+
+  /// \param[in] mesh  kept by reference: must live longer and not change. Checked for what would break this
+  ///                  class (indices out of range, a vertex twice in a cell); see `require_valid` for the
+  ///                  rest.
+  FieldProblem(const PolygonMesh& mesh, int n_components);
+  FieldProblem(PolygonMesh&&, int) = delete;
+
+  /// Prescribes an unknown; once more to change its value.
+  void hold(int vertex, int component, double value = 0);
+  /// Frees all held unknowns.
+  void release_all();
+
+  /// Adds to the load on an unknown.
+  void add_load(int vertex, int component, double value);
+  /// Adds the integrals of N_i times a load over boundary edges: two Gauss points an edge, exact for loads
+  /// quadratic along it (shape functions are linear there).
+  void add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load);
+  /// Drops all loads, those of the cells included, to begin another right hand side.
+  void clear_loads();
+
+  /// Assembles matrix and loads of the cells, in place of what was assembled before.
+  void assemble(const CellMatrix& cell_matrix);
+
+  /// The field with the held values and, for all other unknowns, K u = f. Throws Error when the matrix is not
+  /// positive definite, naming a part of the mesh that is free to move if that is why.
+  const VectorXd& solve();
+
+  /// The last solution.
+  const VectorXd& solution() const { return u_; }
+  /// Loads needed at held unknowns beyond those applied, K u - f; zero elsewhere. Of the last solution.
+  VectorXd reactions() const;
+
+  int n_unknowns() const { return static_cast<int>(u_.size()); }
+  int n_analyses() const { return cholesky_.n_analyses(); }
+  int n_factorizations() const { return cholesky_.n_factorizations(); }
+  int n_solves() const { return cholesky_.n_solves(); }
+
+ private:
+  int unknown(int vertex, int component) const;
+  void factorize();
+
+  const PolygonMesh* mesh_;
+  int n_components_;
+  MeshMatrix matrix_;  ///< with the held rows and columns taken out once it is factorized
+  HeldUnknowns held_;
+  VectorXd loads_, cell_loads_, u_;
+  Cholesky cholesky_;
+  bool assembled_ = false, factorized_ = false;
+};
+
+}  // namespace polyfem

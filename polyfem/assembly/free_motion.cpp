@@ -1,0 +1,122 @@
+#include <polyfem/assembly/free_motion.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <numeric>
+
+namespace polyfem {
+namespace {
+
+constexpr double held_tolerance = 1e-14;    // of the squares of a motion at held unknowns, summed
+constexpr double energy_tolerance = 1e-13;  // of the energy that the diagonal alone would give
+
+/// The vertices of each part, parts one after another: vertex[first[p]] .. vertex[first[p + 1] - 1].
+struct Parts {
+  std::vector<int> first{0}, vertex;
+};
+
+Parts parts_of(const PolygonMesh& mesh) {
+  const int n_vertices = static_cast<int>(mesh.vertices.cols());
+  std::vector<int> parent(n_vertices);  // towards the part's lowest vertex
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root_of = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    for (const int v : mesh.cell(c)) {
+      const auto [low, high] = std::minmax({root_of(v), root_of(mesh.cell(c)[0])});
+      parent[high] = low;
+    }
+  std::vector<int> part_of(n_vertices);
+  Parts parts;
+  for (int v = 0; v < n_vertices; ++v) {
+    const int root = root_of(v);
+    if (root == v) {
+      part_of[v] = static_cast<int>(parts.first.size()) - 1;
+      parts.first.push_back(0);
+    } else
+      part_of[v] = part_of[root];
+    ++parts.first[part_of[v] + 1];
+  }
+  std::partial_sum(parts.first.begin(), parts.first.end(), parts.first.begin());
+  std::vector<int> next(parts.first.begin(), parts.first.end() - 1);
+  parts.vertex.resize(n_vertices);
+  for (int v = 0; v < n_vertices; ++v) parts.vertex[next[part_of[v]]++] = v;
+  return parts;
+}
+
+/// The motions of a part as columns: constants, then the rotation about its middle, each at most 1.
+class Motions {
+ public:
+  Motions(const PolygonMesh& mesh, int n_components, std::span<const int> part)
+      : mesh_(mesh), n_components_(n_components), part_(part) {
+    Points vertices = mesh.vertices(Eigen::all, std::vector<int>(part.begin(), part.end()));
+    middle_ = vertices.rowwise().mean();
+    radius_ = (vertices.colwise() - middle_).colwise().norm().maxCoeff();
+  }
+  int n_motions() const { return n_components_ == 2 && radius_ > 0 ? 3 : n_components_; }
+  /// The displacement of a vertex' component in each motion.
+  VectorXd at(int vertex, int component) const {
+    VectorXd row = VectorXd::Unit(n_motions(), component);
+    const Vec2 arm = (mesh_.vertices.col(vertex) - middle_) / radius_;
+    if (n_motions() > n_components_) row[2] = component == 0 ? -arm.y() : arm.x();
+    return row;
+  }
+
+ private:
+  const PolygonMesh& mesh_;
+  int n_components_;
+  std::span<const int> part_;
+  Vec2 middle_;
+  double radius_;
+};
+
+/// Those combinations of motions that leave held unknowns where they are, one a column.
+MatrixXd not_held(const Motions& motions, int n_components, std::span<const int> part,
+                  const HeldUnknowns& held) {
+  MatrixXd squares = MatrixXd::Zero(motions.n_motions(), motions.n_motions());
+  for (const int v : part)
+    for (int c = 0; c < n_components; ++c)
+      if (held.is_held(n_components * v + c)) squares += motions.at(v, c) * motions.at(v, c).transpose();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(squares);
+  const Index n_free = (modes.eigenvalues().array() < held_tolerance).count();
+  return modes.eigenvectors().leftCols(n_free);
+}
+
+/// The combination of the given motions that costs no energy, if there is one.
+std::optional<VectorXd> without_energy(const MatrixXd& motions, const SparseMatrix& lower) {
+  const MatrixXd energies = motions.transpose() * (lower.selfadjointView<Eigen::Lower>() * motions);
+  const MatrixXd scales = motions.transpose() * lower.diagonal().cwiseAbs().asDiagonal() * motions;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(energies - energy_tolerance * scales);
+  if (modes.eigenvalues()[0] > 0) return std::nullopt;
+  return modes.eigenvectors().col(0);
+}
+
+}  // namespace
+
+std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
+                                           const SparseMatrix& lower, const HeldUnknowns& held) {
+  const Parts parts = parts_of(mesh);
+  for (std::size_t p = 0; p + 1 < parts.first.size(); ++p) {
+    const auto part = std::span(parts.vertex).subspan(parts.first[p], parts.first[p + 1] - parts.first[p]);
+    const Motions motions(mesh, n_components, part);
+    const MatrixXd free = not_held(motions, n_components, part, held);
+    if (free.cols() == 0) continue;
+    MatrixXd displacements = MatrixXd::Zero(lower.rows(), free.cols());
+    for (const int v : part)
+      for (int c = 0; c < n_components; ++c)
+        if (!held.is_held(n_components * v + c))
+          displacements.row(n_components * v + c) = motions.at(v, c).transpose() * free;
+    if (const auto combination = without_energy(displacements, lower)) {
+      VectorXd motion = free * *combination;
+      motion /= motion.lpNorm<Eigen::Infinity>();
+      return FreeMotion{part[0], static_cast<int>(part.size()), motion.head(n_components),
+                        motion.size() > n_components ? motion[n_components] : 0};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace polyfem

@@ -1,0 +1,48 @@
+/// \file Unknowns with prescribed values, taken out of a symmetric system that keeps its size.
+#pragma once
+
+#include <polyfem/assembly/cholesky.hpp>
+
+#include <vector>
+
+namespace polyfem {
+
+/// Which unknowns are held, at what values, and what couples them to the others. Their rows and columns are
+/// cleared but for the diagonal, so that the pattern, and with it the analysis, serves any set of them.
+class HeldUnknowns {
+ public:
+  explicit HeldUnknowns(int n_unknowns)
+      : held_(static_cast<std::size_t>(n_unknowns), 0), values_(VectorXd::Zero(n_unknowns)) {}
+
+  /// Whether it was free before.
+  bool hold(int unknown, double value);
+  void release_all();
+  bool is_held(int unknown) const { return held_[static_cast<std::size_t>(unknown)] != 0; }
+
+  /// Clears the held rows and columns of a matrix given by its lower triangle and remembers what was there.
+  void take_out(SparseMatrix& lower);
+  /// Puts back what was taken out.
+  void put_back(SparseMatrix& lower);
+  /// Forgets what was taken out: the matrix is assembled anew.
+  void forget_couplings() { couplings_.clear(); }
+
+  /// The right hand side for the matrix without held rows and columns.
+  void move_to_right_hand_side(const SparseMatrix& lower, VectorXd& f) const;
+  /// The exact values at held unknowns, in a solution.
+  void set_values(VectorXd& u) const;
+  /// K u of the whole matrix at held unknowns; zero elsewhere.
+  VectorXd forces(const SparseMatrix& lower, const VectorXd& u) const;
+
+ private:
+  /// An entry of the lower triangle that was cleared.
+  struct Coupling {
+    int row, column, place;
+    double value;
+  };
+
+  std::vector<char> held_;
+  VectorXd values_;
+  std::vector<Coupling> couplings_;
+};
+
+}  // namespace polyfem
