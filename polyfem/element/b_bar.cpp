@@ -2,40 +2,55 @@
 #include <polyfem/element/gradient_products.hpp>
 #include <polyfem/element/matrices.hpp>
 
+#include <Eigen/LU>
+#include <algorithm>
+
 namespace polyfem {
 namespace {
 
-/// P D P: a D that knows nothing of dilatations in the plane.
-Mat3 without_dilatation(const Mat3& elasticity) {
-  const Vec3 m(1, 1, 0);
-  const Mat3 P = Mat3::Identity() - m * m.transpose() / 2;
-  const Mat3 D = elasticity.selfadjointView<Eigen::Upper>();
-  return P * D * P;
+/// The lambda of the file's head: A is D for strains (theta, eps_xx - eps_yy, gamma_xy).
+double dilatational_stiffness(const Mat3& D) {
+  Mat3 basis;
+  basis << 0.5, 0.5, 0,  //
+      0.5, -0.5, 0,      //
+      0, 0, 1;
+  const Mat3 A = basis.transpose() * D.selfadjointView<Eigen::Upper>() * basis;
+  const Mat2 rest = A.bottomRightCorner<2, 2>();
+  const Vec2 coupling = A.block<2, 1>(1, 0);
+  return std::max(0., A(0, 0) - coupling.dot(rest.inverse() * coupling) - rest.trace() / 2);
 }
 
 }  // namespace
 
 void b_bar_stiffness(const TabulatedElement& element, const Mat3& elasticity, MatrixXd& K) {
+  const double lambda = dilatational_stiffness(elasticity), factor = lambda / element.area;
+  Mat3 rest = elasticity;
+  rest.topLeftCorner<2, 2>().array() -= lambda;
   thread_local VectorXd x, y;  // integrals of N_i,x and N_i,y
   x.noalias() = element.dx.transpose() * element.rule.weights;
   y.noalias() = element.dy.transpose() * element.rule.weights;
   K.resize(2 * element.n_vertices(), 2 * element.n_vertices());
-  const Mat3 rest = without_dilatation(elasticity);
-  for_each_gradient_product(element, [&, D = elasticity](Index i, Index j, const GradientProduct& G) {
-    const double a = 1 / element.area;
-    const GradientProduct mean{a * x[i] * x[j], a * x[i] * y[j], a * y[i] * x[j], a * y[i] * y[j]};
-    const GradientProduct deviation{G.xx - mean.xx, G.xy - mean.xy, G.yx - mean.yx, G.yy - mean.yy};
-    (StiffnessBlock(D, mean) += StiffnessBlock(rest, deviation)).put(i, j, K);
+  for_each_gradient_product(element, [&](Index i, Index j, const GradientProduct& G) {
+    StiffnessBlock block(rest, G);
+    block.uu += factor * x[i] * x[j];
+    block.uv += factor * x[i] * y[j];
+    block.vu += factor * y[i] * x[j];
+    block.vv += factor * y[i] * y[j];
+    block.put(i, j, K);
   });
 }
 
-void b_bar_strains(const TabulatedElement& element, const Eigen::Ref<const VectorXd>& d, Tensors& strain) {
+void b_bar_stresses(const TabulatedElement& element, const Mat3& elasticity,
+                    const Eigen::Ref<const VectorXd>& d, Tensors& stress) {
+  thread_local Tensors strain;
   strains(element, d, strain);
-  double mean = 0;
-  for (Index q = 0; q < strain.cols(); ++q)
-    mean += element.rule.weights[q] * (strain(0, q) + strain(1, q)) / element.area;
-  for (Index q = 0; q < strain.cols(); ++q)
-    strain.col(q).head<2>().array() += (mean - strain(0, q) - strain(1, q)) / 2;
+  const double lambda = dilatational_stiffness(elasticity);
+  const auto theta = strain.row(0) + strain.row(1);
+  const double mean_theta = theta.dot(element.rule.weights) / element.area;
+  Mat3 rest = elasticity.selfadjointView<Eigen::Upper>();
+  rest.topLeftCorner<2, 2>().array() -= lambda;
+  stress.noalias() = rest * strain;
+  stress.topRows<2>().array() += lambda * mean_theta;
 }
 
 }  // namespace polyfem

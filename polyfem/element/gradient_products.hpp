@@ -62,14 +62,6 @@ struct StiffnessBlock {
     vv = D(1, 1) * G.yy + D(1, 2) * shear + D(2, 2) * G.xx;
   }
 
-  StiffnessBlock& operator+=(const StiffnessBlock& other) {
-    uu += other.uu;
-    uv += other.uv;
-    vu += other.vu;
-    vv += other.vv;
-    return *this;
-  }
-
   /// Writes it to its place in K and to the one across the diagonal.
   void put(Index i, Index j, MatrixXd& K) const {
     K(2 * i, 2 * j) = K(2 * j, 2 * i) = uu;

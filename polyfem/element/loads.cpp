@@ -83,13 +83,4 @@ void initial_stress(const TabulatedElement& element, const TensorsRef& stress, V
   f -= forces;
 }
 
-void initial_stress(const TabulatedElement& element, const Vec3& stress, VectorXd& f) {
-  assert(f.size() == 2 * element.n_vertices());
-  for (Index i = 0; i < element.n_vertices(); ++i) {
-    const double x = element.dx.col(i).dot(element.rule.weights),
-                 y = element.dy.col(i).dot(element.rule.weights);
-    f.segment<2>(2 * i) -= Vec2(x * stress[0] + y * stress[2], y * stress[1] + x * stress[2]);
-  }
-}
-
 }  // namespace polyfem

@@ -32,11 +32,8 @@ void edge_traction(const PointsRef& polygon, Index edge, const VectorField& trac
 void point_load(const PointsRef& polygon, const Basis& basis, const Vec2& x, const Vec2& force, VectorXd& f);
 
 /// Adds the forces of an initial stress, which is there when d = 0: minus the integral of B^T sigma0, (19).
-/// An initial strain eps0 (thermal, say) is the initial stress -D eps0. \param[in] stress  at the integration
-/// points, 3 x q
+/// An initial strain eps0 (thermal, say) is the initial stress -D eps0. `stress` is at the integration
+/// points, 3 x q; a uniform one is sigma0.replicate(1, q).
 void initial_stress(const TabulatedElement& element, const TensorsRef& stress, VectorXd& f);
-
-/// The same for a uniform one.
-void initial_stress(const TabulatedElement& element, const Vec3& stress, VectorXd& f);
 
 }  // namespace polyfem

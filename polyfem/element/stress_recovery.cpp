@@ -5,35 +5,13 @@
 #include <cassert>
 
 namespace polyfem {
-namespace {
-
-/// Row q of the table holds the gradients.
-Vec3 strain_of_row(const ShapeTable& table, Index q, const Eigen::Ref<const VectorXd>& d) {
-  Vec3 strain = Vec3::Zero();
-  for (Index i = 0; i < table.n_vertices(); ++i) {
-    const double dx = table.dx(q, i), dy = table.dy(q, i), u = d[2 * i], v = d[2 * i + 1];
-    strain += Vec3(dx * u, dy * v, dy * u + dx * v);
-  }
-  return strain;
-}
-
-}  // namespace
-
 Vec3 strain_at(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<const VectorXd>& d,
                const Vec2& x) {
   assert(d.size() == 2 * polygon.cols());
-  thread_local ShapeTable table;
-  basis.evaluate(polygon, x, table);
-  return strain_of_row(table, 0, d);
-}
-
-void vertex_strains(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<const VectorXd>& d,
-                    Tensors& strain) {
-  assert(d.size() == 2 * polygon.cols());
-  thread_local ShapeTable table;
-  basis.evaluate(polygon, polygon, table);
-  strain.resize(3, polygon.cols());
-  for (Index i = 0; i < polygon.cols(); ++i) strain.col(i) = strain_of_row(table, i, d);
+  ShapeValues shape;
+  basis(polygon, x, shape);
+  const Mat2 G = d.reshaped(2, polygon.cols()) * shape.gradients.transpose();  // du_a / dx_b
+  return {G(0, 0), G(1, 1), G(0, 1) + G(1, 0)};
 }
 
 void extrapolate_to_vertices(const PointsRef& polygon, const TabulatedElement& element,

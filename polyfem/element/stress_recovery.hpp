@@ -1,9 +1,7 @@
-/// \file Strains of an element where no integration point is; stress is D times them.
+/// \file Strains and stresses of an element where no integration point is.
 ///
-/// At the integration points `strains` (or `b_bar_strains`) gives them. From there two ways lead to the
-/// vertices: the linear field nearest to the values at the points, and the gradients of the shape functions
-/// at the vertices themselves. The first is the one to use with B-bar, and before averages over the cells
-/// around a vertex.
+/// At the integration points `strains` gives strains, stress is D times them, and `b_bar_stresses` gives the
+/// stresses of that element.
 #pragma once
 
 #include <polyfem/element/tabulated_element.hpp>
@@ -15,12 +13,12 @@ namespace polyfem {
 Vec3 strain_at(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<const VectorXd>& d,
                const Vec2& x);
 
-/// The strains B d at all vertices, 3 x n, likewise.
-void vertex_strains(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<const VectorXd>& d,
-                    Tensors& strain);
-
 /// Values at the vertices (k x n) of the linear fields nearest to values at the integration points (k x q),
 /// in the mean square by the element's rule. Exact for linear fields when the rule is of degree 2 or finer.
+///
+/// On meshes of Voronoi cells, stresses taken to the vertices so have little more than half the error of
+/// those of `strain_at` there; averaged over the cells around a vertex (`vertex_averages`), a quarter and
+/// less.
 void extrapolate_to_vertices(const PointsRef& polygon, const TabulatedElement& element,
                              const Eigen::Ref<const MatrixXd>& at_points, MatrixXd& at_vertices);
 

@@ -6,8 +6,8 @@
 namespace polyfem {
 
 /// Averages over the cells around each vertex, weighted by their areas: k x n_vertices, zero at vertices of
-/// no cell. \param[in] at_corners  one column for each entry of mesh.indices, any number k of rows: the
-/// values of that cell at that vertex, as stresses extrapolated to it
+/// no cell. `at_corners` has one column for each entry of mesh.indices, any number k of rows: the values of
+/// that cell at that vertex, as stresses extrapolated to it.
 MatrixXd vertex_averages(const PolygonMesh& mesh, const Eigen::Ref<const MatrixXd>& at_corners);
 
 }  // namespace polyfem
