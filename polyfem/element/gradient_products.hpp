@@ -11,7 +11,7 @@ struct GradientProduct {
 };
 
 /// Sums of products of two columns of x and y components each, two points at once.
-inline GradientProduct sum_of_products(const double* ax, const double* ay, const double* bx, const double* by,
+[[gnu::always_inline]] inline GradientProduct sum_of_products(const double* ax, const double* ay, const double* bx, const double* by,
                                        Index n_points) {
   using Eigen::Array2d;
   using Two = Eigen::Map<const Array2d>;

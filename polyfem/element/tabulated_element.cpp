@@ -3,19 +3,16 @@
 namespace polyfem {
 namespace {
 
-/// Moves a column so that its sum with the weights is `integral`.
-void set_integral(const TabulatedElement& element, double integral, Eigen::Ref<VectorXd> column) {
-  column.array() += (integral - column.dot(element.rule.weights)) / element.area;
-}
-
-/// N_i is linear on the two edges at vertex i, so each gives half of its length times its outward normal to
-/// the integral over the boundary: half of the chord between the neighbours, turned right.
+/// N_i is linear on the two edges at vertex i, so each gives half of its length times its outward normal to the
+/// integral over the boundary: half of the chord between the neighbours, turned right.
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
   const Index n = polygon.cols();
+  const double per_area = 1 / element.area;
   for (Index i = 0; i < n; ++i) {
     const Vec2 chord = polygon.col(i + 1 < n ? i + 1 : 0) - polygon.col(i > 0 ? i - 1 : n - 1);
-    set_integral(element, chord.y() / 2, element.dx.col(i));
-    set_integral(element, -chord.x() / 2, element.dy.col(i));
+    auto dx = element.dx.col(i), dy = element.dy.col(i);
+    dx.array() += per_area * (chord.y() / 2 - dx.dot(element.rule.weights));
+    dy.array() += per_area * (-chord.x() / 2 - dy.dot(element.rule.weights));
   }
 }
 
