@@ -11,8 +11,9 @@ struct GradientProduct {
 };
 
 /// Sums of products of two columns of x and y components each, two points at once.
-[[gnu::always_inline]] inline GradientProduct sum_of_products(const double* ax, const double* ay, const double* bx, const double* by,
-                                       Index n_points) {
+[[gnu::always_inline]] inline GradientProduct sum_of_products(const double* ax, const double* ay,
+                                                              const double* bx, const double* by,
+                                                              Index n_points) {
   using Eigen::Array2d;
   using Two = Eigen::Map<const Array2d>;
   Array2d xx = Array2d::Zero(), xy = xx, yx = xx, yy = xx;
@@ -52,8 +53,9 @@ void for_each_gradient_product(const TabulatedElement& element, Use&& use) {
 /// B_i^T D B_j for B_i = [N_i,x 0; 0 N_i,y; N_i,y N_i,x], D symmetric: what a pair of vertices adds to a
 /// stiffness matrix.
 struct StiffnessBlock {
-  double uu, uv, vu, vv;
+  double uu, uv, vu, vv;  ///< rows of vertex i, columns of vertex j
 
+  /// Reads the upper triangle of D.
   StiffnessBlock(const Mat3& D, const GradientProduct& G) {
     const double shear = G.xy + G.yx, both = D(0, 2) * G.xx + D(1, 2) * G.yy;
     uu = D(0, 0) * G.xx + D(0, 2) * shear + D(2, 2) * G.yy;

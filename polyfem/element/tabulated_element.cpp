@@ -3,8 +3,8 @@
 namespace polyfem {
 namespace {
 
-/// N_i is linear on the two edges at vertex i, so each gives half of its length times its outward normal to the
-/// integral over the boundary: half of the chord between the neighbours, turned right.
+/// N_i is linear on the two edges at vertex i, so each gives half of its length times its outward normal to
+/// the integral over the boundary: half of the chord between the neighbours, turned right.
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
   const Index n = polygon.cols();
   const double per_area = 1 / element.area;
