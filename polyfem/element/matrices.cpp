@@ -1,3 +1,5 @@
+#include <polyfem/element/diffusion.hpp>
+#include <polyfem/element/gradient_products.hpp>
 #include <polyfem/element/matrices.hpp>
 
 #include <cassert>
@@ -5,37 +7,19 @@
 namespace polyfem {
 
 void stiffness(const TabulatedElement& element, const Mat3& elasticity, MatrixXd& K) {
-  const Index n = element.n_vertices();
-  K.setZero(2 * n, 2 * n);
-  for (Index q = 0; q < element.n_points(); ++q) {
-    const Mat3 wD = element.rule.weights[q] * elasticity;
-    for (Index j = 0; j < n; ++j) {
-      const double xj = element.dx(q, j), yj = element.dy(q, j);
-      const Vec3 for_u = wD.col(0) * xj + wD.col(2) * yj;  // the two columns of w D B_j
-      const Vec3 for_v = wD.col(1) * yj + wD.col(2) * xj;
-      for (Index i = 0; i <= j; ++i) {
-        const double xi = element.dx(q, i), yi = element.dy(q, i);
-        K(2 * i, 2 * j) += xi * for_u[0] + yi * for_u[2];
-        K(2 * i + 1, 2 * j) += yi * for_u[1] + xi * for_u[2];
-        K(2 * i, 2 * j + 1) += xi * for_v[0] + yi * for_v[2];
-        K(2 * i + 1, 2 * j + 1) += yi * for_v[1] + xi * for_v[2];
-      }
-    }
-  }
-  K.triangularView<Eigen::StrictlyLower>() = K.transpose();
+  K.resize(2 * element.n_vertices(), 2 * element.n_vertices());
+  for_each_gradient_product(element, [&K, D = elasticity](Index i, Index j, const GradientProduct& G) {
+    StiffnessBlock(D, G).put(i, j, K);
+  });
 }
 
 void mass(const TabulatedElement& element, MatrixXd& M) {
   const Index n = element.n_vertices();
+  thread_local MatrixXd one_direction;
+  scalar_mass(element, one_direction);
   M.setZero(2 * n, 2 * n);
   for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i <= j; ++i) {
-      double integral = 0;
-      for (Index q = 0; q < element.n_points(); ++q)
-        integral += element.rule.weights[q] * element.values(q, i) * element.values(q, j);
-      M(2 * i, 2 * j) = M(2 * i + 1, 2 * j + 1) = integral;
-      M(2 * j, 2 * i) = M(2 * j + 1, 2 * i + 1) = integral;
-    }
+    for (Index i = 0; i < n; ++i) M(2 * i, 2 * j) = M(2 * i + 1, 2 * j + 1) = one_direction(i, j);
 }
 
 void shape_integrals(const TabulatedElement& element, VectorXd& integrals) {

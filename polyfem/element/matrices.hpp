@@ -9,7 +9,8 @@
 
 namespace polyfem {
 
-/// K = integral of B^T D B, Eq. (17). N/m per m for D in Pa.
+/// K = integral of B^T D B, Eq. (17), of any symmetric D, whose upper triangle is read. N/m per m for D in
+/// Pa. Symmetric to the last bit.
 void stiffness(const TabulatedElement& element, const Mat3& elasticity, MatrixXd& K);
 
 /// M = integral of N^T N, Eq. (26) without its factor; multiply by the density for a mass. m^2.

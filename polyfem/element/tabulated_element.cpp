@@ -3,19 +3,16 @@
 namespace polyfem {
 namespace {
 
-/// The integral over the boundary of N_i n: N_i is linear on the two edges at vertex i, so each gives half of
-/// its length times its outward normal, which is the edge turned right.
-Vec2 boundary_integral(const PointsRef& polygon, Index i) {
-  const Index n = polygon.cols();
-  const Vec2 chord = polygon.col((i + 1) % n) - polygon.col((i + n - 1) % n);
-  return Vec2(chord.y(), -chord.x()) / 2;
-}
-
+/// N_i is linear on the two edges at vertex i, so each gives half of its length times its outward normal to
+/// the integral over the boundary: half of the chord between the neighbours, turned right.
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
-  for (Index i = 0; i < polygon.cols(); ++i) {
-    const Vec2 exact = boundary_integral(polygon, i);
-    element.dx.col(i).array() += (exact.x() - element.dx.col(i).dot(element.rule.weights)) / element.area;
-    element.dy.col(i).array() += (exact.y() - element.dy.col(i).dot(element.rule.weights)) / element.area;
+  const Index n = polygon.cols();
+  const double per_area = 1 / element.area;
+  for (Index i = 0; i < n; ++i) {
+    const Vec2 chord = polygon.col(i + 1 < n ? i + 1 : 0) - polygon.col(i > 0 ? i - 1 : n - 1);
+    auto dx = element.dx.col(i), dy = element.dy.col(i);
+    dx.array() += per_area * (chord.y() / 2 - dx.dot(element.rule.weights));
+    dy.array() += per_area * (-chord.x() / 2 - dy.dot(element.rule.weights));
   }
 }
 
