@@ -3,14 +3,6 @@
 namespace polyfem {
 namespace {
 
-/// The integral over the boundary of N_i n: N_i is linear on the two edges at vertex i, so each gives half of
-/// its length times its outward normal, which is the edge turned right.
-Vec2 boundary_integral(const PointsRef& polygon, Index i) {
-  const Index n = polygon.cols();
-  const Vec2 chord = polygon.col((i + 1) % n) - polygon.col((i + n - 1) % n);
-  return Vec2(chord.y(), -chord.x()) / 2;
-}
-
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
   for (Index i = 0; i < polygon.cols(); ++i) {
     const Vec2 exact = boundary_integral(polygon, i);
@@ -28,6 +20,12 @@ void tabulate_at_rule(const PointsRef& polygon, const Basis& basis, GradientCorr
 
 }  // namespace
 
+Vec2 boundary_integral(const PointsRef& polygon, Index i) {
+  const Index n = polygon.cols();
+  const Vec2 chord = polygon.col((i + 1) % n) - polygon.col((i + n - 1) % n);
+  return Vec2(chord.y(), -chord.x()) / 2;
+}
+
 void tabulate(const PointsRef& polygon, const PolygonRule& rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element) {
   element.rule = rule;
@@ -36,7 +34,7 @@ void tabulate(const PointsRef& polygon, const PolygonRule& rule, const Basis& ba
 
 void tabulate(const PointsRef& polygon, const TriangleRule& triangle_rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element) {
-  make_fan_rule(polygon, triangle_rule, element.rule);
+  make_polygon_rule(polygon, triangle_rule, element.rule);
   tabulate_at_rule(polygon, basis, correction, element);
 }
 
