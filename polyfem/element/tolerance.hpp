@@ -17,7 +17,8 @@ struct ErrorEstimate {
 /// between the neighbours of vertex i, turned right, as N_i is linear on edges) and of 1, x and x x^T
 /// (which, as x = sum x_i N_i, is M between linear fields). The factors were measured: with the rules of
 /// `tabulate_to_tolerance` the estimates bound the true errors in all but rare cases and exceed them about
-/// tenfold; with symmetric and collapsed rules they are right to a factor of about five.
+/// tenfold; with symmetric and collapsed rules true errors of K may be five
+/// times, of M twenty times the estimate.
 /// The element must be tabulated on this polygon, with or without correction.
 ErrorEstimate estimate_errors(const PointsRef& polygon, const Basis& basis, const TabulatedElement& element);
 

@@ -26,7 +26,7 @@ double AdjointBound::reach(const Vec2& p, const Vec2& q) const {
   double nearness = 1e-6;
   for (Index k = 0; k < sides_.cols(); ++k) {
     const double approach = sides_.col(k).dot(q - p), distance = 1 - sides_.col(k).dot(q);
-    if (approach > 0) nearness = std::max(nearness, approach / std::max(distance, 1e-9 * approach));
+    nearness = std::max(nearness, approach / std::max(distance, 1e-9 * approach));  // < 0 when receding
   }
   return 1 / nearness;
 }

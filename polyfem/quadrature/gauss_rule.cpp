@@ -44,18 +44,12 @@ const GaussRule& gauss_rule(int n) {
   return rules[static_cast<std::size_t>(n)];
 }
 
-double graded_length(const Reach& reach) {
-  return std::log1p(1 / reach.before) + std::log1p(1 / reach.behind);
-}
-
-void make_graded_gauss_rule(int n, const Reach& reach, GaussRule& rule) {
+void make_graded_gauss_rule(int n, const GradedMap& map, GaussRule& rule) {
   rule = gauss_rule(n);
-  const double length = graded_length(reach), range = 1 + reach.before + reach.behind;
-  const double first = reach.before / (1 + reach.behind);  // e^u at t = 0
   for (Index q = 0; q < n; ++q) {
-    const double growth = std::expm1(length * rule.points[q]), e = first * (1 + growth);
-    rule.points[q] = range * first * growth / ((1 + e) * (1 + first));
-    rule.weights[q] *= length * range * e / ((1 + e) * (1 + e));
+    const GradedMap::Image image = map(rule.points[q]);
+    rule.points[q] = image.t;
+    rule.weights[q] *= image.slope;
   }
 }
 

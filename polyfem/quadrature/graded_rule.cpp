@@ -44,8 +44,8 @@ Reach nearer(const Reach& a, const Reach& b) {
 }
 
 /// Poles on the lines Im u = +-pi.
-double axis_of_real_poles(const Reach& reach) {
-  const double y = std::numbers::pi / graded_length(reach);
+double axis_of_real_poles(const GradedMap& map) {
+  const double y = std::numbers::pi / map.length();
   return std::sqrt(1 + 4 * y * y);
 }
 
@@ -54,7 +54,9 @@ class AdjointPoles {
  public:
   explicit AdjointPoles(const PointsRef& polygon) : bound_(polygon) {}
   Reach reach(const Vec2& p, const Vec2& q) const { return {bound_.reach(q, p), bound_.reach(p, q)}; }
-  double axis(const Vec2&, const Vec2&, const Reach& reach) const { return axis_of_real_poles(reach); }
+  double axis(const Vec2&, const Vec2&, const Reach&, const GradedMap& map) const {
+    return axis_of_real_poles(map);
+  }
 
  private:
   AdjointBound bound_;
@@ -87,11 +89,10 @@ class VertexSingularities {
     reach.before *= layer_;
     return reach;
   }
-  double axis(const Vec2& p, const Vec2& q, const Reach& reach) const {
+  double axis(const Vec2& p, const Vec2& q, const Reach& reach, const GradedMap& map) const {
     using Complex = std::complex<double>;
-    const double length = graded_length(reach);
-    const double first = std::log(reach.before / (1 + reach.behind));
-    double axis = axis_of_real_poles(reach);
+    const double length = map.length(), first = std::log(map.first());
+    double axis = axis_of_real_poles(map);
     for (Index j = 0; j < vertices_.cols(); ++j) {
       if (j == collapsed_) continue;
       const Vec2 r = vertices_.col(j) - p, line = q - p;
@@ -112,17 +113,22 @@ class VertexSingularities {
 template <class Singularities>
 void add_collapsed(const Vec2& apex, const Vec2& p, const Vec2& q, const Singularities& outwards,
                    const Singularities& along, double digits, RuleBuilder& rule) {
-  thread_local GaussRule s, t;
   const Reach reach = nearer(outwards.reach(apex, p), outwards.reach(apex, q));
-  const double axis = std::min(outwards.axis(apex, p, reach), outwards.axis(apex, q, reach));
-  make_graded_gauss_rule(n_gauss_points(digits, axis), reach, s);
+  const GradedMap map(reach);
+  const double axis = std::min(outwards.axis(apex, p, reach, map), outwards.axis(apex, q, reach, map));
+  const GaussRule& gauss = gauss_rule(n_gauss_points(digits, axis));
   const double area = cross(p - apex, q - apex);
-  for (Index i = 0; i < s.points.size(); ++i) {
-    const Vec2 from = apex + s.points[i] * (p - apex), to = apex + s.points[i] * (q - apex);
-    const Reach line = along.reach(from, to);
-    make_graded_gauss_rule(n_gauss_points(digits, along.axis(from, to, line)), line, t);
-    for (Index j = 0; j < t.points.size(); ++j)
-      rule.add(from + t.points[j] * (to - from), s.weights[i] * t.weights[j] * s.points[i] * area);
+  for (Index i = 0; i < gauss.points.size(); ++i) {
+    const auto [s, ds] = map(gauss.points[i]);
+    const Vec2 from = apex + s * (p - apex), to = apex + s * (q - apex);
+    const Reach reach_along = along.reach(from, to);
+    const GradedMap map_along(reach_along);
+    const GaussRule& gauss_along =
+        gauss_rule(n_gauss_points(digits, along.axis(from, to, reach_along, map_along)));
+    for (Index j = 0; j < gauss_along.points.size(); ++j) {
+      const auto [t, dt] = map_along(gauss_along.points[j]);
+      rule.add(from + t * (to - from), gauss.weights[i] * gauss_along.weights[j] * ds * dt * s * area);
+    }
   }
 }
 
@@ -132,7 +138,8 @@ void make_graded_quadrilateral_rule(const PointsRef& v, const AdjointPoles& pole
                                     PolygonRule& rule) {
   thread_local GaussRule along_0, along_1;
   const auto make = [&](const Reach& reach, GaussRule& gauss) {
-    make_graded_gauss_rule(n_gauss_points(digits, axis_of_real_poles(reach)), reach, gauss);
+    const GradedMap map(reach);
+    make_graded_gauss_rule(n_gauss_points(digits, axis_of_real_poles(map)), map, gauss);
   };
   make(nearer(poles.reach(v.col(0), v.col(1)), poles.reach(v.col(3), v.col(2))), along_0);
   make(nearer(poles.reach(v.col(0), v.col(3)), poles.reach(v.col(1), v.col(2))), along_1);

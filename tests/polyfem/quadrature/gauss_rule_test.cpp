@@ -38,24 +38,24 @@ INSTANTIATE_TEST_SUITE_P(Reaches, GradedGauss,
 
 TEST_P(GradedGauss, MakesSimplePolesAtItsReachVanish) {
   GaussRule rule;
-  make_graded_gauss_rule(1, GetParam(), rule);
+  make_graded_gauss_rule(1, GradedMap(GetParam()), rule);
   EXPECT_LT(error_with_poles(rule, GetParam()), 1e-12);  // the integrand is constant in u
 }
 
 TEST_P(GradedGauss, ConvergesAsTheAxisOfTheEllipseSays) {
   // Poles at twice the reach: in u they lie on the lines Im u = +-pi.
   const Reach twice{2 * GetParam().before, 2 * GetParam().behind};
-  const double y = 2 * std::numbers::pi / graded_length(GetParam());
+  const double y = 2 * std::numbers::pi / GradedMap(GetParam()).length();
   GaussRule rule;
   for (const double digits : {5., 10., 20., 30.}) {
-    make_graded_gauss_rule(n_gauss_points(digits, std::sqrt(1 + y * y)), GetParam(), rule);
+    make_graded_gauss_rule(n_gauss_points(digits, std::sqrt(1 + y * y)), GradedMap(GetParam()), rule);
     EXPECT_LT(error_with_poles(rule, twice), 10 * std::exp(-digits) + 1e-13);
   }
 }
 
 TEST_P(GradedGauss, HasPositiveWeightsThatSumToOneAndPointsInside) {
   GaussRule rule;
-  make_graded_gauss_rule(30, GetParam(), rule);
+  make_graded_gauss_rule(30, GradedMap(GetParam()), rule);
   EXPECT_GT(rule.weights.minCoeff(), 0);
   EXPECT_GT(rule.points.minCoeff(), 0);
   EXPECT_LT(rule.points.maxCoeff(), 1);
@@ -64,7 +64,7 @@ TEST_P(GradedGauss, HasPositiveWeightsThatSumToOneAndPointsInside) {
 
 TEST(GradedGauss, IsPlainGaussForSmoothFunctions) {
   GaussRule rule;
-  make_graded_gauss_rule(5, {1e6, 1e6}, rule);
+  make_graded_gauss_rule(5, GradedMap({1e6, 1e6}), rule);
   EXPECT_LT((rule.points - gauss_rule(5).points).norm(), 1e-6);
   EXPECT_LT((rule.weights - gauss_rule(5).weights).norm(), 1e-6);
 }
