@@ -137,6 +137,13 @@ TEST(TabulateToTolerance, SeesWhetherABasisIsSmoothAtVertices) {
   }
 }
 
+TEST(TabulateToTolerance, LooksForSmoothnessWhereTheCornerIsNotAlmostStraight) {
+  TabulatedElement element;
+  const Points polygon = support::points({{1, -1e-5}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  EXPECT_EQ(tabulate_to_tolerance(polygon, wachspress, 1e-3, on, element).rule,
+            "Gauss points graded by the adjoint");
+}
+
 TEST(TabulateToTolerance, TakesThreePointsOnTriangles) {
   std::mt19937 random(3);
   TabulatedElement element;

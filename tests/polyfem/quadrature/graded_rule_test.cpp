@@ -24,15 +24,19 @@ void expect_points_inside(const Points& polygon, const PolygonRule& rule, const 
   for (Index q = 0; q < rule.weights.size(); ++q) EXPECT_TRUE(contains(polygon, rule.points.col(q))) << name;
 }
 
-/// A regular polygon with a corner cut off so near to its vertex that the edge there has this length.
+/// Vertex 0 cut off, which leaves an edge there.
+Points cut_corner(const Points& polygon, double length) {
+  const Index n = polygon.cols();
+  const Vec2 vertex = polygon.col(0);
+  Points cut(2, n + 1);
+  cut.rightCols(n) = polygon;
+  cut.col(0) = vertex + length * (polygon.col(n - 1) - vertex).normalized();
+  cut.col(1) = vertex + length * (polygon.col(1) - vertex).normalized();
+  return cut;
+}
+
 Points with_short_edge(int n, double length) {
-  const Points regular = support::regular_polygon(n - 1);
-  Points polygon(2, n);
-  polygon.rightCols(n - 1) = regular;
-  const Vec2 vertex = regular.col(0), next = regular.col(1), last = regular.col(n - 2);
-  polygon.col(0) = vertex + length * (last - vertex).normalized();
-  polygon.col(1) = vertex + length * (next - vertex).normalized();
-  return polygon;
+  return cut_corner(support::regular_polygon(n - 1), length);
 }
 
 class AdjointRule : public testing::TestWithParam<int> {
@@ -61,6 +65,17 @@ TEST_P(AdjointRule, ConvergesExponentiallyHoweverShortAnEdge) {
       const double error = std::abs(energy(polygon, rule_, wachspress) / exact - 1);
       EXPECT_LT(error, 20 * std::exp(-0.87 * digits)) << length << ", " << digits;
     }
+  }
+}
+
+TEST_P(AdjointRule, ConvergesExponentiallyWherePolesLieAtAllDistances) {
+  Points polygon = support::regular_polygon(n_);
+  for (const double length : {1e-1, 1e-2, 1e-3, 1e-4}) polygon = cut_corner(polygon, length);
+  make_adjoint_rule(polygon, 40, rule_);
+  const double exact = energy(polygon, rule_, wachspress);
+  for (const double digits : {12., 18., 24.}) {
+    make_adjoint_rule(polygon, digits, rule_);
+    EXPECT_LT(std::abs(energy(polygon, rule_, wachspress) / exact - 1), std::exp(-0.87 * digits)) << digits;
   }
 }
 
