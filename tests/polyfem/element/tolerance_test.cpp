@@ -137,7 +137,7 @@ TEST(TabulateToTolerance, SeesWhetherABasisIsSmoothAtVertices) {
   }
 }
 
-TEST(TabulateToTolerance, LooksForSmoothnessWhereTheCornerIsNotAlmostStraight) {
+TEST(TabulateToTolerance, TakesWachspressFunctionsForSmoothNextToAnAlmostStraightCorner) {
   TabulatedElement element;
   const Points polygon = support::points({{1, -1e-5}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
   EXPECT_EQ(tabulate_to_tolerance(polygon, wachspress, 1e-3, on, element).rule,
