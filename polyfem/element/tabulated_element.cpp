@@ -3,16 +3,13 @@
 namespace polyfem {
 namespace {
 
-/// N_i is linear on the two edges at vertex i, so each gives half of its length times its outward normal to
-/// the integral over the boundary: half of the chord between the neighbours, turned right.
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
-  const Index n = polygon.cols();
   const double per_area = 1 / element.area;
-  for (Index i = 0; i < n; ++i) {
-    const Vec2 chord = polygon.col(i + 1 < n ? i + 1 : 0) - polygon.col(i > 0 ? i - 1 : n - 1);
+  for (Index i = 0; i < polygon.cols(); ++i) {
+    const Vec2 exact = boundary_integral(polygon, i);
     auto dx = element.dx.col(i), dy = element.dy.col(i);
-    dx.array() += per_area * (chord.y() / 2 - dx.dot(element.rule.weights));
-    dy.array() += per_area * (-chord.x() / 2 - dy.dot(element.rule.weights));
+    dx.array() += per_area * (exact.x() - dx.dot(element.rule.weights));
+    dy.array() += per_area * (exact.y() - dy.dot(element.rule.weights));
   }
 }
 
@@ -25,6 +22,12 @@ void tabulate_at_rule(const PointsRef& polygon, const Basis& basis, GradientCorr
 
 }  // namespace
 
+Vec2 boundary_integral(const PointsRef& polygon, Index i) {
+  const Index n = polygon.cols();
+  const Vec2 chord = polygon.col(i + 1 < n ? i + 1 : 0) - polygon.col(i > 0 ? i - 1 : n - 1);
+  return Vec2(chord.y(), -chord.x()) / 2;
+}
+
 void tabulate(const PointsRef& polygon, const PolygonRule& rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element) {
   element.rule = rule;
@@ -33,7 +36,7 @@ void tabulate(const PointsRef& polygon, const PolygonRule& rule, const Basis& ba
 
 void tabulate(const PointsRef& polygon, const TriangleRule& triangle_rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element) {
-  make_fan_rule(polygon, triangle_rule, element.rule);
+  make_polygon_rule(polygon, triangle_rule, element.rule);
   tabulate_at_rule(polygon, basis, correction, element);
 }
 

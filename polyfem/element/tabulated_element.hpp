@@ -15,6 +15,10 @@ struct TabulatedElement : ShapeTable {
   double area = 0;   ///< the sum of the weights
 };
 
+/// The integral over the boundary of N_i n, which is that of grad N_i over the polygon: exact, as N_i is
+/// linear on edges. Half the chord between the neighbours of vertex i, turned right.
+Vec2 boundary_integral(const PointsRef& polygon, Index i);
+
 /// Evaluates the basis at the points of a rule, reusing the element's storage. The basis must be suitable for
 /// the polygon (see `require_suitable`).
 ///
@@ -25,7 +29,7 @@ struct TabulatedElement : ShapeTable {
 void tabulate(const PointsRef& polygon, const PolygonRule& rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element);
 
-/// The same with a triangle rule on each triangle of the polygon's fan.
+/// The same with a triangle rule on each triangle of the polygon, see `make_polygon_rule`.
 void tabulate(const PointsRef& polygon, const TriangleRule& triangle_rule, const Basis& basis,
               GradientCorrection correction, TabulatedElement& element);
 

@@ -1,9 +1,9 @@
 #include <polyfem/core/error.hpp>
+#include <polyfem/quadrature/gauss_rule.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace polyfem {
@@ -50,31 +50,6 @@ std::array<TriangleRule, 5> hammer_rules() {
               .three((6 + s15) / 21, (155 + s15) / 1200)
               .three((6 - s15) / 21, (155 - s15) / 1200)
               .rule()};
-}
-
-struct GaussRule {
-  VectorXd points, weights;  ///< on (0, 1)
-};
-
-/// Roots of the Legendre polynomial P_n by Newton's method from the usual cosine, in extended precision.
-GaussRule gauss_legendre(int n) {
-  GaussRule rule{VectorXd(n), VectorXd(n)};
-  for (int i = 0; i < n; ++i) {
-    long double x = -std::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (n + 0.5L)), slope = 1;
-    for (int iteration = 0; iteration < 8; ++iteration) {
-      long double value = 1, previous = 0;
-      for (int k = 1; k <= n; ++k) {
-        const long double next = ((2 * k - 1) * x * value - (k - 1) * previous) / k;
-        previous = value;
-        value = next;
-      }
-      slope = n * (x * value - previous) / (x * x - 1);
-      x -= value / slope;
-    }
-    rule.points[i] = static_cast<double>((1 + x) / 2);
-    rule.weights[i] = static_cast<double>(1 / ((1 - x * x) * slope * slope));
-  }
-  return rule;
 }
 
 }  // namespace

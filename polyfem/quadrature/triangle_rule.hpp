@@ -16,6 +16,12 @@ struct TriangleRule {
 /// 4 (6), 5 (7). Throws Error for another degree.
 const TriangleRule& hammer_rule(int degree);
 
+/// Fully symmetric rules with positive weights and points inside, in the manner of D. A. Dunavant (1985), of
+/// degree 6 (12 points), 7 (15), 8 (16), 9 (19), 10 (25), 11 (28), 12 (33), 13 (37), 14 (42), 15 (49),
+/// 16 (55), 17 (60), 18 (67), 19 (73) and 20 (79); below, Hammer's, for 3 the one of degree 4. Throws Error
+/// for another degree.
+const TriangleRule& dunavant_rule(int degree);
+
 /// Gauss points across (from the first corner to the opposite side) times along that side, collapsed at the
 /// first corner. For integrands that vary fast towards the side, `grading` p > 1 clusters the points there:
 /// the distance from the corner is s = 1 - (1 - z)^p. Degree: 2 min(across / p, along) - 2, the half rounded

@@ -3,6 +3,8 @@
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/material/linear_elastic.hpp>
+#include <tests/support/concave_polygons.hpp>
+#include <tests/support/direct_mean_value.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
@@ -29,11 +31,12 @@ VectorXd boundary_forces(const Points& polygon, const Vec3& stress) {
 }
 
 /// The largest error of the nodal forces over three independent fields, relative to the largest force.
-double patch_residual(const Points& polygon, const TriangleRule& rule, GradientCorrection correction) {
+double patch_residual(const Points& polygon, const TriangleRule& rule, GradientCorrection correction,
+                      const Basis& basis = wachspress) {
   const Mat3 D = elasticity_matrix(1, 0.3, Plane::strain);
   TabulatedElement element;
   MatrixXd K;
-  tabulate(polygon, rule, wachspress, correction, element);
+  tabulate(polygon, rule, basis, correction, element);
   stiffness(element, D, K);
   Mat2 gradients[3];
   gradients[0] << 1, 0, 0, 0;
@@ -85,6 +88,18 @@ TEST_P(PatchTestWithoutCorrection, FailsWithThePapersRule) {
 TEST_P(PatchTestWithoutCorrection, HoldsAsTheRuleConverges) {
   const Points polygon = support::random_convex_polygon(GetParam(), random_);
   EXPECT_LT(patch_residual(polygon, collapsed_gauss_rule(40, 40, 2), GradientCorrection::off), 1e-8);
+}
+
+/// Four points a triangle, of the fan or of the ears.
+TEST(PatchTestOfConcavePolygons, HoldsToRoundOffWithTheCorrectionAndFailsWithout) {
+  const support::DirectMeanValue mean_value;
+  for (const auto& [name, polygon] : support::concave_polygons()) {
+    const double corrected = patch_residual(polygon, hammer_rule(3), GradientCorrection::on, mean_value);
+    const double raw = patch_residual(polygon, hammer_rule(3), GradientCorrection::off, mean_value);
+    EXPECT_LT(corrected, 1e-12) << name;
+    EXPECT_GT(raw, 1e-3) << name;
+    RecordProperty(name + " raw", testing::PrintToString(raw));
+  }
 }
 
 TEST(PatchTestOfRegularPolygons, HoldsBySymmetryAndIsNoEvidence) {

@@ -67,6 +67,64 @@ TEST(HammerRules, OfDegreeThreeIsThePapersEquation32) {
     for (int l = 0; l < 3; ++l) EXPECT_NEAR(rule.points(l, q), l == q - 1 ? 0.6 : 0.2, 2e-16);
 }
 
+/// The largest relative error over all monomials of this degree, summed in extended precision so that only
+/// the rounding of points and weights is left.
+double relative_monomial_error(const TriangleRule& rule, int degree) {
+  long double worst = 0;
+  for (int a = 0; a <= degree; ++a)
+    for (int b = 0; a + b <= degree; ++b) {
+      const int c = degree - a - b;
+      long double mean = 0;
+      for (Index q = 0; q < rule.weights.size(); ++q) {
+        const long double l1 = rule.points(0, q), l2 = rule.points(1, q);
+        mean += rule.weights[q] * std::pow(l1, a) * std::pow(l2, b) * std::pow(1 - l1 - l2, c);
+      }
+      const long double exact =
+          2 * std::tgamma(a + 1.L) * std::tgamma(b + 1.L) * std::tgamma(c + 1.L) / std::tgamma(degree + 3.L);
+      worst = std::max(worst, std::abs(mean / exact - 1));
+    }
+  return static_cast<double>(worst);
+}
+
+class DunavantRule : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Degree, DunavantRule, testing::Range(1, 21));
+
+TEST_P(DunavantRule, IntegratesItsDegreeAndNoMore) {
+  const TriangleRule& rule = dunavant_rule(GetParam());
+  EXPECT_EQ(rule.degree, GetParam() == 3 ? 4 : GetParam());
+  expect_exactness(rule);
+  // As L1 + L2 + L3 = 1, monomials of this degree span those below.
+  EXPECT_LT(relative_monomial_error(rule, rule.degree), 1.1e-16 * (rule.degree + 4));
+  EXPECT_GT(relative_monomial_error(rule, rule.degree + 1), 1e-7);
+}
+
+TEST_P(DunavantRule, HasPositiveWeightsAndPointsInside) {
+  const TriangleRule& rule = dunavant_rule(GetParam());
+  EXPECT_GT(rule.weights.minCoeff(), 0);
+  EXPECT_GT(rule.points.minCoeff(), 0);
+}
+
+TEST_P(DunavantRule, HasTheSymmetriesOfTheTriangle) {
+  const TriangleRule& rule = dunavant_rule(GetParam());
+  for (Index q = 0; q < rule.weights.size(); ++q) {
+    const Eigen::Vector3d p = rule.points.col(q);
+    for (const Eigen::Vector3d& image :
+         {Eigen::Vector3d(p[1], p[2], p[0]), Eigen::Vector3d(p[1], p[0], p[2])}) {
+      Index twin;
+      EXPECT_LT((rule.points.colwise() - image).colwise().norm().minCoeff(&twin), 1e-15);
+      EXPECT_EQ(rule.weights[twin], rule.weights[q]);
+    }
+  }
+}
+
+TEST(DunavantRules, HaveFewPoints) {
+  const int n_points[] = {1, 3, 6, 6, 7, 12, 15, 16, 19, 25, 28, 33, 37, 42, 49, 55, 60, 67, 73, 79};
+  for (int degree = 1; degree <= 20; ++degree)
+    EXPECT_EQ(dunavant_rule(degree).weights.size(), n_points[degree - 1]);
+  EXPECT_THROW(dunavant_rule(0), Error);
+  EXPECT_THROW(dunavant_rule(21), Error);
+}
+
 struct CollapsedCase {
   int across, along, grading, degree;
 };

@@ -1,0 +1,64 @@
+#include <polyfem/element/element_report.hpp>
+#include <polyfem/element/matrices.hpp>
+#include <polyfem/element/soundness.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace polyfem {
+namespace {
+
+void examine_shape(const PointsRef& polygon, ElementReport& report) {
+  const Index n = polygon.cols();
+  report.least_turn = report.shortest_edge = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < n; ++i) {
+    const Vec2 before = polygon.col(i) - polygon.col((i + n - 1) % n);
+    const Vec2 edge = polygon.col((i + 1) % n) - polygon.col(i);
+    const double turn = cross(before, edge) / (before.norm() * edge.norm());
+    // A corner that turns by more than a right angle is sharp, not straight.
+    if (const double bend = before.dot(edge) > 0 ? std::abs(turn) : 1; bend < report.least_turn) {
+      report.least_turn = bend;
+      report.straightest_corner = static_cast<int>(i);
+    }
+    if (edge.norm() < report.shortest_edge) {
+      report.shortest_edge = edge.norm();
+      report.shortest_edge_index = static_cast<int>(i);
+    }
+  }
+}
+
+}  // namespace
+
+ElementReport examine(const PointsRef& polygon, const Basis& basis, const TabulatedElement& element,
+                      std::string rule) {
+  ElementReport report;
+  report.rule = std::move(rule);
+  report.n_points = static_cast<int>(element.n_points());
+  report.error = estimate_errors(polygon, basis, element);
+  MatrixXd K, M;
+  stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), K);
+  mass(element, M);
+  const Soundness soundness = judge(K, M);
+  report.zero_modes = soundness.zero_modes;
+  report.condition = 1 / soundness.least_stiffness;
+  report.least_mass = soundness.least_mass;
+  report.sound = soundness.sound();
+  examine_shape(polygon, report);
+  report.shortest_edge /= std::sqrt(element.area);
+  return report;
+}
+
+std::string describe(const ElementReport& report) {
+  std::ostringstream text;
+  text.precision(2);
+  text << report.rule << ", " << report.n_points << " points, errors about " << report.error.stiffness
+       << " of K and " << report.error.mass << " of M; " << (report.sound ? "sound" : "not sound") << ": "
+       << report.zero_modes << " zero modes, condition " << report.condition << ", least mass "
+       << report.least_mass << "; corner " << report.straightest_corner << " turns by " << report.least_turn
+       << ", edge " << report.shortest_edge_index << " is " << report.shortest_edge << " long";
+  return text.str();
+}
+
+}  // namespace polyfem
