@@ -1,107 +1,206 @@
+#include <polyfem/basis/edge_area.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <span>
 #include <vector>
 
 namespace polyfem {
 namespace {
 
-constexpr int exponent_step = 300;
-constexpr int exponent_of_zero = -1000000;  // below that of any product of numbers other than zero
-constexpr double tiny = 0x1p-300, huge = 0x1p300;
+/// Vertex i and edge i of the polygon, the same in all lanes.
+template <class Edge>
+struct Corner {
+  Corner(const Vec2& from, const Vec2& to)
+      : edge(from, to), tiny(in_all_lanes(1e-100 * (to - from).squaredNorm())) {}
 
-/// A product of areas and its gradient, both times 2^(exponent_step * exponent).
-struct Product {
-  double value = 1;
-  Vec2 gradient = Vec2::Zero();
-  int exponent = 0;
+  Edge edge;
+  Lanes tiny;              ///< an area that makes no difference but where there is none
+  Lanes b;                 ///< b_i
+  bool nearly_parallel;    ///< whether edges i-1 and i+1 differ by less than 0.1 in direction
+  Lanes c;                 ///< then the cross product of these edges
+  LaneVector base, shift;  ///< and base + shift / c is where their lines meet
 };
 
-/// Areas are at most of order one and their sum is bounded, so products of them can only underflow.
-Product operator*(const Product& f, const Product& g) {
-  Product h{f.value * g.value, f.value * g.gradient + g.value * f.gradient, f.exponent + g.exponent};
-  const double magnitude =
-      std::max(std::abs(h.value), std::max(std::abs(h.gradient.x()), std::abs(h.gradient.y())));
-  if (magnitude == 0) {
-    h.exponent = exponent_of_zero;
-  } else if (magnitude < tiny) {
-    h.value *= huge;
-    h.gradient *= huge;
-    --h.exponent;
+/// What the points of a packet have at vertex i and edge i.
+struct Term {
+  Lanes N;          ///< w_i, then N_i
+  LaneVector step;  ///< r_i+1 - r_i, turned right
+  LaneVector left;  ///< sum_{j < i} N_j (r_i - r_j), turned right
+};
+
+/// Where the packet's results go, vertex by vertex `stride` numbers apart.
+struct Destination {
+  double *values, *dx, *dy;
+  Index stride;
+
+  /// What `tiny` has left of a function where it vanishes becomes an exact zero.
+  void set_value(std::size_t i, const Lanes& N) const {
+    store((N + 1e-40) - 1e-40, values + static_cast<Index>(i) * stride);
   }
-  return h;
+  void set_gradient(std::size_t i, const LaneVector& turned_right) const {
+    store(-turned_right.y, dx + static_cast<Index>(i) * stride);
+    store(turned_right.x, dy + static_cast<Index>(i) * stride);
+  }
+};
+
+/// The point is measured from the end of the edge that turns more, as it is nearer to it.
+template <class Edge>
+void set_meeting_point(const Edge& before, const Edge& edge, const Edge& after, Corner<Edge>& corner) {
+  corner.c = cross(before, after);
+  const LaneVector &in = before.direction(), &out = after.direction();
+  corner.nearly_parallel = corner.c[0] > 0 && corner.c[0] < 0.1 * dot(in, out)[0];
+  if (!corner.nearly_parallel) return;
+  const Lanes turn = cross(before, edge), turn_after = cross(edge, after);
+  const bool more_at_start =
+      turn[0] * turn[0] * dot(out, out)[0] > turn_after[0] * turn_after[0] * dot(in, in)[0];
+  corner.base = more_at_start ? edge.from() : after.from();
+  corner.shift = more_at_start ? turn_after * in : LaneVector{} - turn * out;
 }
 
-/// The power of two that brings the polygon, seen from x, into the square of half width one.
-double unit_scale(const PointsRef& polygon, const Vec2& x) {
-  int exponent = 0;
-  std::frexp((polygon.colwise() - x).cwiseAbs().maxCoeff(), &exponent);
-  return std::ldexp(1., -exponent);
-}
-
-/// a_k and its gradient, the edge turned left: a_k = cross(v_k - x, v_k+1 - x) in units of 1/scale.
-void edge_areas(const PointsRef& polygon, const Vec2& x, double scale, std::vector<Product>& area) {
+template <class Edge>
+const std::vector<Corner<Edge>>& corners_of(const PointsRef& polygon) {
+  thread_local std::vector<Corner<Edge>> corners;
+  corners.clear();
   const Index n = polygon.cols();
-  Vec2 before = polygon.col(n - 1), to_before = scale * (before - x);
+  for (Index i = 0; i < n; ++i) corners.emplace_back(polygon.col(i), polygon.col(i + 1 == n ? 0 : i + 1));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Edge &before = corners[i == 0 ? corners.size() - 1 : i - 1].edge, &edge = corners[i].edge,
+               &after = corners[i + 1 == corners.size() ? 0 : i + 1].edge;
+    corners[i].b = cross(before, edge);
+    if constexpr (Edge::any_shape) set_meeting_point(before, edge, after, corners[i]);
+  }
+  return corners;
+}
+
+/// What the points of a packet have at an edge.
+struct EdgeTerm {
+  Lanes inverse_area;  ///< 1 / a_i
+  LaneVector log;      ///< grad log a_i = grad a_i / a_i turned right, which is the edge / a_i
+
+  template <class Edge>
+  EdgeTerm(const Corner<Edge>& corner, const LaneVector& x)
+      : inverse_area(1 / (corner.edge.area(x) + corner.tiny)), log(inverse_area * corner.edge.direction()) {}
+};
+
+/// r_i+1 - r_i = grad log (a_i-1 / a_i+1), turned right.
+template <class Edge>
+LaneVector step_over_edge(const Corner<Edge>& corner, const LaneVector& x, const EdgeTerm& before,
+                          const EdgeTerm& after) {
+  if constexpr (Edge::any_shape)
+    if (corner.nearly_parallel)
+      return (before.inverse_area * after.inverse_area) * (corner.c * (corner.base - x) + corner.shift);
+  return before.log - after.log;
+}
+
+/// See the header for the formulas.
+template <class Edge>
+void evaluate_packet(std::span<const Corner<Edge>> corners, const LaneVector& x, std::span<Term> terms,
+                     Destination out) {
+  const std::size_t last = corners.size() - 1;
+  const EdgeTerm last_edge(corners[last], x), first_edge(corners[0], x);
+  EdgeTerm before = last_edge, edge = first_edge;
+  Lanes sum = terms[0].N = corners[0].b * (before.inverse_area * edge.inverse_area);
+  for (std::size_t i = 1; i <= last; ++i) {
+    const EdgeTerm after = i == last ? last_edge : EdgeTerm(corners[i], x);
+    terms[i - 1].step = step_over_edge(corners[i - 1], x, before, after);
+    terms[i].N = corners[i].b * (edge.inverse_area * after.inverse_area);
+    sum += terms[i].N;
+    before = edge;
+    edge = after;
+  }
+  terms[last].step = step_over_edge(corners[last], x, before, first_edge);
+
+  const Lanes inverse_sum = 1 / sum;
+  Lanes front{};  // sum of N_j, j < i
+  LaneVector left{};
+  for (std::size_t i = 0; i <= last; ++i) {
+    const Lanes N = terms[i].N * inverse_sum;
+    const LaneVector step = terms[i].step;
+    terms[i].N = N;
+    terms[i].left = left;
+    out.set_value(i, N);
+    front += N;
+    left += front * step;
+  }
+
+  const Lanes N_first = terms[0].N, N_last = terms[last].N;
+  Lanes back = N_last;  // sum of N_j, j > i
+  LaneVector right{}, inner_sum{};
+  for (std::size_t i = last - 1; i > 0; --i) {
+    const Lanes N = terms[i].N;
+    right -= back * terms[i].step;
+    const LaneVector gradient = N * (terms[i].left + right);
+    inner_sum += gradient;
+    back += N;
+    out.set_gradient(i, gradient);
+  }
+  right -= back * terms[0].step;
+
+  // Near the last edge the gradients of its two ends share a large 1 / a, which must not be added to be
+  // subtracted again: then they are found from their sum and from the difference of their logarithms.
+  const auto near_last_edge = N_first + N_last > 0.5;
+  const Lanes part = N_first / (N_first + N_last);
+  const LaneVector exchanged = (part * N_last) * terms[last].step;
+  out.set_gradient(0, select(near_last_edge, exchanged - part * inner_sum, N_first * right));
+  out.set_gradient(last,
+                   select(near_last_edge, (part - 1) * inner_sum - exchanged, N_last * terms[last].left));
+}
+
+void resize(ShapeTable& table, Index n_points, Index n_vertices) {
+  table.values.resize(n_points, n_vertices);
+  table.dx.resize(n_points, n_vertices);
+  table.dy.resize(n_points, n_vertices);
+}
+
+/// Where the results of points q and following go.
+Destination rows_from(Index q, ShapeTable& table) {
+  return {&table.values(q, 0), &table.dx(q, 0), &table.dy(q, 0), table.n_points()};
+}
+
+/// `n_used` points from point q on; further lanes repeat the last of them.
+LaneVector load(const PointsRef& points, Index q, Index n_used) {
+  LaneVector x;
+  for (Index lane = 0; lane < n_lanes; ++lane) {
+    const Index point = q + std::min(lane, n_used - 1);
+    x.x[lane] = points(0, point);
+    x.y[lane] = points(1, point);
+  }
+  return x;
+}
+
+template <class Edge>
+void evaluate_all(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) {
+  const std::span<const Corner<Edge>> corners = corners_of<Edge>(polygon);
+  thread_local std::vector<Term> terms;
+  terms.resize(corners.size());
+  Index q = 0;
+  for (; q + n_lanes <= points.cols(); q += n_lanes)
+    evaluate_packet<Edge>(corners, load(points, q, n_lanes), terms, rows_from(q, table));
+
+  const Index n_left = points.cols() - q;
+  if (n_left == 0) return;
+  thread_local ShapeTable packet;
+  resize(packet, n_lanes, polygon.cols());
+  evaluate_packet<Edge>(corners, load(points, q, n_left), terms, rows_from(0, packet));
+  table.values.bottomRows(n_left) = packet.values.topRows(n_left);
+  table.dx.bottomRows(n_left) = packet.dx.topRows(n_left);
+  table.dy.bottomRows(n_left) = packet.dy.topRows(n_left);
+}
+
+/// Whether at each corner b_i, over the square of the longer edge, is at least 0.05: then plain areas give
+/// the shape functions to 4e-15, and to about 2e-16 over the least such ratio otherwise.
+bool is_well_shaped(const PointsRef& polygon) {
+  const Index n = polygon.cols();
+  Vec2 in = polygon.col(0) - polygon.col(n - 1);
   for (Index i = 0; i < n; ++i) {
-    const Vec2 vertex = polygon.col(i), to_vertex = scale * (vertex - x), edge = scale * (vertex - before);
-    area[static_cast<std::size_t>(i == 0 ? n - 1 : i - 1)] = {cross(to_before, to_vertex),
-                                                              Vec2(-edge.y(), edge.x()), 0};
-    before = vertex;
-    to_before = to_vertex;
+    const Vec2 out = polygon.col(i + 1 == n ? 0 : i + 1) - polygon.col(i);
+    if (!(cross(in, out) >= 0.05 * std::max(in.squaredNorm(), out.squaredNorm()))) return false;
+    in = out;
   }
-}
-
-/// product[i] = prod_{k != i-1, i} a_k = (a_0 .. a_i-2)(a_i+1 .. a_n-1), and a_1 .. a_n-2 for i = 0.
-void products_without_own_edges(const std::vector<Product>& area, std::vector<Product>& product) {
-  const std::size_t n = area.size();
-  product[0] = product[1] = Product{};
-  for (std::size_t i = 2; i < n; ++i) {
-    product[i] = product[i - 1] * area[i - 2];
-    product[0] = product[0] * area[i - 1];
-  }
-  Product behind;
-  for (std::size_t i = n - 1; i > 1; --i) {
-    product[i] = product[i] * behind;
-    behind = behind * area[i];
-  }
-  product[1] = behind;
-}
-
-void evaluate_at(const PointsRef& polygon, const Vec2& x, Index q, ShapeTable& table) {
-  const std::size_t n = static_cast<std::size_t>(polygon.cols());
-  thread_local std::vector<Product> area, product;
-  area.resize(n);
-  product.resize(n);
-
-  const double scale = unit_scale(polygon, x);
-  edge_areas(polygon, x, scale, area);
-  products_without_own_edges(area, product);
-
-  int exponent = exponent_of_zero;  // the one all weights are brought to
-  for (const Product& p : product) exponent = std::max(exponent, p.exponent);
-  double sum = 0;
-  Vec2 sum_gradient = Vec2::Zero();
-  for (std::size_t i = 0; i < n; ++i) {
-    double b =
-        cross(area[i == 0 ? n - 1 : i - 1].gradient, area[i].gradient);  // turned edges: the same cross
-    if (product[i].exponent != exponent) b = std::ldexp(b, exponent_step * (product[i].exponent - exponent));
-    product[i].value *= b;
-    product[i].gradient *= b;
-    sum += product[i].value;
-    sum_gradient += product[i].gradient;
-  }
-  // N_i = w_i / W, grad N_i = (grad w_i - N_i grad W) / W
-  for (std::size_t i = 0; i < n; ++i) {
-    const Index vertex = static_cast<Index>(i);
-    const double N = product[i].value / sum;
-    table.values(q, vertex) = N;
-    table.dx(q, vertex) = (product[i].gradient.x() - N * sum_gradient.x()) * (scale / sum);
-    table.dy(q, vertex) = (product[i].gradient.y() - N * sum_gradient.y()) * (scale / sum);
-  }
+  return true;
 }
 
 }  // namespace
@@ -114,10 +213,11 @@ std::optional<Objection> Wachspress::find_objection(const PointsRef& polygon) co
 
 void Wachspress::evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const {
   assert(polygon.cols() >= 3);
-  table.values.resize(points.cols(), polygon.cols());
-  table.dx.resize(points.cols(), polygon.cols());
-  table.dy.resize(points.cols(), polygon.cols());
-  for (Index q = 0; q < points.cols(); ++q) evaluate_at(polygon, points.col(q), q, table);
+  resize(table, points.cols(), polygon.cols());
+  if (is_well_shaped(polygon))
+    evaluate_all<PlainEdge>(polygon, points, table);
+  else
+    evaluate_all<PreciseEdge>(polygon, points, table);
 }
 
 }  // namespace polyfem

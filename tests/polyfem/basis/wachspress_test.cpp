@@ -1,5 +1,4 @@
 #include <polyfem/basis/wachspress.hpp>
-#include <tests/polyfem/basis/direct_wachspress.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
@@ -64,24 +63,11 @@ double largest(const Points& gradients) {
 
 class Wachspress : public testing::TestWithParam<int> {
  protected:
-  // Measured worst errors grow with n, as the gradient of the sum of weights over the sum does. Relative to
-  // the largest gradient they are 2e-15 (n = 3), 5e-15 (20), 5e-14 (100); of the sum of n gradients
-  // 3e-16, 1.4e-14, 6e-13.
-  double gradient_tolerance() const { return 1e-14 + 1e-15 * GetParam(); }
-  double gradient_sum_tolerance() const { return 5e-15 + 2e-16 * GetParam() * GetParam(); }
+  /// Of the sum of n gradients, each with round-off relative to the largest.
+  double gradient_sum_tolerance() const { return 5e-15 + 4e-16 * GetParam(); }
   ShapeValues shape_;
 };
 INSTANTIATE_TEST_SUITE_P(Vertices, Wachspress, testing::Values(3, 4, 5, 6, 7, 8, 12, 20, 50, 100));
-
-TEST_P(Wachspress, AgreesWithTheDirectProductInExtendedPrecision) {
-  ShapeValues direct;
-  for_each_sample(GetParam(), [&](const Sample& sample) {
-    wachspress(sample.polygon, sample.x, shape_);
-    direct_wachspress(sample.polygon, sample.x, direct);
-    ASSERT_LT((shape_.values - direct.values).cwiseAbs().maxCoeff(), 1e-14);  // measured: 2e-15
-    ASSERT_LT(largest(shape_.gradients - direct.gradients), gradient_tolerance() * largest(direct.gradients));
-  });
-}
 
 TEST_P(Wachspress, ValuesSumToOne) {
   for_each_sample(GetParam(), [&](const Sample& sample) {
@@ -147,7 +133,8 @@ TEST_P(Wachspress, IsOneAtItsVertexAndZeroAtTheOthers) {
   for_each_polygon(GetParam(), [&](const Points& polygon, double) {
     for (Index i = 0; i < GetParam(); ++i) {
       wachspress(polygon, polygon.col(i), shape_);
-      ASSERT_EQ(shape_.values, VectorXd::Unit(GetParam(), i));  // exactly: two areas are exact zeros
+      ASSERT_NEAR(shape_.values[i], 1, epsilon);
+      ASSERT_EQ((shape_.values.array() != 0).count(), 1);
     }
   });
 }
@@ -164,7 +151,7 @@ TEST_P(Wachspress, GradientAtAVertexIsThatOfTheTriangleOfItsCorner) {
       expected.col(after) = Vec2(-in.y(), in.x()) / cross(in, out);
       expected.col(i) = -expected.col(before) - expected.col(after);
       wachspress(polygon, polygon.col(i), shape_);
-      ASSERT_LT(largest(shape_.gradients - expected), gradient_tolerance() * largest(expected));
+      ASSERT_LT(largest(shape_.gradients - expected), 1e-14 * largest(expected));
     }
   });
 }
@@ -208,7 +195,7 @@ TEST_P(Wachspress, FollowsAffineMaps) {
     const double rounding = epsilon * (4 + 1 / smallest_corner(polygon));
     ASSERT_LT((mapped.values - shape_.values).cwiseAbs().maxCoeff(), rounding);
     ASSERT_LT(largest(A.transpose() * mapped.gradients - shape_.gradients),
-              (gradient_tolerance() + rounding) * largest(shape_.gradients));
+              (1e-14 + rounding) * largest(shape_.gradients));
   }
 }
 

@@ -1,0 +1,83 @@
+/// \file Several points side by side, one a lane: the compiler's vectors, as wide as the processor it
+/// compiles for.
+#pragma once
+
+#include <polyfem/core/types.hpp>
+
+#include <cstring>
+
+namespace polyfem {
+
+/// Points handled at once. Two registers of AVX hide each other's latency; of SSE2 they would not fit.
+#ifdef __AVX__
+inline constexpr Index n_lanes = 8;
+#else
+inline constexpr Index n_lanes = 2;
+#endif
+
+/// A number for each of `n_lanes` points. Lanes do not meet: a point's result does not depend on the others.
+using Lanes = double __attribute__((vector_size(n_lanes * sizeof(double))));
+
+/// A vector of the plane for each of `n_lanes` points.
+struct LaneVector {
+  Lanes x, y;
+
+  LaneVector& operator+=(const LaneVector& v) {
+    x += v.x;
+    y += v.y;
+    return *this;
+  }
+  LaneVector& operator-=(const LaneVector& v) {
+    x -= v.x;
+    y -= v.y;
+    return *this;
+  }
+};
+
+/// The same number in all lanes.
+inline Lanes in_all_lanes(double a) {
+  return a - Lanes{};
+}
+
+/// The same vector in all lanes.
+inline LaneVector in_all_lanes(const Vec2& v) {
+  return {in_all_lanes(v.x()), in_all_lanes(v.y())};
+}
+
+/// Writes the lanes to consecutive numbers.
+inline void store(const Lanes& a, double* to) {
+  std::memcpy(to, &a, sizeof a);
+}
+
+/// Sum, lane by lane.
+inline LaneVector operator+(const LaneVector& a, const LaneVector& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+
+/// Difference, lane by lane.
+inline LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+/// Product with a number, lane by lane.
+inline LaneVector operator*(const Lanes& a, const LaneVector& v) {
+  return {a * v.x, a * v.y};
+}
+
+/// z component of the cross product, lane by lane.
+inline Lanes cross(const LaneVector& a, const LaneVector& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Dot product, lane by lane.
+inline Lanes dot(const LaneVector& a, const LaneVector& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// `a` in the lanes of a comparison that hold, `b` in the others.
+template <class Comparison>
+LaneVector select(const Comparison& holds, const LaneVector& a, const LaneVector& b) {
+  return {holds ? a.x : b.x, holds ? a.y : b.y};
+}
+
+}  // namespace polyfem
