@@ -14,7 +14,7 @@
 // linear ones, so cells of half the size must leave a quarter of the error in the mean (L2): rate 2.
 #include <polyfem/assembly/field_problem.hpp>
 #include <polyfem/basis/wachspress.hpp>
-#include <polyfem/element/tabulated_element.hpp>
+#include <polyfem/element/diffusion.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 
@@ -37,8 +37,7 @@ VectorXd solve(const PolygonMesh& mesh) {
   TabulatedElement element;
   problem.assemble([&](int, const PointsRef& cell, MatrixXd& K, VectorXd& f) {
     tabulate(cell, hammer_rule(3), wachspress, GradientCorrection::on, element);
-    const auto weights = element.rule.weights.asDiagonal();
-    K = element.dx.transpose() * weights * element.dx + element.dy.transpose() * weights * element.dy;
+    diffusion(element, Mat2::Identity(), K);
     for (Index q = 0; q < element.n_points(); ++q)
       f += element.rule.weights[q] * source(element.rule.points.col(q)) * element.values.row(q);
   });

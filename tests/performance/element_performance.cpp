@@ -26,20 +26,6 @@ std::vector<Points> convex_polygons(int n) {
   return polygons;
 }
 
-/// The bilinear image of 2 x 2 Gauss points.
-void make_rule(const Points& cell, PolygonRule& rule) {
-  rule.points.resize(2, 4);
-  rule.weights.resize(4);
-  const double g = 0.5 - std::sqrt(1. / 12);
-  for (int q = 0; q < 4; ++q) {
-    const double s = q % 2 ? 1 - g : g, t = q / 2 ? 1 - g : g;
-    const Vec2 by_s = (1 - t) * (cell.col(1) - cell.col(0)) + t * (cell.col(2) - cell.col(3)),
-               by_t = (1 - s) * (cell.col(3) - cell.col(0)) + s * (cell.col(2) - cell.col(1));
-    rule.points.col(q) = cell.col(0) + s * (cell.col(1) - cell.col(0)) + t * by_t;
-    rule.weights[q] = cross(by_s, by_t) / 4;
-  }
-}
-
 /// Runs `task(k)` for the next polygon each time.
 template <typename Task>
 void cycle(benchmark::State& state, std::size_t n_polygons, Task&& task) {
@@ -57,7 +43,7 @@ void QuadrilateralStiffness(benchmark::State& state) {
   TabulatedElement element;
   MatrixXd K;
   cycle(state, quadrilaterals().size(), [&](std::size_t k) {
-    make_rule(quadrilaterals()[k], rule);
+    make_quadrilateral_rule(quadrilaterals()[k], 2, rule);
     tabulate(quadrilaterals()[k], rule, wachspress, GradientCorrection::on, element);
     stiffness(element, D, K);
   });
@@ -66,7 +52,8 @@ BENCHMARK(QuadrilateralStiffness);
 
 void QuadrilateralRule(benchmark::State& state) {
   PolygonRule rule;
-  cycle(state, quadrilaterals().size(), [&](std::size_t k) { make_rule(quadrilaterals()[k], rule); });
+  cycle(state, quadrilaterals().size(),
+        [&](std::size_t k) { make_quadrilateral_rule(quadrilaterals()[k], 2, rule); });
 }
 BENCHMARK(QuadrilateralRule);
 
@@ -77,7 +64,7 @@ std::vector<TabulatedElement> tabulated(int n, int degree) {
   for (const Points& polygon : degree == 0 ? quadrilaterals() : convex_polygons(n)) {
     elements.emplace_back();
     if (degree == 0) {
-      make_rule(polygon, rule);
+      make_quadrilateral_rule(polygon, 2, rule);
       tabulate(polygon, rule, wachspress, GradientCorrection::on, elements.back());
     } else {
       tabulate(polygon, hammer_rule(degree), wachspress, GradientCorrection::on, elements.back());

@@ -63,7 +63,7 @@ const Kind kinds[] = {
      }},
     {"concave", &mean_value,
      [](std::mt19937& random) {
-       const double depth = uniform(0.2, 0.5, random);
+       const double depth = uniform(0.2, 0.8, random);
        return perturbed(chevrons({0, 0}, {1, 1}, a_few(random), a_few(random), depth), random);
      }},
     {"hanging", &mean_value,
