@@ -1,0 +1,15 @@
+/// \file Problems solved by polyfem, as a user would.
+#pragma once
+
+#include <tests/performance/work_precision/measurement.hpp>
+
+namespace work_precision {
+
+/// Stiffness with or without the volumetric strain averaged over each cell.
+enum class PolyfemElement { plain, b_bar };
+
+/// Solves on any mesh; the time of solving is that of a further right hand side.
+Run run_polyfem(const Problem& problem, const polyfem::PolygonMesh& mesh, PolyfemElement element,
+                bool with_errors = true);
+
+}  // namespace work_precision
