@@ -130,12 +130,11 @@ double Cholesky::n_factor_entries() const {
   return factor_->L ? factor_->common.lnz : 0;
 }
 
-std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row,
-                                      std::span<const int> stage) {
-  std::vector<int> order(stage.size());
+std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row) {
+  std::vector<int> order(first.size() - 1);
   if (order.empty()) return order;
   cholmod_sparse pattern{};
-  pattern.nrow = pattern.ncol = stage.size();
+  pattern.nrow = pattern.ncol = order.size();
   pattern.nzmax = row.size();
   pattern.p = const_cast<int*>(first.data());
   pattern.i = const_cast<int*>(row.data());
@@ -147,10 +146,9 @@ std::vector<int> minimum_degree_order(std::span<const int> first, std::span<cons
   cholmod_common common;
   cholmod_start(&common);
   common.print = 0;
-  const bool done =
-      cholmod_camd(&pattern, nullptr, 0, const_cast<int*>(stage.data()), order.data(), &common) != 0;
+  const bool done = cholmod_amd(&pattern, nullptr, 0, order.data(), &common) != 0;
   cholmod_finish(&common);
-  if (!done) throw Error("CHOLMOD could not order a matrix of " + std::to_string(stage.size()) + " rows");
+  if (!done) throw Error("CHOLMOD could not order a matrix of " + std::to_string(order.size()) + " rows");
   return order;
 }
 

@@ -47,14 +47,11 @@ class Cholesky {
   int n_analyses_ = 0, n_factorizations_ = 0, n_solves_ = 0;
 };
 
-/// An order in which to eliminate the rows of a symmetric pattern so that few entries arise: stage by stage,
-/// and within a stage by approximate minimum degree.
+/// An order in which to eliminate the rows of a symmetric pattern so that few entries arise, by approximate
+/// minimum degree (AMD).
 ///
-/// \param[in] first, row  the lower triangle with its diagonal: rows row[first[c]] .. row[first[c + 1] - 1]
-/// of
-///                        column c, ascending
-/// \param[in] stage       of each row, 0 or more and less than the number of rows
-std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row,
-                                      std::span<const int> stage);
+/// \param[in] first, row  the lower triangle with its diagonal: column c has the rows row[first[c]] ..
+///                        row[first[c + 1] - 1], ascending
+std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row);
 
 }  // namespace polyfem

@@ -1,7 +1,6 @@
 #include <polyfem/assembly/field_problem.hpp>
 
 #include <polyfem/assembly/free_motion.hpp>
-#include <polyfem/assembly/nested_dissection.hpp>
 #include <polyfem/core/error.hpp>
 
 #include <algorithm>
@@ -156,8 +155,7 @@ void FieldProblem::factorize() {
   if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), held_))
     throw Error(words(*motion, *mesh_));
   if (cholesky_.n_analyses() == 0) {
-    const std::vector<int> order =
-        minimum_degree_order(matrix_.first_neighbours(), matrix_.neighbours(), nested_dissection(*mesh_));
+    const std::vector<int> order = minimum_degree_order(matrix_.first_neighbours(), matrix_.neighbours());
     cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));
   }
   factorized_ = cholesky_.factorize(matrix_.lower());

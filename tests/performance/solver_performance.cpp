@@ -8,7 +8,6 @@
 
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/assembly/field_problem.hpp>
-#include <polyfem/assembly/nested_dissection.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/tabulated_element.hpp>
@@ -77,8 +76,7 @@ Times measure(const PolygonMesh& mesh, double& n_entries) {
     for (Index k = 0; k < matrix.lower().rows(); ++k) matrix.lower().coeffRef(k, k) += 1e3;
     std::vector<int> order;
     laps.lap();
-    for (const int v :
-         minimum_degree_order(matrix.first_neighbours(), matrix.neighbours(), nested_dissection(mesh)))
+    for (const int v : minimum_degree_order(matrix.first_neighbours(), matrix.neighbours()))
       order.insert(order.end(), {2 * v, 2 * v + 1});
     times[4] = laps.lap();
     Cholesky cholesky;

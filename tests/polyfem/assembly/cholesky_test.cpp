@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
+#include <span>
 #include <vector>
 
 using namespace polyfem;
@@ -110,6 +112,20 @@ TEST_P(CholeskyOfGrid, TakesAnOrderAndGoesBackToItsOwn) {
   ASSERT_TRUE(cholesky.factorize(K));
   cholesky.solve(b, own_again);
   EXPECT_EQ(own, own_again);
+}
+
+TEST_P(CholeskyOfGrid, HasAsFewEntriesInOrderOfMinimumDegreeAsInItsOwn) {
+  const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
+  const auto n = static_cast<std::size_t>(K.rows()), n_entries = static_cast<std::size_t>(K.nonZeros());
+  std::vector<int> order =
+      minimum_degree_order(std::span(K.outerIndexPtr(), n + 1), std::span(K.innerIndexPtr(), n_entries));
+  Cholesky own, ordered;
+  own.analyze(K);
+  ordered.analyze(K, order);
+  EXPECT_LE(ordered.n_factor_entries(), 1.01 * own.n_factor_entries());
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_TRUE(std::is_permutation(order.begin(), order.end(), all.begin(), all.end()));
 }
 
 TEST_P(CholeskyOfGrid, GivesTheSameBytesEachTime) {
