@@ -15,6 +15,7 @@
 #include <polyfem/assembly/field_problem.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/diffusion.hpp>
+#include <polyfem/element/error_norms.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 
@@ -52,9 +53,7 @@ double error(const PolygonMesh& mesh, const VectorXd& u) {
   for (int c = 0; c < mesh.n_cells(); ++c) {
     tabulate(mesh.outline(c), hammer_rule(5), wachspress, GradientCorrection::on, element);
     const VectorXd of_cell = u(std::vector<int>(mesh.cell(c).begin(), mesh.cell(c).end()));
-    for (Index q = 0; q < element.n_points(); ++q)
-      square += element.rule.weights[q] *
-                std::pow(element.values.row(q).dot(of_cell) - exact(element.rule.points.col(q)), 2);
+    square += squared_error(element, of_cell, exact);
   }
   return std::sqrt(square);
 }

@@ -53,7 +53,7 @@ double squared_gradient_error(const TabulatedElement& element, const Mat2& condu
 }
 
 /// Integral of (eps_h - eps) . D (eps_h - eps) for strains at the integration points (3 x q), those of
-/// `strains` or of `b_bar_strains`; twice the energy of the error. `exact` returns (eps_xx, eps_yy,
+/// `strains`; twice the energy of the error. `exact` returns (eps_xx, eps_yy,
 /// gamma_xy).
 template <typename Exact>
 double squared_energy_error(const TabulatedElement& element, const Mat3& elasticity, const TensorsRef& strain,
