@@ -94,8 +94,8 @@ void write_vtu(const PolygonMesh& mesh, const VectorXd& u) {
   file.write("cantilever_polygons.vtu");
 }
 
-/// A picture of sigma_xx as the shape functions have it inside each cell, on the deformed beam: for the
-/// pictures of ddacontact every cell is a block.
+/// A picture of sigma_xx as the shape functions have it inside each cell: for the pictures of ddacontact
+/// every cell is a block.
 void draw_stress(const PolygonMesh& mesh, const VectorXd& u) {
   ddacontact::Frame frame;
   frame.material_names = {"beam"};
@@ -107,7 +107,7 @@ void draw_stress(const PolygonMesh& mesh, const VectorXd& u) {
     const int first = mesh.offsets[c], count = mesh.offsets[c + 1] - first;
     frame.blocks.push_back({first, count});
     frame.strain_displacement.middleCols(first, count) = of_cell(mesh, c, u);
-    frame.position.middleCols(first, count) = mesh.outline(c) + of_cell(mesh, c, u);
+    frame.position.middleCols(first, count) = mesh.outline(c);
   }
   const ddacontact::Panel panel{.frame = &frame, .field = ddacontact::Field::sxx};
   std::ofstream("cantilever_polygons.svg") << ddacontact::draw({panel}, {.title = "Cantilever, 200 cells"});
