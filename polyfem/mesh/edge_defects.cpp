@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -36,17 +36,30 @@ UnpairedEdges unpaired_edges(const std::vector<CellEdge>& edges, int n_vertices)
   return result;
 }
 
+std::string description(const EdgeOverlap& overlap, const PolygonMesh& mesh) {
+  const CellEdge& edge = overlap.edge;
+  return "cells " + std::to_string(edge.cell) + " and " + std::to_string(overlap.other_cell) +
+         " lie on the same side of the edge from " + mesh.vertex_name(edge.from) + " to " +
+         mesh.vertex_name(edge.to) + ": they overlap; correct the vertices of one";
+}
+
 namespace {
 
 constexpr double same_place = 1e-9;  // of an edge's length
 
-/// Vertices in columns of a given width, in each from the bottom.
+/// Vertices in columns as wide as edges are long, in each from the bottom.
 class VertexColumns {
  public:
   VertexColumns(const Points& vertices, const std::vector<CellEdge>& edges) {
-    double length = 0;
-    for (const CellEdge& edge : edges) length += (vertices.col(edge.to) - vertices.col(edge.from)).norm();
-    width_ = length / static_cast<double>(edges.size());
+    double length = 0, right = vertices(0, edges[0].from);
+    left_ = right;
+    for (const CellEdge& edge : edges) {
+      length += (vertices.col(edge.to) - vertices.col(edge.from)).norm();
+      left_ = std::min({left_, vertices(0, edge.from), vertices(0, edge.to)});
+      right = std::max({right, vertices(0, edge.from), vertices(0, edge.to)});
+    }
+    width_ = std::max({length / static_cast<double>(edges.size()), (right - left_) / most_columns,
+                       std::numeric_limits<double>::min()});
     for (const CellEdge& edge : edges)
       for (const int v : {edge.from, edge.to})
         places_.push_back({column_of(vertices(0, v)), vertices(1, v), v});
@@ -63,7 +76,7 @@ class VertexColumns {
     for (double column = column_of(left.x() - distance); column <= last; ++column) {
       double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
       if (std::abs(slope) < 1) {  // else the segment is in no more than a few columns for its height
-        const double from = left.y() + slope * (column * width_ - left.x());
+        const double from = left.y() + slope * (left_ + column * width_ - left.x());
         const double to = from + slope * width_;
         low = std::max(low, std::min(from, to) - width_ / 4);
         high = std::min(high, std::max(from, to) + width_ / 4);
@@ -80,24 +93,28 @@ class VertexColumns {
     int vertex;
     auto operator<=>(const Place&) const = default;
   };
-  double column_of(double x) const { return std::floor(x / width_); }
+  /// 0 also where lengths are too large for a number.
+  double column_of(double x) const { return std::floor(std::max(0., (x - left_) / width_)); }
 
-  double width_;
+  static constexpr double most_columns = 0x1p40;  // can be counted in double, with room for round-off
+  double left_, width_;
   std::vector<Place> places_;
 };
 
 }  // namespace
 
-std::vector<TouchingVertex> touching_vertices(const Points& vertices, const std::vector<CellEdge>& edges) {
+std::vector<TouchingVertex> touching_vertices(const Points& vertices, const std::vector<CellEdge>& edges,
+                                              const VectorXd& size) {
   std::vector<TouchingVertex> touching;
   if (edges.empty()) return touching;
   const VertexColumns columns(vertices, edges);
   for (const CellEdge& edge : edges) {
     const Vec2 a = vertices.col(edge.from), b = vertices.col(edge.to), along = b - a;
-    const double tolerance = same_place * along.norm();
-    columns.visit_near(a, b, tolerance, [&](int v) {
+    const double length = along.norm();
+    columns.visit_near(a, b, same_place * length, [&](int v) {
       if (v == edge.from || v == edge.to) return;
       const Vec2 x = vertices.col(v);
+      const double tolerance = same_place * std::min(length, size[v]);
       const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0., 1.);
       if (!((x - a - t * along).norm() <= tolerance)) return;
       const int end = (x - a).norm() <= tolerance ? edge.from : (x - b).norm() <= tolerance ? edge.to : -1;

@@ -28,6 +28,9 @@ struct UnpairedEdges {
 /// Sorts edges out by counting: takes time in proportion to their number.
 UnpairedEdges unpaired_edges(const std::vector<CellEdge>& edges, int n_vertices);
 
+/// The two cells, their edge, and what to do, in a sentence.
+std::string description(const EdgeOverlap& overlap, const PolygonMesh& mesh);
+
 /// A vertex in an edge that does not have it: inside the edge, or at the place of one of its ends.
 struct TouchingVertex {
   int vertex;
@@ -35,7 +38,9 @@ struct TouchingVertex {
   int end;  ///< the end at whose place it is, or -1: inside
 };
 
-/// Ends of the given edges which are in another of them, within 1e-9 of its length.
-std::vector<TouchingVertex> touching_vertices(const Points& vertices, const std::vector<CellEdge>& edges);
+/// Ends of the given edges which are in another of them, within 1e-9 of its length and of `size`, the length
+/// of the shortest edge at each vertex: vertices of a small cell are not at the same place.
+std::vector<TouchingVertex> touching_vertices(const Points& vertices, const std::vector<CellEdge>& edges,
+                                              const VectorXd& size);
 
 }  // namespace polyfem

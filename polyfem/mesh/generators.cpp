@@ -2,13 +2,28 @@
 
 #include <polyfem/core/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 namespace polyfem {
 namespace {
 
-constexpr double most_cells = 1e8;  // so that vertices can be numbered by int
+constexpr double most_cells = 1e8;    // so that vertices can be numbered by int
+constexpr double least_step = 1e-12;  // of coordinates
+
+/// Throws unless 1/n of an interval is a number, and one that coordinates tell apart.
+void require_step(double low, double high, double n) {
+  const double step = (high - low) / n;
+  if (!std::isfinite(step) || !(step > least_step * std::max(std::abs(low), std::abs(high)))) {
+    std::ostringstream text;
+    text << "from " << low << " to " << high << " in " << n
+         << " steps: they are too small, or the whole too large, for numbers of 16 digits; take fewer cells, "
+            "or move the rectangle to the origin";
+    throw Error(text.str());
+  }
+}
 
 void require_rectangle(const Vec2& low, const Vec2& high, int n_x, int n_y, int least_n_x = 1) {
   if (n_x < least_n_x || n_y < 1 || 1. * n_x * n_y > most_cells)
@@ -18,6 +33,8 @@ void require_rectangle(const Vec2& low, const Vec2& high, int n_x, int n_y, int 
     throw Error(
         "the rectangle to be divided has no area: its second corner must lie above and to the right of "
         "its first");
+  require_step(low.x(), high.x(), n_x);
+  require_step(low.y(), high.y(), n_y);
 }
 
 /// The k-th of n equal steps, its ends exact.
@@ -138,6 +155,7 @@ PolygonMesh rectangles_of_two_sizes(const Vec2& low, const Vec2& high, int n_x, 
 PolygonMesh chevrons(const Vec2& low, const Vec2& high, int n_x, int n_y, double depth) {
   require_rectangle(low, high, n_x, n_y, 2);
   if (!(depth > 0 && depth < 1)) throw Error("the depth of chevrons must lie between 0 and 1");
+  require_step(low.x(), high.x(), n_x / (1 - depth));  // what is left of a cell
   GridVertices grid(low, high, n_x, 2 * n_y);
   std::vector<int> corners;
   for (int j = 0; j < 2 * n_y; j += 2)

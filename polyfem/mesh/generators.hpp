@@ -2,8 +2,9 @@
 ///
 /// All fill the rectangle from corner `low` to corner `high` with n_x cells across and n_y upwards (more or
 /// less where it says so), rows from the bottom, cells in a row from the left. Its corners are vertices to
-/// the bit, and coordinates on its sides are exact. They throw Error for numbers below those named or a
-/// rectangle without area. For irregular cells see `voronoi`, for other shapes `mapped`.
+/// the bit, and coordinates on its sides are exact. They throw Error for numbers below those named, for a
+/// rectangle without area, and for cells below 1e-12 of the coordinates. For irregular cells see `voronoi`,
+/// for other shapes `mapped`.
 #pragma once
 
 #include <polyfem/mesh/polygon_mesh.hpp>

@@ -3,9 +3,10 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
-#include <polyfem/mesh/edge_defects.hpp>
+#include <polyfem/mesh/outline_overlap.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -52,17 +53,10 @@ class Inspection {
     (text << ... << words);
     defects.push_back({flaw, cell, vertex, text.str()});
   }
-  /// "vertex 5 at (1, 2)"
-  std::string named(int v) const {
-    std::ostringstream text;
-    text << "vertex " << v << " at (" << mesh_.vertices(0, v) << ", " << mesh_.vertices(1, v) << ")";
-    return text.str();
-  }
+  std::string named(int v) const { return mesh_.vertex_name(v); }
 
   bool offsets_fit() {
-    const bool fit = !mesh_.offsets.empty() && mesh_.offsets.front() == 0 &&
-                     std::is_sorted(mesh_.offsets.begin(), mesh_.offsets.end()) &&
-                     static_cast<std::size_t>(mesh_.offsets.back()) == mesh_.indices.size();
+    const bool fit = mesh_.offsets_fit();
     if (!fit)
       report(MeshFlaw::offsets, -1, -1,
              "the offsets of the cells must rise from 0 to the number of indices, ", mesh_.indices.size(),
@@ -139,20 +133,44 @@ class Inspection {
 
   void inspect_edges() {
     const UnpairedEdges unpaired = unpaired_edges(edges_, static_cast<int>(mesh_.vertices.cols()));
-    for (const auto& [edge, other_cell] : unpaired.overlaps)
-      report(MeshFlaw::overlap, edge.cell, edge.from, "cells ", edge.cell, " and ", other_cell,
-             " lie on the same side of the edge from ", named(edge.from), " to ", named(edge.to),
-             ": they overlap; correct the vertices of one");
+    for (const EdgeOverlap& overlap : unpaired.overlaps)
+      report(MeshFlaw::overlap, overlap.edge.cell, overlap.edge.from, description(overlap, mesh_));
+    bool fits = unpaired.overlaps.empty();
     std::set<std::pair<int, int>> cracks;
-    for (const auto& [vertex, edge, end] : touching_vertices(mesh_.vertices, unpaired.single))
+    for (const auto& [vertex, edge, end] : touching_vertices(mesh_.vertices, unpaired.single, sizes())) {
+      const std::span<const int> corners = mesh_.cell(edge.cell);
+      if (end < 0 && std::find(corners.begin(), corners.end(), vertex) != corners.end())
+        continue;  // of a thin cell, known to be simple
+      fits = false;
       if (end < 0)
         report(MeshFlaw::hanging_vertex, edge.cell, vertex, named(vertex), " lies inside the edge from ",
                named(edge.from), " to ", named(edge.to), " of cell ", edge.cell,
                ": insert it there between them");
       else if (cracks.insert(std::minmax(vertex, end)).second)
-        report(MeshFlaw::crack, edge.cell, std::max(vertex, end), "vertices ", std::min(vertex, end), " and ",
+        report(MeshFlaw::crack, edge.cell, std::max(vertex, end), "vertex ", std::min(vertex, end), " and ",
                named(std::max(vertex, end)), " (cell ", edge.cell,
                ") are at the same place: make them one, or cells part there");
+    }
+    if (fits) inspect_outlines(unpaired.single);
+  }
+
+  /// The length of the shortest edge at each vertex.
+  VectorXd sizes() const {
+    VectorXd size = VectorXd::Constant(mesh_.vertices.cols(), std::numeric_limits<double>::infinity());
+    for (const CellEdge& edge : edges_) {
+      const double length = (mesh_.vertices.col(edge.to) - mesh_.vertices.col(edge.from)).norm();
+      for (const int v : {edge.from, edge.to}) size[v] = std::min(size[v], length);
+    }
+    return size;
+  }
+
+  void inspect_outlines(const std::vector<CellEdge>& outlines) {
+    if (const auto overlap = find_overlap(mesh_.vertices, outlines)) {
+      const auto& [a, b] = *overlap;
+      report(MeshFlaw::overlap, b.cell, b.from, "cells lie on each other between the edge from ",
+             named(b.from), " to ", named(b.to), " of cell ", b.cell, " and that from ", named(a.from),
+             " to ", named(a.to), " of cell ", a.cell, ": move one of the parts away, or cut it");
+    }
   }
 
   void look_for_unused_vertices() {

@@ -18,7 +18,7 @@ enum class MeshFlaw {
   no_area,             ///< all vertices of a cell on a line
   clockwise,           ///< a cell
   self_intersection,   ///< of a cell's outline
-  overlap,         ///< two cells run along an edge in the same direction, so they are on the same side of it
+  overlap,         ///< of cells: they are on the same side of an edge, or their outlines lie on each other
   hanging_vertex,  ///< inside an edge of a cell that does not have it
   crack,           ///< two vertices at the same place
   unused_vertex    ///< in no cell
@@ -33,10 +33,11 @@ struct MeshDefect {
 };
 
 /// All defects of a mesh, by kinds in the order of MeshFlaw; none means that cells are simple polygons which
-/// meet along whole edges only. That cells do not lie on each other is seen where they share an edge.
+/// meet along whole edges only and do not overlap. Outlines that lie on each other without a common edge or a
+/// touching vertex are looked for when there is no other misfit of edges, and the first place is named.
 ///
-/// Places are the same within 1e-9 of the edge's length. Takes time in proportion to the mesh's size, but for
-/// sorting what lies on the boundary.
+/// Places are the same within 1e-9 of the shortest edge there. Takes time in proportion to the mesh's size,
+/// but for sorting what lies on the boundary.
 std::vector<MeshDefect> find_defects(const PolygonMesh& mesh);
 
 /// Throws Error with the defects of the mesh, if it has any: the first ten of them, and how many there are.

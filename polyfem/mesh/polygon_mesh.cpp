@@ -1,9 +1,10 @@
 #include <polyfem/mesh/polygon_mesh.hpp>
 
 #include <polyfem/core/error.hpp>
+#include <polyfem/mesh/edge_defects.hpp>
 
 #include <algorithm>
-#include <cstdint>
+#include <sstream>
 
 namespace polyfem {
 
@@ -24,42 +25,43 @@ void PolygonMesh::add_cell(std::span<const int> corners) {
   offsets.push_back(static_cast<int>(indices.size()));
 }
 
-namespace {
-
-/// An edge as a number: its lower vertex, its upper one, and whether it runs down. The two directions of an
-/// edge become neighbours in a sorted list.
-std::uint64_t edge_key(int from, int to) {
-  const auto [low, high] = std::minmax(from, to);
-  return static_cast<std::uint64_t>(low) << 33 | static_cast<std::uint64_t>(high) << 1 |
-         (from > to ? 1u : 0u);
+bool PolygonMesh::offsets_fit() const {
+  return !offsets.empty() && offsets.front() == 0 && std::is_sorted(offsets.begin(), offsets.end()) &&
+         static_cast<std::size_t>(offsets.back()) == indices.size();
 }
 
-std::array<int, 2> edge_of(std::uint64_t key) {
-  const int low = static_cast<int>(key >> 33), high = static_cast<int>(key >> 1 & 0xffffffffu);
-  return key & 1 ? std::array{high, low} : std::array{low, high};
+std::string PolygonMesh::vertex_name(int v) const {
+  std::ostringstream text;
+  text << "vertex " << v << " at (" << vertices(0, v) << ", " << vertices(1, v) << ")";
+  return text.str();
 }
 
-}  // namespace
+void require_numbering(const PolygonMesh& mesh) {
+  if (!mesh.offsets_fit())
+    throw Error("the offsets of a mesh's cells must rise from 0 to the number of indices, " +
+                std::to_string(mesh.indices.size()) + ": add cells by add_cell");
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    for (const int v : mesh.cell(c))
+      if (v < 0 || v >= mesh.vertices.cols())
+        throw Error("cell " + std::to_string(c) + " has a vertex " + std::to_string(v) +
+                    ", but vertices are numbered 0 to " + std::to_string(mesh.vertices.cols() - 1) +
+                    ": correct the number, or add the vertex");
+}
 
 std::vector<std::array<int, 2>> boundary_edges(const PolygonMesh& mesh) {
-  std::vector<std::uint64_t> keys;
-  keys.reserve(mesh.indices.size());
+  require_numbering(mesh);
+  std::vector<CellEdge> edges;
+  edges.reserve(mesh.indices.size());
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const std::span<const int> corners = mesh.cell(c);
     for (std::size_t k = 0; k < corners.size(); ++k)
-      keys.push_back(edge_key(corners[k], corners[k + 1 < corners.size() ? k + 1 : 0]));
+      edges.push_back({corners[k], corners[k + 1 < corners.size() ? k + 1 : 0], c});
   }
-  std::sort(keys.begin(), keys.end());
-  if (std::adjacent_find(keys.begin(), keys.end()) != keys.end())
-    throw Error("two cells of a mesh run along the same edge in the same direction");
-  std::vector<std::array<int, 2>> edges;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (i + 1 < keys.size() && keys[i + 1] == (keys[i] | 1) && keys[i] != keys[i + 1])
-      ++i;
-    else
-      edges.push_back(edge_of(keys[i]));
-  }
-  return edges;
+  const UnpairedEdges unpaired = unpaired_edges(edges, static_cast<int>(mesh.vertices.cols()));
+  if (!unpaired.overlaps.empty()) throw Error(description(unpaired.overlaps.front(), mesh));
+  std::vector<std::array<int, 2>> boundary;
+  for (const CellEdge& edge : unpaired.single) boundary.push_back({edge.from, edge.to});
+  return boundary;
 }
 
 }  // namespace polyfem

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace polyfem {
@@ -21,10 +22,18 @@ struct PolygonMesh {
   /// The polygon of a cell, counter-clockwise.
   Points outline(int c) const;
   void add_cell(std::span<const int> corners);
+  /// Whether the offsets rise from 0 to the number of indices, so that they divide these into cells.
+  bool offsets_fit() const;
+  /// "vertex 5 at (1, 2)", for messages.
+  std::string vertex_name(int v) const;
 };
 
+/// Throws Error when the offsets do not divide the indices into cells, or an index is out of range.
+void require_numbering(const PolygonMesh& mesh);
+
 /// The edges that belong to one cell only, as (first, second) vertex in that cell's direction. Throws Error
-/// when two cells run along an edge in the same direction, as cells that overlap do.
+/// when two cells run along an edge in the same direction, as cells that overlap do, and for what
+/// `require_numbering` refuses.
 std::vector<std::array<int, 2>> boundary_edges(const PolygonMesh& mesh);
 
 }  // namespace polyfem

@@ -2,6 +2,7 @@
 #include <polyfem/mesh/vertex_averages.hpp>
 
 #include <cassert>
+#include <cmath>
 
 namespace polyfem {
 
@@ -10,7 +11,7 @@ MatrixXd vertex_averages(const PolygonMesh& mesh, const Eigen::Ref<const MatrixX
   MatrixXd average = MatrixXd::Zero(at_corners.rows(), mesh.vertices.cols());
   VectorXd area_around = VectorXd::Zero(mesh.vertices.cols());
   for (int c = 0; c < mesh.n_cells(); ++c) {
-    const double area = signed_area(mesh.outline(c));
+    const double area = std::abs(signed_area(mesh.outline(c)));
     for (int k = mesh.offsets[c]; k < mesh.offsets[c + 1]; ++k) {
       average.col(mesh.indices[k]) += area * at_corners.col(k);
       area_around[mesh.indices[k]] += area;

@@ -5,6 +5,7 @@
 #include <polyfem/geometry/validity.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 #include <polyfem/mesh/mesh_defects.hpp>
+#include <polyfem/mesh/vertex_cells.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -25,15 +26,7 @@ bool is_sound(const PointsRef& polygon, bool convex) {
   return convex ? is_convex(polygon) : !find_defect(polygon) && signed_area(polygon) > 0;
 }
 
-/// The cells at each vertex.
-std::vector<std::vector<int>> cells_of_vertices(const PolygonMesh& mesh) {
-  std::vector<std::vector<int>> cells(static_cast<std::size_t>(mesh.vertices.cols()));
-  for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int v : mesh.cell(c)) cells[v].push_back(c);
-  return cells;
-}
-
-double shortest_edge(const PolygonMesh& mesh, int vertex, const std::vector<int>& cells) {
+double shortest_edge(const PolygonMesh& mesh, int vertex, std::span<const int> cells) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const int c : cells) {
     const std::span<const int> corners = mesh.cell(c);
@@ -50,15 +43,16 @@ double shortest_edge(const PolygonMesh& mesh, int vertex, const std::vector<int>
 
 void perturb_inner_vertices(PolygonMesh& mesh, double amount, std::uint64_t seed) {
   if (!(amount >= 0 && amount <= 1)) throw Error("inner vertices are moved by 0 to 1 of their shortest edge");
-  const std::vector<std::vector<int>> cells = cells_of_vertices(mesh);
-  std::vector<char> is_fixed(cells.size(), 0), was_convex(static_cast<std::size_t>(mesh.n_cells()));
+  std::vector<char> is_fixed(static_cast<std::size_t>(mesh.vertices.cols()), 0),
+      was_convex(static_cast<std::size_t>(mesh.n_cells()));
   for (const int v : boundary_vertices(mesh)) is_fixed[v] = 1;
+  const VertexCells cells(mesh);
   for (int c = 0; c < mesh.n_cells(); ++c) was_convex[c] = is_convex(mesh.outline(c));
   std::mt19937_64 random(seed);
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };  // in [-1, 1)
 
-  for (int v = 0; v < static_cast<int>(cells.size()); ++v) {
-    if (is_fixed[v]) continue;
+  for (int v = 0; v < static_cast<int>(is_fixed.size()); ++v) {
+    if (is_fixed[v] || cells[v].empty()) continue;
     const Vec2 place = mesh.vertices.col(v);
     const double reach = amount * shortest_edge(mesh, v, cells[v]) / std::numbers::sqrt2;
     const double x = uniform(), y = uniform();

@@ -149,4 +149,13 @@ TEST(MeshBoundary, IsSelectedByPlace) {
   EXPECT_EQ(boundary_edges(mesh, at_two_sides).size(), 7u);
 }
 
+TEST(Generators, RefuseCellsThatNumbersCannotTellApart) {
+  EXPECT_THROW(rectangles({1, 0}, {1 + 1e-15, 1}, 10, 1), Error);
+  EXPECT_THROW(rectangles({0, 1e6}, {1, 1e6 + 1e-8}, 1, 1), Error);
+  EXPECT_THROW(rectangles({-1e308, 0}, {1e308, 1}, 2, 1), Error);
+  EXPECT_THROW(chevrons({0, 0}, {1, 1}, 3, 2, 1 - 1.2e-16), Error);
+  EXPECT_TRUE(find_defects(rectangles({1, 0}, {1 + 1e-10, 1}, 10, 1)).empty());
+  EXPECT_TRUE(find_defects(chevrons({0, 0}, {1, 1}, 3, 2, 1 - 1e-6)).empty());
+}
+
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <ostream>
@@ -139,7 +140,7 @@ const Spoilt spoilt_meshes[] = {
      MeshFlaw::crack,
      -1,
      12,
-     {"vertices 9 and vertex 12 at (1, 2)", "same place", "make them one"}},
+     {"vertex 9 and vertex 12 at (1, 2)", "same place", "make them one"}},
     {"unused",
      [](PolygonMesh& m) {
        add_vertex(m, {0.3, 0.4});
@@ -239,6 +240,88 @@ TEST(FindDefects, FindsHangingVerticesInEdgesOfAnyDirectionAndLength) {
       EXPECT_EQ(defect.cell, 100);
     }
   }
+}
+
+/// A mesh of the polygons given, without common vertices.
+PolygonMesh mesh_of(const std::vector<std::vector<Vec2>>& polygons) {
+  PolygonMesh mesh;
+  for (const std::vector<Vec2>& polygon : polygons) {
+    std::vector<int> corners;
+    for (const Vec2& x : polygon) corners.push_back(add_vertex(mesh, x));
+    mesh.add_cell(corners);
+  }
+  return mesh;
+}
+
+std::vector<Vec2> square(const Vec2& low, double side) {
+  return {low, low + Vec2(side, 0), low + Vec2(side, side), low + Vec2(0, side)};
+}
+
+TEST(FindDefects, FindsCellsThatLieOnEachOtherUnconnected) {
+  const std::vector<std::vector<std::vector<Vec2>>> overlapping = {
+      {square({0, 0}, 1), square({0.5, 0.5}, 1)},    // by a quarter
+      {square({0, 0}, 1), square({0.2, 0.3}, 0.4)},  // one in the other
+      {square({0.2, 0.3}, 0.4), square({0, 0}, 1)},
+      {square({0, 0}, 1), {{-1, 0.4}, {2, 0.4}, {2, 0.6}, {-1, 0.6}}},  // like a cross
+      {square({0, 0}, 1), {{0.5, -1}, {2, 0.5}, {0.5, 2}, {-1, 0.5}}},  // turned, around the other
+      {square({5, 5}, 1), square({0, 0}, 1), square({9, 0}, 1), {{0.9, 0.9}, {3, 2}, {2, 3}}}};
+  for (const auto& polygons : overlapping)
+    for (const double angle : {0., 0.7, 2., 4.}) {
+      PolygonMesh mesh = mesh_of(polygons);
+      Mat2 turn;
+      turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+      mesh.vertices = (turn * mesh.vertices).eval();
+      const std::vector<MeshDefect> defects = find_defects(mesh);
+      ASSERT_EQ(defects.size(), 1u);
+      EXPECT_EQ(defects[0].flaw, MeshFlaw::overlap);
+      EXPECT_NE(defects[0].text.find("lie on each other"), std::string::npos);
+    }
+}
+
+TEST(FindDefects, FindsAMeshThatWindsOverItself) {
+  PolygonMesh mesh;  // a spiral of one and a half turns whose radius hardly grows
+  for (int k = 0; k <= 12; ++k) {
+    const Vec2 direction(std::cos(0.8 * k), std::sin(0.8 * k));
+    add_vertex(mesh, (1 + 0.01 * k) * direction);
+    add_vertex(mesh, (2 + 0.01 * k) * direction);
+    if (k > 0) mesh.add_cell(std::vector{2 * k - 2, 2 * k - 1, 2 * k + 1, 2 * k});
+  }
+  const std::vector<MeshDefect> defects = find_defects(mesh);
+  ASSERT_EQ(defects.size(), 1u);
+  EXPECT_EQ(defects[0].flaw, MeshFlaw::overlap);
+}
+
+TEST(FindDefects, TakesPartsSideBySideInHolesAndWithACommonVertex) {
+  PolygonMesh ring = rectangles({0, 0}, {3, 3}, 3, 3);  // without its middle, where a smaller square lies
+  ring.indices.erase(ring.indices.begin() + 16, ring.indices.begin() + 20);
+  ring.offsets.pop_back();
+  const int n = static_cast<int>(ring.vertices.cols());
+  for (const Vec2& x : square({1.2, 1.2}, 0.6)) add_vertex(ring, x);
+  ring.add_cell(std::vector{n, n + 1, n + 2, n + 3});
+  const int m = add_vertex(ring, {4, 3});
+  ring.add_cell(std::vector{15, m, add_vertex(ring, {4, 4})});  // at the ring's upper right corner
+  EXPECT_TRUE(find_defects(ring).empty());
+  EXPECT_TRUE(
+      find_defects(mesh_of({square({0, 0}, 1), square({1.5, 0.3}, 1), square({0.2, 1.1}, 1)})).empty());
+}
+
+TEST(FindDefects, TakesSmallEdgesAndThinCells) {
+  EXPECT_TRUE(find_defects(mesh_of({{{0, 0}, {1, 0}, {1, 1}, {1e-12, 1}, {0, 1 - 1e-12}}})).empty());
+  EXPECT_TRUE(find_defects(mesh_of({{{0, 0}, {1, 0}, {1, 9e-10}, {0, 9e-10}}})).empty());
+  EXPECT_TRUE(find_defects(mesh_of({{{0, 0}, {1, 0}, {0.5, 1e-10}}})).empty());
+  EXPECT_TRUE(find_defects(rectangles({0, 0}, {1, 1e-10}, 2, 2)).empty());
+}
+
+TEST(FindDefects, EndsOnEdgesBelowTheSpacingOfNumbers) {
+  std::vector<Vec2> tower, needle;  // columns as wide as its mean edge have numbers above 2^53 at x = 1e9
+  for (int k = 0; k < 10; ++k) tower.emplace_back(1e9 + 2.4e-7, k * 1e-15);
+  for (int k = 9; k >= 0; --k) tower.emplace_back(1e9, k * 1e-15);
+  EXPECT_TRUE(find_defects(mesh_of({tower})).empty());
+  for (int k = 0; k < 100; ++k) needle.emplace_back(std::cos(k * M_PI / 50) * 1e-9, std::sin(k * M_PI / 50));
+  for (Vec2& x : needle) x *= 1e-9;
+  for (Vec2& x : tower) x.x() += 1e-6;
+  EXPECT_TRUE(find_defects(mesh_of({needle, tower})).empty());
+  EXPECT_NO_THROW(find_defects(mesh_of({square({-8e307, 0}, 1e307), square({1e308, 0}, 1e307)})));
 }
 
 TEST(FindDefects, FindsNothingInSoundMeshes) {

@@ -45,7 +45,15 @@ TEST(PolygonMesh, BoundaryEdgesAreThoseOfOneCell) {
   EXPECT_EQ(edges.size(), 8u);
   for (const auto& [first, second] : edges) EXPECT_TRUE(first < 8 && second < 8);
   const PolygonMesh overlapping = mesh_of(domain, {{0, 1, 2}, {0, 1, 3}});
-  EXPECT_THROW(boundary_edges(overlapping), Error);
+  try {
+    boundary_edges(overlapping);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("same side of the edge from vertex"), std::string::npos);
+  }
+  PolygonMesh wrong = four_cells();
+  wrong.indices[1] = -1;
+  EXPECT_THROW(boundary_edges(wrong), Error);
 }
 
 TEST(BoundaryPlaces, TellCornersEdgesAndInside) {

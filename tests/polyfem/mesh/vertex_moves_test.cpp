@@ -53,6 +53,14 @@ TEST(PerturbedMesh, IsTheSameForTheSameSeed) {
   EXPECT_THROW(perturb_inner_vertices(first, -0.1), Error);
 }
 
+TEST(PerturbedMesh, LeavesUnusedVerticesWhereTheyAre) {
+  PolygonMesh mesh = rectangles({0, 0}, {1, 1}, 3, 3);
+  mesh.vertices.conservativeResize(2, 17);
+  mesh.vertices.col(16) << 0.5, 0.5;
+  perturb_inner_vertices(mesh, 0.3);
+  EXPECT_EQ(mesh.vertices.col(16), Vec2(0.5, 0.5));
+}
+
 TEST(MappedMesh, IsCooksPanel) {
   const PolygonMesh panel = mapped(rectangles({0, 0}, {1, 1}, 4, 4), [](const Vec2& x) {
     return Vec2(48 * x.x(), 44 * (x.x() + x.y()) - 28 * x.x() * x.y());
