@@ -2,9 +2,8 @@
 
 #include <polyfem/assembly/free_motion.hpp>
 #include <polyfem/core/error.hpp>
+#include <polyfem/quadrature/gauss_rule.hpp>
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -13,16 +12,15 @@ namespace polyfem {
 namespace {
 
 /// What matrices rest on; everything else about a mesh is `find_defects`' business.
-const PolygonMesh& checked(const PolygonMesh& mesh) {
+const PolygonMesh& checked(const PolygonMesh& mesh, int n_components) {
+  if (n_components < 1)
+    throw Error("a field of " + std::to_string(n_components) + " components: it needs one at least");
+  require_numbering(mesh);
   std::vector<int> last_cell(static_cast<std::size_t>(mesh.vertices.cols()), -1);
   for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int v : mesh.cell(c)) {
-      if (v < 0 || v >= mesh.vertices.cols())
-        throw Error("cell " + std::to_string(c) + " has a vertex " + std::to_string(v) +
-                    ", of which the mesh has " + std::to_string(mesh.vertices.cols()));
+    for (const int v : mesh.cell(c))
       if (std::exchange(last_cell[static_cast<std::size_t>(v)], c) == c)
         throw Error("cell " + std::to_string(c) + " has vertex " + std::to_string(v) + " twice");
-    }
   return mesh;
 }
 
@@ -34,17 +32,11 @@ std::vector<int> expanded(const std::vector<int>& vertices, int n_components) {
   return unknowns;
 }
 
-std::string place_of(const PolygonMesh& mesh, int vertex) {
-  std::ostringstream text;
-  text << "vertex " << vertex << " at (" << mesh.vertices(0, vertex) << ", " << mesh.vertices(1, vertex)
-       << ")";
-  return text.str();
-}
-
 std::string words(const FreeMotion& motion, const PolygonMesh& mesh) {
-  const std::string place = place_of(mesh, motion.vertex);
+  const std::string place = mesh.vertex_name(motion.vertex);
   if (motion.n_vertices == 1)
-    return place + " belongs to no cell and is not held: leave it out of the mesh, or hold it";
+    return place +
+           " belongs to no cell, and not all its unknowns are held: leave it out of the mesh, or hold them";
   const std::string part =
       "the part of the mesh with " + place + " (" + std::to_string(motion.n_vertices) + " vertices)";
   if (motion.translation.size() == 1)
@@ -61,11 +53,12 @@ std::string words(const FreeMotion& motion, const PolygonMesh& mesh) {
 FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components)
     : mesh_(&mesh),
       n_components_(n_components),
-      matrix_(checked(mesh), n_components),
+      matrix_(checked(mesh, n_components), n_components),
       held_(n_components * static_cast<int>(mesh.vertices.cols())),
       loads_(VectorXd::Zero(n_components * mesh.vertices.cols())),
       cell_loads_(loads_),
-      u_(loads_) {}
+      u_(loads_),
+      reactions_(loads_) {}
 
 int FieldProblem::unknown(int vertex, int component) const {
   if (vertex < 0 || vertex >= mesh_->vertices.cols() || component < 0 || component >= n_components_)
@@ -77,7 +70,8 @@ int FieldProblem::unknown(int vertex, int component) const {
 
 void FieldProblem::hold(int vertex, int component, double value) {
   const int k = unknown(vertex, component);
-  if (!std::isfinite(value)) throw Error(place_of(*mesh_, vertex) + " is held at a value that is not finite");
+  if (!std::isfinite(value))
+    throw Error(mesh_->vertex_name(vertex) + " is held at a value that is not finite");
   if (held_.hold(k, value)) factorized_ = false;
 }
 
@@ -87,19 +81,31 @@ void FieldProblem::release_all() {
 }
 
 void FieldProblem::add_load(int vertex, int component, double value) {
-  loads_[unknown(vertex, component)] += value;
+  const int k = unknown(vertex, component);
+  if (!std::isfinite(value)) throw Error(mesh_->vertex_name(vertex) + " gets a load that is not finite");
+  loads_[k] += value;
 }
 
 void FieldProblem::add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load) {
-  const double gauss = (1 - 1 / std::sqrt(3.)) / 2;
+  const GaussRule& rule = gauss_rule(3);
   for (const auto& [first, second] : edges) {
+    const int i = unknown(first, 0), j = unknown(second, 0);
     const Vec2 a = mesh_->vertices.col(first), edge = mesh_->vertices.col(second) - a;
     const double length = edge.norm();
-    for (const double t : {gauss, 1 - gauss}) {
-      const VectorXd value = load(a + t * edge, Vec2(edge.y(), -edge.x()) / length) * (length / 2);
-      assert(value.size() == n_components_);
-      loads_.segment(unknown(first, 0), n_components_) += (1 - t) * value;
-      loads_.segment(unknown(second, 0), n_components_) += t * value;
+    const auto refuse = [&, first = first, second = second](const std::string& reason) {
+      throw Error("the load on the edge from " + mesh_->vertex_name(first) + " to " +
+                  mesh_->vertex_name(second) + " " + reason);
+    };
+    if (!(length > 0)) refuse("has no direction: give it two vertices at different places");
+    for (Index q = 0; q < rule.points.size(); ++q) {
+      const double t = rule.points[q];
+      const VectorXd value = load(a + t * edge, Vec2(edge.y(), -edge.x()) / length);
+      if (value.size() != n_components_)
+        refuse("has " + std::to_string(value.size()) + " entries: give it one for each of " +
+               std::to_string(n_components_) + " components");
+      if (!value.allFinite()) refuse("is not finite");
+      loads_.segment(i, n_components_) += rule.weights[q] * length * (1 - t) * value;
+      loads_.segment(j, n_components_) += rule.weights[q] * length * t * value;
     }
   }
 }
@@ -123,7 +129,11 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
     if (polygon.cols() < n) polygon.resize(2, n);
     for (Index k = 0; k < n; ++k) polygon.col(k) = mesh_->vertices.col(corners[k]);
     f.setZero(n_components_ * n);
-    cell_matrix(c, polygon.leftCols(n), K, f);
+    try {
+      cell_matrix(c, polygon.leftCols(n), K, f);
+    } catch (const Error& error) {
+      throw Error("cell " + std::to_string(c) + ": " + error.what());
+    }
     if (K.rows() != f.size() || K.cols() != f.size() || f.size() != n_components_ * n)
       throw Error("the matrix of cell " + std::to_string(c) + " is " + std::to_string(K.rows()) + " x " +
                   std::to_string(K.cols()) + ", its load " + std::to_string(f.size()) +
@@ -142,10 +152,14 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
 const VectorXd& FieldProblem::solve() {
   if (!assembled_) throw Error("a field is asked for before its problem is assembled: call assemble first");
   if (!factorized_) factorize();
-  VectorXd f = loads_ + cell_loads_;
-  held_.move_to_right_hand_side(matrix_.lower(), f);
+  const VectorXd loads = loads_ + cell_loads_;
+  VectorXd f = loads;
+  held_.move_to_right_hand_side(f);
   cholesky_.solve(f, u_);
   held_.set_values(u_);
+  reactions_ = held_.forces(u_);
+  for (int k = 0; k < n_unknowns(); ++k)
+    if (held_.is_held(k)) reactions_[k] -= loads[k];
   return u_;
 }
 
@@ -161,17 +175,9 @@ void FieldProblem::factorize() {
   factorized_ = cholesky_.factorize(matrix_.lower());
   if (!factorized_)
     throw Error("the matrix is not positive definite (noticed at " +
-                place_of(*mesh_, cholesky_.failed_row() / n_components_) +
-                ") though no part of the mesh is free to move: look for cells whose matrix has negative "
-                "energies, by a "
-                "rule of too few points or a material that is not stable");
-}
-
-VectorXd FieldProblem::reactions() const {
-  VectorXd forces = held_.forces(matrix_.lower(), u_);
-  for (int k = 0; k < forces.size(); ++k)
-    if (held_.is_held(k)) forces[k] -= loads_[k] + cell_loads_[k];
-  return forces;
+                mesh_->vertex_name(cholesky_.failed_row() / n_components_) +
+                ") though no part of the mesh is free to move: look for cells whose matrix has no or "
+                "negative energies, by a rule of too few points or a material that is not stable");
 }
 
 }  // namespace polyfem

@@ -33,8 +33,8 @@ class FieldProblem {
   using EdgeLoad = std::function<VectorXd(const Vec2& x, const Vec2& outward_normal)>;
 
   /// \param[in] mesh  kept by reference: must live longer and not change. Checked for what would break this
-  ///                  class (indices out of range, a vertex twice in a cell); see `require_valid` for the
-  ///                  rest.
+  ///                  class (see `require_numbering`; a vertex twice in a cell): throws Error, as for less
+  ///                  than one component. See `require_valid` for the rest.
   FieldProblem(const PolygonMesh& mesh, int n_components);
   FieldProblem(PolygonMesh&&, int) = delete;
 
@@ -43,10 +43,12 @@ class FieldProblem {
   /// Frees all held unknowns.
   void release_all();
 
-  /// Adds to the load on an unknown.
+  /// Adds to the load on an unknown; throws Error unless it is finite.
   void add_load(int vertex, int component, double value);
-  /// Adds the integrals of N_i times a load over boundary edges: two Gauss points an edge, exact for loads
-  /// quadratic along it (shape functions are linear there).
+  /// Adds the integrals of N_i times a load over boundary edges: three Gauss points an edge, exact for loads
+  /// up to degree 4 along it (shape functions are linear there). Edges must run in their cell's direction, as
+  /// `boundary_edges` gives them: the normal is to their right. Throws Error for an edge without length and
+  /// for loads of the wrong size or not finite; those of the edges before stay.
   void add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load);
   /// Drops all loads, those of the cells included, to begin another right hand side.
   void clear_loads();
@@ -60,8 +62,9 @@ class FieldProblem {
 
   /// The last solution.
   const VectorXd& solution() const { return u_; }
-  /// Loads needed at held unknowns beyond those applied, K u - f; zero elsewhere. Of the last solution.
-  VectorXd reactions() const;
+  /// Loads needed at held unknowns beyond those applied, K u - f; zero elsewhere. Of the last solution,
+  /// whatever was changed since; zero before.
+  const VectorXd& reactions() const { return reactions_; }
 
   int n_unknowns() const { return static_cast<int>(u_.size()); }
   int n_analyses() const { return cholesky_.n_analyses(); }
@@ -76,7 +79,7 @@ class FieldProblem {
   int n_components_;
   MeshMatrix matrix_;  ///< with the held rows and columns taken out once it is factorized
   HeldUnknowns held_;
-  VectorXd loads_, cell_loads_, u_;
+  VectorXd loads_, cell_loads_, u_, reactions_;
   Cholesky cholesky_;
   bool assembled_ = false, factorized_ = false;
 };

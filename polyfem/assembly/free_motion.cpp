@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace polyfem {
@@ -85,13 +86,28 @@ MatrixXd not_held(const Motions& motions, int n_components, std::span<const int>
   return modes.eigenvectors().leftCols(n_free);
 }
 
-/// The combination of the given motions that costs no energy, if there is one.
-std::optional<VectorXd> without_energy(const MatrixXd& motions, const SparseMatrix& lower) {
-  const MatrixXd energies = motions.transpose() * (lower.selfadjointView<Eigen::Lower>() * motions);
-  const MatrixXd scales = motions.transpose() * lower.diagonal().cwiseAbs().asDiagonal() * motions;
+/// The combination of the given motions, a column an unknown, that costs no energy, if there is one. Reads
+/// the columns of the part only.
+std::optional<VectorXd> without_energy(const Eigen::Ref<const MatrixXd>& motions, int n_components,
+                                       std::span<const int> part, const SparseMatrix& lower) {
+  const Index n = motions.rows();
+  MatrixXd energies = MatrixXd::Zero(n, n), scales = energies;
+  VectorXd forces(n);
+  for (const int v : part)
+    for (int k = n_components * v; k < n_components * (v + 1); ++k) {
+      forces.setZero();  // K times the motions, the upper triangle's part counted with the lower one's
+      for (SparseMatrix::InnerIterator entry(lower, k); entry; ++entry)
+        forces += (entry.row() == k ? 1 : 2) * entry.value() * motions.col(entry.row());
+      energies += motions.col(k) * forces.transpose();
+      scales += std::abs(lower.coeff(k, k)) * motions.col(k) * motions.col(k).transpose();
+    }
+  energies = (energies + energies.transpose()).eval() / 2;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(energies - energy_tolerance * scales);
-  if (modes.eigenvalues()[0] > 0) return std::nullopt;
-  return modes.eigenvectors().col(0);
+  for (const auto combination : modes.eigenvectors().colwise())
+    if (std::abs(combination.dot(energies * combination)) <=
+        energy_tolerance * combination.dot(scales * combination))
+      return combination;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -99,17 +115,20 @@ std::optional<VectorXd> without_energy(const MatrixXd& motions, const SparseMatr
 std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
                                            const SparseMatrix& lower, const HeldUnknowns& held) {
   const Parts parts = parts_of(mesh);
+  MatrixXd rows(std::max(n_components, 3), lower.cols());  // as many of them as there are motions
   for (std::size_t p = 0; p + 1 < parts.first.size(); ++p) {
     const auto part = std::span(parts.vertex).subspan(parts.first[p], parts.first[p + 1] - parts.first[p]);
     const Motions motions(mesh, n_components, part);
     const MatrixXd free = not_held(motions, n_components, part, held);
     if (free.cols() == 0) continue;
-    MatrixXd displacements = MatrixXd::Zero(lower.rows(), free.cols());
+    auto displacements = rows.topRows(free.cols());
     for (const int v : part)
-      for (int c = 0; c < n_components; ++c)
-        if (!held.is_held(n_components * v + c))
-          displacements.row(n_components * v + c) = motions.at(v, c).transpose() * free;
-    if (const auto combination = without_energy(displacements, lower)) {
+      for (int c = 0; c < n_components; ++c) {
+        const int k = n_components * v + c;
+        displacements.col(k).setZero();
+        if (!held.is_held(k)) displacements.col(k) = free.transpose() * motions.at(v, c);
+      }
+    if (const auto combination = without_energy(displacements, n_components, part, lower)) {
       VectorXd motion = free * *combination;
       motion /= motion.lpNorm<Eigen::Infinity>();
       motion = (motion.array().abs() < 1e-9).select(0, motion);

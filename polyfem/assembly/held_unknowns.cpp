@@ -22,8 +22,9 @@ void HeldUnknowns::take_out(SparseMatrix& lower) {
   for (int column = 0; column < lower.cols(); ++column) {
     const bool column_held = is_held(column);
     for (int place = outer[column]; place < outer[column + 1]; ++place)
-      if ((column_held || is_held(row[place])) && row[place] != column)
-        couplings_.push_back({row[place], column, place, std::exchange(value[place], 0.)});
+      if (column_held || is_held(row[place]))
+        couplings_.push_back(
+            {row[place], column, place, std::exchange(value[place], row[place] == column ? 1. : 0.)});
   }
 }
 
@@ -32,13 +33,12 @@ void HeldUnknowns::put_back(SparseMatrix& lower) {
   couplings_.clear();
 }
 
-void HeldUnknowns::move_to_right_hand_side(const SparseMatrix& lower, VectorXd& f) const {
+void HeldUnknowns::move_to_right_hand_side(VectorXd& f) const {
   for (const auto& [row, column, place, value] : couplings_) {
     if (is_held(column)) f[row] -= value * values_[column];
     if (is_held(row)) f[column] -= value * values_[row];
   }
-  for (int k = 0; k < f.size(); ++k)
-    if (is_held(k)) f[k] = lower.valuePtr()[lower.outerIndexPtr()[k]] * values_[k];
+  set_values(f);
 }
 
 void HeldUnknowns::set_values(VectorXd& u) const {
@@ -46,13 +46,11 @@ void HeldUnknowns::set_values(VectorXd& u) const {
     if (is_held(k)) u[k] = values_[k];
 }
 
-VectorXd HeldUnknowns::forces(const SparseMatrix& lower, const VectorXd& u) const {
+VectorXd HeldUnknowns::forces(const VectorXd& u) const {
   VectorXd f = VectorXd::Zero(u.size());
-  for (int k = 0; k < f.size(); ++k)
-    if (is_held(k)) f[k] = lower.valuePtr()[lower.outerIndexPtr()[k]] * u[k];
   for (const auto& [row, column, place, value] : couplings_) {
     if (is_held(row)) f[row] += value * u[column];
-    if (is_held(column)) f[column] += value * u[row];
+    if (is_held(column) && column != row) f[column] += value * u[row];
   }
   return f;
 }

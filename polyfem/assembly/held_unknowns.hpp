@@ -7,8 +7,8 @@
 
 namespace polyfem {
 
-/// Which unknowns are held, at what values, and what couples them to the others. Their rows and columns are
-/// cleared but for the diagonal, so that the pattern, and with it the analysis, serves any set of them.
+/// Which unknowns are held, at what values, and what couples them to the others. Their rows and columns
+/// become those of the identity, so that the pattern, and with it the analysis, serves any set of them.
 class HeldUnknowns {
  public:
   explicit HeldUnknowns(int n_unknowns)
@@ -19,7 +19,8 @@ class HeldUnknowns {
   void release_all();
   bool is_held(int unknown) const { return held_[static_cast<std::size_t>(unknown)] != 0; }
 
-  /// Clears the held rows and columns of a matrix given by its lower triangle and remembers what was there.
+  /// Puts those of the identity in place of the held rows and columns of a matrix given by its lower triangle
+  /// and remembers what was there.
   void take_out(SparseMatrix& lower);
   /// Puts back what was taken out.
   void put_back(SparseMatrix& lower);
@@ -27,14 +28,14 @@ class HeldUnknowns {
   void forget_couplings() { couplings_.clear(); }
 
   /// The right hand side for the matrix without held rows and columns.
-  void move_to_right_hand_side(const SparseMatrix& lower, VectorXd& f) const;
+  void move_to_right_hand_side(VectorXd& f) const;
   /// The exact values at held unknowns, in a solution.
   void set_values(VectorXd& u) const;
   /// K u of the whole matrix at held unknowns; zero elsewhere.
-  VectorXd forces(const SparseMatrix& lower, const VectorXd& u) const;
+  VectorXd forces(const VectorXd& u) const;
 
  private:
-  /// An entry of the lower triangle that was cleared.
+  /// An entry of the lower triangle that was replaced.
   struct Coupling {
     int row, column, place;
     double value;

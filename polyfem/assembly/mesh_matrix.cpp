@@ -1,25 +1,12 @@
 #include <polyfem/assembly/mesh_matrix.hpp>
 
+#include <polyfem/mesh/vertex_cells.hpp>
+
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 namespace polyfem {
 namespace {
-
-/// The cells at each vertex: cell[first[v]] .. cell[first[v + 1] - 1], ascending.
-struct CellsOfVertices {
-  std::vector<int> first, cell;
-
-  explicit CellsOfVertices(const PolygonMesh& mesh)
-      : first(static_cast<std::size_t>(mesh.vertices.cols()) + 1), cell(mesh.indices.size()) {
-    for (const int v : mesh.indices) ++first[v + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (int c = 0; c < mesh.n_cells(); ++c)
-      for (const int v : mesh.cell(c)) cell[next[v]++] = c;
-  }
-};
 
 /// The place of the pair (i, j) of n corners among pairs with i >= j, j slowest.
 std::size_t pair_number(std::size_t i, std::size_t j, std::size_t n) {
@@ -44,7 +31,7 @@ void MeshMatrix::find_blocks() {
   }
   block_of_pair_.resize(first_pair_.back());
 
-  const CellsOfVertices cells(*mesh_);
+  const VertexCells cells(*mesh_);
   const int n_vertices = static_cast<int>(mesh_->vertices.cols());
   std::vector<int> last_column(n_vertices, -1), block_at(n_vertices);
   first_block_.assign(1, 0);
@@ -52,8 +39,8 @@ void MeshMatrix::find_blocks() {
     const std::size_t first = block_row_.size();
     block_row_.push_back(v);
     last_column[v] = v;
-    for (int k = cells.first[v]; k < cells.first[v + 1]; ++k)
-      for (const int w : mesh_->cell(cells.cell[k]))
+    for (const int c : cells[v])
+      for (const int w : mesh_->cell(c))
         if (w > v && last_column[w] != v) {
           last_column[w] = v;
           block_row_.push_back(w);
@@ -63,10 +50,10 @@ void MeshMatrix::find_blocks() {
       block_at[block_row_[block]] = static_cast<int>(block);
     first_block_.push_back(static_cast<int>(block_row_.size()));
 
-    for (int k = cells.first[v]; k < cells.first[v + 1]; ++k) {
-      const std::span<const int> corners = mesh_->cell(cells.cell[k]);
+    for (const int c : cells[v]) {
+      const std::span<const int> corners = mesh_->cell(c);
       const auto i = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-      int* const block_of_pair = block_of_pair_.data() + first_pair_[cells.cell[k]];
+      int* const block_of_pair = block_of_pair_.data() + first_pair_[c];
       for (std::size_t j = 0; j < corners.size(); ++j)
         if (corners[j] >= v) block_of_pair[pair_number(i, j, corners.size())] = block_at[corners[j]];
     }

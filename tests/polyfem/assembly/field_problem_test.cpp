@@ -65,6 +65,7 @@ TEST(FieldProblem, FindsALinearPotentialFromItsBoundary) {
   for (const int v : boundary_vertices(mesh)) problem.hold(v, 0, exact[v]);
   EXPECT_LT((problem.solve() - exact).lpNorm<Eigen::Infinity>(), 1e-13);
   for (const int v : boundary_vertices(mesh)) EXPECT_EQ(problem.solution()[v], exact[v]) << "to the bit";
+  EXPECT_NEAR(problem.reactions().sum(), 0, 1e-12) << "what flows in flows out";
 }
 
 TEST(FieldProblem, TakesFluxesThroughTheBoundary) {
@@ -287,6 +288,112 @@ TEST(FieldProblem, RefusesWhatItCannotUse) {
   wrong = mesh;
   wrong.indices[1] = wrong.indices[0];
   EXPECT_THROW(FieldProblem(wrong, 1), Error);
+}
+
+TEST(FieldProblem, RefusesMeshesWhoseNumbersDoNotFit) {
+  PolygonMesh wrong = mesh;
+  wrong.offsets.clear();
+  EXPECT_THROW(FieldProblem(wrong, 1), Error);
+  wrong = mesh;
+  wrong.offsets.back() += 2;
+  EXPECT_THROW(FieldProblem(wrong, 1), Error);
+  EXPECT_THROW(FieldProblem(mesh, 0), Error);
+  EXPECT_THROW(FieldProblem(mesh, -1), Error);
+}
+
+TEST(FieldProblem, RefusesLoadsItCannotUse) {
+  FieldProblem problem(mesh, 2);
+  using Edges = std::vector<std::array<int, 2>>;
+  const auto load = [](double x) { return [x](const Vec2&, const Vec2&) { return Vec2(x, 0); }; };
+  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 99999}}, load(1)), Error);
+  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 1}}, load(1)), Error) << "no length";
+  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 2}}, load(std::nan(""))), Error);
+  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 2}},
+                                      [](const Vec2&, const Vec2&) { return VectorXd::Constant(1, 1.); }),
+               Error)
+      << "one component instead of two";
+  EXPECT_THROW(problem.add_load(0, 0, INFINITY), Error);
+}
+
+TEST(FieldProblem, TakesUnusedVerticesThatAreHeld) {
+  PolygonMesh lonely = rectangles({0, 0}, {1, 1}, 2, 2);
+  lonely.vertices.conservativeResize(2, 10);
+  lonely.vertices.rightCols(1) << 7, 8;
+  FieldProblem problem(lonely, 2);
+  problem.assemble(elastic);
+  for (const int v : {0, 2, 9}) problem.hold(v, 0);
+  for (const int v : {0, 2}) problem.hold(v, 1);
+  EXPECT_NE(message_of(problem).find("not all its unknowns are held"), std::string::npos);
+  problem.hold(9, 1, 4);
+  EXPECT_EQ(message_of(problem), "");
+  EXPECT_EQ(problem.solution()[19], 4);
+  EXPECT_EQ(problem.reactions()[19], 0);
+
+  PolygonMesh only_vertices;
+  only_vertices.vertices = Points::Random(2, 2);
+  FieldProblem trivial(only_vertices, 1);
+  trivial.assemble(conducting);
+  for (const int v : {0, 1}) trivial.hold(v, 0, v + 1);
+  EXPECT_EQ(trivial.solve(), Vec2(1, 2));
+}
+
+TEST(FieldProblem, TakesCellsWithoutStiffnessWhereAllIsHeld) {
+  FieldProblem problem(mesh, 1);
+  problem.assemble([](int, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+    K.setZero(polygon.cols(), polygon.cols());
+  });
+  for (int v = 0; v < mesh.vertices.cols(); ++v) problem.hold(v, 0, v);
+  EXPECT_EQ(problem.solve(), VectorXd::LinSpaced(mesh.vertices.cols(), 0, mesh.vertices.cols() - 1));
+  EXPECT_EQ(problem.reactions().norm(), 0);
+}
+
+TEST(FieldProblem, KeepsTheReactionsOfTheLastSolution) {
+  FieldProblem problem(mesh, 2);
+  EXPECT_EQ(problem.reactions(), VectorXd::Zero(problem.n_unknowns()));
+  problem.assemble(elastic);
+  clamp_left(problem);
+  problem.add_load(boundary_vertices(mesh, at_left)[0], 1, 17);
+  problem.solve();
+  const VectorXd reactions = problem.reactions();
+  problem.clear_loads();
+  problem.hold(boundary_vertices(mesh, at_right)[0], 0, 1);
+  problem.assemble(elastic);
+  EXPECT_EQ(problem.reactions(), reactions);
+  problem.release_all();
+  EXPECT_THROW(problem.solve(), Error);
+  EXPECT_EQ(problem.reactions(), reactions);
+}
+
+TEST(FieldProblem, IntegratesQuarticEdgeLoadsExactly) {
+  const PolygonMesh one = rectangles({0, 0}, {1, 1}, 1, 1);
+  FieldProblem problem(one, 1);
+  problem.assemble(conducting);
+  for (int v = 0; v < 4; ++v) problem.hold(v, 0);
+  problem.add_edge_loads(
+      boundary_edges(one, [](const Vec2& x) { return x.y() == 0; }),
+      [](const Vec2& x, const Vec2&) { return VectorXd::Constant(1, std::pow(x.x(), 4)); });
+  problem.solve();
+  EXPECT_LT((problem.reactions() - Eigen::Vector4d(-1. / 30, -1. / 6, 0, 0)).norm(), 1e-15);
+}
+
+TEST(FieldProblem, TellsNegativeEnergyFromNone) {
+  const PolygonMesh one = rectangles({0, 0}, {1, 1}, 1, 1);
+  FieldProblem problem(one, 1);
+  problem.assemble([](int, const PointsRef&, MatrixXd& K, VectorXd&) { K = -MatrixXd::Identity(4, 4); });
+  EXPECT_NE(message_of(problem).find("not positive definite"), std::string::npos);
+}
+
+TEST(FieldProblem, NamesTheCellWhoseMatrixCannotBeMade) {
+  FieldProblem problem(mesh, 1);
+  try {
+    problem.assemble([](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+      if (cell == 5) throw Error("no such material");
+      conduct(polygon, K);
+    });
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "cell 5: no such material");
+  }
 }
 
 }  // namespace
