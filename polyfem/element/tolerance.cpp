@@ -143,8 +143,7 @@ ToleranceReport tabulate_to_tolerance(const PointsRef& polygon, const Basis& bas
     }
     if (meets()) return report;
     const double error = larger(report.error);
-    if (!std::isfinite(error))
-      return report;  // the polygon is too large or small for the exponents of doubles
+    if (!std::isfinite(error)) return report;  // size^4 is beyond the exponents
     if (error < least_error) {
       least_error = error;
       best_digits = digits;

@@ -243,16 +243,17 @@ TEST(TabulateToTolerance, TakesWachspressFunctionsForSmoothNextToAShortEdge) {
 }
 
 TEST(TabulateToTolerance, KeepsTheLeastErrorWhereItIsNotMet) {
-  std::mt19937 random(4);
   PolygonRule rule;
-  TabulatedElement element, other;
-  for (int n = 4; n <= 12; ++n) {
-    const Points polygon = support::random_convex_polygon(n, random);
-    const ToleranceReport report = tabulate_to_tolerance(polygon, wachspress, 1e-17, on, element);
-    EXPECT_EQ(larger(report.error), larger(estimate_errors(polygon, wachspress, element)));
-    make_adjoint_rule(polygon, 42, rule);  // the last
-    tabulate(polygon, rule, wachspress, on, other);
-    EXPECT_LE(larger(report.error), larger(estimate_errors(polygon, wachspress, other)));
+  TabulatedElement element, trial;
+  for (const auto& [name, polygon] : support::concave_polygons()) {
+    const ToleranceReport report = tabulate_to_tolerance(polygon, mean_value, 1e-16, on, element);
+    EXPECT_FALSE(report.met) << name;
+    EXPECT_EQ(larger(report.error), larger(estimate_errors(polygon, mean_value, element))) << name;
+    for (const double digits : {std::log(8 / 1e-16) / 1.15, 42.}) {  // those of the first trial and the last
+      make_vertex_rule(polygon, digits, rule);
+      tabulate(polygon, rule, mean_value, on, trial);
+      EXPECT_LE(larger(report.error), larger(estimate_errors(polygon, mean_value, trial))) << name;
+    }
   }
 }
 
