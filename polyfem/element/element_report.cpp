@@ -12,7 +12,7 @@ namespace {
 
 void examine_shape(const PointsRef& polygon, ElementReport& report) {
   const Index n = polygon.cols();
-  report.least_turn = report.shortest_edge = std::numeric_limits<double>::infinity();
+  report.least_turn = report.least_angle = report.shortest_edge = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < n; ++i) {
     const Vec2 before = polygon.col(i) - polygon.col((i + n - 1) % n);
     const Vec2 edge = polygon.col((i + 1) % n) - polygon.col(i);
@@ -21,6 +21,11 @@ void examine_shape(const PointsRef& polygon, ElementReport& report) {
     if (const double bend = before.dot(edge) > 0 ? std::abs(turn) : 1; bend < report.least_turn) {
       report.least_turn = bend;
       report.straightest_corner = static_cast<int>(i);
+    }
+    const double angle = std::atan2(cross(before, edge), -before.dot(edge));  // < 0 at a reflex corner
+    if (angle >= 0 && angle < report.least_angle) {
+      report.least_angle = angle;
+      report.sharpest_corner = static_cast<int>(i);
     }
     if (edge.norm() < report.shortest_edge) {
       report.shortest_edge = edge.norm();
@@ -57,7 +62,8 @@ std::string describe(const ElementReport& report) {
        << " of K and " << report.error.mass << " of M; " << (report.sound ? "sound" : "not sound") << ": "
        << report.zero_modes << " zero modes, condition " << report.condition << ", least mass "
        << report.least_mass << "; corner " << report.straightest_corner << " turns by " << report.least_turn
-       << ", edge " << report.shortest_edge_index << " is " << report.shortest_edge << " long";
+       << ", corner " << report.sharpest_corner << " has an angle of " << report.least_angle << ", edge "
+       << report.shortest_edge_index << " is " << report.shortest_edge << " long";
   return text.str();
 }
 

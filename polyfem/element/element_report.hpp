@@ -18,6 +18,8 @@ struct ElementReport {
   bool sound = false;     ///< see `judge`
   double least_turn = 0;  ///< sine of the turning angle where the polygon is nearest to straight
   int straightest_corner = 0;
+  double least_angle = 0;  ///< the smallest angle inside, in radians
+  int sharpest_corner = 0;
   double shortest_edge = 0;  ///< over the square root of the area
   int shortest_edge_index = 0;
 };

@@ -32,9 +32,10 @@ struct ToleranceReport {
 
 /// Tabulates a basis with as few points as give K and M to a relative tolerance, by estimate. Triangles take
 /// 3 points. Functions smooth at the vertices of a strictly convex polygon, as a trial shows, take
-/// `make_adjoint_rule`, others `make_vertex_rule`, with growing numbers of points until the estimate is met
-/// or 30 000 points (64 in a line) are exceeded; then the report says so and the element has the best rule.
-/// Throws Error unless 0 < tolerance < 1, and when the basis is unsuitable.
+/// `make_adjoint_rule`, others `make_vertex_rule`, with growing numbers of points until the estimate is met.
+/// When it is not within 30 000 points (64 in a line) and 42 digits, beyond which round-off prevails, or is
+/// no finite number, the report says so: the element has the rule of the least estimate, or that without one.
+/// Throws Error unless 0 < tolerance < 1, and when the polygon (see `require_usable`) or the basis is unfit.
 ToleranceReport tabulate_to_tolerance(const PointsRef& polygon, const Basis& basis, double tolerance,
                                       GradientCorrection correction, TabulatedElement& element);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace polyfem {
@@ -71,6 +72,9 @@ class Remainder {
 }  // namespace
 
 Triangles triangulate(const PointsRef& polygon) {
+  if (polygon.cols() < 3)
+    throw Error("triangulate: a polygon of " + std::to_string(polygon.cols()) +
+                " vertices has no area: give it three at least");
   Triangles triangles(3, polygon.cols() - 2);
   Remainder remainder(polygon);
   for (Index k = 0; k < triangles.cols(); ++k) triangles.col(k) = remainder.cut_ear();

@@ -1,3 +1,5 @@
+#include <polyfem/core/error.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/predicates.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -32,6 +34,25 @@ std::optional<DefectiveVertex> find_self_intersection(const PointsRef& polygon) 
   return std::nullopt;
 }
 
+/// The reason and the cure.
+std::string complaint(const DefectiveVertex& found) {
+  const std::string vertex = "vertex " + std::to_string(found.vertex), other = std::to_string(found.other);
+  switch (found.defect) {
+    case PolygonDefect::too_few_vertices:
+      return "has fewer than three vertices: give it three at least";
+    case PolygonDefect::not_finite:
+      return vertex + " is nowhere: give it finite coordinates";
+    case PolygonDefect::repeated_vertex:
+      return vertex + " and vertex " + other + " are at the same place: leave one out";
+    case PolygonDefect::zero_area:
+      return vertex + " and all others lie on one line: move a vertex";
+    case PolygonDefect::self_intersection:
+      break;
+  }
+  return "the edge from " + vertex + " meets that from vertex " + other +
+         ": give the vertices in their order along the outline";
+}
+
 }  // namespace
 
 std::optional<DefectiveVertex> find_defect(const PointsRef& polygon) {
@@ -42,6 +63,12 @@ std::optional<DefectiveVertex> find_defect(const PointsRef& polygon) {
   if (const auto repeated = find_repeated_vertex(polygon)) return repeated;
   if (all_collinear(polygon)) return DefectiveVertex{PolygonDefect::zero_area, 0, 0};
   return find_self_intersection(polygon);
+}
+
+void require_usable(const PointsRef& polygon) {
+  if (const auto defect = find_defect(polygon)) throw Error("polygon: " + complaint(*defect));
+  if (!(signed_area(polygon) > 0))
+    throw Error("polygon: runs clockwise from vertex 0 on: reverse its vertices");
 }
 
 std::optional<int> find_non_convex_corner(const PointsRef& polygon, double min_turn) {

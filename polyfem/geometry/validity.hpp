@@ -22,6 +22,10 @@ struct DefectiveVertex {
 /// `other` of a self-intersection is the edge met by edge `vertex`.
 std::optional<DefectiveVertex> find_defect(const PointsRef& polygon);
 
+/// Throws Error, with the vertex, the reason and the cure, unless a polygon is simple, has an area and runs
+/// counter-clockwise: then everything of this library can be computed on it that wants no convex one.
+void require_usable(const PointsRef& polygon);
+
 /// The first corner of a counter-clockwise simple polygon that does not turn left by more than `min_turn`
 /// (the sine of the turning angle): concave or straight. A corner that turns by more than a right angle is
 /// never straight, however sharp. Nothing when the polygon is strictly convex. Exact when `min_turn` is 0.

@@ -55,7 +55,7 @@ void make_graded_gauss_rule(int n, const GradedMap& map, GaussRule& rule) {
 
 int n_gauss_points(double digits, double axis) {
   const double n = std::ceil(digits / (2 * std::acosh(axis)) + 1);
-  return static_cast<int>(std::clamp(n, 1., static_cast<double>(most_points)));
+  return n <= most_points ? std::max(1, static_cast<int>(n)) : most_points;  // also where n is not a number
 }
 
 }  // namespace polyfem

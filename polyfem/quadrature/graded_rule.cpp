@@ -13,31 +13,20 @@
 namespace polyfem {
 namespace {
 
-/// Collects points and weights, relative to an origin.
-class RuleBuilder {
- public:
-  RuleBuilder() { entries().clear(); }
-  void add(const Vec2& x, double weight) { entries().push_back({x.x(), x.y(), weight}); }
-  void write(const Vec2& origin, PolygonRule& rule) const {
-    const Index n = static_cast<Index>(entries().size());
-    rule.points.resize(2, n);
-    rule.weights.resize(n);
-    for (Index q = 0; q < n; ++q) {
-      const Entry& entry = entries()[static_cast<std::size_t>(q)];
-      rule.points.col(q) = origin + Vec2(entry.x, entry.y);
-      rule.weights[q] = entry.weight;
-    }
-  }
-
- private:
-  struct Entry {
-    double x, y, weight;
-  };
-  static std::vector<Entry>& entries() {
-    thread_local std::vector<Entry> storage;
-    return storage;
-  }
+struct WeightedPoint {
+  double x, y, weight;
 };
+
+void write(const std::vector<WeightedPoint>& entries, const Vec2& origin, PolygonRule& rule) {
+  const Index n = static_cast<Index>(entries.size());
+  rule.points.resize(2, n);
+  rule.weights.resize(n);
+  for (Index q = 0; q < n; ++q) {
+    const WeightedPoint& entry = entries[static_cast<std::size_t>(q)];
+    rule.points.col(q) = origin + Vec2(entry.x, entry.y);
+    rule.weights[q] = entry.weight;
+  }
+}
 
 Reach nearer(const Reach& a, const Reach& b) {
   return {std::min(a.before, b.before), std::min(a.behind, b.behind)};
@@ -63,13 +52,15 @@ class AdjointPoles {
 };
 
 /// Singularities at the vertices x_j of a polygon, that is on any line where (x - x_j)^2 = 0: off the real
-/// line by the distance of x_j.
+/// line by the distance of x_j. Lines are given relative to an origin, a vertex if need be: next to it
+/// absolute points would coincide.
 class VertexSingularities {
  public:
   explicit VertexSingularities(const PointsRef& vertices) : vertices_(vertices) {}
-  /// From now on lines start at vertex i, where the collapse takes the singularity away. What is left of it
-  /// lies behind the vertex, and the nearer the less a reflex corner leaves outside: mean value weights there
-  /// go as cot(angle / 4) / r + const.
+  void set_origin(const Vec2& origin) { origin_ = origin; }
+  /// From now on lines start at vertex i, the origin, where the collapse takes the singularity away. What is
+  /// left of it lies behind the vertex, and the nearer the less a reflex corner leaves outside: mean value
+  /// weights there go as cot(angle / 4) / r + const.
   void collapse_at(Index i) {
     const Index n = vertices_.cols();
     const Vec2 a = vertices_.col((i + 1) % n) - vertices_.col(i),
@@ -77,15 +68,17 @@ class VertexSingularities {
     const double angle = std::atan2(cross(a, b), a.dot(b));
     layer_ = angle > 0 ? 1 : 0.4 / std::tan((angle + 2 * std::numbers::pi) / 4);
     collapsed_ = i;
+    origin_ = vertices_.col(i);
   }
 
   Reach reach(const Vec2& p, const Vec2& q) const {
     Reach reach{1e6, 1e6};
     const double length = (q - p).norm();
-    for (Index j = 0; j < vertices_.cols(); ++j)
-      if (j != collapsed_)
-        reach =
-            nearer(reach, {(vertices_.col(j) - p).norm() / length, (vertices_.col(j) - q).norm() / length});
+    for (Index j = 0; j < vertices_.cols(); ++j) {
+      if (j == collapsed_) continue;
+      const Vec2 vertex = vertices_.col(j) - origin_;
+      reach = nearer(reach, {(vertex - p).norm() / length, (vertex - q).norm() / length});
+    }
     reach.before *= layer_;
     return reach;
   }
@@ -95,7 +88,7 @@ class VertexSingularities {
     double axis = axis_of_real_poles(map);
     for (Index j = 0; j < vertices_.cols(); ++j) {
       if (j == collapsed_) continue;
-      const Vec2 r = vertices_.col(j) - p, line = q - p;
+      const Vec2 r = vertices_.col(j) - origin_ - p, line = q - p;
       const Complex t = Complex(r.dot(line), std::abs(cross(line, r))) / line.squaredNorm();
       const Complex u = std::log((t + reach.before) / (1 + reach.behind - t)) - first;
       axis = std::min(axis, (std::abs(u) + std::abs(u - length)) / length);
@@ -105,29 +98,33 @@ class VertexSingularities {
 
  private:
   PointsRef vertices_;
+  Vec2 origin_ = Vec2::Zero();
   Index collapsed_ = -1;
   double layer_ = 1;
 };
 
-/// The triangle (apex, p, q) as the image of a square whose side s = 0 is the apex.
+/// The triangle (apex, apex + p, apex + q) as the image of a square whose side s = 0 is the apex, about which
+/// the singularities are given.
 template <class Singularities>
 void add_collapsed(const Vec2& apex, const Vec2& p, const Vec2& q, const Singularities& outwards,
-                   const Singularities& along, double digits, RuleBuilder& rule) {
-  const Reach reach = nearer(outwards.reach(apex, p), outwards.reach(apex, q));
+                   const Singularities& along, double digits, std::vector<WeightedPoint>& rule) {
+  const Vec2 zero = Vec2::Zero();
+  const Reach reach = nearer(outwards.reach(zero, p), outwards.reach(zero, q));
   const GradedMap map(reach);
-  const double axis = std::min(outwards.axis(apex, p, reach, map), outwards.axis(apex, q, reach, map));
+  const double axis = std::min(outwards.axis(zero, p, reach, map), outwards.axis(zero, q, reach, map));
   const GaussRule& gauss = gauss_rule(n_gauss_points(digits, axis));
-  const double area = cross(p - apex, q - apex);
+  const double area = cross(p, q);
   for (Index i = 0; i < gauss.points.size(); ++i) {
     const auto [s, ds] = map(gauss.points[i]);
-    const Vec2 from = apex + s * (p - apex), to = apex + s * (q - apex);
+    const Vec2 from = s * p, to = s * q;
     const Reach reach_along = along.reach(from, to);
     const GradedMap map_along(reach_along);
     const GaussRule& gauss_along =
         gauss_rule(n_gauss_points(digits, along.axis(from, to, reach_along, map_along)));
     for (Index j = 0; j < gauss_along.points.size(); ++j) {
       const auto [t, dt] = map_along(gauss_along.points[j]);
-      rule.add(from + t * (to - from), gauss.weights[i] * gauss_along.weights[j] * ds * dt * s * area);
+      const Vec2 x = apex + (from + t * (to - from));
+      rule.push_back({x.x(), x.y(), gauss.weights[i] * gauss_along.weights[j] * ds * dt * s * area});
     }
   }
 }
@@ -158,10 +155,11 @@ void make_adjoint_rule(const PointsRef& polygon, double digits, PolygonRule& rul
     rule.points.colwise() += centroid;
     return;
   }
-  RuleBuilder builder;
+  thread_local std::vector<WeightedPoint> entries;
+  entries.clear();
   for (Index k = 0; k < n; ++k)
-    add_collapsed(Vec2::Zero(), local.col(k), local.col((k + 1) % n), poles, poles, digits, builder);
-  builder.write(centroid, rule);
+    add_collapsed(Vec2::Zero(), local.col(k), local.col((k + 1) % n), poles, poles, digits, entries);
+  write(entries, centroid, rule);
 }
 
 void make_vertex_rule(const PointsRef& polygon, double digits, PolygonRule& rule) {
@@ -169,14 +167,16 @@ void make_vertex_rule(const PointsRef& polygon, double digits, PolygonRule& rule
   const Vec2 origin = area_moments(polygon).centroid;
   const Points local = polygon.colwise() - origin;
   VertexSingularities elsewhere(local);
-  const VertexSingularities anywhere(local);
-  RuleBuilder builder;
+  VertexSingularities anywhere(local);
+  thread_local std::vector<WeightedPoint> entries;
+  entries.clear();
   // The half at vertex i of the triangle (centre, i, j), where i may stand before j or behind.
   const auto add_half = [&](Index i, Index j, const Vec2& centre, bool before) {
-    const Vec2 middle = (local.col(i) + local.col(j)) / 2;
+    const Vec2 vertex = local.col(i), middle = (local.col(j) - vertex) / 2, inwards = centre - vertex;
     elsewhere.collapse_at(i);
-    add_collapsed(local.col(i), before ? middle : centre, before ? centre : middle, elsewhere, anywhere,
-                  digits, builder);
+    anywhere.set_origin(vertex);
+    add_collapsed(vertex, before ? middle : inwards, before ? inwards : middle, elsewhere, anywhere, digits,
+                  entries);
   };
   const auto add_side = [&](Index i, Index j, const Vec2& centre) {
     add_half(i, j, centre, true);
@@ -191,7 +191,7 @@ void make_vertex_rule(const PointsRef& polygon, double digits, PolygonRule& rule
       for (Index k = 0; k < 3; ++k) add_side(ear[k], ear[(k + 1) % 3], centre);
     }
   }
-  builder.write(origin, rule);
+  write(entries, origin, rule);
 }
 
 }  // namespace polyfem

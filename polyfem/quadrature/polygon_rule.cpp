@@ -37,7 +37,7 @@ void make_fan_rule(const PointsRef& polygon, const Vec2& centroid, const Triangl
 bool is_star_shaped(const PointsRef& polygon, const Vec2& centre) {
   const Index n = polygon.cols();
   for (Index k = 0; k < n; ++k)
-    if (cross(polygon.col(k) - centre, polygon.col((k + 1) % n) - centre) <= 0) return false;
+    if (!(cross(polygon.col(k) - centre, polygon.col((k + 1) % n) - centre) > 0)) return false;
   return true;
 }
 

@@ -170,28 +170,20 @@ constexpr Orbit orbits[] = {
     {20, 6, 0.0071564004769153707299, 0.010737212856011087331, 0.28058141142366523484},
 };
 
-void add_point(double l1, double l2, double weight, TriangleRule& rule) {
-  const Index q = rule.weights.size();
-  rule.points.conservativeResize(3, q + 1);
-  rule.weights.conservativeResize(q + 1);
-  rule.points.col(q) << l1, l2, 1 - l1 - l2;
-  rule.weights[q] = weight;
-}
-
 TriangleRule make_symmetric_rule(int degree) {
   TriangleRule rule;
   rule.degree = degree;
   for (const Orbit& orbit : orbits) {
     if (orbit.degree != degree) continue;
     if (orbit.size == 1) {
-      add_point(1. / 3, 1. / 3, orbit.weight, rule);
+      rule.add(1. / 3, 1. / 3, orbit.weight);
       continue;
     }
     std::array corner{orbit.a, orbit.size == 3 ? orbit.a : orbit.b, 0.};
     corner[2] = 1 - corner[0] - corner[1];
     std::sort(corner.begin(), corner.end());
     do {
-      add_point(corner[0], corner[1], orbit.weight, rule);
+      rule.add(corner[0], corner[1], orbit.weight);
     } while (std::next_permutation(corner.begin(), corner.end()));
   }
   return rule;

@@ -14,22 +14,20 @@ class SymmetricRule {
  public:
   explicit SymmetricRule(int degree) { rule_.degree = degree; }
 
-  SymmetricRule& centroid(double weight) { return add(1. / 3, 1. / 3, weight); }
+  SymmetricRule& centroid(double weight) {
+    rule_.add(1. / 3, 1. / 3, weight);
+    return *this;
+  }
   /// (1 - 2a, a, a) and its rotations.
   SymmetricRule& three(double a, double weight) {
-    return add(1 - 2 * a, a, weight).add(a, 1 - 2 * a, weight).add(a, a, weight);
+    rule_.add(1 - 2 * a, a, weight);
+    rule_.add(a, 1 - 2 * a, weight);
+    rule_.add(a, a, weight);
+    return *this;
   }
   const TriangleRule& rule() const { return rule_; }
 
  private:
-  SymmetricRule& add(double l1, double l2, double weight) {
-    const Index q = rule_.weights.size();
-    rule_.points.conservativeResize(3, q + 1);
-    rule_.weights.conservativeResize(q + 1);
-    rule_.points.col(q) << l1, l2, 1 - l1 - l2;
-    rule_.weights[q] = weight;
-    return *this;
-  }
   TriangleRule rule_;
 };
 
@@ -53,6 +51,14 @@ std::array<TriangleRule, 5> hammer_rules() {
 }
 
 }  // namespace
+
+void TriangleRule::add(double l1, double l2, double weight) {
+  const Index q = weights.size();
+  points.conservativeResize(3, q + 1);
+  weights.conservativeResize(q + 1);
+  points.col(q) << l1, l2, 1 - l1 - l2;
+  weights[q] = weight;
+}
 
 const TriangleRule& hammer_rule(int degree) {
   static const std::array<TriangleRule, 5> rules = hammer_rules();

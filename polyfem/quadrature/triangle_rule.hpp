@@ -10,6 +10,9 @@ struct TriangleRule {
   Eigen::Matrix3Xd points;  ///< area coordinates (L1, L2, L3), one point a column
   VectorXd weights;         ///< sum to 1
   int degree = 0;           ///< polynomials up to this degree are integrated exactly
+
+  /// Appends the point (l1, l2, 1 - l1 - l2).
+  void add(double l1, double l2, double weight);
 };
 
 /// Hammer's symmetric rules: degree 1 (1 point), 2 (3), 3 (4: the paper's (32), one weight negative),

@@ -1,3 +1,4 @@
+#include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/element_report.hpp>
 #include <tests/support/concave_polygons.hpp>
@@ -59,6 +60,22 @@ TEST(Describe, IsOneLineWithAllThatWasFound) {
        {"some rule", "30 points", "of K", "of M", "sound", "3 zero modes", "condition", "corner", "edge"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(Examine, NamesTheSharpestCorner) {
+  const ElementReport needle = examine_with(hammer_rule(2), support::points({{1, 0}, {1, 1e-6}, {0, 0}}));
+  EXPECT_EQ(needle.sharpest_corner, 2);
+  EXPECT_NEAR(needle.least_angle / 1e-6, 1, 1e-9);
+  EXPECT_NE(describe(needle).find("corner 2 has an angle of 1e-06"), std::string::npos);
+}
+
+TEST(Examine, DoesNotTakeAReflexCornerForASharpOne) {
+  const Points dart = support::points({{0, 0}, {1, -2}, {0, 2}, {-1, -2}});
+  TabulatedElement element;
+  tabulate(dart, hammer_rule(2), mean_value, GradientCorrection::on, element);
+  const ElementReport report = examine(dart, mean_value, element, "");
+  EXPECT_NE(report.sharpest_corner, 0);
+  EXPECT_NEAR(report.least_angle, std::atan(0.5) - std::atan(0.25), 1e-12);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <polyfem/basis/mean_value.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/error.hpp>
 #include <polyfem/element/matrices.hpp>
@@ -193,6 +195,80 @@ TEST(TabulateToTolerance, RefusesToleranceAndBasisThatMakeNoSense) {
     EXPECT_THROW(tabulate_to_tolerance(square, wachspress, tolerance, on, element), Error);
   const Points dart = support::concave_polygons().front().points;
   EXPECT_THROW(tabulate_to_tolerance(dart, wachspress, 1e-6, on, element), Error);
+}
+
+TEST(TabulateToTolerance, IsFiniteForMeanValueFunctionsNextToAShortEdge) {
+  TabulatedElement element;
+  const Points polygon = support::points({{0, 0}, {1, 0}, {1, 1}, {1e-8, 1}, {0, 1 - 1e-8}});
+  const ToleranceReport report = tabulate_to_tolerance(polygon, mean_value, 1e-6, on, element);
+  EXPECT_TRUE(std::isfinite(larger(report.error)));
+  EXPECT_TRUE(element.dx.allFinite());
+}
+
+TEST(TabulateToTolerance, SaysSoWhereExponentsDoNotSuffice) {
+  TabulatedElement element;
+  for (const double size : {1e-100, 1e100}) {
+    const Points polygon = size * support::regular_polygon(6);
+    for (const Basis* basis :
+         {static_cast<const Basis*>(&wachspress), static_cast<const Basis*>(&mean_value)})
+      EXPECT_FALSE(tabulate_to_tolerance(polygon, *basis, 1e-6, on, element).met);
+  }
+}
+
+TEST(TabulateToTolerance, SeesThatMeanValueFunctionsAreSingularHoweverThinThePolygon) {
+  TabulatedElement element;
+  for (const double width : {1., 1e-3, 1e-6, 1e-9}) {
+    Points hexagon = support::regular_polygon(6);
+    hexagon.row(1) *= width;
+    EXPECT_EQ(tabulate_to_tolerance(hexagon, mean_value, 1e-2, on, element).rule,
+              "Gauss points collapsed at the vertices");
+    EXPECT_EQ(tabulate_to_tolerance(hexagon, wachspress, 1e-2, on, element).rule,
+              "Gauss points graded by the adjoint");
+  }
+}
+
+TEST(TabulateToTolerance, MeetsItForMeanValueFunctionsNextToAnAlmostStraightCorner) {
+  TabulatedElement element;
+  const Points polygon = support::points({{0, 0}, {0.5, -1e-4}, {1, 0}, {1, 0.03}});
+  EXPECT_TRUE(tabulate_to_tolerance(polygon, suitable_basis(polygon), 1e-3, on, element).met);
+}
+
+TEST(TabulateToTolerance, TakesWachspressFunctionsForSmoothNextToAShortEdge) {
+  TabulatedElement element;
+  for (const double length : {1e-3, 1e-6, 1e-9}) {
+    const Points polygon = support::points({{0, 0}, {1, 0}, {1, 1}, {length, 1}, {0, 1 - length}});
+    EXPECT_EQ(tabulate_to_tolerance(polygon, wachspress, 1e-2, on, element).rule,
+              "Gauss points graded by the adjoint");
+  }
+}
+
+TEST(TabulateToTolerance, KeepsTheLeastErrorWhereItIsNotMet) {
+  PolygonRule rule;
+  TabulatedElement element, trial;
+  for (const auto& [name, polygon] : support::concave_polygons()) {
+    const ToleranceReport report = tabulate_to_tolerance(polygon, mean_value, 1e-16, on, element);
+    EXPECT_FALSE(report.met) << name;
+    EXPECT_EQ(larger(report.error), larger(estimate_errors(polygon, mean_value, element))) << name;
+    for (const double digits : {std::log(8 / 1e-16) / 1.15, 42.}) {  // those of the first trial and the last
+      make_vertex_rule(polygon, digits, rule);
+      tabulate(polygon, rule, mean_value, on, trial);
+      EXPECT_LE(larger(report.error), larger(estimate_errors(polygon, mean_value, trial))) << name;
+    }
+  }
+}
+
+TEST(TabulateToTolerance, RefusesPolygonsThatAreNone) {
+  TabulatedElement element;
+  const double nan = std::nan("");
+  Points pentagram(2, 5);
+  for (Index k = 0; k < 5; ++k) pentagram.col(k) = support::regular_polygon(5).col(2 * k % 5);
+  for (const Points& polygon :
+       {Points(2, 0), support::points({{0, 0}, {1, 0}}), support::points({{0, 0}, {1, 0}, {nan, 1}, {0, 1}}),
+        support::points({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), support::points({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),
+        support::points({{0, 1}, {1, 1}, {1, 0}, {0, 0}}), pentagram})
+    for (const Basis* basis :
+         {static_cast<const Basis*>(&wachspress), static_cast<const Basis*>(&mean_value)})
+      EXPECT_THROW(tabulate_to_tolerance(polygon, *basis, 1e-6, on, element), Error);
 }
 
 /// The estimate serves any rule, corrected or not.

@@ -94,4 +94,8 @@ TEST(Triangulation, RefusesPolygonsWithoutEars) {
   EXPECT_THROW(triangulate(support::points({{0, 0}, {0, 1}, {1, 1}, {1, 0}})), Error);  // clockwise
 }
 
+TEST(Triangulation, RefusesPolygonsWithoutArea) {
+  for (const Index n : {0, 1, 2}) EXPECT_THROW(triangulate(Points::Zero(2, n)), Error) << n;
+}
+
 }  // namespace

@@ -1,8 +1,10 @@
+#include <polyfem/core/error.hpp>
 #include <polyfem/geometry/validity.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace polyfem;
@@ -129,6 +131,25 @@ TEST(Contains, AgreesWithTheHalfPlanesOfConvexPolygons) {
     }
     EXPECT_EQ(contains(polygon, x), left_of_all);
   }
+}
+
+TEST(RequireUsable, NamesTheVertexTheReasonAndTheCure) {
+  const double nan = std::nan("");
+  const std::pair<Points, const char*> cases[] = {
+      {Points(2, 0), "give it three at least"},
+      {polygon_of({{0, 0}, {1, 0}}), "give it three at least"},
+      {polygon_of({{0, 0}, {1, 0}, {nan, 1}, {0, 1}}), "vertex 2 is nowhere: give it finite"},
+      {polygon_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), "vertex 1 and vertex 2 are at the same place: leave"},
+      {polygon_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), "vertex 0 and all others lie on one line: move"},
+      {polygon_of({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), "edge from vertex 0 meets that from vertex 2: give"},
+      {polygon_of({{0, 1}, {1, 1}, {1, 0}, {0, 0}}), "clockwise from vertex 0 on: reverse"}};
+  for (const auto& [polygon, words] : cases) try {
+      require_usable(polygon);
+      ADD_FAILURE() << "accepted, not: " << words;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  EXPECT_NO_THROW(require_usable(polygon_of({{0, 0}, {2, 0}, {1, 0.5}, {1, 2}})));
 }
 
 }  // namespace

@@ -69,4 +69,10 @@ TEST(GradedGauss, IsPlainGaussForSmoothFunctions) {
   EXPECT_LT((rule.weights - gauss_rule(5).weights).norm(), 1e-6);
 }
 
+TEST(GradedGauss, TakesTheMostPointsWhereSingularitiesAreUnknown) {
+  EXPECT_EQ(n_gauss_points(10, std::nan("")), 64);
+  EXPECT_EQ(n_gauss_points(10, 1), 64);
+  EXPECT_EQ(n_gauss_points(0, 2), 1);
+}
+
 }  // namespace

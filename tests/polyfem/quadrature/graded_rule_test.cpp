@@ -108,4 +108,17 @@ TEST(VertexRule, ConvergesExponentiallyForMeanValueFunctions) {
   }
 }
 
+/// Next to a vertex of coordinate 1 points 1e-17 apart are the same.
+TEST(VertexRule, IsFiniteHoweverShortAnEdge) {
+  PolygonRule rule;
+  for (const double length : {1e-4, 1e-8, 1e-12}) {
+    const Points polygon = support::points({{0, 0}, {1, 0}, {1, 1}, {length, 1}, {0, 1 - length}});
+    for (const double digits : {20., 42.}) {
+      make_vertex_rule(polygon, digits, rule);
+      EXPECT_TRUE(rule.points.allFinite() && rule.weights.allFinite());
+      EXPECT_NEAR(rule.weights.sum(), signed_area(polygon), 1e-8);
+    }
+  }
+}
+
 }  // namespace

@@ -101,4 +101,10 @@ TEST(QuadrilateralRule, IntegratesWhatIsAPolynomialOfThePlane) {
   }
 }
 
+TEST(IsStarShaped, IsNoPolygonWithAVertexThatIsNotFinite) {
+  Points square = support::regular_polygon(4);
+  square(0, 2) = std::nan("");
+  EXPECT_FALSE(is_star_shaped(square, Vec2::Zero()));
+}
+
 }  // namespace
