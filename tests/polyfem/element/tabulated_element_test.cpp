@@ -111,14 +111,12 @@ std::string complaint(const std::function<void()>& use) {
 }
 
 TEST(WachspressOfAnUnsuitablePolygon, IsRefusedWithVertexAndCureByEveryWayIn) {
-  Points dart(2, 5), straight(2, 5), clockwise(2, 4);
+  Points dart(2, 5), straight(2, 5);
   dart << 0, 2, 2, 1, 0,  //
       0, 0, 2, 0.5, 2;
   straight << 0, 2, 2, 1, 0,  //
       0, 0, 2, 2, 2;
-  clockwise << 0, 0, 1, 1,  //
-      0, 1, 1, 0;
-  for (const auto& [polygon, vertex] : {std::pair{dart, 3}, {straight, 3}, {clockwise, 0}}) {
+  for (const Points& polygon : {dart, straight}) {
     TabulatedElement element;
     ShapeValues shape;
     const Vec2 x(0.5, 0.4);
@@ -130,7 +128,7 @@ TEST(WachspressOfAnUnsuitablePolygon, IsRefusedWithVertexAndCureByEveryWayIn) {
         [&] { strain_at(polygon, wachspress, d, x); },
         [&] { point_load(polygon, wachspress, x, Vec2(1, 0), f); }};
     for (const auto& way : ways)
-      EXPECT_NE(complaint(way).find("wachspress: vertex " + std::to_string(vertex) +
+      EXPECT_NE(complaint(way).find("wachspress: vertex 3"
                                     " does not turn left, which Wachspress functions need: use mean_value"),
                 std::string::npos)
           << complaint(way);
