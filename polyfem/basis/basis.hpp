@@ -37,11 +37,13 @@ class Basis {
   /// One word, for reports.
   virtual std::string_view name() const = 0;
 
-  /// What forbids this basis on a simple counter-clockwise polygon; nothing when it can be used.
+  /// What forbids this basis on a simple counter-clockwise polygon; nothing when it can be used. Whether the
+  /// polygon is simple and counter-clockwise is not looked at: see `find_defect`.
   virtual std::optional<Objection> find_objection(const PointsRef& polygon) const = 0;
 
   /// Values and gradients at points of the closed polygon, one a column of `points`; many points at once
-  /// cost less each. Reuses the table's storage. Does not look for objections.
+  /// cost less each. Reuses the table's storage. May throw Error when the polygon is unsuitable, as
+  /// Wachspress functions do; no basis has to look.
   virtual void evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const = 0;
 
   /// Values and gradients at one point.
@@ -51,7 +53,8 @@ class Basis {
   ~Basis() = default;
 };
 
-/// Throws Error with the vertex and the reason when the basis cannot be used on this polygon.
+/// Throws Error with the vertex and the reason when the basis cannot be used on this polygon, which must be
+/// simple and counter-clockwise: that is not looked at.
 void require_suitable(const Basis& basis, const PointsRef& polygon);
 
 }  // namespace polyfem

@@ -49,6 +49,16 @@ inline void store(const Lanes& a, double* to) {
   std::memcpy(to, &a, sizeof a);
 }
 
+/// Square root, lane by lane.
+inline Lanes sqrt(const Lanes& a) {
+  Eigen::Array<double, n_lanes, 1> roots;
+  store(a, roots.data());
+  roots = roots.sqrt();
+  Lanes result;
+  std::memcpy(&result, roots.data(), sizeof result);
+  return result;
+}
+
 /// Sum, lane by lane.
 inline LaneVector operator+(const LaneVector& a, const LaneVector& b) {
   return {a.x + b.x, a.y + b.y};

@@ -1,194 +1,157 @@
+#include <polyfem/basis/edge_area.hpp>
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/mean_value_at_vertex.hpp>
+#include <polyfem/basis/packets.hpp>
 
 #include <cassert>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace polyfem {
 namespace {
 
-/// One number for each of the points that are evaluated together.
-template <int n_lanes>
-using Lanes = Eigen::Array<double, n_lanes, 1>;
-
-/// A vector for each of them.
-template <int n_lanes>
-struct LaneVectors {
-  Lanes<n_lanes> x, y;
-};
+using Edges = std::span<const PreciseEdge>;
 
 /// Vertex i and its weight, seen from the points; the edge to vertex i + 1 and its angle's half tangent.
-template <int n_lanes>
-struct Terms {
-  LaneVectors<n_lanes> d, u;    // v_i - x and its direction
-  Lanes<n_lanes> rho, inverse;  // |d| and 1/|d|
-  Lanes<n_lanes> weight;        // c_k w_i
-  LaneVectors<n_lanes> weight_gradient;
+struct Term {
+  LaneVector d, u;     ///< v_i - x and its direction
+  Lanes rho, inverse;  ///< |d| and 1/|d|
+  Lanes weight;        ///< c_k w_i
+  LaneVector weight_gradient;
 
-  Vec2 c_gradient;           // the edge turned left
-  Lanes<n_lanes> c, dot, t;  // t: times c_k after `clear_largest`
-  LaneVectors<n_lanes> t_gradient;
+  Lanes c, dot, t;  ///< t: times c_k after `clear_largest`
+  LaneVector t_gradient;
 };
 
-/// For each point the index and the size of what is extreme there. Indices are doubles as everything in
-/// lanes.
-template <int n_lanes>
+/// For each point the index and the size of what is largest there; where nothing compares, index 0. Indices
+/// are doubles as everything in lanes.
 struct Extreme {
-  Lanes<n_lanes> size, index = Lanes<n_lanes>::Zero();
+  Lanes size = in_all_lanes(-std::numeric_limits<double>::infinity()), index{};
 
-  void include(const Lanes<n_lanes>& candidate, std::size_t i) {
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      const bool larger = candidate[lane] > size[lane];
-      index[lane] = larger ? static_cast<double>(i) : index[lane];
-      size[lane] = larger ? candidate[lane] : size[lane];
-    }
+  void include(const Lanes& candidate, std::size_t i) {
+    const auto larger = candidate > size;
+    index = larger ? in_all_lanes(static_cast<double>(i)) : index;
+    size = larger ? candidate : size;
   }
-  std::size_t operator[](int lane) const { return static_cast<std::size_t>(index[lane]); }
+  std::size_t operator[](Index lane) const { return static_cast<std::size_t>(index[lane]); }
 };
 
-/// All functions at n_lanes points.
-template <int n_lanes>
-class MeanValueAtPoints {
- public:
-  void evaluate(const PointsRef& polygon, const PointsRef& points, Index first, ShapeTable& table) {
-    terms_.resize(static_cast<std::size_t>(polygon.cols()));
-    see_vertices(polygon, points.middleCols(first, n_lanes));
-    see_edges(polygon);
-    clear_largest();
-    find_weights();
-    write(first, table);
-    for (int lane = 0; lane < n_lanes; ++lane)
-      if (-nearest_.size[lane] < smallest_distance)
-        mean_value_at_vertex(polygon, static_cast<Index>(nearest_[lane]), first + lane, table);
+constexpr double smallest_distance = 1e-140;  // squares of smaller lengths lose digits to underflow
+
+LaneVector turned_left(const LaneVector& v) {
+  return {-v.y, v.x};
+}
+
+std::size_t after(std::size_t i, Edges edges) {
+  return i + 1 == edges.size() ? 0 : i + 1;
+}
+
+/// Gives the nearest vertices.
+Extreme see_vertices(Edges edges, const LaneVector& x, std::span<Term> terms) {
+  Extreme nearest;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    Term& term = terms[i];
+    term.d = edges[i].from() - x;
+    term.rho = sqrt(dot(term.d, term.d));
+    term.inverse = 1 / term.rho;
+    term.u = term.inverse * term.d;
+    nearest.include(-term.rho, i);
   }
+  return nearest;
+}
 
- private:
-  static constexpr double smallest_distance = 1e-140;  // squares of smaller lengths lose digits to underflow
-  using Values = Lanes<n_lanes>;
-  using Term = Terms<n_lanes>;
-
-  std::size_t after(std::size_t i) const { return i + 1 == terms_.size() ? 0 : i + 1; }
-
-  void see_vertices(const PointsRef& polygon, const PointsRef& points) {
-    const Values x = points.row(0).transpose(), y = points.row(1).transpose();
-    nearest_.size.setConstant(-std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const Index vertex = static_cast<Index>(i);
-      Term& term = terms_[i];
-      term.d.x = polygon(0, vertex) - x;
-      term.d.y = polygon(1, vertex) - y;
-      term.rho = (term.d.x.square() + term.d.y.square()).sqrt();
-      term.inverse = term.rho.inverse();
-      term.u.x = term.d.x * term.inverse;
-      term.u.y = term.d.y * term.inverse;
-      nearest_.include(-term.rho, i);
-    }
+/// t = c / (rho rho' + d.d') where d.d' >= 0 and (rho rho' - d.d') / c elsewhere, so that nothing cancels.
+/// The gradient of rho rho' +- d.d' is -+ (u +- u')(rho +- rho'). Gives the edges with the largest |t|.
+Extreme see_edges(Edges edges, const LaneVector& x, std::span<Term> terms) {
+  Extreme steepest;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    Term& a = terms[i];
+    const Term& b = terms[after(i, edges)];
+    a.c = edges[i].area(x);
+    a.dot = dot(a.d, b.d);
+    const auto obtuse = a.dot < 0;
+    const Lanes one = in_all_lanes(1), sum = a.rho * b.rho + (obtuse ? -a.dot : a.dot);
+    const Lanes inverse = 1 / (obtuse ? a.c : sum), sign = obtuse ? -one : one;
+    a.t = (obtuse ? sum : a.c) * inverse;
+    const Lanes of_c = (obtuse ? -a.t : one) * inverse;
+    const Lanes of_u = (a.rho + sign * b.rho) * (obtuse ? one : a.t) * inverse;
+    a.t_gradient = of_c * turned_left(edges[i].direction()) + of_u * (a.u + sign * b.u);
+    steepest.include(a.t < 0 ? -a.t : a.t, i);
   }
+  return steepest;
+}
 
-  /// t = c / (rho rho' + d.d') where d.d' >= 0 and (rho rho' - d.d') / c elsewhere, so that nothing cancels.
-  /// The gradient of rho rho' +- d.d' is -+ (u +- u')(rho +- rho').
-  void see_edges(const PointsRef& polygon) {
-    steepest_.size.setConstant(-1);
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const std::size_t next = after(i);
-      Term& a = terms_[i];
-      const Term& b = terms_[next];
-      const Vec2 edge = polygon.col(static_cast<Index>(next)) - polygon.col(static_cast<Index>(i));
-      a.c_gradient = Vec2(-edge.y(), edge.x());
-      a.dot = a.d.x * b.d.x + a.d.y * b.d.y;
-      Values obtuse, from_b;  // 0 or 1
-      for (int lane = 0; lane < n_lanes; ++lane) {
-        obtuse[lane] = a.dot[lane] < 0 ? 1. : 0.;
-        from_b[lane] = b.rho[lane] < a.rho[lane] ? 1. : 0.;
-      }
-      const Values sharp = 1 - obtuse, from_a = 1 - from_b, sign = sharp - obtuse;
-      // from the nearer end, whose d has the smaller error
-      a.c = (from_a * a.d.x + from_b * b.d.x) * edge.y() - (from_a * a.d.y + from_b * b.d.y) * edge.x();
-      const Values sum = a.rho * b.rho + a.dot.abs();
-      const Values inverse = (sharp * sum + obtuse * a.c).inverse();
-      a.t = (sharp * a.c + obtuse * sum) * inverse;
-      const Values of_c = (sharp - obtuse * a.t) * inverse;
-      const Values of_u = (a.rho + sign * b.rho) * (obtuse + sharp * a.t) * inverse;
-      a.t_gradient.x = of_c * a.c_gradient.x() + of_u * (a.u.x + sign * b.u.x);
-      a.t_gradient.y = of_c * a.c_gradient.y() + of_u * (a.u.y + sign * b.u.y);
-      steepest_.include(a.t.abs(), i);
-    }
+/// Multiplies all t by c_k of the edge k that has the largest at each point.
+void clear_largest(Edges edges, const Extreme& steepest, std::span<Term> terms) {
+  Lanes c;
+  LaneVector edge;
+  for (Index lane = 0; lane < n_lanes; ++lane) {
+    const std::size_t k = steepest[lane];
+    c[lane] = terms[k].c[lane];
+    edge.x[lane] = edges[k].direction().x[lane];
+    edge.y[lane] = edges[k].direction().y[lane];
   }
-
-  /// Multiplies all t by c_k of the edge k that has the largest at each point.
-  void clear_largest() {
-    Values c, c_x, c_y;
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      const Term& term = terms_[steepest_[lane]];
-      c[lane] = term.c[lane];
-      c_x[lane] = term.c_gradient.x();
-      c_y[lane] = term.c_gradient.y();
-    }
-    for (Term& term : terms_) {
-      term.t_gradient.x = c * term.t_gradient.x + c_x * term.t;
-      term.t_gradient.y = c * term.t_gradient.y + c_y * term.t;
-      term.t *= c;
-    }
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      Term& a = terms_[steepest_[lane]];
-      const Term& b = terms_[after(steepest_[lane])];
-      if (a.dot[lane] >= 0) continue;  // t <= 1
-      a.t[lane] = a.rho[lane] * b.rho[lane] - a.dot[lane];
-      a.t_gradient.x[lane] = (a.u.x[lane] - b.u.x[lane]) * (a.rho[lane] - b.rho[lane]);
-      a.t_gradient.y[lane] = (a.u.y[lane] - b.u.y[lane]) * (a.rho[lane] - b.rho[lane]);
-    }
+  for (Term& term : terms) {
+    term.t_gradient = c * term.t_gradient + term.t * turned_left(edge);
+    term.t *= c;
   }
-
-  void find_weights() {
-    const Term* before = &terms_.back();
-    for (Term& at : terms_) {
-      at.weight = (before->t + at.t) * at.inverse;
-      at.weight_gradient.x = (before->t_gradient.x + at.t_gradient.x + at.weight * at.u.x) * at.inverse;
-      at.weight_gradient.y = (before->t_gradient.y + at.t_gradient.y + at.weight * at.u.y) * at.inverse;
-      before = &at;
-    }
+  for (Index lane = 0; lane < n_lanes; ++lane) {
+    Term& a = terms[steepest[lane]];
+    const Term& b = terms[after(steepest[lane], edges)];
+    if (a.dot[lane] >= 0) continue;  // t <= 1
+    a.t[lane] = a.rho[lane] * b.rho[lane] - a.dot[lane];
+    a.t_gradient.x[lane] = (a.u.x[lane] - b.u.x[lane]) * (a.rho[lane] - b.rho[lane]);
+    a.t_gradient.y[lane] = (a.u.y[lane] - b.u.y[lane]) * (a.rho[lane] - b.rho[lane]);
   }
+}
 
-  /// N_i = w_i / W and grad N_i = (grad w_i - N_i grad W) / W, for the nearest vertex j with 1 - N_j, which
-  /// may be tiny, from the other weights: grad N_j = (grad w_j (1 - N_j) - N_j (grad W - grad w_j)) / W.
-  void write(Index first, ShapeTable& table) {
-    Values near, near_x, near_y;
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      Term& term = terms_[nearest_[lane]];
-      near[lane] = std::exchange(term.weight[lane], 0);
-      near_x[lane] = std::exchange(term.weight_gradient.x[lane], 0);
-      near_y[lane] = std::exchange(term.weight_gradient.y[lane], 0);
-    }
-    Values far = Values::Zero(), far_x = far, far_y = far;
-    for (const Term& term : terms_) {
-      far += term.weight;
-      far_x += term.weight_gradient.x;
-      far_y += term.weight_gradient.y;
-    }
-    const Values inverse = (near + far).inverse(), sum_x = near_x + far_x, sum_y = near_y + far_y;
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const Term& term = terms_[i];
-      const Index column = static_cast<Index>(i);
-      const Values N = term.weight * inverse;
-      table.values.col(column).template segment<n_lanes>(first) = N;
-      table.dx.col(column).template segment<n_lanes>(first) = (term.weight_gradient.x - N * sum_x) * inverse;
-      table.dy.col(column).template segment<n_lanes>(first) = (term.weight_gradient.y - N * sum_y) * inverse;
-    }
-    const Values N = near * inverse, rest = far * inverse;
-    const Values N_x = (near_x * rest - N * far_x) * inverse, N_y = (near_y * rest - N * far_y) * inverse;
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      const Index column = static_cast<Index>(nearest_[lane]);
-      table.values(first + lane, column) = N[lane];
-      table.dx(first + lane, column) = N_x[lane];
-      table.dy(first + lane, column) = N_y[lane];
-    }
+void find_weights(std::span<Term> terms) {
+  const Term* before = &terms.back();
+  for (Term& at : terms) {
+    at.weight = (before->t + at.t) * at.inverse;
+    at.weight_gradient = at.inverse * (before->t_gradient + at.t_gradient + at.weight * at.u);
+    before = &at;
   }
+}
 
-  std::vector<Term> terms_;
-  Extreme<n_lanes> nearest_, steepest_;
-};
+/// N_i = w_i / W and grad N_i = (grad w_i - N_i grad W) / W, for the nearest vertex j with 1 - N_j, which may
+/// be tiny, from the other weights: grad N_j = (grad w_j (1 - N_j) - N_j (grad W - grad w_j)) / W.
+void write(const Extreme& nearest, std::span<Term> terms, Index row, ShapeTable& table) {
+  Lanes near;
+  LaneVector near_gradient;
+  for (Index lane = 0; lane < n_lanes; ++lane) {
+    Term& term = terms[nearest[lane]];
+    near[lane] = std::exchange(term.weight[lane], 0);
+    near_gradient.x[lane] = std::exchange(term.weight_gradient.x[lane], 0);
+    near_gradient.y[lane] = std::exchange(term.weight_gradient.y[lane], 0);
+  }
+  Lanes far{};
+  LaneVector far_gradient{};
+  for (const Term& term : terms) {
+    far += term.weight;
+    far_gradient += term.weight_gradient;
+  }
+  const Lanes inverse = 1 / (near + far);
+  const LaneVector sum = near_gradient + far_gradient;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Lanes N = terms[i].weight * inverse;
+    const LaneVector gradient = inverse * (terms[i].weight_gradient - N * sum);
+    const Index column = static_cast<Index>(i);
+    store(N, &table.values(row, column));
+    store(gradient.x, &table.dx(row, column));
+    store(gradient.y, &table.dy(row, column));
+  }
+  const Lanes N = near * inverse, rest = far * inverse;
+  const LaneVector gradient = inverse * (rest * near_gradient - N * far_gradient);
+  for (Index lane = 0; lane < n_lanes; ++lane) {
+    const Index column = static_cast<Index>(nearest[lane]);
+    table.values(row + lane, column) = N[lane];
+    table.dx(row + lane, column) = gradient.x[lane];
+    table.dy(row + lane, column) = gradient.y[lane];
+  }
+}
 
 }  // namespace
 
@@ -201,16 +164,23 @@ std::optional<Objection> MeanValue::find_objection(const PointsRef& polygon) con
 }
 
 void MeanValue::evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const {
-  assert(polygon.cols() >= 3);
-  for (MatrixXd* entries : {&table.values, &table.dx, &table.dy})
-    entries->resize(points.cols(), polygon.cols());
-  // The same operations on each point in either: a point's results do not depend on its neighbours.
-  constexpr int n_lanes = 4;
-  thread_local MeanValueAtPoints<n_lanes> at_points;
-  thread_local MeanValueAtPoints<1> at_point;
-  Index q = 0;
-  for (; q + n_lanes <= points.cols(); q += n_lanes) at_points.evaluate(polygon, points, q, table);
-  for (; q < points.cols(); ++q) at_point.evaluate(polygon, points, q, table);
+  const Index n = polygon.cols();
+  assert(n >= 3);
+  resize(table, points.cols(), n);
+  thread_local std::vector<PreciseEdge> edges;
+  thread_local std::vector<Term> terms;
+  edges.clear();
+  for (Index i = 0; i < n; ++i) edges.emplace_back(polygon.col(i), polygon.col(i + 1 == n ? 0 : i + 1));
+  terms.resize(edges.size());
+  for_each_packet(points, table, [&](const LaneVector& x, Index row, ShapeTable& to) {
+    const Extreme nearest = see_vertices(edges, x, terms);
+    clear_largest(edges, see_edges(edges, x, terms), terms);
+    find_weights(terms);
+    write(nearest, terms, row, to);
+    for (Index lane = 0; lane < n_lanes; ++lane)
+      if (-nearest.size[lane] < smallest_distance)
+        mean_value_at_vertex(polygon, static_cast<Index>(nearest[lane]), row + lane, to);
+  });
 }
 
 }  // namespace polyfem

@@ -1,4 +1,5 @@
 #include <polyfem/basis/edge_area.hpp>
+#include <polyfem/basis/packets.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -95,6 +96,11 @@ LaneVector step_over_edge(const Corner<Edge>& corner, const LaneVector& x, const
   return before.log - after.log;
 }
 
+/// Where the results of points q and following go.
+Destination rows_from(Index q, ShapeTable& table) {
+  return {&table.values(q, 0), &table.dx(q, 0), &table.dy(q, 0), table.n_points()};
+}
+
 /// See the header for the formulas.
 template <class Edge>
 void evaluate_packet(std::span<const Corner<Edge>> corners, const LaneVector& x, std::span<Term> terms,
@@ -149,45 +155,14 @@ void evaluate_packet(std::span<const Corner<Edge>> corners, const LaneVector& x,
                    select(near_last_edge, (part - 1) * inner_sum - exchanged, N_last * terms[last].left));
 }
 
-void resize(ShapeTable& table, Index n_points, Index n_vertices) {
-  table.values.resize(n_points, n_vertices);
-  table.dx.resize(n_points, n_vertices);
-  table.dy.resize(n_points, n_vertices);
-}
-
-/// Where the results of points q and following go.
-Destination rows_from(Index q, ShapeTable& table) {
-  return {&table.values(q, 0), &table.dx(q, 0), &table.dy(q, 0), table.n_points()};
-}
-
-/// `n_used` points from point q on; further lanes repeat the last of them.
-LaneVector load(const PointsRef& points, Index q, Index n_used) {
-  LaneVector x;
-  for (Index lane = 0; lane < n_lanes; ++lane) {
-    const Index point = q + std::min(lane, n_used - 1);
-    x.x[lane] = points(0, point);
-    x.y[lane] = points(1, point);
-  }
-  return x;
-}
-
 template <class Edge>
 void evaluate_all(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) {
   const std::span<const Corner<Edge>> corners = corners_of<Edge>(polygon);
   thread_local std::vector<Term> terms;
   terms.resize(corners.size());
-  Index q = 0;
-  for (; q + n_lanes <= points.cols(); q += n_lanes)
-    evaluate_packet<Edge>(corners, load(points, q, n_lanes), terms, rows_from(q, table));
-
-  const Index n_left = points.cols() - q;
-  if (n_left == 0) return;
-  thread_local ShapeTable packet;
-  resize(packet, n_lanes, polygon.cols());
-  evaluate_packet<Edge>(corners, load(points, q, n_left), terms, rows_from(0, packet));
-  table.values.bottomRows(n_left) = packet.values.topRows(n_left);
-  table.dx.bottomRows(n_left) = packet.dx.topRows(n_left);
-  table.dy.bottomRows(n_left) = packet.dy.topRows(n_left);
+  for_each_packet(points, table, [&](const LaneVector& x, Index row, ShapeTable& to) {
+    evaluate_packet<Edge>(corners, x, terms, rows_from(row, to));
+  });
 }
 
 /// Whether at each corner b_i, over the square of the longer edge, is at least 0.05: then plain areas give
@@ -214,10 +189,12 @@ std::optional<Objection> Wachspress::find_objection(const PointsRef& polygon) co
 void Wachspress::evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const {
   assert(polygon.cols() >= 3);
   resize(table, points.cols(), polygon.cols());
-  if (is_well_shaped(polygon))
+  if (is_well_shaped(polygon)) {  // so convex
     evaluate_all<PlainEdge>(polygon, points, table);
-  else
+  } else {
+    require_suitable(*this, polygon);
     evaluate_all<PreciseEdge>(polygon, points, table);
+  }
 }
 
 }  // namespace polyfem

@@ -1,5 +1,6 @@
 #include <polyfem/element/diffusion.hpp>
 #include <polyfem/element/gradient_products.hpp>
+#include <polyfem/element/matrices.hpp>
 
 namespace polyfem {
 
@@ -20,7 +21,7 @@ void scalar_mass(const TabulatedElement& element, MatrixXd& M) {
 }
 
 void lumped_mass(const TabulatedElement& element, VectorXd& m) {
-  m.noalias() = element.values.transpose() * element.rule.weights;
+  shape_integrals(element, m);
   if ((m.array() > 0).all()) return;
   m.noalias() = element.values.cwiseAbs2().transpose() * element.rule.weights;
   m *= element.area / m.sum();

@@ -2,10 +2,10 @@
 #include <polyfem/element/loads.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/geometry/validity.hpp>
+#include <polyfem/quadrature/gauss_rule.hpp>
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -23,13 +23,14 @@ double distance_to_boundary(const PointsRef& polygon, const Vec2& x) {
 }
 
 void require_inside(const PointsRef& polygon, const Vec2& x) {
-  constexpr double round_off = 1e-12;
+  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+  std::ostringstream message;
+  message << "point load at (" << x.x() << ", " << x.y() << "): ";
+  if (!x.allFinite()) throw Error(message.str() + "give a point with finite coordinates");
   if (contains(polygon, x)) return;
   const double distance = distance_to_boundary(polygon, x);
   if (distance <= round_off * polygon.cwiseAbs().maxCoeff()) return;
-  std::ostringstream message;
-  message << "point load at (" << x.x() << ", " << x.y() << "): outside the polygon by " << distance
-          << "; give it to the cell that contains the point";
+  message << "outside the polygon by " << distance << "; give it to the cell that contains the point";
   throw Error(message.str());
 }
 
@@ -37,8 +38,9 @@ void require_inside(const PointsRef& polygon, const Vec2& x) {
 
 void body_force(const TabulatedElement& element, const Vec2& b, VectorXd& f) {
   assert(f.size() == 2 * element.n_vertices());
-  for (Index i = 0; i < element.n_vertices(); ++i)
-    f.segment<2>(2 * i) += element.values.col(i).dot(element.rule.weights) * b;
+  thread_local VectorXd integrals;
+  shape_integrals(element, integrals);
+  f += (b * integrals.transpose()).reshaped();
 }
 
 void body_force(const TabulatedElement& element, const VectorField& b, VectorXd& f) {
@@ -61,9 +63,10 @@ void edge_traction(const PointsRef& polygon, Index edge, const VectorField& trac
   const Index n = polygon.cols(), next = edge + 1 < n ? edge + 1 : 0;
   assert(0 <= edge && edge < n && f.size() == 2 * n);
   const Vec2 start = polygon.col(edge), along = polygon.col(next) - start;
-  for (const int side : {-1, 0, 1}) {
-    const double s = 0.5 + side * std::sqrt(0.15), weight = side == 0 ? 8. / 18 : 5. / 18;
-    const Vec2 force = weight * along.norm() * traction(start + s * along);
+  const GaussRule& rule = gauss_rule(3);
+  for (Index q = 0; q < rule.points.size(); ++q) {
+    const double s = rule.points[q];
+    const Vec2 force = rule.weights[q] * along.norm() * traction(start + s * along);
     f.segment<2>(2 * edge) += (1 - s) * force;
     f.segment<2>(2 * next) += s * force;
   }

@@ -28,7 +28,7 @@ void edge_traction(const PointsRef& polygon, Index edge, const Vec2& first, cons
 void edge_traction(const PointsRef& polygon, Index edge, const VectorField& traction, VectorXd& f);
 
 /// Adds a force, N/m, at a point of the closed polygon: N(x)^T times it. Throws Error when x lies outside by
-/// more than round-off.
+/// more than the round-off of its coordinates, or is not finite.
 void point_load(const PointsRef& polygon, const Basis& basis, const Vec2& x, const Vec2& force, VectorXd& f);
 
 /// Adds the forces of an initial stress, which is there when d = 0: minus the integral of B^T sigma0, (19).

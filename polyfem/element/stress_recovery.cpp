@@ -1,10 +1,21 @@
 #include <polyfem/element/stress_recovery.hpp>
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 
 #include <cassert>
 
 namespace polyfem {
+namespace {
+
+/// The inverse of a symmetric matrix, zero in the directions of eigenvalues that are not above `least`.
+Mat2 inverse_above(double least, const Mat2& A) {
+  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(A);
+  const Vec2 inverses = (eigen.eigenvalues().array() > least).select(eigen.eigenvalues().cwiseInverse(), 0);
+  return eigen.eigenvectors() * inverses.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
 Vec3 strain_at(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<const VectorXd>& d,
                const Vec2& x) {
   assert(d.size() == 2 * polygon.cols());
@@ -24,8 +35,10 @@ void extrapolate_to_vertices(const PointsRef& polygon, const TabulatedElement& e
   const Points weighted = from_centre * w.asDiagonal();
   const Mat2 second = weighted * from_centre.transpose();
   const VectorXd mean = at_points * w / element.area;
-  const Eigen::MatrixX2d slope = at_points * weighted.transpose() * second.inverse();
-  at_vertices = (slope * (polygon.colwise() - centre)).colwise() + mean;
+  const Points arms = polygon.colwise() - centre;
+  const double negligible = 1e-14 * element.area * arms.colwise().squaredNorm().maxCoeff();
+  const Eigen::MatrixX2d slope = at_points * weighted.transpose() * inverse_above(negligible, second);
+  at_vertices = (slope * arms).colwise() + mean;
 }
 
 }  // namespace polyfem

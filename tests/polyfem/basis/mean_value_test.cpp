@@ -7,6 +7,7 @@
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 using namespace polyfem;
 
@@ -115,6 +116,61 @@ TEST_P(MeanValueAtAStraightCorner, IsTheLimitAlongTheBisector) {
   const VectorXd slopes = at.gradients.transpose() * tangent.normalized();
   EXPECT_NEAR(slopes[2], 0.5 / out.norm(), 1e-3);
   EXPECT_NEAR(slopes[0], -0.5 / in.norm(), 1e-3);
+}
+
+/// A triangle and a hexagon in no particular direction, by their thinness.
+class MeanValueInANeedle : public testing::TestWithParam<double> {
+ protected:
+  Points triangle() const {
+    Points polygon(2, 3);
+    polygon << 0, 1, 1,  //
+        0, 0.3, 0.3 + GetParam();
+    return polygon;
+  }
+  Points hexagon() const {
+    const Mat2 turned = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+    return turned * Vec2(1, GetParam()).asDiagonal() * support::regular_polygon(6);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Thinness, MeanValueInANeedle, testing::Values(1e-3, 1e-6, 1e-9));
+
+TEST_P(MeanValueInANeedle, AgreesWithItsFormulaInManyDigits) {
+  SampleRandom random(3);
+  ShapeValues shape, exact;
+  for (const Points& polygon : {triangle(), hexagon()})
+    for (int trial = 0; trial < 40; ++trial) {
+      VectorXd weights(polygon.cols());
+      for (double& weight : weights) weight = std::pow(random(0, 1), trial % 2 == 0 ? 1 : 12);
+      const Vec2 x = polygon * weights / weights.sum();
+      mean_value(polygon, x, shape);
+      exact_mean_value(polygon, x, exact);
+      EXPECT_LT((shape.values - exact.values).cwiseAbs().maxCoeff(), 1e-14);
+      EXPECT_LT(largest(shape.gradients - exact.gradients), 1e-14 * largest(exact.gradients));
+    }
+}
+
+TEST_P(MeanValueInANeedle, HasTheLinearGradientsAtTheVerticesOfATriangle) {
+  ShapeValues at, inside;
+  const Points polygon = triangle();
+  exact_mean_value(polygon, polygon.rowwise().mean(), inside);
+  for (Index i = 0; i < 3; ++i) {
+    mean_value(polygon, polygon.col(i), at);
+    EXPECT_LT(largest(at.gradients - inside.gradients), 1e-14 * largest(inside.gradients));
+  }
+}
+
+TEST(MeanValueFunctions, WriteNothingButTheirTableWhateverTheInput) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Points collinear(2, 3), larger = support::regular_polygon(50);
+  collinear << 0, 1, 2,  //
+      0, 0, 0;
+  for (const Vec2& x : {Vec2(0.5, 0), Vec2(nan, 0), Vec2(nan, nan)}) {
+    ShapeTable table;
+    mean_value.evaluate(larger, 0.9 * larger, table);  // the last point is nearest to vertex 49
+    mean_value.evaluate(collinear, x.replicate(1, 5), table);
+    EXPECT_EQ(table.n_points(), 5);
+    EXPECT_FALSE(table.values.allFinite());
+  }
 }
 
 TEST(MeanValueFunctions, HaveTheirBoundedGradientsAtAnyDistanceFromAVertex) {

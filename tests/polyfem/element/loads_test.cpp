@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace polyfem;
 
 namespace {
@@ -145,6 +147,24 @@ TEST_P(Loads, PointLoadOutsideIsRefusedButNotForRoundOff) {
     EXPECT_NE(std::string(error.what()).find("outside the polygon by 0.25"), std::string::npos)
         << error.what();
   }
+}
+
+TEST_P(Loads, PointLoadFarFromTheOriginMayBeOutsideByTheRoundOffOfItsCoordinatesOnly) {
+  const double offset = 1e8;
+  const Points far = polygon_.array() + offset;
+  const Vec2 middle = (far.col(0) + far.col(1)) / 2, edge = far.col(1) - far.col(0);
+  const Vec2 outward = Vec2(edge.y(), -edge.x()).normalized();
+  EXPECT_NO_THROW(point_load(far, wachspress, middle, Vec2(1, 0), f_));
+  EXPECT_NO_THROW(point_load(far, wachspress, middle + 3e-8 * outward, Vec2(1, 0), f_));
+  EXPECT_THROW(point_load(far, wachspress, middle + 1e-6 * outward, Vec2(1, 0), f_), Error);
+}
+
+TEST_P(Loads, PointLoadThatIsNowhereIsRefused) {
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const Basis* basis : std::initializer_list<const Basis*>{&wachspress, &mean_value}) {
+      EXPECT_THROW(point_load(polygon_, *basis, Vec2(x, 0.5), Vec2(1, 0), f_), Error);
+      EXPECT_THROW(point_load(polygon_, *basis, Vec2(0.5, x), Vec2(1, 0), f_), Error);
+    }
 }
 
 TEST_P(Loads, InitialStrainIsRelievedByTheDisplacementsThatHaveIt) {

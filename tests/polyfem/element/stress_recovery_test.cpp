@@ -67,4 +67,30 @@ TEST_P(StressRecovery, NearestLinearFieldKeepsMeanAndFirstMoments) {
   EXPECT_LT((again - at_vertices).norm(), 1e-12 * at_vertices.norm());
 }
 
+TEST(StressRecoveryFromFewPoints, OfASinglePointEveryVertexHasTheValue) {
+  Points triangle(2, 3);
+  triangle << 0.1, 1.3, 0.4,  //
+      0.2, 0.7, 1.9;
+  TabulatedElement element;
+  const PolygonRule rule{triangle.rowwise().mean(), VectorXd::Constant(1, 0.945)};
+  tabulate(triangle, rule, wachspress, GradientCorrection::on, element);
+  const Vec3 stress(7, -2, 1);
+  MatrixXd at_vertices;
+  extrapolate_to_vertices(triangle, element, stress, at_vertices);
+  EXPECT_LT((at_vertices.colwise() - stress).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(StressRecoveryFromFewPoints, IsConstantAcrossTheLineOfTwo) {
+  Points quadrilateral(2, 4);
+  quadrilateral << 0, 1, 0.7, -0.1,  //
+      0.1, 0, 1.1, 0.9;
+  const PolygonRule rule{(Points(2, 2) << 0.3, 0.5, 0.4, 0.6).finished(), Vec2(0.5, 0.3)};
+  TabulatedElement element;
+  tabulate(quadrilateral, rule, wachspress, GradientCorrection::on, element);
+  const Vec2 along(3, 3);
+  MatrixXd at_vertices;
+  extrapolate_to_vertices(quadrilateral, element, along.transpose() * rule.points, at_vertices);
+  EXPECT_LT((at_vertices - along.transpose() * quadrilateral).cwiseAbs().maxCoeff(), 1e-13);
+}
+
 }  // namespace

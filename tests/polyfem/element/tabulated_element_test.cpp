@@ -1,8 +1,14 @@
 #include <polyfem/basis/wachspress.hpp>
-#include <polyfem/element/tabulated_element.hpp>
+#include <polyfem/core/error.hpp>
+#include <polyfem/element/loads.hpp>
+#include <polyfem/element/stress_recovery.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
 
 using namespace polyfem;
 
@@ -92,6 +98,42 @@ TEST_P(Tabulate, ReusesTheStorageOfTheElement) {
   EXPECT_EQ(element_.values.data(), values);
   EXPECT_EQ(element_.dx.data(), dx);
   EXPECT_EQ(element_.dy.data(), dy);
+}
+
+/// What Wachspress functions say on the way by which the polygon comes in; empty when they take it.
+std::string complaint(const std::function<void()>& use) {
+  try {
+    use();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(WachspressOfAnUnsuitablePolygon, IsRefusedWithVertexAndCureByEveryWayIn) {
+  Points dart(2, 5), straight(2, 5);
+  dart << 0, 2, 2, 1, 0,  //
+      0, 0, 2, 0.5, 2;
+  straight << 0, 2, 2, 1, 0,  //
+      0, 0, 2, 2, 2;
+  for (const Points& polygon : {dart, straight}) {
+    TabulatedElement element;
+    ShapeValues shape;
+    const Vec2 x(0.5, 0.4);
+    const VectorXd d = VectorXd::Ones(2 * polygon.cols());
+    VectorXd f = d;
+    const std::vector<std::function<void()>> ways{
+        [&] { tabulate(polygon, hammer_rule(2), wachspress, GradientCorrection::on, element); },
+        [&] { wachspress.evaluate(polygon, x, element); }, [&] { wachspress(polygon, x, shape); },
+        [&] { strain_at(polygon, wachspress, d, x); },
+        [&] { point_load(polygon, wachspress, x, Vec2(1, 0), f); }};
+    for (const auto& way : ways)
+      EXPECT_NE(complaint(way).find("wachspress: vertex 3"
+                                    " does not turn left, which Wachspress functions need: use mean_value"),
+                std::string::npos)
+          << complaint(way);
+    EXPECT_EQ(f, d);
+  }
 }
 
 }  // namespace
