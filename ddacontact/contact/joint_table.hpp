@@ -15,6 +15,8 @@ struct JointStrength {
   double cohesion = 0;          ///< Pa
   double tensile_strength = 0;  ///< Pa
   FrictionLaw friction_law{};   ///< in place of Coulomb's N tan(phi); none: Coulomb
+  double restitution = 0;       ///< 0..1, normal, of blocks that meet
+  double dashpot = 0;           ///< contact damping, ratio to critical of the contact spring
 };
 
 /// The strengths of the joint between any two materials.

@@ -16,12 +16,26 @@ enum class Preset { standard, paper };
 enum class Mode { dynamic, statics };
 /// The unknowns of a block: displacements of its vertices | the six of (1).
 enum class BlockModel { wachspress, affine };
-/// How displacements add up: increments on the current shape, Eq. (12).
-enum class Kinematics { incremental };
-/// The time scheme: Newmark (1/2, 1), Eq. (24)-(27).
-enum class Scheme { dda };
-/// How contact states are found: open-close iteration.
-enum class ContactMethod { classic };
+/// How displacements add up: totals from the reference shape in a frame that turns with the block |
+/// increments on the current shape, Eq. (12).
+enum class Kinematics { corotational, incremental };
+/// The time scheme.
+enum class Scheme {
+  decaying,        ///< momenta kept exactly, motion of rigid blocks of second order, deformation and contact
+                   ///< as backward Euler has them: what vibrates decays
+  midpoint,        ///< momenta and energy kept exactly
+  dda,             ///< Newmark (1/2, 1), Eq. (24)-(27)
+  newmark,         ///< Newmark (beta, gamma)
+  backward_euler
+};
+/// How contact states are found: the staged method | Shi's open-close iteration.
+enum class ContactMethod { staged, classic };
+
+/// Rayleigh damping: forces mass * M v and stiffness * K times the rate of deformation.
+struct RayleighDamping {
+  double mass = 0;       ///< 1/s
+  double stiffness = 0;  ///< s
+};
 
 /// Steps, laws of motion and defaults of the blocks.
 struct AnalysisOptions {
@@ -35,6 +49,8 @@ struct AnalysisOptions {
   BlockModel block_model = BlockModel::wachspress;  ///< "auto" is resolved
   Kinematics kinematics = Kinematics::incremental;
   Scheme scheme = Scheme::dda;
+  double beta = 0.25, gamma = 0.5;  ///< of Scheme::newmark
+  RayleighDamping damping;
   GradientCorrection gradient_correction = GradientCorrection::on;  ///< off in the paper preset
   double cutting_factor = 0.3;  ///< a rejected step is tried again with this times its length
 };
@@ -42,7 +58,7 @@ struct AnalysisOptions {
 /// Springs of the contacts.
 struct ContactOptions {
   ContactMethod method = ContactMethod::classic;
-  double normal_stiffness = 0;       ///< N/m per m; > 0 once resolved
+  double normal_stiffness = 0;       ///< N/m per m; > 0 once resolved; staged: where it starts
   double tangential_stiffness = 0;   ///< N/m per m; > 0 once resolved
   double penetration_tolerance = 0;  ///< of the block size; 0 = plain penalty
 };
