@@ -1,0 +1,91 @@
+#include <ddacontact/contact/edge_motion.hpp>
+
+namespace ddacontact {
+
+namespace {
+
+Vec2 turned_clockwise(const Vec2& x) {
+  return {x.y(), -x.x()};
+}
+
+struct Edge {
+  explicit Edge(const VertexEdgePlace& place) : a(place.k - place.j), b(place.i - place.j), l(a.norm()) {
+    assert(l > 0);
+  }
+  Vec2 t() const { return a / l; }
+  Vec2 n() const { return turned_clockwise(a) / l; }
+  double along_t() const { return a.dot(b) / l; }
+  double along_n() const { return cross(b, a) / l; }
+
+  Vec2 a, b;
+  double l;
+};
+
+/// b = i - j and a = k - j
+VertexEdgeGradient by_places(const Vec2& by_b, const Vec2& by_a) {
+  return {by_b, -by_b - by_a, by_a};
+}
+
+/// What discrete gradients are made of. Those of the quadratic l^2, a . b and l n . b are their gradients at
+/// the mean, which have no moment there: rotations change none of the three. The rest follows by
+///     l1 - l0 = (l1^2 - l0^2) / (l0 + l1),
+///     X1 / l1 - X0 / l0 = mean(1 / l) (X1 - X0) - mean(X) (l1 - l0) / (l0 l1).
+struct MeanEdge {
+  MeanEdge(const Edge& start, const Edge& end)
+      : a((start.a + end.a) / 2),
+        b((start.b + end.b) / 2),
+        length_by_a(2 * a / (start.l + end.l)),
+        inverse_length((1 / start.l + 1 / end.l) / 2) {}
+
+  Vec2 a, b;
+  Vec2 length_by_a;
+  double inverse_length;
+};
+
+}  // namespace
+
+double gap(const VertexEdgePlace& place) {
+  return Edge(place).along_n();
+}
+
+double slip(const VertexEdgePlace& place, double lock) {
+  const Edge edge(place);
+  return edge.along_t() - lock * edge.l;
+}
+
+VertexEdgeGradient gap_gradient(const VertexEdgePlace& place) {
+  const Edge edge(place);
+  return by_places(edge.n(), -edge.along_t() / edge.l * edge.n());
+}
+
+VertexEdgeGradient slip_gradient(const VertexEdgePlace& place, double lock) {
+  const Edge edge(place);
+  return by_places(edge.t(), edge.along_n() / edge.l * edge.n() - lock * edge.t());
+}
+
+VertexEdgeGradient gap_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end) {
+  const Edge edge0(start), edge1(end);
+  const MeanEdge mean(edge0, edge1);
+  const double by_length = -(edge0.along_n() / edge1.l + edge1.along_n() / edge0.l) / 2;
+  return by_places(mean.inverse_length * turned_clockwise(mean.a),
+                   by_length * mean.length_by_a - mean.inverse_length * turned_clockwise(mean.b));
+}
+
+VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end, double lock) {
+  const Edge edge0(start), edge1(end);
+  const MeanEdge mean(edge0, edge1);
+  const double by_length = -(edge0.along_t() / edge1.l + edge1.along_t() / edge0.l) / 2 - lock;
+  return by_places(mean.inverse_length * mean.a, by_length * mean.length_by_a + mean.inverse_length * mean.b);
+}
+
+AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
+                       const PointMap& k, const VectorXd& d) {
+  AffineForm form;
+  i.add_to(form, gradient.i);
+  j.add_to(form, gradient.j);
+  k.add_to(form, gradient.k);
+  form.constant = value - form.change(d);
+  return form;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,51 @@
+/// \file Exact normal gap and slip of a vertex and an edge under motions of any size, and their derivatives.
+///
+/// With a = k - j, b = i - j, l = |a|, t = a / l and n = t turned clockwise, outward:
+///     g = n . b,    s = t . b - lock l.
+/// `contact/kinematics` has the paper's forms of first order. Of a touching vertex they have these gradients;
+/// at a distance (36) leaves out the edge's stretch, -(g / l) t by k, and (44) the turning of t, (g / l) n by
+/// k, and their opposites by j.
+#pragma once
+
+#include <ddacontact/block/point_map.hpp>
+
+namespace ddacontact {
+
+/// Vertex i and the ends j, k of the edge, in the counter-clockwise order of the edge's own block. Only their
+/// differences matter: coordinates near a common origin keep them exact. j and k must differ.
+struct VertexEdgePlace {
+  Vec2 i, j, k;
+};
+
+/// Derivatives by the three places: a force N along the gap is N times these. They sum to zero.
+struct VertexEdgeGradient {
+  Vec2 i, j, k;
+};
+
+/// -S0 / l of (33), (34), a length: the vertex's distance from the edge's line, < 0 is penetration.
+double gap(const VertexEdgePlace& place);
+
+/// (41), a length: how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k.
+double slip(const VertexEdgePlace& place, double lock);
+
+/// Derivatives of `gap`: n by i, shared among j and k as the foot of the vertex divides the edge.
+VertexEdgeGradient gap_gradient(const VertexEdgePlace& place);
+
+/// Derivatives of `slip`, the turning and the stretch of the edge included.
+VertexEdgeGradient slip_gradient(const VertexEdgePlace& place, double lock);
+
+/// Discrete gradient of `gap`, for forces whose work over the step is what their potential loses:
+/// mean . (end - start) = gap(end) - gap(start) for any two places, no net force, and no moment about the
+/// configuration (start + end) / 2. The same from end to start. Differs from the gradient there in second
+/// order; when all turn by D together it is the gradient turned by D / 2, times cos(D / 2).
+VertexEdgeGradient gap_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end);
+
+/// Discrete gradient of `slip` of one lock point, with the properties of `gap_mean_gradient`.
+VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end, double lock);
+
+/// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j, k
+/// of the places by the unknowns. It returns the value to the rounding of its terms at d.
+AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
+                       const PointMap& k, const VectorXd& d);
+
+}  // namespace ddacontact

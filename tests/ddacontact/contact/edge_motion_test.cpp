@@ -1,0 +1,272 @@
+#include <ddacontact/contact/edge_motion.hpp>
+#include <ddacontact/contact/kinematics.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+using namespace ddacontact;
+
+namespace {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+Vec6 coordinates(const VertexEdgePlace& place) {
+  return (Vec6() << place.i, place.j, place.k).finished();
+}
+Vec6 components(const VertexEdgeGradient& gradient) {
+  return (Vec6() << gradient.i, gradient.j, gradient.k).finished();
+}
+VertexEdgePlace place_at(const Vec6& x) {
+  return {x.head<2>(), x.segment<2>(2), x.tail<2>()};
+}
+
+/// The gap (lock is not used) or the slip, with its two gradients.
+struct Measure {
+  bool is_gap;
+  double lock;
+
+  double value(const Vec6& x) const { return is_gap ? gap(place_at(x)) : slip(place_at(x), lock); }
+  Vec6 gradient(const Vec6& x) const {
+    return components(is_gap ? gap_gradient(place_at(x)) : slip_gradient(place_at(x), lock));
+  }
+  Vec6 mean_gradient(const Vec6& x0, const Vec6& x1) const {
+    return components(is_gap ? gap_mean_gradient(place_at(x0), place_at(x1))
+                             : slip_mean_gradient(place_at(x0), place_at(x1), lock));
+  }
+  AffineForm first_order(const MovingPoint& i, const MovingPoint& j, const MovingPoint& k) const {
+    return is_gap ? gap_form(i, j, k) : slip_form(i, j, k, lock);
+  }
+  /// The same by the definition, for coordinates of any number type.
+  template <class Number>
+  Number defined(const Eigen::Matrix<Number, 6, 1>& x) const {
+    const Number a_x = x[4] - x[2], a_y = x[5] - x[3], l = std::sqrt(a_x * a_x + a_y * a_y);
+    const Number share = is_gap ? 0 : lock, b_x = x[0] - x[2] - share * a_x, b_y = x[1] - x[3] - share * a_y;
+    return is_gap ? (a_y * b_x - a_x * b_y) / l : (a_x * b_x + a_y * b_y) / l;
+  }
+};
+
+Vec2 random_vector(double size, std::mt19937& random) {
+  return support::uniform(0, size, random) * support::random_direction(random);
+}
+
+/// An edge of length 0.5 to 2 and a vertex over it, or a little beyond its ends, or next to it.
+Vec6 random_place(double largest_gap, std::mt19937& random) {
+  const Vec2 t = support::random_direction(random), a = support::uniform(0.5, 2, random) * t;
+  const Vec2 j = random_vector(1, random);
+  const Vec2 i = j + support::uniform(-0.2, 1.2, random) * a +
+                 support::uniform(-largest_gap, largest_gap, random) * Vec2(t.y(), -t.x());
+  return coordinates({i, j, j + a});
+}
+
+Mat2 rotation(double angle) {
+  return (Mat2() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)).finished();
+}
+Vec6 rotated(double angle, const Vec6& x) {
+  Vec6 y;
+  y.reshaped(2, 3) = rotation(angle) * x.reshaped(2, 3);
+  return y;
+}
+Vec6 translated(const Vec2& u, const Vec6& x) {
+  return x + u.replicate<3, 1>();
+}
+
+/// Turns by up to 2, stretches by up to 2 in any direction, moves, and moves the vertex by itself.
+Vec6 randomly_moved(const Vec6& x, std::mt19937& random) {
+  const Mat2 axes = rotation(support::uniform(0, 3, random));
+  const Vec2 stretches(support::uniform(0.5, 2, random), support::uniform(0.5, 2, random));
+  const Mat2 F = rotation(support::uniform(-2, 2, random)) * axes * stretches.asDiagonal() * axes.transpose();
+  Vec6 y;
+  y.reshaped(2, 3) = F * x.reshaped(2, 3);
+  y.head<2>() += random_vector(0.5, random);
+  return translated(random_vector(3, random), y);
+}
+
+double moment(const Vec6& x, const Vec6& force) {
+  double sum = 0;
+  for (int p = 0; p < 6; p += 2) sum += cross(x.segment<2>(p), force.segment<2>(p));
+  return sum;
+}
+
+/// A point whose coordinates are the unknowns first and first + 1.
+PointMap free_point(int first) {
+  PointMap map;
+  map.add(first, Vec2::UnitX());
+  map.add(first + 1, Vec2::UnitY());
+  return map;
+}
+
+PointMap random_map(int first_unknown, std::mt19937& random) {
+  PointMap map;
+  for (int u = 0; u < PointMap::capacity; ++u) map.add(first_unknown + u, random_vector(1, random));
+  return map;
+}
+
+class EdgeMotion : public testing::TestWithParam<Measure> {
+ protected:
+  const Measure measure = GetParam();
+  std::mt19937 random{7};
+};
+
+std::string measure_name(const testing::TestParamInfo<Measure>& info) {
+  return info.param.is_gap ? "Gap" : "Slip" + std::to_string(info.index);
+}
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(OfAVertexAndAnEdge, EdgeMotion,
+                         testing::Values(Measure{true, 0}, Measure{false, 0}, Measure{false, 0.7},
+                                         Measure{false, 1.1}),
+                         measure_name);
+
+TEST(EdgeMotion, GapIsNegativeInsideACounterClockwiseBlockAndSlipGrowsAlongItsEdge) {
+  const VertexEdgePlace inside{{0.5, 0.1}, {0, 0}, {2, 0}}, outside{{0.5, -0.1}, {0, 0}, {2, 0}};
+  EXPECT_DOUBLE_EQ(gap(inside), -0.1);
+  EXPECT_DOUBLE_EQ(gap(outside), 0.1);
+  EXPECT_DOUBLE_EQ(slip(inside, 0), 0.5);
+  EXPECT_DOUBLE_EQ(slip(inside, 0.75), -1);
+}
+
+TEST_P(EdgeMotion, ValuesAreGoodToAFewRoundingsOfTheEdge) {
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vec6 x = random_place(trial % 2 ? 1e-9 : 1, random);
+    const double size = (x.segment<2>(4) - x.segment<2>(2)).norm() + (x.head<2>() - x.segment<2>(2)).norm();
+    const auto reference = measure.defined<long double>(x.cast<long double>());
+    EXPECT_NEAR(measure.value(x), static_cast<double>(reference), 4e-16 * size);
+  }
+}
+
+/// Coordinates whose products are exact.
+TEST(EdgeMotion, AVertexOnTheLineHasAGapOfExactlyZero) {
+  for (int n = -3; n < 10; ++n)
+    EXPECT_EQ(gap({Vec2(5, 7) + n * Vec2(3, 11), {5, 7}, Vec2(5, 7) + 7 * Vec2(3, 11)}), 0);
+}
+
+TEST_P(EdgeMotion, NothingDependsOnWhereTheOriginIs) {
+  const double unit = std::ldexp(1, -20);
+  const auto on_lattice = [&](const Vec6& x) { return ((x / unit).array().round() * unit).matrix().eval(); };
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec6 x = on_lattice(random_place(0.5, random)), y = on_lattice(randomly_moved(x, random));
+    const Vec2 far(5e5, 4e6);
+    EXPECT_EQ(measure.value(translated(far, x)), measure.value(x));
+    EXPECT_EQ(measure.gradient(translated(far, x)), measure.gradient(x));
+    EXPECT_LE(
+        (measure.mean_gradient(translated(far, x), translated(far, y)) - measure.mean_gradient(x, y)).norm(),
+        1e-15);
+  }
+}
+
+TEST_P(EdgeMotion, RotationsOfAllKeepTheValueAndTurnTheGradients) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec6 x = random_place(0.5, random), y = randomly_moved(x, random);
+    const double angle = support::uniform(-3, 3, random);
+    const Vec6 turned_x = rotated(angle, x), turned_y = rotated(angle, y);
+    EXPECT_NEAR(measure.value(turned_x), measure.value(x), 1e-14);
+    EXPECT_LE((measure.gradient(turned_x) - rotated(angle, measure.gradient(x))).norm(), 1e-14);
+    EXPECT_LE(
+        (measure.mean_gradient(turned_x, turned_y) - rotated(angle, measure.mean_gradient(x, y))).norm(),
+        1e-13);
+  }
+}
+
+TEST_P(EdgeMotion, GradientsAreTheDerivatives) {
+  const double h = 1e-100;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec6 x = random_place(1, random), gradient = measure.gradient(x);
+    for (int c = 0; c < 6; ++c) {
+      Eigen::Matrix<std::complex<double>, 6, 1> z = x.cast<std::complex<double>>();
+      z[c] += std::complex<double>(0, h);
+      EXPECT_NEAR(gradient[c], measure.defined(z).imag() / h, 3e-15);
+    }
+  }
+}
+
+TEST_P(EdgeMotion, GradientsHaveNoNetForceAndNoMoment) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec6 x = random_place(1, random), gradient = measure.gradient(x);
+    EXPECT_LE(gradient.reshaped(2, 3).rowwise().sum().norm(), 1e-15);
+    EXPECT_NEAR(moment(x, gradient), 0, 1e-14);
+  }
+}
+
+/// The work of a constant force is the change of its potential, over steps of any size.
+TEST_P(EdgeMotion, MeanGradientTimesTheMotionIsTheChangeOfTheValue) {
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec6 x = random_place(0.5, random), y = randomly_moved(x, random);
+    const Vec6 mean = measure.mean_gradient(x, y);
+    const double size = mean.norm() * (y - x).norm() + mean.norm();
+    EXPECT_NEAR(mean.dot(y - x), measure.value(y) - measure.value(x), 1e-14 * size);
+  }
+}
+
+TEST_P(EdgeMotion, MeanGradientHasNoNetForceAndNoMomentAboutTheMidConfiguration) {
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec6 x = random_place(0.5, random), y = randomly_moved(x, random);
+    const Vec6 mean = measure.mean_gradient(x, y);
+    EXPECT_LE(mean.reshaped(2, 3).rowwise().sum().norm(), 1e-15 * mean.norm());
+    EXPECT_NEAR(moment((x + y) / 2, mean), 0, 1e-14 * mean.norm() * ((x + y) / 2).norm());
+  }
+}
+
+TEST_P(EdgeMotion, MeanGradientIsTheSameBackwards) {
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec6 x = random_place(0.5, random), y = randomly_moved(x, random);
+    EXPECT_LE((measure.mean_gradient(x, y) - measure.mean_gradient(y, x)).norm(), 1e-14);
+  }
+}
+
+TEST_P(EdgeMotion, MeanGradientIsTheGradientWhereNothingMovesAndSecondOrderNearTheMiddle) {
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec6 x = random_place(0.5, random), motion = Vec6::Random();
+    EXPECT_LE((measure.mean_gradient(x, x) - measure.gradient(x)).norm(), 1e-14);
+    const auto error = [&](double h) {
+      return (measure.mean_gradient(x - h * motion, x + h * motion) - measure.gradient(x)).norm();
+    };
+    const double ratio = error(1e-3) / error(5e-4);
+    EXPECT_NEAR(ratio, 4, 0.05);
+  }
+}
+
+TEST_P(EdgeMotion, OfARotationTheMeanGradientIsThatOfTheMiddleTimesTheCosineOfHalfTheAngle) {
+  for (const double angle : {-2.0, -0.1, 0.5, 3.0}) {
+    const Vec6 x = random_place(0.5, random);
+    const Vec6 expected = std::cos(angle / 2) * rotated(angle / 2, measure.gradient(x));
+    EXPECT_LE((measure.mean_gradient(x, rotated(angle, x)) - expected).norm(), 1e-14);
+  }
+}
+
+/// What the paper's forms leave out vanishes with the gap: the edge's stretch in (36), its turning in (44).
+TEST_P(EdgeMotion, GradientsAreThoseOfThePaperAndATermProportionalToTheGap) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec6 x = random_place(trial % 2 ? 0.5 : 0, random);
+    const auto [i, j, k] = place_at(x);
+    const AffineForm form = measure.first_order({i, free_point(0)}, {j, free_point(2)}, {k, free_point(4)});
+    VectorXd paper = VectorXd::Zero(6);
+    form.add_gradient(1, paper);
+
+    const double l = (k - j).norm(), g = gap({i, j, k});
+    const Vec2 t = (k - j) / l, n(t.y(), -t.x());
+    const Vec2 by_k = g / l * (measure.is_gap ? Vec2(-t) : n);
+    const Vec6 left_out = (Vec6() << Vec2::Zero(), -by_k, by_k).finished();
+    EXPECT_NEAR(form.constant, measure.value(x), 1e-14);
+    EXPECT_LE((measure.gradient(x) - paper - left_out).norm(), 1e-14);
+  }
+}
+
+/// Vertex and edge on blocks of six unknowns each, as when Newton's method solves a step.
+TEST_P(EdgeMotion, LinearFormHasTheValueAtItsUnknownsAndTheDerivativesByThem) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vec6 x0 = random_place(0.5, random);
+    const PointMap i = random_map(6, random), j = random_map(0, random), k = random_map(0, random);
+    const auto value = [&](const VectorXd& d) { return measure.value(x0 + coordinates({i(d), j(d), k(d)})); };
+    const VectorXd d = 0.05 * VectorXd::Random(12), change = VectorXd::Random(12);
+    const auto [by_i, by_j, by_k] = place_at(measure.gradient(x0 + coordinates({i(d), j(d), k(d)})));
+    const AffineForm form = linear_form(value(d), {by_i, by_j, by_k}, i, j, k, d);
+
+    const double h = 1e-6;
+    EXPECT_NEAR(form(d), value(d), 1e-15);
+    EXPECT_EQ(form.unknowns().size(), 12u);
+    EXPECT_NEAR(form.change(change), (value(d + h * change) - value(d - h * change)) / (2 * h), 1e-8);
+  }
+}
