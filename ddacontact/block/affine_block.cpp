@@ -59,7 +59,7 @@ ControlVertices choose_control_vertices(const PointsRef& outline, const std::vec
 
 AffineBlock::AffineBlock(const BlockMaterial& material, const PointsRef& outline,
                          const std::optional<ControlVertices>& control)
-    : Block(material, outline), control_(control), vertex_maps_(outline.cols()) {}
+    : IncrementalBlock(material, outline), control_(control), vertex_maps_(outline.cols()) {}
 
 VectorXd AffineBlock::unknown_lengths() const {
   VectorXd lengths = VectorXd::Ones(6);

@@ -1,7 +1,7 @@
 /// \file Shi's block: six unknowns, constant strain, Eq. (1)-(3).
 #pragma once
 
-#include <ddacontact/block/block.hpp>
+#include <ddacontact/block/incremental_block.hpp>
 
 #include <optional>
 
@@ -15,7 +15,7 @@ struct ControlVertices {
 
 /// Unknowns: (u0 v0 r0 eps_x eps_y gamma_xy) about the centroid (1); or, given control vertices, their
 /// displacements (u v u v u v), which span the same affine fields.
-class AffineBlock final : public Block {
+class AffineBlock final : public IncrementalBlock {
  public:
   AffineBlock(const BlockMaterial& material, const PointsRef& outline,
               const std::optional<ControlVertices>& control = std::nullopt);

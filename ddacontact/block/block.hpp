@@ -3,6 +3,7 @@
 
 #include <ddacontact/block/point_map.hpp>
 #include <ddacontact/block/state.hpp>
+#include <ddacontact/block/step_start.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
 namespace ddacontact {
@@ -13,11 +14,12 @@ struct BlockMaterial {
   double density = 0;  ///< at the start, kg/m3
 };
 
-/// One block of (13): its matrices on its current shape, and how its unknowns move its outline.
+/// One block of (13): how its unknowns move its outline, and with what forces it resists them.
 ///
 /// Unknowns, outline vertices and integration points are ranges of the arrays of BlockState, given once by
-/// `place`. The paper's scheme is incremental: `prepare` computes everything on the shape of a state; all
-/// other functions speak of the shape last prepared. Forces are per metre of thickness.
+/// `place`. `prepare` makes the block ready for a state; `begin_step` for a step from there. Everything else
+/// speaks of the state last prepared and the step last begun. Vectors of one block are in the order of its own
+/// unknowns. Forces are per metre of thickness.
 class Block {
  public:
   virtual ~Block() = default;
@@ -27,27 +29,30 @@ class Block {
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
   int n_vertices() const { return static_cast<int>(reference_.cols()); }
-  /// Where this block's entries start in the arrays of the state.
-  void place(int first_vertex, int first_unknown, int first_stress_point);
+  /// Its number, and where its entries start in the arrays of the state.
+  void place(int index, int first_vertex, int first_unknown, int first_stress_point);
   const Range& vertices() const { return vertices_; }
   const Range& unknowns() const { return unknowns_; }
   const Range& stress_points() const { return stress_points_; }
 
-  /// At the start.
+  /// At the start, relative to the model's origin.
   const Points& reference() const { return reference_; }
   double reference_area() const { return reference_area_; }
   double mass_total() const { return material_.density * reference_area_; }
   /// The square root of the reference area: what tolerances are relative to.
   double size() const;
+  const BlockMaterial& material() const { return material_; }
+  /// The multiple of a power of two nearest to a place: what the block's origin may be.
+  Vec2 grid_point(const Vec2& near) const;
 
-  /// Computes the quantities below on the block's outline in `state`.
+  /// Makes ready for the block's outline in `state`.
   void prepare(const BlockState& state);
 
+  /// Of the outline; the centroid is relative to the block's origin.
   const polyfem::AreaMoments& moments() const { return moments_; }
-  /// K of (17), n_unknowns x n_unknowns.
-  const MatrixXd& stiffness() const { return stiffness_; }
-  /// The mass matrix, density * integral of T^T T of (26). The density is scaled by reference over current
-  /// area, so that a block that inflates makes no mass.
+  /// Relative to the model's origin.
+  Vec2 centroid() const { return origin_ + moments_.centroid; }
+  /// The mass matrix, density * integral of T^T T of (26), n_unknowns x n_unknowns.
   const MatrixXd& mass() const { return mass_; }
   /// Unknowns of a unit translation in x, in y and a unit rotation about the centroid: n_unknowns x 3.
   const Eigen::Matrix<double, Eigen::Dynamic, 3>& rigid_modes() const { return rigid_modes_; }
@@ -59,32 +64,42 @@ class Block {
 
   /// The displacement of outline vertex `vertex` (0 .. n_vertices - 1).
   virtual PointMap vertex_map(int vertex) const = 0;
-  /// F -= integral of B^T sigma, Eq. (19).
-  virtual void add_stress_forces(const BlockState& state, VectorXd& F) const = 0;
-  /// F += integral of T^T b, Eq. (23); `b` is a force per volume of the undeformed block.
+  /// F += integral of T^T b, Eq. (23), of all unknowns; `b` is a force per volume of the undeformed block.
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
-  /// Adds the stress that the step's displacements d make, Eq. (8), (9), (12).
-  virtual void add_stress(const VectorXd& d, Tensors& stress) const = 0;
 
-  /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the shape last
-  /// prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at every point x
-  /// of the block the field nearest in energy to the stresses at the integration points. It is that field
+  virtual void begin_step(const BlockState& state, const StepStart& start) = 0;
+  /// The forces that resist displacements d of the block's unknowns.
+  virtual void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const = 0;
+  /// Their derivative by d, next to exact, symmetric positive definite: n_unknowns x n_unknowns.
+  virtual void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const = 0;
+  /// Writes the block's place, velocity, acceleration and stress after the step into `next`, which holds those
+  /// before it. `external` are all forces that acted on it, of its own unknowns: free blocks take their
+  /// momentum from them (and with forces at the middle their angular momentum).
+  virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
+                        BlockState& next) const = 0;
+
+  /// At the integration points, axes of the model, 3 x n_stress_points.
+  virtual Tensors stress(const BlockState& state) const = 0;
+  /// What the step's displacements d store in the block, J per m.
+  virtual double stored_energy(const Eigen::Ref<const VectorXd>& d) const = 0;
+  /// Integral of sigma D^-1 sigma / 2, J per m.
+  double elastic_energy(const BlockState& state) const;
+  /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the shape
+  /// last prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at every point
+  /// x of the block the field nearest in energy to the stresses at the integration points. It is that field
   /// itself while the block has not turned, since the stress is then a sum of such fields.
   virtual Points strain_displacement(const BlockState& state) const = 0;
-
-  const BlockMaterial& material() const { return material_; }
-
-  /// Integral of sigma D^-1 sigma / 2 over the shape last prepared, J per m.
-  double elastic_energy(const BlockState& state) const;
 
  protected:
   Block(const BlockMaterial& material, const PointsRef& outline);
 
   virtual void prepare_shape(const PointsRef& outline) = 0;
   const Mat3& compliance() const { return compliance_; }  ///< D^-1
-  double current_density() const { return material_.density * reference_area_ / moments_.area; }
+  int index() const { return index_; }
+  /// Moves the origin in `state` back to the block when it has gone far from it.
+  void follow_with_origin(BlockState& state) const;
 
-  MatrixXd stiffness_, mass_;
+  MatrixXd mass_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> rigid_modes_;
   VectorXd integration_weights_;
 
@@ -93,7 +108,10 @@ class Block {
   Mat3 compliance_;
   Points reference_;
   double reference_area_;
+  double grid_;  ///< spacing of the origins
+  int index_ = 0;
   Range vertices_, unknowns_, stress_points_;
+  Vec2 origin_{0, 0};
   polyfem::AreaMoments moments_;
 };
 

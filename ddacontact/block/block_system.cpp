@@ -18,7 +18,7 @@ bool stays(const TimeFunction& motion) {
 BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
   int n_vertices = 0;
   for (const auto& block : blocks_) {
-    block->place(n_vertices, n_unknowns_, n_stress_points_);
+    block->place(static_cast<int>(names.size()), n_vertices, n_unknowns_, n_stress_points_);
     n_vertices = block->vertices().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
@@ -27,6 +27,8 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   reference_.resize(2, n_vertices);
   for (const auto& block : blocks_)
     reference_.middleCols(block->vertices().first, block->vertices().count) = block->reference();
+  for (int b = 0; b < n_blocks(); ++b) block_of_vertex_.insert(block_of_vertex_.end(), block(b).n_vertices(), b);
+  start_ = initial_state();
   set_held_unknowns({});
 }
 
@@ -55,8 +57,14 @@ void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
 
 BlockState BlockSystem::initial_state() const {
   BlockState state;
+  state.origin.resize(2, n_blocks());
   state.position = reference_;
-  state.velocity = VectorXd::Zero(n_unknowns_);
+  for (int b = 0; b < n_blocks(); ++b) {
+    const Range& v = block(b).vertices();
+    state.origin.col(b) = block(b).grid_point(reference_.middleCols(v.first, v.count).rowwise().mean());
+    state.position.middleCols(v.first, v.count).colwise() -= state.origin.col(b);
+  }
+  state.velocity = state.acceleration = VectorXd::Zero(n_unknowns_);
   state.stress = Tensors::Zero(3, n_stress_points_);
   state.rotation = VectorXd::Zero(n_blocks());
   return state;
@@ -92,13 +100,39 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
   VectorXd d = VectorXd::Zero(n_unknowns_);
   for (const HeldUnknown& h : held_unknowns_) {
-    const double now = state.position(h.axis, h.vertex) - reference_(h.axis, h.vertex);
+    const int b = block_of_vertex_[h.vertex];
+    const double now = (state.position(h.axis, h.vertex) - start_.position(h.axis, h.vertex)) +
+                       (state.origin(h.axis, b) - start_.origin(h.axis, b));
     d[h.unknown] = h.motion.at(time, end_time)[h.axis] - now;
   }
   return d;
 }
 
-Vec2 BlockSystem::position(const MaterialPoint& point, const Points& vertices) const {
+Points BlockSystem::positions(const BlockState& state) const {
+  Points x = state.position;
+  for (Index v = 0; v < x.cols(); ++v) x.col(v) += state.origin.col(block_of_vertex_[v]);
+  return x;
+}
+
+Points BlockSystem::displacements(const BlockState& state) const {
+  Points u = state.position - start_.position;
+  for (Index v = 0; v < u.cols(); ++v)
+    u.col(v) += state.origin.col(block_of_vertex_[v]) - start_.origin.col(block_of_vertex_[v]);
+  return u;
+}
+
+Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) const {
+  const Range& v = block(b).vertices();
+  const Vec2 shift = state.origin.col(b) - state.origin.col(origin_of);
+  return state.position.middleCols(v.first, v.count).colwise() + shift;
+}
+
+void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
+  for (int b = 0; b < n_blocks(); ++b)
+    if (!is_unchanging(b)) blocks_[b]->begin_step(state, start);
+}
+
+Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& vertices) const {
   const Range& range = block(point.block).vertices();
   return vertices.middleCols(range.first, range.count) * point.weights;
 }

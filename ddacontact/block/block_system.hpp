@@ -96,13 +96,25 @@ class BlockSystem {
   /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
   VectorXd prescribed(const BlockState& state, double time) const;
 
-  Vec2 position(const MaterialPoint& point, const Points& vertices) const;
+  /// All outline vertices, relative to the model's origin.
+  Points positions(const BlockState& state) const;
+  /// Of all outline vertices since the start.
+  Points displacements(const BlockState& state) const;
+  /// The outline of a block from the origin of another: no digits are lost to where they are.
+  Points outline_from(const BlockState& state, int block, int origin_of) const;
+  /// A vector at a material point from those at the outline vertices of all blocks.
+  Vec2 interpolate(const MaterialPoint& point, const Points& vertices) const;
   /// The displacement of a material point for unknowns d, or its velocity for velocities.
   Vec2 displacement(const MaterialPoint& point, const VectorXd& d) const;
+
+  /// Begins a step of every block that may change.
+  void begin_step(const BlockState& state, const StepStart& start);
 
  private:
   std::vector<std::unique_ptr<Block>> blocks_;
   Points reference_;
+  BlockState start_;
+  std::vector<int> block_of_vertex_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;

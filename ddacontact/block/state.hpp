@@ -6,11 +6,18 @@
 namespace ddacontact {
 
 /// The blocks' part of the state. A step writes a second one; a rejected step keeps the old.
+///
+/// A block's place is an origin near it plus places relative to that, so that gaps and strains are as exact
+/// as the block is small, wherever it is. Origins are multiples of a power of two of about the block's size:
+/// their differences are exact, and so is moving one after its block.
 struct BlockState {
   double time = 0;
-  Points position;    ///< outline vertices of all blocks, relative to the model's origin
-  VectorXd velocity;  ///< of every unknown
-  Tensors stress;     ///< at the integration points of all blocks
+  Points origin;          ///< of each block, relative to the model's origin
+  Points position;        ///< outline vertices of all blocks, relative to their block's origin
+  VectorXd velocity;      ///< of every unknown
+  VectorXd acceleration;  ///< of every unknown, at the end of the last step; what Newmark's scheme carries on
+  Tensors stress;    ///< at the integration points of all blocks: the stress (incremental blocks), or what the
+                     ///< reference shape has of it, in the block's own frame (corotational blocks)
   VectorXd rotation;  ///< of each block since the start: best fit, not wrapped, radians
 };
 

@@ -1,11 +1,10 @@
 #include <ddacontact/block/vertex_block.hpp>
 
+#include <ddacontact/block/stress_projection.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/soundness.hpp>
 #include <polyfem/material/linear_elastic.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <array>
 
@@ -14,13 +13,9 @@ namespace ddacontact {
 using polyfem::GradientCorrection;
 using polyfem::TriangleRule;
 
-namespace {
-constexpr double negligible_stiffness = 1e-13;  // of the mean diagonal entry
-}
-
 VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline,
                          const Integration& integration)
-    : Block(material, outline), integration_(integration) {}
+    : IncrementalBlock(material, outline), integration_(integration) {}
 
 int VertexBlock::n_stress_points() const {
   return n_vertices() * static_cast<int>(integration_.triangle_rule->weights.size());
@@ -68,26 +63,9 @@ void VertexBlock::add_stress(const VectorXd& d, Tensors& stress) const {
 }
 
 Points VertexBlock::strain_displacement(const BlockState& state) const {
-  // The projection: K w = integral of B^T sigma. Rigid motions are made stiff, and so is, a little, whatever
-  // else an unsound rule leaves without stiffness.
-  const double scale = stiffness_.trace() / n_unknowns();
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> rigid = rigid_modes_.colwise().normalized();
-  MatrixXd K = stiffness_ + scale * rigid * rigid.transpose();
-  K.diagonal().array() += negligible_stiffness * scale;
-  VectorXd f(n_unknowns());
-  polyfem::stress_forces(element_, state.stress.middleCols(stress_points().first, stress_points().count), f);
-  Points w = K.llt().solve(f).reshaped(2, n_vertices());
-
-  // K was made with gradients corrected by a constant c_i each: their part is a uniform strain.
-  const PointsRef outline = state.position.middleCols(vertices().first, vertices().count);
-  polyfem::ShapeValues shape;
-  polyfem::wachspress(outline, element_.rule.points.col(0), shape);
-  const VectorXd cx = element_.dx.row(0).transpose() - shape.gradients.row(0).transpose(),
-                 cy = element_.dy.row(0).transpose() - shape.gradients.row(1).transpose();
-  const Vec2 u_by_x = w * cx, u_by_y = w * cy;
-  const Vec3 strain(u_by_x.x(), u_by_y.y(), u_by_y.x() + u_by_x.y());
-  w += uniform_strain_displacement(outline, moments().centroid, strain);
-  return w;
+  return stress_projection(element_, stiffness_,
+                           state.position.middleCols(vertices().first, vertices().count),
+                           state.stress.middleCols(stress_points().first, stress_points().count));
 }
 
 Integration choose_integration(const PointsRef& outline, GradientCorrection correction) {

@@ -1,7 +1,7 @@
 /// \file The paper's block: its unknowns are the displacements of its vertices, Eq. (4)-(8).
 #pragma once
 
-#include <ddacontact/block/block.hpp>
+#include <ddacontact/block/incremental_block.hpp>
 #include <polyfem/element/tabulated_element.hpp>
 
 namespace ddacontact {
@@ -17,8 +17,8 @@ struct Integration {
 /// outline.
 Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction);
 
-/// A convex block interpolated by (6), as stiff and as heavy as its integration makes it.
-class VertexBlock final : public Block {
+/// A convex block interpolated by (6) on its current shape, as stiff and as heavy as its integration makes it.
+class VertexBlock final : public IncrementalBlock {
  public:
   /// `outline`: strictly convex, counter-clockwise.
   VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration);

@@ -1,6 +1,7 @@
 /// \file One contact of a step: identity, law, history, and its gap and slip as affine forms.
 #pragma once
 
+#include <ddacontact/contact/edge_motion.hpp>
 #include <ddacontact/contact/joint_law.hpp>
 #include <ddacontact/core/affine_form.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
@@ -14,6 +15,17 @@ struct ContactHistory {
   double gap_offset = 0;  ///< <= 0: the overlap it started with, taken as stress-free
   bool bonded = false;    ///< closed at the start and never slid or opened
   double length = 0;      ///< over which cohesion and tensile strength act, m
+  double normal = 0;      ///< N at the end of the last step: where the staged method's multipliers start
+  double shear = 0;       ///< T at the end of the last step
+};
+
+/// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
+/// unknowns move them.
+struct MovingVertexEdge {
+  VertexEdgePlace start;
+  PointMap i, j, k;
+
+  VertexEdgePlace at(const VectorXd& d) const { return {start.i + i(d), start.j + j(d), start.k + k(d)}; }
 };
 
 /// A vertex of one block against an edge of another, through one step.
@@ -21,15 +33,20 @@ struct Contact {
   VertexEdge pair;
   JointLaw law;
   ContactHistory history;  ///< at the start of the step, then at its end
-  AffineForm gap, slip;    ///< (36) and (44) over the same unknowns; the gap without its offset
+  MovingVertexEdge motion;
+  AffineForm gap, slip;  ///< over the same unknowns; the gap without its offset. (36) and (44), or, in the
+                         ///< staged method, the true ones at the end of the step with their derivatives
   double edge_length = 0;
   double length_tolerance = 0;  ///< gaps and slips below this are round-off, m
   double end_tolerance = 0;     ///< a vertex no further than this beyond an end of the edge is still on it, m
+  double damping = 0;           ///< dashpot over the length of the step: force by change of the gap, N/m per m
+  double size = 0;              ///< of the smaller block, held ones not counted, m
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
   double normal = 0;        ///< N, > 0 compression
   double shear = 0;         ///< force on the vertex along the edge from j to k
   bool was_closed = false;  ///< at the start, at the end or in between
+  bool augmented = false;   ///< its forces are multipliers: its springs store no energy
 
   bool closed() const { return history.state != ContactState::open; }
   /// Whether the vertex projects onto the edge when its slip is this.

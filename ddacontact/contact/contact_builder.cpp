@@ -16,8 +16,6 @@ constexpr double coincidence = 1e-6;
 constexpr double near_corner = 1e-2;
 /// Gaps below this times the block size are round-off.
 constexpr double length_tolerance = 1e-12;
-/// So are gaps below this times the coordinates they are differences of.
-constexpr double coordinate_tolerance = 4 * std::numeric_limits<double>::epsilon();
 
 double perimeter(const PointsRef& polygon) {
   double sum = 0;
@@ -64,15 +62,16 @@ double ContactBuilder::pair_size(int a, int b) const {
   return std::min(size_a, size_b);
 }
 
-PointsRef ContactBuilder::outline(const BlockState& state, int b) const {
-  const Range& v = blocks_.block(b).vertices();
-  return state.position.middleCols(v.first, v.count);
-}
-
 std::vector<VertexEdge> ContactBuilder::detect(const BlockState& state, const std::vector<double>& reach,
                                                const std::vector<Contact>& previous) const {
   std::vector<Box> boxes;
-  for (int b = 0; b < blocks_.n_blocks(); ++b) boxes.push_back(bounding_box(outline(state, b), reach[b]));
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Range& v = blocks_.block(b).vertices();
+    Box box = bounding_box(state.position.middleCols(v.first, v.count), reach[b]);
+    box.low += state.origin.col(b);
+    box.high += state.origin.col(b);
+    boxes.push_back(box);
+  }
   std::vector<VertexEdge> found, kept;
   for (const Pair& pair : overlapping_pairs(boxes)) {
     const auto [a, b] = pair;
@@ -83,22 +82,29 @@ std::vector<VertexEdge> ContactBuilder::detect(const BlockState& state, const st
     const PairLimits limits{.reach = reach[a] + reach[b],
                             .max_depth = std::min(half_width_[a], half_width_[b]),
                             .coincidence = coincidence * pair_size(a, b)};
-    find_contacts({a, outline(state, a)}, {b, outline(state, b)}, limits, kept, found);
+    // The origin of either block serves, as long as it is always that of the smaller index.
+    const Points outline_a = blocks_.outline_from(state, a, a), outline_b = blocks_.outline_from(state, b, a);
+    find_contacts({a, outline_a}, {b, outline_b}, limits, kept, found);
   }
   return found;
 }
 
-void ContactBuilder::make_forms(const BlockState& state, Contact& contact) const {
-  const VertexEdge& pair = contact.pair;
+MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdge& pair) const {
   const Block &vertex_block = blocks_.block(pair.vertex_block), &edge_block = blocks_.block(pair.edge_block);
-  const auto moving = [&](const Block& block, int v) {
-    return MovingPoint{state.position.col(block.vertices().first + v), block.vertex_map(v)};
-  };
-  const MovingPoint i = moving(vertex_block, pair.vertex), j = moving(edge_block, pair.edge),
-                    k = moving(edge_block, (pair.edge + 1) % edge_block.n_vertices());
-  const double lock = contact.history.lock;
+  const int next = (pair.edge + 1) % edge_block.n_vertices();
+  const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
+  const auto place = [&](const Block& block, int v) -> Vec2 { return state.position.col(block.vertices().first + v); };
+  return {{place(vertex_block, pair.vertex) + shift, place(edge_block, pair.edge), place(edge_block, next)},
+          vertex_block.vertex_map(pair.vertex),
+          edge_block.vertex_map(pair.edge),
+          edge_block.vertex_map(next)};
+}
+
+void ContactBuilder::make_forms(Contact& contact) const {
+  const MovingVertexEdge& m = contact.motion;
+  const MovingPoint i{m.start.i, m.i}, j{m.start.j, m.j}, k{m.start.k, m.k};
   contact.gap = gap_form(i, j, k);
-  contact.slip = slip_form(i, j, k, lock);
+  contact.slip = slip_form(i, j, k, contact.history.lock);
 }
 
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
@@ -110,18 +116,18 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.law.friction = strength.friction;
   if (strength.friction_law) contact.law.friction_law = &strength.friction_law;
-
-  const Block& edge_block = blocks_.block(pair.edge_block);
-  const Vec2 i = state.position.col(blocks_.block(pair.vertex_block).vertices().first + pair.vertex);
-  const Vec2 j = state.position.col(edge_block.vertices().first + pair.edge);
-  const Vec2 k = state.position.col(edge_block.vertices().first + (pair.edge + 1) % edge_block.n_vertices());
+  contact.law.restitution = strength.restitution;
+  double lighter = std::numeric_limits<double>::infinity();
+  for (int b : {pair.vertex_block, pair.edge_block})
+    if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
+  contact.law.dashpot = 2 * strength.dashpot * std::sqrt(properties_.normal_stiffness * lighter);
+  contact.motion = motion(state, pair);
+  const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
   contact.edge_length = (k - j).norm();
-  contact.end_tolerance = coincidence * pair_size(pair.vertex_block, pair.edge_block);
-  contact.length_tolerance =
-      length_tolerance * pair_size(pair.vertex_block, pair.edge_block) +
-      coordinate_tolerance *
-          std::max({i.cwiseAbs().maxCoeff(), j.cwiseAbs().maxCoeff(), k.cwiseAbs().maxCoeff()});
+  contact.size = pair_size(pair.vertex_block, pair.edge_block);
+  contact.end_tolerance = coincidence * contact.size;
+  contact.length_tolerance = length_tolerance * contact.size;
   return contact;
 }
 
@@ -130,15 +136,16 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state,
   std::vector<Contact> contacts;
   for (const VertexEdge& pair : detect(state, reach, {})) {
     Contact contact = make_contact(state, pair);
-    make_forms(state, contact);
+    make_forms(contact);
     ContactHistory& history = contact.history;
     const double gap = contact.gap.constant;
     if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
         contact.is_on_edge(contact.slip.constant)) {
       history.bonded = true;
       history.gap_offset = std::min(gap, 0.0);
-      history.length = contact_length(outline(state, pair.vertex_block), pair.vertex,
-                                      outline(state, pair.edge_block), pair.edge);
+      const int origin = pair.edge_block;
+      history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
+                                      blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
       const JointStrength& strength = properties_.joints.between(properties_.materials[pair.vertex_block],
                                                                  properties_.materials[pair.edge_block]);
       contact.law.cohesion = strength.cohesion * history.length;
@@ -155,7 +162,8 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
   for (const Contact& old : previous)
     if (old.closed() && old.pair == pair) return &old;
   const auto place = [&](int block, int vertex) -> Vec2 {
-    return state.position.col(blocks_.block(block).vertices().first + vertex);
+    const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
+    return state.position.col(blocks_.block(block).vertices().first + vertex) + shift;
   };
   const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
   for (const Contact& old : previous) {
@@ -193,7 +201,7 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
       }
       if (is_slipping(contact.history.state)) contact.history.lock = fraction;
     }
-    make_forms(state, contact);
+    make_forms(contact);
     if (!contact.closed() && contact.gap.constant < -contact.length_tolerance &&
         contact.is_on_edge(contact.slip.constant))
       contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;

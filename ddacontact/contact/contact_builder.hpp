@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/contact/joint_table.hpp>
+#include <ddacontact/core/options.hpp>
 
 #include <span>
 #include <vector>
@@ -15,7 +16,9 @@ struct ContactProperties {
   double normal_stiffness = 0;      ///< p, N/m per m
   double tangential_stiffness = 0;  ///< p bar, N/m per m
   JointTable joints;
-  std::vector<int> materials;  ///< of each block
+  std::vector<int> materials;        ///< of each block
+  ContactMethod method = ContactMethod::classic;
+  double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
 };
 
 /// Finds the contacts of each step and hands on what they carry from step to step.
@@ -44,8 +47,8 @@ class ContactBuilder {
   const Contact* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                   std::span<const Contact> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
-  void make_forms(const BlockState& state, Contact& contact) const;
-  PointsRef outline(const BlockState& state, int b) const;
+  void make_forms(Contact& contact) const;
+  MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;
 
   const BlockSystem& blocks_;
   ContactProperties properties_;

@@ -7,13 +7,13 @@
 namespace ddacontact {
 
 Vec3 mean_stress(const Block& block, const BlockState& state) {
-  const auto stress = state.stress.middleCols(block.stress_points().first, block.stress_points().count);
+  const Tensors stress = block.stress(state);
   const VectorXd& weights = block.integration_weights();
   return stress * weights / weights.sum();
 }
 
 StressRange stress_range(const Block& block, const BlockState& state) {
-  const auto stress = state.stress.middleCols(block.stress_points().first, block.stress_points().count);
+  const Tensors stress = block.stress(state);
   StressRange range;
   range.mean = mean_stress(block, state);
   range.min = stress.rowwise().minCoeff();

@@ -57,8 +57,8 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
   frame.materials = labels.block_materials;
   frame.material_names = labels.material_names;
   frame.elasticity.assign(labels.material_names.size(), Mat3::Zero());
-  frame.position = state.position.colwise() + labels.origin;
-  if (fields.displacement) frame.displacement = state.position - system.reference();
+  frame.position = system.positions(state).colwise() + labels.origin;
+  if (fields.displacement) frame.displacement = system.displacements(state);
   if (fields.velocity) frame.velocity.resize(2, state.position.cols());
   if (fields.stress) {
     frame.strain_displacement.resize(2, state.position.cols());

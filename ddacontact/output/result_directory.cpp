@@ -78,7 +78,7 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
   const BlockState& state = stepper.state();
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     const Block& block = stepper.blocks().block(b);
-    const Vec2 x = block.moments().centroid + labels_.origin;
+    const Vec2 x = block.centroid() + labels_.origin;
     const double area = block.moments().area;
     const RigidVelocity velocity = rigid_velocity(block, state.velocity);
     const StressRange s = stress_range(block, state);
@@ -93,13 +93,14 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
 void ResultDirectory::write_vertices(const Stepper& stepper) {
   CsvFile csv(file("vertices.csv"), "block,vertex,x,y,ux,uy,vx,vy");
   const BlockState& state = stepper.state();
+  const Points positions = stepper.blocks().positions(state), displacements = stepper.blocks().displacements(state);
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     const Block& block = stepper.blocks().block(b);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
       const int v = labels_.scene_vertex(b, scene_v, block.n_vertices());
       const int column = block.vertices().first + v;
-      const Vec2 x = state.position.col(column) + labels_.origin;
-      const Vec2 u = state.position.col(column) - stepper.blocks().reference().col(column);
+      const Vec2 x = positions.col(column) + labels_.origin;
+      const Vec2 u = displacements.col(column);
       const Vec2 velocity = block.vertex_map(v)(state.velocity);
       csv.row(labels_.block_names[b], scene_v, x.x(), x.y(), u.x(), u.y(), velocity.x(), velocity.y());
     }

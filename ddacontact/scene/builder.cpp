@@ -1,7 +1,6 @@
 #include <ddacontact/scene/builder.hpp>
 
-#include <ddacontact/block/affine_block.hpp>
-#include <ddacontact/block/vertex_block.hpp>
+#include <ddacontact/block/corotational_block.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
@@ -142,7 +141,13 @@ class Builder {
       built_.notes.push_back(name + "its integration rule gives an unsound stiffness or mass matrix");
     else if (integration.triangle_rule != &polyfem::hammer_rule(3))
       built_.notes.push_back(name + "integration rule raised to keep stiffness and mass sound");
-    auto block = std::make_unique<VertexBlock>(material, outline, integration);
+    std::unique_ptr<Block> block;
+    if (corotational())
+      block = std::make_unique<CorotationalBlock>(
+          material, outline,
+          std::make_shared<CorotationalShape>(wachspress_shape(material, outline, integration)));
+    else
+      block = std::make_unique<VertexBlock>(material, outline, integration);
     for (int v = 0; v < outline.cols(); ++v)
       for (int axis = 0; axis < 2; ++axis)
         if (holds_[b][v][axis]) local_holds_[b].push_back({2 * v + axis, v, axis, *holds_[b][v][axis]});
@@ -154,14 +159,14 @@ class Builder {
     const std::vector<bool> held_x = held_along(holds_[b], 0), held_y = held_along(holds_[b], 1);
     const auto n_x = std::count(held_x.begin(), held_x.end(), true),
                n_y = std::count(held_y.begin(), held_y.end(), true);
-    if (n_x + n_y == 0) return std::make_unique<AffineBlock>(material, outline);
+    if (n_x + n_y == 0) return affine_block(material, outline, std::nullopt);
 
     const bool wholly_held = n_x >= 3 && n_y >= 3;
     if (scene_.analysis.preset == Preset::paper && !wholly_held) {
       for (int v = 0; v < outline.cols(); ++v)
         for (int axis = 0; axis < 2; ++axis)
           if (holds_[b][v][axis]) springs_.push_back({b, v, axis == 0, axis == 1, *holds_[b][v][axis]});
-      return std::make_unique<AffineBlock>(material, outline);
+      return affine_block(material, outline, std::nullopt);
     }
     const ControlVertices control = choose_control_vertices(outline, held_x, held_y);
     for (int axis = 0; axis < 2; ++axis) {
@@ -171,7 +176,16 @@ class Builder {
         if (const auto& motion = holds_[b][vertices[k]][axis])
           local_holds_[b].push_back({2 * k + axis, vertices[k], axis, *motion});
     }
-    return std::make_unique<AffineBlock>(material, outline, control);
+    return affine_block(material, outline, control);
+  }
+
+  bool corotational() const { return scene_.analysis.kinematics == Kinematics::corotational; }
+
+  std::unique_ptr<Block> affine_block(const BlockMaterial& material, const Points& outline,
+                                      const std::optional<ControlVertices>& control) const {
+    if (!corotational()) return std::make_unique<AffineBlock>(material, outline, control);
+    return std::make_unique<CorotationalBlock>(
+        material, outline, std::make_shared<CorotationalShape>(affine_shape(material, outline, control)));
   }
 
   void hold(BlockSystem& system) const {
@@ -260,7 +274,8 @@ class Builder {
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);
     return {scene_.contact.normal_stiffness, scene_.contact.tangential_stiffness,
-            JointTable(std::move(joints)), std::move(materials)};
+            JointTable(std::move(joints)), std::move(materials), scene_.contact.method,
+            scene_.contact.penetration_tolerance};
   }
 
   const Scene& scene_;

@@ -94,6 +94,44 @@ class Restraint {
   int passes_without_gain_ = 0;
 };
 
+/// Forces of the contacts in their states: springs (40), (48) and friction (52) from the penetration at d.
+std::vector<ContactForce> forces_in_states(const std::vector<Contact>& contacts, const VectorXd& d) {
+  std::vector<ContactForce> forces(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (!contact.closed()) continue;
+    const double spring = normal_force(contact.law, contact.gap(d) - contact.history.gap_offset);
+    const double dashpot = -contact.damping * contact.gap.change(d);
+    forces[c].normal = spring + std::max(dashpot, -std::max(spring, 0.0));  // a dashpot does not pull
+    const double sign = slip_sign(contact.history.state);
+    forces[c].shear = sign != 0 ? -sign * shear_bound(contact.law, forces[c].normal, false)
+                                : -contact.law.tangential_stiffness * contact.slip(d);
+  }
+  return forces;
+}
+
+/// Bits: 1 the normal spring acts, 2 the tangential one does.
+std::vector<unsigned char> springs_in_states(const std::vector<Contact>& contacts) {
+  std::vector<unsigned char> springs;
+  for (const Contact& contact : contacts)
+    springs.push_back(!contact.closed() ? 0 : contact.history.state == ContactState::stick ? 3 : 1);
+  return springs;
+}
+
+/// What the matrix needs of the contacts.
+std::vector<ContactTerm> terms_of(const std::vector<Contact>& contacts) {
+  std::vector<ContactTerm> terms;
+  for (const Contact& contact : contacts) {
+    ContactTerm term;
+    term.gap = contact.gap;
+    term.slip = contact.slip;
+    term.normal_stiffness = contact.law.normal_stiffness + contact.damping;
+    term.tangential_stiffness = contact.law.tangential_stiffness;
+    terms.push_back(term);
+  }
+  return terms;
+}
+
 bool has_friction_to_find(const std::vector<Contact>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
     return is_slipping(contact.history.state) && contact.law.has_friction();
@@ -104,21 +142,22 @@ bool has_friction_to_find(const std::vector<Contact>& contacts) {
 constexpr double sufficient_decrease = 1e-3;
 constexpr int anderson_depth = 8;
 
-}  // namespace
-
-OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
-                                   std::vector<Contact>& contacts, VectorXd& d) {
+OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std::vector<Contact>& contacts,
+                        VectorXd& d) {
   OpenCloseReport report;
   Residual& r = report.residual;
   for (Contact& contact : contacts) contact.was_closed = contact.closed();
+  const std::vector<ContactTerm> terms = terms_of(contacts);
+  const auto compute_residual = [&] { system.compute_residual(d, contacts, forces_in_states(contacts, d), r); };
   d = system.prescribed();
-  system.compute_residual(d, contacts, r);
+  system.linearize(d);
+  compute_residual();
   AndersonAcceleration acceleration(anderson_depth);
   Restraint restraint;
   VectorXd correction;
 
   for (int pass = 0; pass < options.max_passes && report.iterations < options.max_iterations; ++pass) {
-    if (!system.factorize(contacts)) {
+    if (!system.problem().factorize(terms, springs_in_states(contacts))) {
       report.status = OpenCloseStatus::not_positive_definite;
       return report;
     }
@@ -126,10 +165,10 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
     const double before = r.largest;
     const int last = std::min(options.max_iterations, report.iterations + options.max_iterations_per_pass);
     do {
-      system.solve(r.force, correction);
+      system.problem().solve(r.force, correction);
       acceleration.advance(-correction, system.unknown_lengths(), d);
       ++report.iterations;
-      system.compute_residual(d, contacts, r);
+      compute_residual();
       if (!std::isfinite(r.largest)) {
         report.status = OpenCloseStatus::not_finite;
         return report;
@@ -156,7 +195,20 @@ OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& o
     if (restraint.is_hopeless()) return report;
     change_states(disagreements, restraint.breaks_bonds(), contacts);
     acceleration.reset();
-    system.compute_residual(d, contacts, r);
+    compute_residual();
+  }
+  return report;
+}
+
+}  // namespace
+
+OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
+                                   std::vector<Contact>& contacts, VectorXd& d) {
+  OpenCloseReport report = iterate(system, options, contacts, d);
+  const std::vector<ContactForce> forces = forces_in_states(contacts, d);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    contacts[c].normal = forces[c].normal;
+    contacts[c].shear = forces[c].shear;
   }
   return report;
 }

@@ -1,47 +1,55 @@
-/// \file The equilibrium equations of one step, Eq. (13), (28), (29), with the contacts' springs.
+/// \file The equilibrium of one step, Eq. (13), (28), (29): forces that are left over, and what they move.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
-#include <polyfem/assembly/pattern_matrix.hpp>
+#include <ddacontact/solver/friction_problem.hpp>
 
 #include <vector>
 
 namespace ddacontact {
 
-/// How far from equilibrium: r = K d - F in the norm that open-close is judged by.
+/// How far from equilibrium: r = (what the blocks resist with) - (what acts on them).
 struct Residual {
-  VectorXd force;      ///< of every unknown; at a held one it is the reaction
+  VectorXd force;     ///< of every unknown; at a held one it is the reaction
+  VectorXd external;  ///< what acts on every unknown: loads, gravity, contacts, holding springs
   double largest = 0;  ///< over the free unknowns, forces (moments over the block's size), N per m
   double scale = 0;    ///< the largest sum over a block of the magnitudes of the forces on it, N per m
   double floor = 0;    ///< what round-off alone may leave, N per m
+  double own = 0;      ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
 
   bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }
 };
 
-/// (13) of one step: assembles, factorizes and measures residuals for given contact states.
+/// (13) of one step: measures residuals, assembles and factorizes their derivative.
 class StepSystem {
  public:
-  explicit StepSystem(const BlockSystem& blocks);
+  explicit StepSystem(BlockSystem& blocks);
 
-  /// Springs of the contacts' forms and of the held vertices: keeps the analysis
-  /// when the pattern is the same.
-  void set_contacts(const BlockState& state, const std::vector<Contact>& contacts, double held_stiffness);
-  /// Loads at the end of the step and the inertia terms (26), (27); `state` is the one the blocks are
-  /// prepared for and `velocity` what they start with.
-  void set_step(const BlockState& state, const VectorXd& velocity, double dt);
+  /// Takes the pattern of contacts, of which only the unknowns that their forms are over count.
+  void set_contacts(const std::vector<ContactTerm>& contacts);
+  /// Begins a step of all blocks: their inertia (26), (27), and the loads.
+  /// \param[in] held_stiffness  of the springs that hold vertices of six-unknown blocks
+  void set_step(const BlockState& state, const StepStart& start, double held_stiffness);
 
-  /// The step's displacements of the held unknowns, zero elsewhere: where open-close starts.
+  /// The step's displacements of the held unknowns, zero elsewhere: where a solution starts.
   const VectorXd& prescribed() const { return prescribed_; }
-  /// K d - F for the contacts' states: springs of closed contacts (39), (40), (47), (48), friction (52) from
-  /// the penetration at d.
-  void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts, Residual& residual) const;
-  /// Assembles and factorizes (13) for the contacts' states, unless the last factor is of the same matrix.
-  [[nodiscard]] bool factorize(const std::vector<Contact>& contacts);
-  /// correction = K^-1 r on the free unknowns, 0 on the held ones.
-  void solve(const VectorXd& residual_force, VectorXd& correction);
+  /// Residual of displacements d when the contacts exert these forces.
+  void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
+                        const std::vector<ContactForce>& forces, Residual& residual) const;
+  /// The residual without contacts.
+  VectorXd smooth_residual(const VectorXd& d) const;
+  /// Makes the matrix anew for the blocks displaced by d.
+  void linearize(const VectorXd& d);
+  /// The matrix, its factor and what is solved with it.
+  FrictionProblem& problem() { return problem_; }
+  const FrictionProblem& problem() const { return problem_; }
   /// Of every unknown, see Block::unknown_lengths.
   const VectorXd& unknown_lengths() const { return unknown_lengths_; }
+  int n_vertices(int block) const { return blocks_.block(block).n_vertices(); }
+  /// The stiffness of a vertex against displacements along a unit normal, with the inertia of the step: how
+  /// much force moves it while the rest of its block is held; infinity when it is held itself.
+  double vertex_stiffness(int block, int vertex, const Vec2& normal) const;
 
   /// Springs that hold vertices of six-unknown blocks: displacement from where they should be.
   struct HeldSpring {
@@ -52,28 +60,26 @@ class StepSystem {
   };
   const std::vector<HeldSpring>& held_springs() const { return held_springs_; }
   double held_stiffness() const { return held_stiffness_; }
-  /// Forces of all unknowns at the end of the step: of loads (21), (23) other than gravity, and of gravity.
+  /// Forces of all unknowns within the step: of loads (21), (23) other than gravity, and of gravity.
   const VectorXd& load_forces() const { return load_forces_; }
   const VectorXd& gravity_forces() const { return gravity_forces_; }
-
-  const polyfem::Cholesky& cholesky() const { return cholesky_; }
+  /// How often blocks were asked for their forces.
+  long n_evaluations() const { return n_evaluations_; }
 
  private:
-  const BlockSystem& blocks_;
+  BlockSystem& blocks_;
   std::vector<int> active_;  ///< blocks that may change; element e of the matrix is block active_[e]
+  std::vector<int> element_of_block_;
   VectorXd unknown_lengths_;
-  polyfem::PatternMatrix matrix_;
-  polyfem::Cholesky cholesky_;
+  FrictionProblem problem_;
+  std::vector<Range> elements_;
   std::vector<HeldSpring> held_springs_;
   double held_stiffness_ = 0;
-  double dt_ = 0;
-  VectorXd velocity_, prescribed_, load_forces_, gravity_forces_, stress_forces_;
-  double coordinate_ = 0;  ///< largest coordinate, for the round-off floor
-  double largest_stiffness_ = 0;
-  std::vector<unsigned char> factored_springs_;  ///< active springs of the last factor; empty: none
-  VectorXd rhs_, solution_;
-
-  int n_active() const { return static_cast<int>(active_.size()); }
+  double dt_ = 0, inertia_ = 0;
+  VectorXd prescribed_, load_forces_, gravity_forces_;
+  mutable BlockForces forces_;
+  mutable VectorXd magnitude_, stiffest_;
+  mutable long n_evaluations_ = 0;
 };
 
 }  // namespace ddacontact

@@ -16,7 +16,7 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<Contact>& contacts, double held_stiffness);
 
-/// A step that was accepted. The blocks are still prepared for the state it started from.
+/// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {
   double dt;
   const VectorXd& d;

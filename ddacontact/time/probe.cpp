@@ -6,15 +6,15 @@ namespace {
 
 Motion observe_place(const MaterialPoint& point, const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
-  const Vec2 x = blocks.position(point, stepper.state().position);
-  return {x, blocks.position(point, stepper.state().position - blocks.reference()),
+  return {blocks.interpolate(point, blocks.positions(stepper.state())),
+          blocks.interpolate(point, blocks.displacements(stepper.state())),
           blocks.displacement(point, stepper.state().velocity)};
 }
 
 Motion observe_place(const Centroid& centroid, const Stepper& stepper) {
   const Block& block = stepper.blocks().block(centroid.block);
   const Range& v = block.vertices();
-  const Vec2 x = block.moments().centroid;
+  const Vec2 x = block.centroid();
   const Vec2 start =
       polyfem::area_moments(stepper.blocks().reference().middleCols(v.first, v.count)).centroid;
   return {x, x - start, rigid_velocity(block, stepper.state().velocity).linear};

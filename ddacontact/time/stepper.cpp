@@ -33,6 +33,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       limits_(blocks_, analysis),
       contact_builder_(blocks_, contacts),
       system_(blocks_),
+      method_(contacts.method),
+      staged_{.penetration_tolerance = contacts.penetration_tolerance,
+              .mean_forces = step_rule(analysis).mean_forces()},
       held_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
       reactions_(Points::Zero(2, state_.position.cols())),
@@ -78,27 +81,20 @@ bool Stepper::step() {
 
 Stepper::Try Stepper::try_step(double dt) {
   if (!detected_) detect(dt);
-  VectorXd d;
-  const OpenCloseReport report = solve(dt, d);
-  counts_.open_close_iterations += report.iterations;
+  const Solution solution = solve(dt);
 
   const Stopwatch watch(times_.update);
-  rejection_ = objection(report);
-  const bool unsettled_friction = report.status == OpenCloseStatus::friction_unsettled;
+  rejection_ = solution.objection;
   const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * analysis_.time_step;
-  if (!rejection_.empty() && !(unsettled_friction && cut_enough)) return Try::rejected;
+  if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Try::rejected;
 
-  Points displacement(2, state_.position.cols());
   bool outran = false;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!blocks_.is_movable(b)) continue;
     const Block& block = blocks_.block(b);
     double furthest = 0;
-    for (int v = 0; v < block.n_vertices(); ++v) {
-      const Vec2 u = block.vertex_map(v)(d);
-      displacement.col(block.vertices().first + v) = u;
-      furthest = std::max(furthest, u.norm());
-    }
-    if (!blocks_.is_movable(b)) continue;
+    for (int v = 0; v < block.n_vertices(); ++v)
+      furthest = std::max(furthest, block.vertex_map(v)(solution.d).norm());
     if (furthest > limits_.largest_displacement()) {
       rejection_ = "block " + quoted(blocks_.names[b]) +
                    " moves further in one step than max_displacement_ratio allows";
@@ -114,92 +110,137 @@ Stepper::Try Stepper::try_step(double dt) {
   if (outran) return Try::outran_detection;
 
   BlockState next = state_;
-  if (!advance(dt, d, displacement, next)) return Try::rejected;
-  if (unsettled_friction) {
+  if (!advance(dt, solution, next)) return Try::rejected;
+  if (solution.friction_unsettled) {
     ++counts_.unconverged;
     last_unsettled_ = rejection_ + ", at time " + std::to_string(next.time) + " s";
   }
-  accept(dt, d, std::move(next), report);
+  accept(dt, solution, std::move(next));
   return Try::accepted;
 }
 
 void Stepper::detect(double dt) {
+  const Stopwatch watch(times_.detection);
   reach_ = limits_.reach(state_, dt, reach_scale_);
-  {
-    const Stopwatch watch(times_.detection);
-    trial_contacts_ = counts_.substeps == 0 ? contact_builder_.build_first(state_, reach_)
-                                            : contact_builder_.build(state_, reach_, contacts_);
-  }
-  const Stopwatch watch(times_.assembly);
-  system_.set_contacts(state_, trial_contacts_, held_stiffness_);
+  trial_contacts_ = counts_.substeps == 0 ? contact_builder_.build_first(state_, reach_)
+                                          : contact_builder_.build(state_, reach_, contacts_);
   detected_ = true;
 }
 
-OpenCloseReport Stepper::solve(double dt, VectorXd& d) {
+Stepper::Solution Stepper::solve(double dt) {
+  StepStart start{.rule = step_rule(analysis_),
+                  .dt = dt,
+                  .velocity = start_velocity(),
+                  .acceleration = state_.acceleration,
+                  .jump = VectorXd::Zero(blocks_.n_unknowns()),
+                  .jump_path = VectorXd::Zero(blocks_.n_unknowns())};
   {
     const Stopwatch watch(times_.assembly);
-    system_.set_step(state_, start_velocity(), dt);
+    system_.set_step(state_, start, held_stiffness_);
   }
   const Stopwatch watch(times_.solver);
   tried_ = trial_contacts_;
-  return iterate_open_close(system_, open_close_, tried_, d);
+  for (Contact& contact : tried_) contact.damping = contact.law.dashpot / dt;
+  Solution solution;
+  if (method_ == ContactMethod::classic)
+    solve_by_open_close(solution);
+  else
+    solve_by_stages(start, solution);
+  return solution;
 }
 
-std::string Stepper::objection(const OpenCloseReport& report) const {
-  std::string where;
-  if (report.disagreeing >= 0) {
-    const VertexEdge& pair = tried_[report.disagreeing].pair;
-    where = ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
-            quoted(blocks_.names[pair.edge_block]);
-  }
+void Stepper::solve_by_open_close(Solution& solution) {
+  OpenCloseReport report = iterate_open_close(system_, open_close_, tried_, solution.d);
+  counts_.open_close_iterations += report.iterations;
+  solution.residual = std::move(report.residual);
   switch (report.status) {
     case OpenCloseStatus::settled:
-      return "";
+      return;
     case OpenCloseStatus::friction_unsettled:
-      return "stick and slip did not settle" + where;
+      solution.friction_unsettled = true;
+      solution.objection = "stick and slip did not settle" + between(report.disagreeing);
+      return;
     case OpenCloseStatus::unsettled:
-      return "open and closed contacts did not settle" + where;
+      solution.objection = "open and closed contacts did not settle" + between(report.disagreeing);
+      return;
     case OpenCloseStatus::not_positive_definite:
-      return "the equations are not positive definite";
+      solution.objection = "the equations are not positive definite";
+      return;
     case OpenCloseStatus::not_finite:
-      return "the solution is not finite";
+      solution.objection = "the solution is not finite";
   }
-  return "";
+}
+
+void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
+  // Where the blocks would go without forces; held unknowns where they should be.
+  solution.d = start.dt * start.velocity + start.jump_path;
+  for (const HeldUnknown& held : blocks_.held_unknowns())
+    solution.d[held.unknown] = system_.prescribed()[held.unknown];
+  StagedReport report = solve_staged(system_, staged_, tried_, solution.d);
+  counts_.open_close_iterations += report.iterations;
+  counts_.minimizations += report.minimizations;
+  counts_.augmentations += report.augmentations;
+  solution.residual = std::move(report.residual);
+  switch (report.status) {
+    case StagedStatus::settled:
+      counts_.broken_bonds += report.broken_bonds;
+      return;
+    case StagedStatus::unsettled:
+      solution.objection = "contact forces did not come into balance" + between(report.worst_contact);
+      return;
+    case StagedStatus::penetrating:
+      solution.objection = "penetration did not fall below its tolerance" + between(report.worst_contact);
+      return;
+    case StagedStatus::not_positive_definite:
+      solution.objection = "the equations are not positive definite";
+      return;
+    case StagedStatus::not_finite:
+      solution.objection = "the solution is not finite";
+  }
+}
+
+std::string Stepper::between(int contact) const {
+  if (contact < 0) return "";
+  const VertexEdge& pair = tried_[contact].pair;
+  return ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
+         quoted(blocks_.names[pair.edge_block]);
 }
 
 VectorXd Stepper::start_velocity() const {
   return is_static() ? VectorXd::Zero(state_.velocity.size()) : state_.velocity;
 }
 
-bool Stepper::advance(double dt, const VectorXd& d, const Points& displacement, BlockState& next) {
+bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
-  next.position += displacement;
+  const VectorXd &d = solution.d, &external = solution.residual.external;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (blocks_.is_unchanging(b)) continue;
     const Block& block = blocks_.block(b);
-    const Range& v = block.vertices();
+    const Range &u = block.unknowns(), &v = block.vertices();
+    block.end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), blocks_.is_free(b), next);
     const auto outline = next.position.middleCols(v.first, v.count);
     if (polyfem::find_non_convex_corner(outline)) {
       rejection_ = "a corner of block " + quoted(blocks_.names[b]) + " turns concave";
       return false;
     }
-    block.add_stress(d, next.stress);
     const double angle = best_fit_rotation(blocks_.reference().middleCols(v.first, v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
   }
-  // Newmark (1/2, 1): v1 = 2 d / dt - v0. After a static step blocks are at rest.
-  next.velocity = is_static() ? VectorXd::Zero(d.size()) : VectorXd(2 / dt * d - state_.velocity);
-  if (is_static()) return true;
+  if (is_static()) {  // after a static step blocks are at rest
+    next.velocity.setZero();
+    next.acceleration.setZero();
+    return true;
+  }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
   return true;
 }
 
-void Stepper::accept(double dt, const VectorXd& d, BlockState next, const OpenCloseReport& report) {
+void Stepper::accept(double dt, const Solution& solution, BlockState next) {
+  record_reactions(solution.d, solution.residual);
+  record_contacts(solution.d);
   account_step(blocks_, system_,
-               {dt, d, start_velocity(), next.velocity, report.residual, trial_contacts_, tried_},
+               {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
                energy_.now);
-  record_reactions(d, report.residual);
-  record_contacts(d);
   contacts_ = tried_;
   state_ = std::move(next);
   prepare_and_keep_momentum();
@@ -217,7 +258,7 @@ void Stepper::prepare_and_keep_momentum() {
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
   blocks_.prepare(state_);
-  if (analysis_.preset == Preset::paper || is_static()) return;
+  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static()) return;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);
@@ -243,7 +284,6 @@ void Stepper::record_contacts(const VectorXd& d) {
   for (Contact& contact : tried_) {
     contact.end_gap = contact.gap(d) - contact.history.gap_offset;
     contact.end_slip = contact.slip(d);
-    contact.normal = contact.shear = 0;
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) contact.history.bonded = false;
     if (!contact.closed()) {
@@ -251,10 +291,6 @@ void Stepper::record_contacts(const VectorXd& d) {
       continue;
     }
     ++counts_.contacts;
-    contact.normal = normal_force(contact.law, contact.end_gap);
-    contact.shear = is_slipping(contact.history.state)
-                        ? -slip_sign(contact.history.state) * shear_bound(contact.law, contact.normal, false)
-                        : -contact.law.tangential_stiffness * contact.end_slip;
     counts_.max_penetration = std::max(counts_.max_penetration, -contact.end_gap);
   }
   counts_.contacts_max = std::max(counts_.contacts_max, counts_.contacts);

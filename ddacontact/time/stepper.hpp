@@ -4,6 +4,7 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/solver/open_close.hpp>
+#include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 
@@ -17,7 +18,10 @@ struct StepCounts {
   long substeps = 0;     ///< accepted tries
   long rejected = 0;     ///< tries given up and cut
   long unconverged = 0;  ///< accepted although stick and slip had not settled
-  long open_close_iterations = 0;
+  long open_close_iterations = 0;  ///< solutions of (13), in all tries
+  long minimizations = 0;          ///< problems with frozen bounds that the staged method had to solve
+  long augmentations = 0;
+  long broken_bonds = 0;
   long contacts_max = 0;       ///< closed at the end of a substep, at most
   long contacts = 0;           ///< closed at the end of the last one
   double max_penetration = 0;  ///< m, at the end of any substep
@@ -51,7 +55,7 @@ class Stepper {
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
-  const polyfem::Cholesky& cholesky() const { return system_.cholesky(); }
+  const polyfem::Cholesky& cholesky() const { return system_.problem().cholesky(); }
   const std::string& stop_reason() const { return stop_reason_; }
   /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
   const std::string& last_unsettled() const { return last_unsettled_; }
@@ -63,15 +67,23 @@ class Stepper {
 
   Try try_step(double dt);
   void detect(double dt);
-  OpenCloseReport solve(double dt, VectorXd& d);
-  /// Why a solution cannot be accepted; empty: it can.
-  std::string objection(const OpenCloseReport& report) const;
+  /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they can).
+  struct Solution {
+    VectorXd d;
+    Residual residual;
+    std::string objection;
+    bool friction_unsettled = false;  ///< and nothing else
+  };
+  Solution solve(double dt);
+  void solve_by_open_close(Solution& solution);
+  void solve_by_stages(const StepStart& start, Solution& solution);
+  std::string between(int contact) const;
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
-  bool advance(double dt, const VectorXd& d, const Points& displacement, BlockState& next);
-  void accept(double dt, const VectorXd& d, BlockState next, const OpenCloseReport& report);
-  /// Prepares the blocks for the new state. The integrals of the shape functions change with the shape, so
-  /// that the same vertex velocities would carry another momentum: free blocks are given the difference as a
-  /// translation. The paper preset leaves it.
+  bool advance(double dt, const Solution& solution, BlockState& next);
+  void accept(double dt, const Solution& solution, BlockState next);
+  /// Prepares the blocks for the new state. The integrals of the shape functions of incremental blocks change
+  /// with the shape, so that the same vertex velocities would carry another momentum: free blocks are given
+  /// the difference as a translation. The paper preset leaves it.
   void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
   void record_contacts(const VectorXd& d);
@@ -84,6 +96,8 @@ class Stepper {
   ContactBuilder contact_builder_;
   StepSystem system_;
   OpenCloseOptions open_close_;
+  ContactMethod method_;
+  StagedOptions staged_;
   double held_stiffness_;
 
   BlockState state_;

@@ -1,0 +1,50 @@
+#include <ddacontact/block/incremental_block.hpp>
+
+namespace ddacontact {
+
+void IncrementalBlock::begin_step(const BlockState& state, const StepStart& start) {
+  const Range& u = unknowns();
+  rule_ = start.rule;
+  dt_ = start.dt;
+  velocity_ = start.velocity.segment(u.first, u.count);
+  acceleration_ = start.acceleration.segment(u.first, u.count);
+  jump_ = start.jump.segment(u.first, u.count);
+  path_ = dt_ * velocity_ + start.jump_path.segment(u.first, u.count);
+  VectorXd F = VectorXd::Zero(u.end());
+  add_stress_forces(state, F);
+  stress_forces_ = -F.segment(u.first, u.count);
+}
+
+void IncrementalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const {
+  const VectorXd Kd = stiffness_ * d;
+  forces.elastic = stress_forces_ + Kd;
+  forces.damping = rule_.damping.stiffness / dt_ * Kd + rule_.damping.mass / dt_ * (mass_ * d);
+  forces.inertia = mass_ * (rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_);
+}
+
+void IncrementalBlock::tangent(const Eigen::Ref<const VectorXd>&, MatrixXd& A) const {
+  A = (1 + rule_.damping.stiffness / dt_) * stiffness_ +
+      (rule_.inertia() / (dt_ * dt_) + rule_.damping.mass / dt_) * mass_;
+}
+
+void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>&, bool,
+                                BlockState& next) const {
+  const Range &u = unknowns(), &v = vertices();
+  VectorXd all = VectorXd::Zero(u.end());
+  all.segment(u.first, u.count) = d;
+  for (int k = 0; k < v.count; ++k) next.position.col(v.first + k) += vertex_map(k)(all);
+  add_stress(all, next.stress);
+  const VectorXd acceleration =
+      rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
+  const double gamma = rule_.gamma;
+  next.velocity.segment(u.first, u.count) =
+      velocity_ + jump_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);
+  next.acceleration.segment(u.first, u.count) = acceleration;
+  follow_with_origin(next);
+}
+
+double IncrementalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) const {
+  return d.dot(stress_forces_) + d.dot(stiffness_ * d) / 2;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,359 @@
+#include <ddacontact/solver/staged.hpp>
+
+#include <ddacontact/solver/anderson.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// A contact is at least this much stiffer than the softer side of it: augmentations converge by a tenth then.
+constexpr double stiffness_ratio = 10;
+constexpr int anderson_depth = 8, bounds_depth = 5;
+/// Stage 0 gives up after so many changes of the active set, and may be returned to so often.
+constexpr int most_changes = 15, most_returns = 3;
+/// Solutions without a better residual after which one that passes is taken as it is.
+constexpr int patience = 4;
+/// Bonds that exceed their strength by this part of the worst excess break together.
+constexpr double breaking_part = 0.5;
+
+/// What a contact brings along and what it learns by augmentation.
+struct Multiplier {
+  double normal = 0, shear = 0;
+  bool sliding = false;  ///< T is what friction bears, with the sign of `shear`, until the slip turns round
+  bool on_edge = false;  ///< at the start of the step
+  bool bonded = false;
+};
+
+class Staged {
+ public:
+  Staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts, VectorXd& d)
+      : system_(system),
+        options_(options),
+        contacts_(contacts),
+        d_(d),
+        terms_(contacts.size()),
+        forces_(contacts.size()),
+        multipliers_(contacts.size()),
+        acceleration_(anderson_depth),
+        bounds_acceleration_(bounds_depth) {}
+
+  StagedReport solve() {
+    system_.linearize(d_);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) start(contacts_[c], multipliers_[c]);
+    look();
+    system_.set_contacts(terms_);
+    while (true) {
+      if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
+        return end(StagedStatus::not_finite);
+      if (is_balanced()) {
+        if (break_bonds()) continue;
+        if (is_close()) return settle();
+        if (report_.augmentations == options_.max_augmentations) return end(StagedStatus::penetrating);
+        augment();
+        continue;
+      }
+      if (report_.iterations >= options_.max_solutions) return end(StagedStatus::unsettled);
+      if (!(follows_active_set_ ? follow_active_set() : minimize()))
+        return end(StagedStatus::not_positive_definite);
+    }
+  }
+
+ private:
+  /// Stiffnesses and multipliers at the start of the step.
+  void start(Contact& contact, Multiplier& multiplier) const {
+    JointLaw& law = contact.law;
+    const ContactHistory& history = contact.history;
+    multiplier.on_edge = contact.is_on_edge(contact.slip.constant);
+    multiplier.bonded = history.bonded && (law.cohesion > 0 || law.tension > 0);
+    contact.was_closed = contact.closed();
+    if (options_.penetration_tolerance == 0) return;
+    const VertexEdgePlace& place = contact.motion.start;
+    const Vec2 along = (place.k - place.j).normalized(), normal(along.y(), -along.x());
+    const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
+    const double n_edges = system_.n_vertices(edge_block);
+    const int next = edge + 1 == n_edges ? 0 : edge + 1;
+    const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length, 0.0, 1.0);
+    const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
+                 of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
+                                t * t / system_.vertex_stiffness(edge_block, next, normal));
+    const double ratio = law.tangential_stiffness / law.normal_stiffness, softer = std::min(of_vertex, of_edge);
+    if (std::isfinite(softer))
+      law.normal_stiffness = std::max(law.normal_stiffness, stiffness_ratio * softer);
+    law.tangential_stiffness = ratio * law.normal_stiffness;
+    if (!contact.closed()) return;
+    multiplier.normal = history.normal;
+    multiplier.shear = history.shear;
+    multiplier.sliding = is_slipping(history.state);
+  }
+
+  /// Geometry, terms, forces and residual at d.
+  void look() {
+    for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) forces_[c] = contact_force(terms_[c], d_);
+    system_.compute_residual(d_, contacts_, forces_, report_.residual);
+    if (report_.residual.own < best_) {
+      best_ = report_.residual.own;
+      since_best_ = 0;
+    } else {
+      ++since_best_;
+    }
+  }
+
+  void look_at(Contact& contact, const Multiplier& multiplier, ContactTerm& term) const {
+    const VertexEdgePlace &begin = contact.motion.start, finish = contact.motion.at(d_);
+    const MovingVertexEdge& m = contact.motion;
+    const double lock = contact.history.lock, g = gap(finish), s = slip(finish, lock);
+    const VertexEdgeGradient dg = options_.mean_forces ? gap_mean_gradient(begin, finish) : gap_gradient(finish);
+    const VertexEdgeGradient ds =
+        options_.mean_forces ? slip_mean_gradient(begin, finish, lock) : slip_gradient(finish, lock);
+    contact.gap = linear_form(g, dg, m.i, m.j, m.k, d_);
+    contact.slip = linear_form(s, ds, m.i, m.j, m.k, d_);
+
+    const JointLaw& law = contact.law;
+    term.gap = contact.gap;
+    term.gap.constant -= contact.history.gap_offset;
+    term.slip = contact.slip;
+    term.normal_stiffness = law.normal_stiffness + contact.damping;
+    term.tangential_stiffness = law.tangential_stiffness;
+    term.normal_multiplier =
+        multiplier.normal + contact.damping * (gap(begin) - contact.history.gap_offset);
+    const bool possible = multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
+    term.normal = !possible                                  ? ContactTerm::Normal::absent
+                  : multiplier.bonded && law.tension > 0     ? ContactTerm::Normal::bilateral
+                                                             : ContactTerm::Normal::unilateral;
+    term.sheared = multiplier.bonded || law.has_friction();
+    set_bound(multiplier, term, multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false));
+  }
+
+  static void set_bound(const Multiplier& multiplier, ContactTerm& term, double bound) {
+    term.bound = bound;
+    term.tangential_multiplier =
+        multiplier.sliding ? std::copysign(bound, multiplier.shear) : std::clamp(multiplier.shear, -bound, bound);
+  }
+
+  bool is_balanced() const {
+    const double own = report_.residual.own;
+    return own <= options_.residual_aim || (own <= options_.residual_tolerance && since_best_ >= patience);
+  }
+
+  /// Begins to look for a residual anew: what is to be balanced has changed.
+  void restart() {
+    best_ = infinity;
+    since_best_ = 0;
+    acceleration_.reset();
+    bounds_acceleration_.reset();
+    seen_.clear();
+    changes_ = 0;
+    follows_active_set_ = true;
+    look();
+  }
+
+  std::vector<unsigned char> springs() const {
+    std::vector<unsigned char> active(terms_.size() + 1, 0);
+    for (std::size_t c = 0; c < terms_.size(); ++c) active[c] = active_springs(terms_[c], d_);
+    return active;
+  }
+
+  /// Stage 0: the springs that act at d decide the matrix.
+  bool follow_active_set() {
+    std::vector<unsigned char> now = springs();
+    if (now != active_) {
+      acceleration_.reset();
+      if (!seen_.insert(now).second || ++changes_ > most_changes) {
+        follows_active_set_ = false;
+        return true;
+      }
+      active_ = std::move(now);
+      system_.linearize(d_);
+    } else if (since_best_ >= patience) {
+      system_.linearize(d_);
+      acceleration_.reset();
+      if (since_best_ > 3 * patience) follows_active_set_ = false;
+    }
+    std::vector<unsigned char> active(active_.begin(), active_.end() - 1);
+    if (!system_.problem().factorize(terms_, active)) return false;
+    system_.problem().solve(report_.residual.force, correction_);
+    acceleration_.advance(-correction_, system_.unknown_lengths(), d_);
+    ++report_.iterations;
+    look();
+    return true;
+  }
+
+  /// Stage 1: geometry and bounds frozen, then renewed.
+  bool minimize() {
+    if (bounds_.size() == 0 || !minimizing_) {
+      bounds_.resize(static_cast<Index>(terms_.size()));
+      for (std::size_t c = 0; c < terms_.size(); ++c) bounds_[static_cast<Index>(c)] = frozen_bound(c);
+      minimizing_ = true;
+    }
+    for (std::size_t c = 0; c < terms_.size(); ++c)
+      if (terms_[c].bound < infinity) set_bound(multipliers_[c], terms_[c], bounds_[static_cast<Index>(c)]);
+    system_.linearize(d_);
+    const VectorXd d0 = d_, g0 = system_.smooth_residual(d0);
+    const MinimizeOptions how{.unknown_lengths = system_.unknown_lengths(),
+                              .tolerance = 0.01 * options_.residual_aim * report_.residual.scale};
+    const MinimizeReport minimum = system_.problem().minimize(terms_, d0, g0, how, d_);
+    report_.iterations += minimum.iterations;
+    ++report_.minimizations;
+    if (minimum.status == MinimizeStatus::not_positive_definite) return false;
+    VectorXd change(bounds_.size());
+    for (std::size_t c = 0; c < terms_.size(); ++c) {
+      const double N = normal_spring(terms_[c], d_).clipped();
+      change[static_cast<Index>(c)] =
+          terms_[c].bound < infinity ? shear_bound(contacts_[c].law, N, false) - bounds_[static_cast<Index>(c)] : 0;
+    }
+    bounds_acceleration_.advance(change, VectorXd::Ones(bounds_.size()), bounds_);
+    bounds_ = bounds_.cwiseMax(0);
+    look();
+
+    std::vector<unsigned char> now = springs();
+    if (now == settled_springs_ && returns_ < most_returns) {
+      // The active set stays: stage 0 converges faster from here.
+      ++returns_;
+      follows_active_set_ = true;
+      minimizing_ = false;
+      seen_.clear();
+      changes_ = 0;
+      active_.clear();
+      since_best_ = 0;
+    }
+    settled_springs_ = std::move(now);
+    return true;
+  }
+
+  double frozen_bound(std::size_t c) const { return terms_[c].bound < infinity ? terms_[c].bound : 0; }
+
+  /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
+  bool break_bonds() {
+    double worst = 0;
+    std::vector<double> excess(contacts_.size(), 0);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (!multipliers_[c].bonded) continue;
+      const JointLaw& law = contacts_[c].law;
+      const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, forces_[c].normal);
+      const double opened =
+          terms_[c].normal == ContactTerm::Normal::unilateral && forces_[c].normal <= 0 &&
+                  terms_[c].gap(d_) > contacts_[c].length_tolerance
+              ? strength
+              : 0;
+      excess[c] = std::max({-forces_[c].normal - law.tension,
+                            std::abs(forces_[c].shear) - shear_bound(law, forces_[c].normal, true), opened});
+      if (excess[c] <= options_.residual_tolerance * strength) excess[c] = 0;
+      worst = std::max(worst, excess[c]);
+    }
+    if (worst == 0) return false;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (excess[c] < breaking_part * worst || excess[c] == 0) continue;
+      multipliers_[c].bonded = contacts_[c].history.bonded = false;
+      ++report_.broken_bonds;
+    }
+    restart();
+    return true;
+  }
+
+  /// Whether closed contacts touch and sticking ones stay within the tolerance.
+  bool is_close() {
+    if (options_.penetration_tolerance == 0) return true;
+    double worst = 1;
+    report_.worst_contact = -1;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const unsigned char acts = active_springs(terms_[c], d_);
+      const double tolerance = options_.penetration_tolerance * contacts_[c].size;
+      double error = 0;
+      if (acts & 1) error = std::abs(terms_[c].gap(d_));
+      if ((acts & 2) && forces_[c].shear != 0) error = std::max(error, std::abs(terms_[c].slip(d_)));
+      if (error > worst * tolerance) {
+        worst = error / tolerance;
+        report_.worst_contact = static_cast<int>(c);
+      }
+    }
+    return report_.worst_contact < 0;
+  }
+
+  void augment() {
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      Multiplier& multiplier = multipliers_[c];
+      multiplier.normal = elastic_normal(c);
+      multiplier.shear = forces_[c].shear;
+      multiplier.sliding = is_sliding(c);
+    }
+    ++report_.augmentations;
+    restart();
+  }
+
+  /// N without the dashpot's part.
+  double elastic_normal(std::size_t c) const {
+    return forces_[c].normal == 0 ? 0 : forces_[c].normal + contacts_[c].damping * (contacts_[c].gap(d_) - gap(contacts_[c].motion.start));
+  }
+
+  bool is_sliding(std::size_t c) const {
+    return terms_[c].sheared && terms_[c].bound > 0 && !(active_springs(terms_[c], d_) & 2);
+  }
+
+  StagedReport settle() {
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      Contact& contact = contacts_[c];
+      ContactHistory& history = contact.history;
+      const bool closed = forces_[c].normal > 0 || (multipliers_[c].bonded && contact.closed());
+      if (!closed)
+        history.state = ContactState::open;
+      else if (contact.law.frictionless())
+        history.state = ContactState::slip_forward;
+      else if (is_sliding(c))
+        history.state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;
+      else
+        history.state = ContactState::stick;
+      contact.was_closed = contact.was_closed || closed;
+      contact.augmented = options_.penetration_tolerance > 0;
+      contact.normal = forces_[c].normal;
+      contact.shear = forces_[c].shear;
+      history.normal = closed && options_.penetration_tolerance > 0 ? elastic_normal(c) : 0;
+      history.shear = closed && options_.penetration_tolerance > 0 ? forces_[c].shear : 0;
+    }
+    return end(StagedStatus::settled);
+  }
+
+  StagedReport end(StagedStatus status) {
+    report_.status = status;
+    return std::move(report_);
+  }
+
+  StepSystem& system_;
+  const StagedOptions& options_;
+  std::vector<Contact>& contacts_;
+  VectorXd& d_;
+  std::vector<ContactTerm> terms_;
+  std::vector<ContactForce> forces_;
+  std::vector<Multiplier> multipliers_;
+  StagedReport report_;
+  double best_ = infinity;
+  int since_best_ = 0;
+
+  bool follows_active_set_ = true;
+  std::vector<unsigned char> active_;  ///< one more than contacts, so that none is not the same as unknown
+  std::set<std::vector<unsigned char>> seen_;
+  int changes_ = 0;
+  AndersonAcceleration acceleration_;
+  VectorXd correction_;
+
+  bool minimizing_ = false;
+  int returns_ = 0;
+  VectorXd bounds_;
+  AndersonAcceleration bounds_acceleration_;
+  std::vector<unsigned char> settled_springs_;
+};
+
+}  // namespace
+
+StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
+                          VectorXd& d) {
+  return Staged(system, options, contacts, d).solve();
+}
+
+}  // namespace ddacontact
