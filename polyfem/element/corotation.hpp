@@ -15,9 +15,11 @@ namespace polyfem {
 
 /// Where an element is: the frame that turns with it and its displacement seen from there.
 struct CorotatedFrame {
-  double angle = 0;    ///< theta in (-pi, pi]
-  double stretch = 0;  ///< s, the trace of U in F = R U: 2 without strain. At 0, where no rotation is nearest
-                       ///< (F is zero or a mirror image), the frame stays unturned and there are no forces
+  double angle = 0;  ///< theta in (-pi, pi]
+  /// s, the trace of U in F = R U: 2 without strain, the difference of the principal stretches where the
+  /// element is inside out. Where it is 0 (collapsed, or a plain mirror image) no rotation is nearest: R is 1
+  /// and there are no forces; near 0 they mean nothing.
+  double stretch = 0;
   Mat2 rotation = Mat2::Identity();  ///< R
   Points local;                      ///< R^T y from the element's centre, 2 x m
   VectorXd u;                        ///< local displacements from centre to centre (u1 v1 u2 v2 ...), 2m
@@ -32,8 +34,8 @@ class CorotatedElement {
  public:
   /// Nodes at rest (2 x m), the weights b of F (2 x m, sum_a Y_a b_a^T = 1) and the symmetric K (2m x 2m),
   /// zero for small rigid motions. `translation` tells by how much each node moves (m entries) when the
-  /// element is shifted by 1: all the same for points; 1, 0, 0 for a centre and two columns of F. Weights and
-  /// the two rows of each K and f0 must be orthogonal to it.
+  /// element is shifted by 1: all the same for points; 1, 0, 0 for a centre and the two columns of F. Such a
+  /// shift must change neither F nor the energy of f0.
   CorotatedElement(const PointsRef& reference, const PointsRef& weights, const VectorXd& translation,
                    const MatrixXd& stiffness);
   /// The same for points.
