@@ -1,0 +1,63 @@
+/// \file A contact as the equations see it: springs on its gap and its slip with multipliers and bounds.
+#pragma once
+
+#include <ddacontact/core/affine_form.hpp>
+
+#include <limits>
+
+namespace ddacontact {
+
+/// A contact with its friction bound frozen: N = lambda - p g on the gap, kept >= 0 where unilateral, and
+/// T = tau - p_t s on the slip, kept within +-bound. Both are gradients of convex potentials of the unknowns.
+struct ContactTerm {
+  AffineForm gap, slip;  ///< over the same unknowns in the same order where `sheared`
+  double normal_stiffness = 0, tangential_stiffness = 0;  ///< p, p_t, N/m per m
+  double normal_multiplier = 0;                           ///< lambda, N per m
+  double tangential_multiplier = 0;                       ///< tau, |tau| <= bound
+  double bound = 0;                                       ///< of |T|; infinity: cannot slide
+
+  /// absent: no force at all, neither normal nor shear (the vertex is not on the edge).
+  enum class Normal { unilateral, bilateral, absent } normal = Normal::unilateral;
+  bool sheared = true;  ///< false: nothing acts along the slip
+};
+
+/// A force that follows its form, F = force - stiffness * change of the form, clipped to [low, high].
+struct ClippedSpring {
+  double force = 0;  ///< where the form is looked at, not clipped
+  double stiffness = 0;
+  double low = 0, high = 0;
+
+  double clipped() const { return force < low ? low : force > high ? high : force; }
+  /// Whether the force follows the form; at a bound that can move both ways it does.
+  bool acts() const { return low < high && force >= low && force <= high; }
+};
+
+/// The spring on the gap at d.
+inline ClippedSpring normal_spring(const ContactTerm& c, const VectorXd& d) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (c.normal == ContactTerm::Normal::absent) return {};
+  return {c.normal_multiplier - c.normal_stiffness * c.gap(d), c.normal_stiffness,
+          c.normal == ContactTerm::Normal::unilateral ? 0 : -infinity, infinity};
+}
+/// The spring on the slip at d.
+inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) {
+  if (c.normal == ContactTerm::Normal::absent || !c.sheared) return {};
+  return {c.tangential_multiplier - c.tangential_stiffness * c.slip(d), c.tangential_stiffness, -c.bound,
+          c.bound};
+}
+
+/// Forces on the gap and on the slip, N per m: the residual has -(normal grad g + shear grad s).
+struct ContactForce {
+  double normal = 0, shear = 0;
+};
+inline ContactForce contact_force(const ContactTerm& c, const VectorXd& d) {
+  return {normal_spring(c, d).clipped(), tangential_spring(c, d).clipped()};
+}
+
+/// The springs that the tangent has at d. Bits: 1 the normal one, 2 the tangential one (sticking).
+inline unsigned char active_springs(const ContactTerm& c, const VectorXd& d) {
+  return static_cast<unsigned char>((normal_spring(c, d).acts() ? 1 : 0) |
+                                    (tangential_spring(c, d).acts() ? 2 : 0));
+}
+
+}  // namespace ddacontact

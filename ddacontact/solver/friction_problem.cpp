@@ -1,0 +1,218 @@
+#include <ddacontact/solver/friction_problem.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ddacontact {
+
+namespace {
+
+/// What quadratic piece d is in. Bits: those of active_springs, 4 and 8 the shear force is at its upper or
+/// its lower bound.
+unsigned char piece(const ContactTerm& contact, const VectorXd& d) {
+  const ClippedSpring shear = tangential_spring(contact, d);
+  const int sense = shear.low == shear.high    ? 0
+                    : shear.force > shear.high ? 4
+                    : shear.force < shear.low  ? 8
+                                               : 0;
+  return static_cast<unsigned char>(active_springs(contact, d) | sense);
+}
+
+void find_pieces(const std::vector<ContactTerm>& contacts, const VectorXd& d,
+                 std::vector<unsigned char>& pieces) {
+  pieces.resize(contacts.size());
+  std::transform(contacts.begin(), contacts.end(), pieces.begin(),
+                 [&](const ContactTerm& contact) { return piece(contact, d); });
+}
+
+[[maybe_unused]] bool over_the_same_unknowns(const AffineForm& a, const AffineForm& b) {
+  return std::equal(a.unknowns().begin(), a.unknowns().end(), b.unknowns().begin(), b.unknowns().end());
+}
+
+/// |multiplier| + stiffness * (sum of the magnitudes of the form's terms): what its force is the sum of.
+double magnitude(const AffineForm& form, double stiffness, double multiplier, const VectorXd& d) {
+  double sum = std::abs(form.constant);
+  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
+    sum += std::abs(form.coefficients()[k] * d[form.unknowns()[k]]);
+  return std::abs(multiplier) + stiffness * sum;
+}
+
+void add_magnitude(const AffineForm& form, double force, VectorXd& sums) {
+  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
+    sums[form.unknowns()[k]] += std::abs(form.coefficients()[k]) * force;
+}
+
+/// A residual of so many ulps of what it is the sum of is round-off.
+constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+FrictionProblem::FrictionProblem(std::vector<int> equation, int n_equations)
+    : equation_(std::move(equation)), n_equations_(n_equations) {}
+
+void FrictionProblem::set_pattern(const std::vector<Range>& elements,
+                                  const std::vector<ContactTerm>& contacts) {
+  polyfem::Connectivity connectivity;
+  elements_ = elements;
+  matrices_.resize(elements.size());
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const auto [first, count] = elements[e];
+    matrices_[e].resize(count, count);
+    connectivity.append({equation_.data() + first, static_cast<std::size_t>(count)});
+  }
+  std::vector<int> rows;
+  for (const ContactTerm& contact : contacts) {
+    assert(!contact.sheared || over_the_same_unknowns(contact.gap, contact.slip));
+    rows.clear();
+    for (int u : contact.gap.unknowns()) rows.push_back(equation_[u]);
+    connectivity.append(rows);
+  }
+  if (matrix_.set_connectivity(n_equations_, connectivity)) cholesky_.analyze(matrix_.lower());
+  matrices_changed();
+}
+
+bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
+                                const std::vector<unsigned char>& active) {
+  if (!factored_springs_.empty() &&
+      std::equal(active.begin(), active.end(), factored_springs_.begin(), factored_springs_.end() - 1))
+    return true;
+  factored_springs_.clear();
+  matrix_.set_zero();
+  const int n_elements = static_cast<int>(elements_.size());
+  for (int e = 0; e < n_elements; ++e) matrix_.add(e, matrices_[e]);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const int e = n_elements + static_cast<int>(c);
+    const ContactTerm& contact = contacts[c];
+    if (active[c] & 1) matrix_.add_outer(e, contact.normal_stiffness, contact.gap.coefficients());
+    if (active[c] & 2) matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
+  }
+  if (!cholesky_.factorize(matrix_.lower())) return false;
+  factored_springs_.assign(active.begin(), active.end());
+  factored_springs_.push_back(0);  // never empty: a factor without contacts is one too
+  return true;
+}
+
+void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
+  rhs_.resize(n_equations_);
+  for (Index k = 0; k < residual.size(); ++k)
+    if (equation_[k] >= 0) rhs_[equation_[k]] = residual[k];
+  cholesky_.solve(rhs_, solution_);
+  correction.resize(residual.size());
+  for (Index k = 0; k < residual.size(); ++k) correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
+}
+
+void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
+                                       const VectorXd& g0, const VectorXd& d, VectorXd& residual) const {
+  residual = g0;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const auto [first, count] = elements_[e];
+    residual.segment(first, count).noalias() +=
+        matrices_[e] * (d.segment(first, count) - d0.segment(first, count));
+  }
+  for (const ContactTerm& contact : contacts) {
+    const ContactForce force = contact_force(contact, d);
+    if (force.normal != 0) contact.gap.add_gradient(-force.normal, residual);
+    if (force.shear != 0) contact.slip.add_gradient(-force.shear, residual);
+  }
+}
+
+double FrictionProblem::largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const {
+  double largest = 0;
+  for (Index k = 0; k < r.size(); ++k)
+    if (equation_[k] >= 0) {
+      const double size = std::abs(r[k]) / unknown_lengths[k];
+      if (!(size <= largest)) largest = size;  // lets a NaN through
+    }
+  return largest;
+}
+
+/// Whether every entry of residual_ is no more than the round-off of its sum at d.
+bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
+                                   const VectorXd& g0, const VectorXd& d) {
+  magnitudes_ = g0.cwiseAbs();
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const auto [first, count] = elements_[e];
+    magnitudes_.segment(first, count).noalias() +=
+        matrices_[e].cwiseAbs() * (d.segment(first, count) - d0.segment(first, count)).cwiseAbs();
+  }
+  for (const ContactTerm& c : contacts) {
+    if (c.normal == ContactTerm::Normal::absent) continue;
+    add_magnitude(c.gap, magnitude(c.gap, c.normal_stiffness, c.normal_multiplier, d), magnitudes_);
+    if (c.sheared && c.bound > 0)
+      add_magnitude(c.slip, magnitude(c.slip, c.tangential_stiffness, c.tangential_multiplier, d),
+                    magnitudes_);
+  }
+  for (Index k = 0; k < d.size(); ++k)
+    if (equation_[k] >= 0 && std::abs(residual_[k]) > round_off * magnitudes_[k]) return false;
+  return true;
+}
+
+/// The t at which the potential of d + t step_ is least; residual_ is that at d.
+double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d) {
+  double slope = step_.dot(residual_), curvature = 0;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const auto change = step_.segment(elements_[e].first, elements_[e].count);
+    curvature += change.dot(matrices_[e] * change);
+  }
+  line_search_.clear();
+  const auto add = [&](const ClippedSpring& spring, double rate) {
+    if (rate == 0 || (spring.low == 0 && spring.high == 0)) return;
+    slope += spring.clipped() * rate;
+    line_search_.add(spring, rate);
+  };
+  for (const ContactTerm& contact : contacts) {
+    add(normal_spring(contact, d), contact.gap.change(step_));
+    add(tangential_spring(contact, d), contact.slip.change(step_));
+  }
+  return line_search_.find_minimum(slope, curvature);
+}
+
+MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
+                                         const VectorXd& g0, const MinimizeOptions& options, VectorXd& d) {
+  MinimizeReport report;
+  const auto measure = [&] {
+    compute_residual(contacts, d0, g0, d, residual_);
+    report.residual = largest_over_lengths(residual_, options.unknown_lengths);
+  };
+  measure();
+  find_pieces(contacts, d, pieces_);
+  bool kept = false;
+  for (double before = 0;; before = report.residual) {
+    if (!std::isfinite(report.residual)) {
+      report.status = MinimizeStatus::not_finite;
+      return report;
+    }
+    // The minimum of the piece that d is in is exact but for round-off; solving again repairs what it can of
+    // that.
+    if (report.residual <= options.tolerance || (kept && report.residual > before / 2) ||
+        is_round_off(contacts, d0, g0, d)) {
+      report.status = MinimizeStatus::converged;
+      return report;
+    }
+    if (report.iterations == options.max_iterations) return report;
+    active_ = pieces_;
+    for (unsigned char& springs : active_) springs &= 3;
+    if (!factorize(contacts, active_)) {
+      report.status = MinimizeStatus::not_positive_definite;
+      return report;
+    }
+    solve(-residual_, step_);
+    ++report.iterations;
+    ++n_iterations_;
+    trial_ = d + step_;
+    find_pieces(contacts, trial_, trial_pieces_);
+    kept = trial_pieces_ == pieces_;
+    if (kept) {
+      d = trial_;
+    } else {
+      d += step_length(contacts, d) * step_;
+      find_pieces(contacts, d, pieces_);
+    }
+    measure();
+  }
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,86 @@
+/// \file What is left of a step when rotations, contact normals and friction bounds are frozen.
+#pragma once
+
+#include <ddacontact/solver/contact_term.hpp>
+#include <ddacontact/solver/line_search.hpp>
+#include <polyfem/assembly/pattern_matrix.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// When FrictionProblem::minimize ends.
+struct MinimizeOptions {
+  VectorXd unknown_lengths;  ///< of every unknown, see Block::unknown_lengths
+  double tolerance = 0;      ///< of the residual over the lengths, N per m; round-off passes in any case
+  int max_iterations = 100;  ///< solutions
+};
+
+/// How FrictionProblem::minimize ended.
+enum class MinimizeStatus { converged, iteration_limit, not_positive_definite, not_finite };
+
+/// The end of FrictionProblem::minimize.
+struct MinimizeReport {
+  MinimizeStatus status = MinimizeStatus::iteration_limit;
+  int iterations = 0;   ///< solutions
+  double residual = 0;  ///< the largest of the free unknowns over their lengths at the end, N per m
+};
+
+/// The potential
+///   g0 . (d - d0) + (d - d0) . A (d - d0) / 2 + sum of the contacts'
+/// of unknowns d, some of them held: strictly convex when A is positive definite on the free ones, once
+/// differentiable and piecewise quadratic. A is a sum of dense matrices, one for each range of unknowns.
+class FrictionProblem {
+ public:
+  /// \param[in] equation  row of every unknown, 0 .. n_equations - 1, or -1 where it is held
+  FrictionProblem(std::vector<int> equation, int n_equations);
+
+  /// Makes room for the matrices of A, elements[e].count square, and for the contacts' springs. The analysis
+  /// of the factor is kept when the unknowns that meet are the same.
+  void set_pattern(const std::vector<Range>& elements, const std::vector<ContactTerm>& contacts);
+  /// The part of A of a range of unknowns, to be filled.
+  MatrixXd& element(int e) { return matrices_[e]; }
+  /// Must be called after A, or coefficients or stiffnesses of the contacts have changed: the last factor is
+  /// another matrix's then.
+  void matrices_changed() { factored_springs_.clear(); }
+
+  /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), unless that is
+  /// what the last factor is of. False: not positive definite.
+  [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
+                               const std::vector<unsigned char>& active);
+  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones.
+  void solve(const VectorXd& residual, VectorXd& correction);
+
+  /// Gradient of the potential at d, of held unknowns too. g0: the smooth part's at d0.
+  void compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
+                        const VectorXd& d, VectorXd& residual) const;
+  /// Moves the free unknowns of d to where the potential is least: Newton's method, the minimum along each
+  /// direction taken exactly, so that the potential falls in every iteration. Where A is positive definite it
+  /// ends after finitely many iterations, up to round-off.
+  MinimizeReport minimize(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
+                          const MinimizeOptions& options, VectorXd& d);
+
+  /// Solutions of all calls of minimize so far.
+  int n_iterations() const { return n_iterations_; }
+  const polyfem::Cholesky& cholesky() const { return cholesky_; }
+
+ private:
+  double largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const;
+  bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
+                    const VectorXd& d);
+  double step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d);
+
+  std::vector<int> equation_;
+  int n_equations_;
+  std::vector<Range> elements_;
+  std::vector<MatrixXd> matrices_;
+  polyfem::PatternMatrix matrix_;
+  polyfem::Cholesky cholesky_;
+  int n_iterations_ = 0;
+  std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
+  VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
+  std::vector<unsigned char> active_, pieces_, trial_pieces_;
+  LineSearch line_search_;
+};
+
+}  // namespace ddacontact
