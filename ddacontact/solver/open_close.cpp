@@ -149,6 +149,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std
   for (Contact& contact : contacts) contact.was_closed = contact.closed();
   const std::vector<ContactTerm> terms = terms_of(contacts);
   const auto compute_residual = [&] { system.compute_residual(d, contacts, forces_in_states(contacts, d), r); };
+  system.set_contacts(terms);
   d = system.prescribed();
   system.linearize(d);
   compute_residual();

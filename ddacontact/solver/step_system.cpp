@@ -26,6 +26,7 @@ StepSystem::StepSystem(BlockSystem& blocks)
     active_.push_back(b);
     elements_.push_back(u);
   }
+  set_contacts({});
 }
 
 void StepSystem::set_contacts(const std::vector<ContactTerm>& contacts) {
