@@ -125,6 +125,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
   contact.edge_length = (k - j).norm();
+  contact.augmented = properties_.method == ContactMethod::staged && properties_.penetration_tolerance > 0;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.end_tolerance = coincidence * contact.size;
   contact.length_tolerance = length_tolerance * contact.size;

@@ -15,8 +15,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is at least this much stiffer than the softer side of it: augmentations converge by a tenth then.
 constexpr double stiffness_ratio = 10;
 constexpr int anderson_depth = 8, bounds_depth = 5;
-/// Stage 0 gives up after so many changes of the active set, and may be returned to so often.
-constexpr int most_changes = 15, most_returns = 3;
+/// Stage 0 gives up after so many changes of the states, and may be returned to so often.
+constexpr int most_changes = 12, most_returns = 3;
+/// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
+constexpr int most_solutions_of_states = 6;
+constexpr double sufficient_decrease = 1e-4;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
 /// Bonds that exceed their strength by this part of the worst excess break together.
@@ -40,18 +43,24 @@ class Staged {
         terms_(contacts.size()),
         forces_(contacts.size()),
         multipliers_(contacts.size()),
+        states_(contacts.size()),
         acceleration_(anderson_depth),
         bounds_acceleration_(bounds_depth) {}
 
   StagedReport solve() {
     system_.linearize(d_);
-    for (std::size_t c = 0; c < contacts_.size(); ++c) start(contacts_[c], multipliers_[c]);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      start(contacts_[c], multipliers_[c]);
+      states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
+    }
+    const VectorXd start_d = d_;
+    start_ = &start_d;
     look();
     system_.set_contacts(terms_);
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
-      if (is_balanced()) {
+      if (is_balanced() && states_agree()) {
         if (break_bonds()) continue;
         if (is_close()) return settle();
         if (report_.augmentations == options_.max_augmentations) return end(StagedStatus::penetrating);
@@ -59,7 +68,7 @@ class Staged {
         continue;
       }
       if (report_.iterations >= options_.max_solutions) return end(StagedStatus::unsettled);
-      if (!(follows_active_set_ ? follow_active_set() : minimize()))
+      if (!(follows_states_ ? follow_states() : minimize()))
         return end(StagedStatus::not_positive_definite);
     }
   }
@@ -95,7 +104,8 @@ class Staged {
   /// Geometry, terms, forces and residual at d.
   void look() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
-    for (std::size_t c = 0; c < contacts_.size(); ++c) forces_[c] = contact_force(terms_[c], d_);
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      forces_[c] = follows_states_ ? force_in_state(c) : contact_force(terms_[c], d_);
     system_.compute_residual(d_, contacts_, forces_, report_.residual);
     if (report_.residual.own < best_) {
       best_ = report_.residual.own;
@@ -103,6 +113,38 @@ class Staged {
     } else {
       ++since_best_;
     }
+  }
+
+  /// Which spring acts, and where friction has reached its bound.
+  enum State : unsigned char { open = 0, pressed = 1, stuck = 2, at_upper = 4, at_lower = 8 };
+
+  static unsigned char first_state(const Contact& contact, bool sheared) {
+    if (!contact.closed()) return open;
+    if (!sheared) return pressed;
+    if (!is_slipping(contact.history.state)) return pressed | stuck;
+    return pressed | (contact.history.shear > 0 || contact.history.state == ContactState::slip_backward ? at_upper : at_lower);
+  }
+
+  unsigned char state_at_d(const ContactTerm& term) const {
+    const ClippedSpring n = normal_spring(term, d_), t = tangential_spring(term, d_);
+    if (!n.acts() && term.bound < infinity) return open;
+    const unsigned char closed = n.acts() ? pressed : open;
+    if (!term.sheared) return closed;
+    return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
+  }
+
+  /// The forces when the springs of this state act, however far: not clipped.
+  ContactForce force_in_state(std::size_t c) const {
+    const ContactTerm& term = terms_[c];
+    const unsigned char state = states_[c];
+    // Before the first solution nothing is known of N: friction is what it was.
+    const double bound = report_.iterations > 0 ? term.bound : std::abs(multipliers_[c].shear);
+    ContactForce force;
+    if (state & pressed) force.normal = normal_spring(term, d_).force;
+    if (state & stuck) force.shear = tangential_spring(term, d_).force;
+    if (state & at_upper) force.shear = bound;
+    if (state & at_lower) force.shear = -bound;
+    return force;
   }
 
   void look_at(Contact& contact, const Multiplier& multiplier, ContactTerm& term) const {
@@ -144,54 +186,74 @@ class Staged {
 
   /// Begins to look for a residual anew: what is to be balanced has changed.
   void restart() {
-    best_ = infinity;
-    since_best_ = 0;
+    follow_states_from_here();
     acceleration_.reset();
     bounds_acceleration_.reset();
+    returns_ = 0;
+  }
+
+  void follow_states_from_here() {
+    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+    best_ = infinity;
+    since_best_ = changes_ = solutions_of_states_ = 0;
     seen_.clear();
-    changes_ = 0;
-    follows_active_set_ = true;
+    follows_states_ = true;
+    minimizing_ = false;
     look();
   }
 
-  std::vector<unsigned char> springs() const {
-    std::vector<unsigned char> active(terms_.size() + 1, 0);
-    for (std::size_t c = 0; c < terms_.size(); ++c) active[c] = active_springs(terms_[c], d_);
-    return active;
+  bool states_agree() const {
+    if (!follows_states_) return true;
+    for (std::size_t c = 0; c < terms_.size(); ++c)
+      if (state_at_d(terms_[c]) != states_[c]) return false;
+    return true;
   }
 
-  /// Stage 0: the springs that act at d decide the matrix.
-  bool follow_active_set() {
-    std::vector<unsigned char> now = springs();
-    if (now != active_) {
-      acceleration_.reset();
-      if (!seen_.insert(now).second || ++changes_ > most_changes) {
-        follows_active_set_ = false;
-        return true;
-      }
-      active_ = std::move(now);
-      system_.linearize(d_);
-    } else if (since_best_ >= patience) {
-      system_.linearize(d_);
-      acceleration_.reset();
-      if (since_best_ > 3 * patience) follows_active_set_ = false;
+  /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
+  bool follow_states() {
+    const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
+                        solutions_of_states_ >= most_solutions_of_states;
+    if (solutions_of_states_ > 0 && solved && !states_agree()) {
+      for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+      if (!seen_.insert(states_).second || ++changes_ > most_changes) return begin_minimizing();
+      solutions_of_states_ = 0;
+      best_ = infinity;
+      look();
     }
-    std::vector<unsigned char> active(active_.begin(), active_.end() - 1);
+    if (since_best_ > 3 * patience) return begin_minimizing();
+    if (solutions_of_states_ == 0 || since_best_ >= patience) {
+      system_.linearize(d_);
+      acceleration_.reset();
+      if (solutions_of_states_ == 0) first_of_states_ = report_.residual.own;
+    }
+    std::vector<unsigned char> active(states_.size());
+    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
     if (!system_.problem().factorize(terms_, active)) return false;
     system_.problem().solve(report_.residual.force, correction_);
     acceleration_.advance(-correction_, system_.unknown_lengths(), d_);
     ++report_.iterations;
+    ++solutions_of_states_;
     look();
+    return true;
+  }
+
+  /// Goes back to where the step began, with the friction bounds of the step before.
+  bool begin_minimizing() {
+    follows_states_ = false;
+    minimizing_ = true;
+    d_ = *start_;
+    look();
+    bounds_.resize(static_cast<Index>(terms_.size()));
+    for (std::size_t c = 0; c < terms_.size(); ++c)
+      bounds_[static_cast<Index>(c)] = shear_bound(contacts_[c].law, multipliers_[c].normal, false);
+    bounds_acceleration_.reset();
+    best_ = infinity;
+    since_best_ = 0;
     return true;
   }
 
   /// Stage 1: geometry and bounds frozen, then renewed.
   bool minimize() {
-    if (bounds_.size() == 0 || !minimizing_) {
-      bounds_.resize(static_cast<Index>(terms_.size()));
-      for (std::size_t c = 0; c < terms_.size(); ++c) bounds_[static_cast<Index>(c)] = frozen_bound(c);
-      minimizing_ = true;
-    }
     for (std::size_t c = 0; c < terms_.size(); ++c)
       if (terms_[c].bound < infinity) set_bound(multipliers_[c], terms_[c], bounds_[static_cast<Index>(c)]);
     system_.linearize(d_);
@@ -212,22 +274,15 @@ class Staged {
     bounds_ = bounds_.cwiseMax(0);
     look();
 
-    std::vector<unsigned char> now = springs();
-    if (now == settled_springs_ && returns_ < most_returns) {
-      // The active set stays: stage 0 converges faster from here.
+    std::vector<unsigned char> now(terms_.size());
+    for (std::size_t c = 0; c < terms_.size(); ++c) now[c] = state_at_d(terms_[c]);
+    if (now == settled_states_ && returns_ < most_returns) {
       ++returns_;
-      follows_active_set_ = true;
-      minimizing_ = false;
-      seen_.clear();
-      changes_ = 0;
-      active_.clear();
-      since_best_ = 0;
+      follow_states_from_here();  // they stay as they are: stage 0 converges faster from here
     }
-    settled_springs_ = std::move(now);
+    settled_states_ = std::move(now);
     return true;
   }
-
-  double frozen_bound(std::size_t c) const { return terms_[c].bound < infinity ? terms_[c].bound : 0; }
 
   /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
   bool break_bonds() {
@@ -310,7 +365,6 @@ class Staged {
       else
         history.state = ContactState::stick;
       contact.was_closed = contact.was_closed || closed;
-      contact.augmented = options_.penetration_tolerance > 0;
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;
       history.normal = closed && options_.penetration_tolerance > 0 ? elastic_normal(c) : 0;
@@ -335,10 +389,12 @@ class Staged {
   double best_ = infinity;
   int since_best_ = 0;
 
-  bool follows_active_set_ = true;
-  std::vector<unsigned char> active_;  ///< one more than contacts, so that none is not the same as unknown
+  const VectorXd* start_ = nullptr;  ///< d at the start
+  bool follows_states_ = true;
+  std::vector<unsigned char> states_;
   std::set<std::vector<unsigned char>> seen_;
-  int changes_ = 0;
+  int changes_ = 0, solutions_of_states_ = 0;
+  double first_of_states_ = infinity;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 
@@ -346,7 +402,7 @@ class Staged {
   int returns_ = 0;
   VectorXd bounds_;
   AndersonAcceleration bounds_acceleration_;
-  std::vector<unsigned char> settled_springs_;
+  std::vector<unsigned char> settled_states_;
 };
 
 }  // namespace
