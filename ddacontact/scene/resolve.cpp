@@ -94,17 +94,18 @@ std::vector<Joint> resolve_joints(const Document& document, const NameTable& mat
   return joints;
 }
 
-/// Whether the file leaves no doubt about what is held, where and what pulls.
-bool holds_are_known(const Document& document, const BlockTable& blocks) {
+/// Whether the file leaves no doubt about what is held, where the blocks are and what pulls.
+bool holds_are_known(const Document& document, const BlockTable& blocks, const Scene& scene) {
   const Places& analysis = document.analysis.places;
-  return document.has_all_blocks && analysis.usable("mode") && analysis.usable("gravity") &&
-         std::all_of(blocks.outlines.begin(), blocks.outlines.end(),
-                     [](const PlacedOutline& placed) { return placed.outline.sound(); }) &&
-         std::all_of(document.blocks.begin(), document.blocks.end(),
-                     [](const BlockRecord& block) { return block.places.usable("fixed"); }) &&
-         std::all_of(document.supports.begin(), document.supports.end(), [](const SupportRecord& support) {
-           return support.places.good("block") && support.places.good("vertices");
-         });
+  if (!document.has_all_blocks || !analysis.usable("mode") || !analysis.usable("gravity")) return false;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const BlockRecord& record = document.blocks[b];
+    if (!blocks.outlines[b].outline.sound() || !record.places.usable("fixed") ||
+        scene.blocks[b].fixed_vertices.size() != record.fixed.some.size())
+      return false;
+  }
+  return std::none_of(scene.supports.begin(), scene.supports.end(),
+                      [](const Support& support) { return support.block < 0 || support.vertices.empty(); });
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
-  if (scene.analysis.mode == Mode::statics && apart && holds_are_known(document, blocks))
+  if (scene.analysis.mode == Mode::statics && apart && holds_are_known(document, blocks, scene))
     check_statics(blocks, scene.analysis.gravity, problems);
 
   scene.output = document.output.options;

@@ -29,9 +29,9 @@ struct Joint {
   double friction_angle = 0;                  ///< degrees, [0, 90)
   double cohesion = 0;                        ///< Pa
   double tensile_strength = 0;                ///< Pa
+  std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
   double restitution = 0;                     ///< 0..1, normal, of blocks that meet
   double dashpot = 0;                         ///< contact damping, ratio to critical of the contact spring
-  std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
 };
 
 /// One block as the scene states it.

@@ -83,17 +83,18 @@ TEST(StaticCheck, FallsAlongGravityWhereverThisPoints) {
   EXPECT_EQ(loose_blocks(scene_with({"3, 5"}, "[0, 0]")), Blocks{1}) << "nothing falls";
 }
 
-TEST(StaticCheck, LeavesSceneAloneWhoseHoldsAreInDoubt) {
-  const std::string text = scene_with({"20, 0"});
-  for (const char* bad : {"block.0.fixed=[7, true]", "block.1.fixed=maybe", "analysis.gravity=0",
-                          "block.0.vertices.2=[1, -1]", "blocks=no/wall.wkt"}) {
-    const SceneReading reading = read(text, {bad});
+TEST(StaticCheck, WaitsUntilTheHoldsAreInNoDoubt) {
+  const std::string text = scene_with({"20, 0"}) + "[[support]]\nblock = 1\nvertices = [0]\n";
+  for (const char* bad :
+       {"block.0.fixed=[7, true]", "block.0.fixed=[7]", "block.1.fixed=maybe", "support.0.block=7",
+        "support.0.vertices=[4]", "analysis.gravity=0", "block.0.vertices.2=[1, -1]", "blocks=no/wall.wkt"}) {
+    const SceneReading reading = read(text, {"support.0.block=0", "support.0.axes=y", bad});
     EXPECT_FALSE(reading.scene);
     for (const Problem& problem : reading.problems)
       EXPECT_EQ(problem.what.find("nothing can hold it"), std::string::npos) << bad << problem.text();
   }
   // Other mistakes do not hide it.
-  const SceneReading reading = read(text, {"material.rock.poisson=7"});
+  const SceneReading reading = read(text, {"support.0.block=0", "material.rock.poisson=7"});
   EXPECT_EQ(reading.problems.size(), 2u) << all_text(reading.problems);
 }
 
