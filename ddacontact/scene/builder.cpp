@@ -269,7 +269,9 @@ class Builder {
       joints.push_back({{std::tan(joint.friction_angle * std::numbers::pi / 180),
                          joint.cohesion,
                          joint.tensile_strength,
-                         {}},
+                         {},
+                         joint.restitution,
+                         joint.dashpot},
                         joint.between});
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);

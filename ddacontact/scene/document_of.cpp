@@ -15,6 +15,30 @@ Reference reference_to(int index, const std::vector<Named>& all) {
   return name.empty() ? Reference{"", index} : Reference{name, std::nullopt};
 }
 
+AnalysisRecord record_of(const AnalysisOptions& analysis) {
+  AnalysisRecord record;
+  record.options = analysis;
+  record.kinematics = analysis.kinematics;
+  record.scheme = analysis.scheme;
+  if (analysis.scheme == Scheme::newmark) {
+    record.beta = analysis.beta;
+    record.gamma = analysis.gamma;
+  }
+  record.gradient_correction = analysis.gradient_correction;
+  record.cutting_factor = analysis.cutting_factor;
+  return record;
+}
+
+ContactRecord record_of(const ContactOptions& contact) {
+  ContactRecord record;
+  record.options = contact;
+  record.method = contact.method;
+  record.normal_stiffness = contact.normal_stiffness;
+  record.tangential_stiffness = contact.tangential_stiffness;
+  record.penetration_tolerance = contact.penetration_tolerance;
+  return record;
+}
+
 JointRecord record_of(const Joint& joint, const Scene& scene) {
   JointRecord record;
   record.name = optional_name(joint.name);
@@ -100,8 +124,8 @@ void fill(std::vector<Record>& records, const std::vector<Thing>& things, const 
 Document document_of(const Scene& scene) {
   Document document;
   document.title = scene.title;
-  document.analysis = {scene.analysis, scene.analysis.gradient_correction, {}};
-  document.contact = {scene.contact, scene.contact.normal_stiffness, scene.contact.tangential_stiffness, {}};
+  document.analysis = record_of(scene.analysis);
+  document.contact = record_of(scene.contact);
   for (const Material& material : scene.materials)
     document.materials.push_back(
         {material.name, material.density, std::nullopt, material.young, material.poisson, {}});

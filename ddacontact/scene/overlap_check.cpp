@@ -12,16 +12,15 @@ namespace {
 
 constexpr int most_overlaps = 1000;
 
-/// The size of a pair: the smaller one, held blocks not counted.
+}  // namespace
+
 double size_of_pair(const PlacedOutline& a, const PlacedOutline& b) {
   if (a.held) return b.outline.size;
   if (b.held) return a.outline.size;
   return std::min(a.outline.size, b.outline.size);
 }
 
-}  // namespace
-
-void check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& names, ProblemList& problems) {
+bool check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& names, ProblemList& problems) {
   std::vector<int> index;
   std::vector<Box> boxes;
   for (int i = 0; i < static_cast<int>(blocks.size()); ++i) {
@@ -46,7 +45,7 @@ void check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& n
       if (++found > most_overlaps) {
         problems.error(q.place, "more overlapping blocks follow",
                        "only the first " + std::to_string(most_overlaps) + " pairs are listed");
-        return;
+        return false;
       }
       problems.error(
           q.place,
@@ -55,6 +54,7 @@ void check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& n
     }
     done = next;
   }
+  return found == 0;
 }
 
 }  // namespace ddacontact::scene_format

@@ -18,7 +18,11 @@ struct PlacedOutline {
   Place place;
 };
 
+/// The size of a pair, m: that of the smaller block, held blocks not counted.
+double size_of_pair(const PlacedOutline& a, const PlacedOutline& b);
+
 /// A problem for each pair of sound blocks that overlap deeply; after 1000 of them it says so and stops.
-void check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& names, ProblemList& problems);
+/// Returns whether there is none.
+bool check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& names, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -77,15 +77,21 @@ struct Location {
 
 enum class Axes { xy, x, y };
 
+/// Keys whose default depends on others are kept here, not in the options.
 struct AnalysisRecord {
   AnalysisOptions options;
-  std::optional<GradientCorrection> gradient_correction;  ///< else the preset's
+  std::optional<Kinematics> kinematics;
+  std::optional<Scheme> scheme;
+  std::optional<double> beta, gamma;
+  std::optional<GradientCorrection> gradient_correction;
+  std::optional<double> cutting_factor;
   Places places;
 };
 
 struct ContactRecord {
   ContactOptions options;
-  std::optional<double> normal_stiffness, tangential_stiffness;
+  std::optional<ContactMethod> method;
+  std::optional<double> normal_stiffness, tangential_stiffness, penetration_tolerance;
   Places places;
 };
 

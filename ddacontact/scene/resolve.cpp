@@ -4,6 +4,8 @@
 #include <ddacontact/scene/overlap_check.hpp>
 #include <ddacontact/scene/resolve_actions.hpp>
 #include <ddacontact/scene/resolve_blocks.hpp>
+#include <ddacontact/scene/resolve_options.hpp>
+#include <ddacontact/scene/static_check.hpp>
 #include <ddacontact/scene/text.hpp>
 
 #include <algorithm>
@@ -16,39 +18,6 @@ void refuse_unless_zero(double value, const char* key, const Places& places, Pro
   if (value == 0 || !places.good(key)) return;
   problems.error(places.of(key), "'" + std::string(key) + "' other than 0 is " + not_available_text,
                  "write 0 or leave it out");
-}
-
-AnalysisOptions resolve_analysis(const AnalysisRecord& record) {
-  AnalysisOptions options = record.options;
-  const bool paper = options.preset == Preset::paper;
-  options.gradient_correction =
-      record.gradient_correction.value_or(paper ? GradientCorrection::off : GradientCorrection::on);
-  return options;
-}
-
-/// A stiffness that is left out follows from other numbers: it may be beyond what could be written.
-double default_stiffness(double value, const char* key, const Places& places, ProblemList& problems) {
-  if (value > largest_number || (value > 0 && value < smallest_positive))
-    problems.error(places.table, "the default of '" + std::string(key) + "' is '" + rounded(value) + "' N/m2",
-                   "write '" + std::string(key) + "' or a moderate 'young'");
-  return value;
-}
-
-ContactOptions resolve_contact(const ContactRecord& record, const std::vector<Material>& materials,
-                               ProblemList& problems) {
-  const Places& places = record.places;
-  refuse_unless_zero(record.options.penetration_tolerance, "penetration_tolerance", places, problems);
-  ContactOptions options = record.options;
-  double stiffest = 0;
-  for (const Material& material : materials) stiffest = std::max(stiffest, material.young);
-  options.normal_stiffness = record.normal_stiffness
-                                 ? *record.normal_stiffness
-                                 : default_stiffness(40 * stiffest, "normal_stiffness", places, problems);
-  options.tangential_stiffness =
-      record.tangential_stiffness
-          ? *record.tangential_stiffness
-          : default_stiffness(options.normal_stiffness / 2.5, "tangential_stiffness", places, problems);
-  return options;
 }
 
 /// In kg/m3, from the density or the unit weight; 0 and a problem without either.
@@ -83,7 +52,18 @@ std::vector<Material> resolve_materials(const Document& document, NameTable& nam
   return materials;
 }
 
-std::vector<Joint> resolve_joints(const Document& document, const NameTable& materials,
+/// Springs let blocks bounce as they please: only the staged method can give what is asked for.
+void check_restitution(const JointRecord& record, const ContactRecord& contact, ContactMethod method,
+                       ProblemList& problems) {
+  if (method != ContactMethod::classic || record.joint.restitution == 0) return;
+  if (!record.places.good("restitution") || !contact.places.usable("method")) return;
+  problems.error(
+      record.places.of("restitution"),
+      "'restitution' = '" + short_number(record.joint.restitution) + "' needs the contact method 'staged'",
+      "leave it out, or write method = \"staged\" in [contact]");
+}
+
+std::vector<Joint> resolve_joints(const Document& document, const NameTable& materials, ContactMethod method,
                                   ProblemList& problems) {
   NameTable names("joint");
   std::vector<Joint> joints;
@@ -92,6 +72,7 @@ std::vector<Joint> resolve_joints(const Document& document, const NameTable& mat
     names.add(record.name, places, problems);
     Joint joint = record.joint;
     joint.name = record.name.value_or("");
+    check_restitution(record, document.contact, method, problems);
     if (record.between && places.good("between")) {
       const int a = materials.find((*record.between)[0], places.of("between"), problems);
       const int b = materials.find((*record.between)[1], places.of("between"), problems);
@@ -113,16 +94,31 @@ std::vector<Joint> resolve_joints(const Document& document, const NameTable& mat
   return joints;
 }
 
+/// Whether the file leaves no doubt about what is held, where the blocks are and what pulls.
+bool holds_are_known(const Document& document, const BlockTable& blocks, const Scene& scene) {
+  const Places& analysis = document.analysis.places;
+  if (!document.has_all_blocks || !analysis.usable("mode") || !analysis.usable("gravity")) return false;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const BlockRecord& record = document.blocks[b];
+    if (!blocks.outlines[b].outline.sound() || !record.places.usable("fixed") ||
+        scene.blocks[b].fixed_vertices.size() != record.fixed.some.size())
+      return false;
+  }
+  return std::none_of(scene.supports.begin(), scene.supports.end(),
+                      [](const Support& support) { return support.block < 0 || support.vertices.empty(); });
+}
+
 }  // namespace
 
 Scene resolve(const Document& document, ProblemList& problems) {
   Scene scene;
   scene.title = document.title;
-  scene.analysis = resolve_analysis(document.analysis);
+  scene.analysis = resolve_analysis(document.analysis, problems);
   NameTable materials("material");
   scene.materials = resolve_materials(document, materials, problems);
-  scene.joints = resolve_joints(document, materials, problems);
-  scene.contact = resolve_contact(document.contact, scene.materials, problems);
+  scene.contact =
+      resolve_contact(document.contact, document.analysis.options.preset, scene.materials, problems);
+  scene.joints = resolve_joints(document, materials, scene.contact.method, problems);
 
   BlockTable blocks = resolve_blocks(document, materials, problems);
   scene.blocks = std::move(blocks.descriptions);
@@ -131,7 +127,9 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);
-  check_overlaps(blocks.outlines, blocks.names, problems);
+  const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
+  if (scene.analysis.mode == Mode::statics && apart && holds_are_known(document, blocks, scene))
+    check_statics(blocks, scene.analysis.gravity, problems);
 
   scene.output = document.output.options;
   refuse_unless_zero(scene.output.checkpoint_every, "checkpoint_every", document.output.places, problems);

@@ -9,6 +9,11 @@ bool Holds::holds_all(std::size_t block) const {
                      [](const auto& by) { return by[0] != nobody && by[1] != nobody; });
 }
 
+bool Holds::holds_any(std::size_t block) const {
+  return std::any_of(held_by_[block].begin(), held_by_[block].end(),
+                     [](const auto& by) { return by[0] != nobody || by[1] != nobody; });
+}
+
 std::vector<int> check_vertex_indices(const std::vector<int>& indices, int n_vertices,
                                       const std::string& title, const Place& place, ProblemList& problems) {
   std::vector<int> good;

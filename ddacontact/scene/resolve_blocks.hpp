@@ -17,7 +17,10 @@ class Holds {
   int n_vertices(int block) const { return static_cast<int>(held_by_[block].size()); }
   /// `fixed`, the index of a support, or `nobody`. `axis` 0 is x, 1 is y.
   int& by(int block, int vertex, int axis) { return held_by_[block][vertex][axis]; }
+  /// Whether every vertex is held in both directions.
   bool holds_all(std::size_t block) const;
+  /// Whether some vertex is held in some direction.
+  bool holds_any(std::size_t block) const;
 
  private:
   std::vector<std::vector<std::array<int, 2>>> held_by_;

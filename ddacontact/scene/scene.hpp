@@ -23,13 +23,15 @@ struct Material {
   double poisson = 0;  ///< [0, 0.5)
 };
 
-/// Mohr-Coulomb strength of contacts.
+/// Mohr-Coulomb strength of contacts, and how they take impacts.
 struct Joint {
   std::string name;
   double friction_angle = 0;                  ///< degrees, [0, 90)
   double cohesion = 0;                        ///< Pa
   double tensile_strength = 0;                ///< Pa
   std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
+  double restitution = 0;                     ///< 0..1, normal, of blocks that meet
+  double dashpot = 0;                         ///< contact damping, ratio to critical of the contact spring
 };
 
 /// One block as the scene states it.

@@ -6,12 +6,17 @@
 #pragma once
 
 #include <ddacontact/scene/key.hpp>
+#include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/records.hpp>
 
 namespace ddacontact::scene_format {
 
 template <class Visit>
 void describe(AnalysisRecord& r, Visit&& visit) {
+  static const std::string kinematics = preset_text(&PresetDefaults::kinematics),
+                           scheme = preset_text(&PresetDefaults::scheme),
+                           correction = preset_text(&PresetDefaults::gradient_correction),
+                           cutting = preset_text(&PresetDefaults::cutting_factor);
   AnalysisOptions& o = r.options;
   visit(Key{.name = "preset", .what = "Chooses the defaults of keys left out."}, o.preset);
   visit(Key{.name = "mode", .what = "Velocities carry over, or every step starts at rest."}, o.mode);
@@ -35,27 +40,52 @@ void describe(AnalysisRecord& r, Visit&& visit) {
   visit(Key{.name = "plane", .what = "Plane strain or plane stress."}, o.plane);
   visit(Key{.name = "block_model", .what = "Model of every block that names none; \"auto\" is Wachspress."},
         o.block_model);
-  visit(Key{.name = "kinematics", .what = "Increments on the current shape."}, o.kinematics);
-  visit(Key{.name = "scheme", .what = "Time scheme: Newmark (1/2, 1)."}, o.scheme);
+  visit(Key{.name = "kinematics",
+            .what = "Displacements from the reference shape in a frame that turns with the block, or "
+                    "increments on the current shape.",
+            .default_text = kinematics.c_str()},
+        r.kinematics);
+  visit(Key{.name = "scheme",
+            .what = "Time scheme; where the preset's does not go with `kinematics`, \"dda\".",
+            .default_text = scheme.c_str()},
+        r.scheme);
+  visit(Key{.name = "beta",
+            .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
+            .bounds = positive,
+            .default_text = "(`gamma` + 1/2)^2 / 4"},
+        r.beta);
+  visit(Key{.name = "gamma",
+            .what = "Of the scheme \"newmark\".",
+            .bounds = {.low = 0.5},
+            .default_text = "`0.5`"},
+        r.gamma);
+  visit(
+      Key{.name = "damping",
+          .what = "Rayleigh damping: forces `mass` x M v and `stiffness` x K times the rate of deformation.",
+          .unit = "1/s and s",
+          .bounds = not_negative},
+      o.damping);
   visit(
       Key{.name = "gradient_correction",
           .what = "Whether shape function gradients are corrected so that the patch test holds to round-off.",
-          .default_text = "true; preset \"paper\": false"},
+          .default_text = correction.c_str()},
       r.gradient_correction);
   visit(Key{.name = "cutting_factor",
             .what = "A rejected step is tried again with this times its length.",
-            .bounds = {.low = 0, .high = 1, .with_low = false, .with_high = false}},
-        o.cutting_factor);
-  visit(Key{.name = "damping", .what = "Rayleigh damping."}, NotAvailable{});
-  visit(Key{.name = "beta", .what = "Newmark parameter."}, NotAvailable{});
-  visit(Key{.name = "gamma", .what = "Newmark parameter."}, NotAvailable{});
+            .bounds = {.low = 0, .high = 1, .with_low = false, .with_high = false},
+            .default_text = cutting.c_str()},
+        r.cutting_factor);
 }
 
 template <class Visit>
 void describe(ContactRecord& r, Visit&& visit) {
-  visit(Key{.name = "method", .what = "Shi's open-close iteration."}, r.options.method);
+  static const std::string method = preset_text(&PresetDefaults::method);
+  visit(Key{.name = "method",
+            .what = "How contact states and forces are found: in stages, or by Shi's open-close iteration.",
+            .default_text = method.c_str()},
+        r.method);
   visit(Key{.name = "normal_stiffness",
-            .what = "Penalty of the normal contact springs, per metre of thickness.",
+            .what = "Penalty of the normal contact springs, per metre of thickness; where \"staged\" starts.",
             .unit = "N/m2",
             .other_unit = "N/m",
             .bounds = positive,
@@ -68,11 +98,11 @@ void describe(ContactRecord& r, Visit&& visit) {
             .bounds = positive,
             .default_text = "`normal_stiffness` / 2.5"},
         r.tangential_stiffness);
-  visit(
-      Key{.name = "penetration_tolerance",
-          .what = "Of the block size; 0 is the plain penalty method, the only one available in this version.",
-          .bounds = not_negative},
-      r.options.penetration_tolerance);
+  visit(Key{.name = "penetration_tolerance",
+            .what = "Deepest penetration, of the block size; 0 is the plain penalty method.",
+            .bounds = not_negative,
+            .default_text = "`1e-06`; method \"classic\": `0.0`"},
+        r.penetration_tolerance);
 }
 
 template <class Visit>
@@ -124,8 +154,15 @@ void describe(JointRecord& r, Visit&& visit) {
             .what = "The two materials (either order) whose contacts follow it.",
             .default_text = "everything not named elsewhere"},
         r.between);
-  visit(Key{.name = "restitution", .what = "Normal restitution."}, NotAvailable{});
-  visit(Key{.name = "dashpot", .what = "Contact damping."}, NotAvailable{});
+  visit(Key{.name = "restitution",
+            .what = "Of blocks that meet: how fast they part, of the normal speed at which they met; method "
+                    "\"staged\" alone.",
+            .bounds = {.low = 0, .high = 1}},
+        r.joint.restitution);
+  visit(Key{.name = "dashpot",
+            .what = "Damping of closed contacts, ratio to critical of the contact spring.",
+            .bounds = not_negative},
+        r.joint.dashpot);
 }
 
 template <class Visit>

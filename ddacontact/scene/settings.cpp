@@ -147,10 +147,12 @@ class Setting {
     set_element(*value, part + 1);
   }
 
-  /// A key that is not written has no elements; one that this version has not may be put whole.
+  /// A key that is not written has no elements; as a table it is made.
   void put_or_refuse(toml::table& table, std::size_t part, const toml::node* value) {
-    if (value || part + 1 == path_.size() || index_of(path_[part + 1]) == std::nullopt)
+    if (value || part + 1 == path_.size() || index_of(path_[part + 1]) == std::nullopt) {
+      for (std::size_t inner = path_.size() - 1; inner > part; --inner) wrap(inner);
       return put(table, part);
+    }
     refuse("'" + path_[part] + "' is not in the scene, it has no element '" + excerpt(path_[part + 1]) + "'",
            "set '" + path_[part] + "' as a whole");
   }
@@ -172,6 +174,13 @@ class Setting {
     value_.get("v")->visit([&](auto& typed) {
       array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(typed));
     });
+  }
+
+  /// The value becomes a table that holds it as path_[part].
+  void wrap(std::size_t part) {
+    toml::table outer = *parse_toml("v = {}", source_, problems_);
+    put(*outer.get("v")->as_table(), part);
+    value_ = std::move(outer);
   }
 
   void put(toml::table& table, std::size_t part) {

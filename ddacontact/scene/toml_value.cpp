@@ -116,6 +116,29 @@ bool ValueReader::operator()(const toml::node& node, std::string& value) const {
   return true;
 }
 
+bool ValueReader::operator()(const toml::node& node, RayleighDamping& value) const {
+  const toml::table* table = node.as_table();
+  if (!table) return wrong_type(node, key_.name, expected_text(key_, value));
+  Key mass = key_, stiffness = key_;
+  mass.name = "damping.mass";
+  mass.unit = "1/s";
+  stiffness.name = "damping.stiffness";
+  stiffness.unit = "s";
+  bool good = true;
+  for (const auto& [name, part] : *table) {
+    if (name == "mass") {
+      good &= ValueReader(mass, problems_)(part, value.mass);
+    } else if (name == "stiffness") {
+      good &= ValueReader(stiffness, problems_)(part, value.stiffness);
+    } else {
+      problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'damping'",
+                      suggestion(name.str(), "key", {"mass", "stiffness"}));
+      good = false;
+    }
+  }
+  return good;
+}
+
 bool ValueReader::operator()(const toml::node& node, Vec2& value) const {
   return read_numbers(node, value.data(), 2, expected_text(key_, value));
 }

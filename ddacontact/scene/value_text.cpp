@@ -27,6 +27,9 @@ std::string value_text(double value) {
 std::string value_text(const std::string& value) {
   return quoted(value);
 }
+std::string value_text(const RayleighDamping& value) {
+  return "{ mass = " + value_text(value.mass) + ", stiffness = " + value_text(value.stiffness) + " }";
+}
 std::string value_text(const Vec2& value) {
   return array_text(value);
 }
@@ -76,6 +79,9 @@ std::string type_text(double) {
 }
 std::string type_text(const std::string&) {
   return "a string";
+}
+std::string type_text(const RayleighDamping&) {
+  return "{ mass, stiffness }";
 }
 std::string type_text(const Vec2&) {
   return "[x, y]";

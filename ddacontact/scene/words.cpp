@@ -27,22 +27,23 @@ const std::vector<Word<BlockModel>>& words_of(BlockModel) {
 }
 
 const std::vector<Word<Kinematics>>& words_of(Kinematics) {
-  static const std::vector<Word<Kinematics>> words{{"incremental", Kinematics::incremental},
-                                                   {"corotational", std::nullopt}};
+  static const std::vector<Word<Kinematics>> words{{"corotational", Kinematics::corotational},
+                                                   {"incremental", Kinematics::incremental}};
   return words;
 }
 
 const std::vector<Word<Scheme>>& words_of(Scheme) {
-  static const std::vector<Word<Scheme>> words{{"dda", Scheme::dda},
-                                               {"backward_euler", std::nullopt},
-                                               {"newmark", std::nullopt},
-                                               {"midpoint", std::nullopt}};
+  static const std::vector<Word<Scheme>> words{{"decaying", Scheme::decaying},
+                                               {"midpoint", Scheme::midpoint},
+                                               {"dda", Scheme::dda},
+                                               {"newmark", Scheme::newmark},
+                                               {"backward_euler", Scheme::backward_euler}};
   return words;
 }
 
 const std::vector<Word<ContactMethod>>& words_of(ContactMethod) {
-  static const std::vector<Word<ContactMethod>> words{{"classic", ContactMethod::classic},
-                                                      {"staged", std::nullopt}};
+  static const std::vector<Word<ContactMethod>> words{{"staged", ContactMethod::staged},
+                                                      {"classic", ContactMethod::classic}};
   return words;
 }
 

@@ -13,20 +13,24 @@ TEST(Defaults, OfTheDefaultPreset) {
   EXPECT_EQ(analysis.gravity, Vec2(0, -9.8));
   EXPECT_EQ(analysis.plane, Plane::strain);
   EXPECT_EQ(analysis.block_model, BlockModel::wachspress);
-  EXPECT_EQ(analysis.kinematics, Kinematics::incremental);
-  EXPECT_EQ(analysis.scheme, Scheme::dda);
+  EXPECT_EQ(analysis.kinematics, Kinematics::corotational);
+  EXPECT_EQ(analysis.scheme, Scheme::decaying);
+  EXPECT_EQ(analysis.damping.mass, 0);
+  EXPECT_EQ(analysis.damping.stiffness, 0);
   EXPECT_EQ(analysis.gradient_correction, GradientCorrection::on);
-  EXPECT_EQ(analysis.cutting_factor, 0.3);
+  EXPECT_EQ(analysis.cutting_factor, 0.5);
   EXPECT_EQ(analysis.max_displacement_ratio, 0.1);
-  EXPECT_EQ(scene.contact.method, ContactMethod::classic);
+  EXPECT_EQ(scene.contact.method, ContactMethod::staged);
   EXPECT_EQ(scene.contact.normal_stiffness, 40e9);
   EXPECT_EQ(scene.contact.tangential_stiffness, 16e9);
-  EXPECT_EQ(scene.contact.penetration_tolerance, 0);
+  EXPECT_EQ(scene.contact.penetration_tolerance, 1e-6);
   ASSERT_EQ(scene.joints.size(), 1u);
   EXPECT_EQ(scene.joints[0].name, "default");
   EXPECT_EQ(scene.joints[0].friction_angle, 0);
   EXPECT_EQ(scene.joints[0].cohesion, 0);
   EXPECT_EQ(scene.joints[0].tensile_strength, 0);
+  EXPECT_EQ(scene.joints[0].restitution, 0);
+  EXPECT_EQ(scene.joints[0].dashpot, 0);
   EXPECT_FALSE(scene.joints[0].between);
   EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
   EXPECT_FALSE(scene.blocks[0].fixed);
@@ -50,13 +54,69 @@ TEST(Defaults, OfThePaperPreset) {
 }
 
 TEST(Defaults, KeysWrittenOutWinOverThePreset) {
-  const Scene scene = scene_of(minimal, {"analysis.preset=paper", "analysis.gradient_correction=true",
-                                         "analysis.block_model=affine", "analysis.cutting_factor=0.5"});
+  const Scene scene = scene_of(
+      minimal, {"analysis.preset=paper", "analysis.gradient_correction=true", "analysis.block_model=affine",
+                "analysis.cutting_factor=0.5", "analysis.kinematics=corotational", "analysis.scheme=midpoint",
+                "contact.method=staged"});
+  EXPECT_EQ(scene.analysis.kinematics, Kinematics::corotational);
+  EXPECT_EQ(scene.analysis.scheme, Scheme::midpoint);
+  EXPECT_EQ(scene.contact.method, ContactMethod::staged);
   EXPECT_EQ(scene.analysis.gradient_correction, GradientCorrection::on);
   EXPECT_EQ(scene.blocks[0].model, BlockModel::affine);
   EXPECT_EQ(scene.analysis.cutting_factor, 0.5);
   EXPECT_EQ(scene_of(minimal, {"analysis.gradient_correction=false"}).analysis.gradient_correction,
             GradientCorrection::off);
+}
+
+TEST(Defaults, OfTheSchemeGoWithTheKinematics) {
+  EXPECT_EQ(scene_of(minimal, {"analysis.kinematics=incremental"}).analysis.scheme, Scheme::dda);
+  EXPECT_EQ(scene_of(minimal, {"analysis.kinematics=corotational"}).analysis.scheme, Scheme::decaying);
+  const std::vector<std::string> turning_paper{"analysis.preset=paper", "analysis.kinematics=corotational"};
+  EXPECT_EQ(scene_of(minimal, turning_paper).analysis.scheme, Scheme::dda);
+}
+
+TEST(Defaults, OfThePenetrationToleranceGoWithTheMethod) {
+  EXPECT_EQ(scene_of(minimal, {"contact.method=classic"}).contact.penetration_tolerance, 0);
+  EXPECT_EQ(
+      scene_of(minimal, {"analysis.preset=paper", "contact.method=staged"}).contact.penetration_tolerance,
+      1e-6);
+  EXPECT_EQ(scene_of(minimal, {"contact.penetration_tolerance=0"}).contact.method, ContactMethod::staged);
+}
+
+TEST(Defaults, OfNewmarkAreStable) {
+  const AnalysisOptions alone = scene_of(minimal, {"analysis.scheme=newmark"}).analysis;
+  EXPECT_EQ(alone.gamma, 0.5);
+  EXPECT_EQ(alone.beta, 0.25);
+  for (const char* gamma : {"0.5", "0.6", "1.0", "7.0"}) {
+    const Scene scene =
+        scene_of(minimal, {"analysis.scheme=newmark", std::string("analysis.gamma=") + gamma});
+    EXPECT_GE(2 * scene.analysis.beta, scene.analysis.gamma);
+  }
+}
+
+TEST(Reading, NewmarkMayBeAnyThatIsStableAtEveryTimeStep) {
+  // The average acceleration, the scheme of the paper, and one on the edge with digits that round.
+  for (const auto& [beta, gamma] :
+       {std::pair{"0.25", "0.5"}, std::pair{"0.5", "1"}, std::pair{"0.3", "0.6"}, std::pair{"3", "0.5"}})
+    EXPECT_TRUE(read(minimal, {"analysis.scheme=newmark", std::string("analysis.beta=") + beta,
+                               std::string("analysis.gamma=") + gamma})
+                    .scene)
+        << beta << ' ' << gamma;
+}
+
+TEST(Reading, EverySchemeGoesWithTheTurningFrame) {
+  for (const char* scheme : {"decaying", "midpoint", "dda", "newmark", "backward_euler"})
+    EXPECT_TRUE(read(minimal, {std::string("analysis.scheme=") + scheme}).scene) << scheme;
+  for (const char* scheme : {"dda", "newmark", "backward_euler"})
+    EXPECT_TRUE(
+        read(minimal, {std::string("analysis.scheme=") + scheme, "analysis.kinematics=incremental"}).scene)
+        << scheme;
+}
+
+TEST(Reading, TheClassicMethodTakesWhatTheSpringsGive) {
+  const std::vector<std::string> settings{"contact.method=classic", "contact.penetration_tolerance=0",
+                                          "joint.0.restitution=0", "joint.0.dashpot=0.5"};
+  EXPECT_EQ(scene_of(complete, settings).joints[0].dashpot, 0.5);
 }
 
 TEST(Defaults, AutoIsWachspress) {

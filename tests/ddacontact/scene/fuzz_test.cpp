@@ -15,7 +15,7 @@ using namespace geometry_scenes;
 using namespace ddacontact;
 
 constexpr std::string_view moving = R"(title = "Moving" # ...
-analysis = { steps = 2, time_step = "10 ms", mode = "static", preset = "paper" }
+analysis = { steps = 2, time_step = "10 ms", mode = "static", preset = "paper", damping = { mass = 1, stiffness = "1 ms" } }
 material = [ { name = "a", density = 1, young = 1, poisson = 0 } ]
 [[block]]
 name = 'one'
@@ -318,9 +318,9 @@ TEST_F(FuzzGeometry, MutatedFilesAreReadOrRefused) {
 }
 
 TEST(Fuzz, MutatedSettingsAreAppliedOrRefused) {
-  static const char* const settings[] = {"analysis.time_step=0.01", "block.slider.vertices.2.1=3",
-                                         "joint.0.friction_angle=15", "contact.normal_stiffness=\"1 MN/m\"",
-                                         "load.0.force=[0, 1]"};
+  static const char* const settings[] = {
+      "analysis.time_step=0.01",   "analysis.damping.mass=0.01",          "block.slider.vertices.2.1=3",
+      "joint.0.friction_angle=15", "contact.normal_stiffness=\"1 MN/m\"", "load.0.force=[0, 1]"};
   for (unsigned seed = 0; seed < n_mutants(); ++seed) {
     Mutator mutate(seed);
     const SceneReading reading = read(complete, {mutate(settings[mutate.below(std::size(settings))])});

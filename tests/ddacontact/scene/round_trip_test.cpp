@@ -65,13 +65,51 @@ TEST(RoundTrip, KeepsNamesOfAnyCharacters) {
 
 TEST(RoundTrip, StatesEveryDefault) {
   const std::string text = written(scene_of(minimal));
-  for (const char* line :
-       {"format = 1", "preset = \"default\"", "block_model = \"wachspress\"", "model = \"wachspress\"",
-        "gradient_correction = true", "cutting_factor = 0.3", "normal_stiffness = 4e+10",
-        "tangential_stiffness = 1.6e+10", "gravity = [0.0, -9.8]", "name = \"default\"",
-        "friction_angle = 0.0", "fixed = false", "every = 1", "method = \"classic\"",
-        "kinematics = \"incremental\"", "scheme = \"dda\"", "penetration_tolerance = 0.0"})
+  for (const char* line : {"format = 1",
+                           "preset = \"default\"",
+                           "block_model = \"wachspress\"",
+                           "model = \"wachspress\"",
+                           "gradient_correction = true",
+                           "cutting_factor = 0.5",
+                           "normal_stiffness = 4e+10",
+                           "tangential_stiffness = 1.6e+10",
+                           "gravity = [0.0, -9.8]",
+                           "name = \"default\"",
+                           "friction_angle = 0.0",
+                           "fixed = false",
+                           "every = 1",
+                           "method = \"staged\"",
+                           "kinematics = \"corotational\"",
+                           "scheme = \"decaying\"",
+                           "penetration_tolerance = 1e-06",
+                           "damping = { mass = 0.0, stiffness = 0.0 }",
+                           "restitution = 0.0",
+                           "dashpot = 0.0"})
     EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
+  EXPECT_EQ(text.find("beta ="), std::string::npos) << "a key of another scheme is no default";
+}
+
+TEST(RoundTrip, KeepsTheMechanics) {
+  const std::vector<std::string> all[] = {
+      {"analysis.preset=paper"},
+      {"analysis.preset=paper", "analysis.kinematics=corotational", "analysis.scheme=midpoint"},
+      {"analysis.scheme=newmark", "analysis.gamma=0.7", "analysis.damping.mass=0.1"},
+      {"analysis.scheme=newmark", "analysis.beta=0.3", "analysis.damping.stiffness=0.1"},
+      {"analysis.kinematics=incremental", "contact.method=classic", "analysis.cutting_factor=0.1"},
+      {"analysis.scheme=backward_euler", "contact.penetration_tolerance=0.25", "joint.0.restitution=0.3"}};
+  for (const std::vector<std::string>& settings : all) {
+    const Scene scene = scene_of(complete, settings), again = scene_of(written(scene));
+    expect_same(scene, again);
+    EXPECT_EQ(again.analysis.kinematics, scene.analysis.kinematics);
+    EXPECT_EQ(again.analysis.scheme, scene.analysis.scheme);
+    EXPECT_EQ(again.analysis.beta, scene.analysis.beta);
+    EXPECT_EQ(again.analysis.gamma, scene.analysis.gamma);
+    EXPECT_EQ(again.analysis.damping.mass, scene.analysis.damping.mass);
+    EXPECT_EQ(again.analysis.damping.stiffness, scene.analysis.damping.stiffness);
+    EXPECT_EQ(again.contact.method, scene.contact.method);
+    EXPECT_EQ(again.contact.penetration_tolerance, scene.contact.penetration_tolerance);
+    EXPECT_EQ(again.joints[0].restitution, scene.joints[0].restitution);
+  }
 }
 
 TEST(RoundTrip, WritesTimeFunctionsThatNoFileStates) {

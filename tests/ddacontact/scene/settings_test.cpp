@@ -33,6 +33,32 @@ TEST(Settings, AddKeysAndTables) {
   EXPECT_EQ(scene.analysis.preset, ddacontact::Preset::paper);
 }
 
+TEST(Settings, ReachIntoDamping) {
+  const Scene added = scene_of(minimal, {"analysis.damping.mass=0.1", "analysis.damping.stiffness=2 ms"});
+  EXPECT_EQ(added.analysis.damping.mass, 0.1);
+  EXPECT_EQ(added.analysis.damping.stiffness, 2e-3);
+  const std::string text = replaced(minimal, "steps = 1", "steps = 1\ndamping = { mass = 3, stiffness = 4 }");
+  const Scene replaced_part = scene_of(text, {"analysis.damping.mass=5"});
+  EXPECT_EQ(replaced_part.analysis.damping.mass, 5);
+  EXPECT_EQ(replaced_part.analysis.damping.stiffness, 4);
+  EXPECT_EQ(scene_of(text, {"analysis.damping={ mass = 1 }"}).analysis.damping.stiffness, 0);
+}
+
+TEST(Settings, ChooseTheMechanics) {
+  const Scene scene =
+      scene_of(complete, {"analysis.kinematics=corotational", "analysis.scheme=newmark", "analysis.gamma=0.6",
+                          "contact.method=staged", "contact.penetration_tolerance=1e-4",
+                          "joint.0.restitution=0.5", "joint.weak.dashpot=0.1"});
+  EXPECT_EQ(scene.analysis.kinematics, ddacontact::Kinematics::corotational);
+  EXPECT_EQ(scene.analysis.scheme, ddacontact::Scheme::newmark);
+  EXPECT_EQ(scene.analysis.gamma, 0.6);
+  EXPECT_EQ(scene.contact.method, ddacontact::ContactMethod::staged);
+  EXPECT_EQ(scene.contact.penetration_tolerance, 1e-4);
+  EXPECT_EQ(scene.joints[0].restitution, 0.5);
+  EXPECT_EQ(scene.joints[1].restitution, 0);
+  EXPECT_EQ(scene.joints[1].dashpot, 0.1);
+}
+
 TEST(Settings, TheLastOneCounts) {
   EXPECT_EQ(scene_of(minimal, {"analysis.steps=3", "analysis.steps=4"}).analysis.steps, 4);
 }
@@ -94,8 +120,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"EmptyValue", "analysis.steps=", {"'steps'", "whole number"}},
         Case{"OutOfRange", "joint.0.friction_angle=95", {"'95'", "< 90"}},
         Case{"WrongUnit", "material.rock.young=35 mm", {"'mm'", "Pa"}},
-        Case{"NotAvailable", "contact.method=staged", {"not available in this version"}},
-        Case{"KeyNotAvailable", "analysis.damping.mass=0.1", {"'damping'", "not available in this version"}},
+        Case{"NotAvailable", "analysis.block_model=mesh", {"not available in this version"}},
+        Case{"PartOfANumber", "analysis.cutting_factor.x=3", {"'cutting_factor' is a table", "a number"}},
+        Case{"ElementOfATable", "analysis.damping.0=3", {"'damping' is not in the scene"}},
+        Case{"UnknownPart", "analysis.damping.mas=3", {"unknown key 'mas' in 'damping'", "'mass'"}},
+        Case{"PartOfAPart", "analysis.damping.mass.x=3", {"'damping.mass' is a table"}},
+        Case{"PartOutOfRange", "analysis.damping.mass=-3", {"'damping.mass' = '-3'", ">= 0"}},
         Case{"TableNotAvailable", "solver.skip.sleep=true", {"'solver'", "not available in this version"}},
         Case{"NoGeometryFile", "blocks=no/wall.geojson", {"'no/wall.geojson'", "cannot be read"}},
         Case{"NoGeometryFormat", "blocks=wall.shp", {"'.shp'", ".geojson"}},

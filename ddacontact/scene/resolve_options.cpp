@@ -1,0 +1,107 @@
+#include <ddacontact/scene/resolve_options.hpp>
+
+#include <ddacontact/scene/key.hpp>
+#include <ddacontact/scene/preset_defaults.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <algorithm>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// Of the block size, with the staged method.
+constexpr double default_penetration_tolerance = 1e-6;
+
+/// Schemes that take the elastic forces from both ends of a step: these are known in a turning frame only.
+bool needs_corotational(Scheme scheme) {
+  return scheme == Scheme::midpoint || scheme == Scheme::decaying;
+}
+
+void resolve_scheme(const AnalysisRecord& record, AnalysisOptions& options, ProblemList& problems) {
+  const Places& places = record.places;
+  const PresetDefaults& preset = defaults_of(options.preset);
+  options.kinematics = record.kinematics.value_or(preset.kinematics);
+  const bool turning = options.kinematics == Kinematics::corotational;
+  options.scheme =
+      record.scheme.value_or(needs_corotational(preset.scheme) && !turning ? Scheme::dda : preset.scheme);
+  if (!needs_corotational(options.scheme) || turning || !places.usable("scheme") ||
+      !places.usable("kinematics"))
+    return;
+  problems.error(places.of("scheme"),
+                 "'scheme' = " + value_text(options.scheme) + " needs kinematics = \"corotational\"",
+                 "write that, or scheme = \"dda\", \"newmark\" or \"backward_euler\"");
+}
+
+/// Stable at any time step when 2 beta >= gamma >= 1/2; of these, (gamma + 1/2)^2 / 4 damps most what
+/// vibrates fastest.
+void resolve_newmark(const AnalysisRecord& record, AnalysisOptions& options, ProblemList& problems) {
+  const Places& places = record.places;
+  options.gamma = record.gamma.value_or(0.5);
+  options.beta = record.beta.value_or((options.gamma + 0.5) * (options.gamma + 0.5) / 4);
+  if (!places.usable("scheme")) return;
+  for (const char* key : {"beta", "gamma"})
+    if (places.written(key) && options.scheme != Scheme::newmark)
+      problems.error(places.of(key), "'" + std::string(key) + "' belongs to scheme = \"newmark\" alone",
+                     "write that scheme or leave '" + std::string(key) + "' out");
+  if (options.scheme == Scheme::newmark && places.good("beta") && places.usable("gamma") &&
+      2 * options.beta < options.gamma)
+    problems.error(
+        places.of("beta"),
+        "'beta' = '" + short_number(options.beta) + "' with gamma = " + short_number(options.gamma) +
+            " is not stable at every time step",
+        "2 beta >= gamma is: write at least " + short_number(options.gamma / 2) + ", or leave it out");
+}
+
+/// A stiffness that is left out follows from other numbers: it may be beyond what could be written.
+double default_stiffness(double value, const char* key, const Places& places, ProblemList& problems) {
+  if (value > largest_number || (value > 0 && value < smallest_positive))
+    problems.error(places.table, "the default of '" + std::string(key) + "' is '" + rounded(value) + "' N/m2",
+                   "write '" + std::string(key) + "' or a moderate 'young'");
+  return value;
+}
+
+/// The classic method is a plain penalty method: it lets blocks penetrate as deep as its springs need.
+double resolve_tolerance(const ContactRecord& record, ContactMethod method, ProblemList& problems) {
+  const Places& places = record.places;
+  const bool classic = method == ContactMethod::classic;
+  const double tolerance = record.penetration_tolerance.value_or(classic ? 0 : default_penetration_tolerance);
+  if (classic && tolerance != 0 && places.good("penetration_tolerance") && places.usable("method"))
+    problems.error(
+        places.of("penetration_tolerance"),
+        "'penetration_tolerance' = '" + short_number(tolerance) + "' needs the contact method 'staged'",
+        "write 0 or leave it out, or write method = \"staged\"");
+  return tolerance;
+}
+
+}  // namespace
+
+AnalysisOptions resolve_analysis(const AnalysisRecord& record, ProblemList& problems) {
+  AnalysisOptions options = record.options;
+  const PresetDefaults& preset = defaults_of(options.preset);
+  resolve_scheme(record, options, problems);
+  resolve_newmark(record, options, problems);
+  options.gradient_correction = record.gradient_correction.value_or(preset.gradient_correction);
+  options.cutting_factor = record.cutting_factor.value_or(preset.cutting_factor);
+  return options;
+}
+
+ContactOptions resolve_contact(const ContactRecord& record, Preset preset,
+                               const std::vector<Material>& materials, ProblemList& problems) {
+  const Places& places = record.places;
+  ContactOptions options = record.options;
+  options.method = record.method.value_or(defaults_of(preset).method);
+  double stiffest = 0;
+  for (const Material& material : materials) stiffest = std::max(stiffest, material.young);
+  options.normal_stiffness = record.normal_stiffness
+                                 ? *record.normal_stiffness
+                                 : default_stiffness(40 * stiffest, "normal_stiffness", places, problems);
+  options.tangential_stiffness =
+      record.tangential_stiffness
+          ? *record.tangential_stiffness
+          : default_stiffness(options.normal_stiffness / 2.5, "tangential_stiffness", places, problems);
+  options.penetration_tolerance = resolve_tolerance(record, options.method, problems);
+  return options;
+}
+
+}  // namespace ddacontact::scene_format

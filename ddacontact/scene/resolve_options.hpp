@@ -1,0 +1,14 @@
+/// \file [analysis] and [contact] of a scene file: defaults filled in, keys that do not go together refused.
+#pragma once
+
+#include <ddacontact/scene/records.hpp>
+
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+AnalysisOptions resolve_analysis(const AnalysisRecord& record, ProblemList& problems);
+ContactOptions resolve_contact(const ContactRecord& record, Preset preset,
+                               const std::vector<Material>& materials, ProblemList& problems);
+
+}  // namespace ddacontact::scene_format
