@@ -68,6 +68,8 @@ class Block {
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
 
   virtual void begin_step(const BlockState& state, const StepStart& start) = 0;
+  /// The displacements of a step without forces: where to look for those with them.
+  virtual VectorXd free_path() const = 0;
   /// The forces that resist displacements d of the block's unknowns.
   virtual void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const = 0;
   /// Their derivative by d, next to exact, symmetric positive definite: n_unknowns x n_unknowns.

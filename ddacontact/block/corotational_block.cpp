@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <cmath>
+
 namespace ddacontact {
 
 namespace {
@@ -136,6 +138,13 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
     deforming_ = start_.rotation.transpose() * split(y0_, velocity_).deformation;
     reference_tangent_ += (rigid_mass() - both_axes(shape_->mass)) / (dt_ * dt_);
   }
+}
+
+VectorXd CorotationalBlock::free_path() const {
+  const Motion motion = split(y0_, path_ / dt_);
+  const Eigen::Rotation2Dd turn(2 * std::atan(dt_ * motion.angular / 2));
+  const Points r = y0_ - centre(y0_) * shape_->translation.transpose();
+  return to_unknowns(turn.toRotationMatrix() * r - r + dt_ * motion.linear * shape_->translation.transpose());
 }
 
 /// M Z (Z^T M Z)^-1 Z^T M of the reference shape.

@@ -20,6 +20,7 @@ class CorotationalBlock final : public Block {
   PointMap vertex_map(int vertex) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void begin_step(const BlockState& state, const StepStart& start) override;
+  VectorXd free_path() const override;
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
   void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override;
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,

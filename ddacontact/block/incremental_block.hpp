@@ -9,6 +9,7 @@ namespace ddacontact {
 class IncrementalBlock : public Block {
  public:
   void begin_step(const BlockState& state, const StepStart& start) override;
+  VectorXd free_path() const override { return path_; }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
   void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override;
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,

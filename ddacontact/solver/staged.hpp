@@ -8,7 +8,7 @@ namespace ddacontact {
 /// When the staged method ends.
 struct StagedOptions {
   double residual_tolerance = 1e-8;  ///< of the forces on each block: what is accepted
-  double residual_aim = 1e-10;       ///< what is iterated to while that goes on
+  double residual_aim = 1e-12;       ///< what is iterated to while that goes on
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   bool mean_forces = false;          ///< contact forces act at the middle of the step
   int max_solutions = 200;

@@ -9,7 +9,7 @@ namespace ddacontact {
 namespace {
 
 /// What is left of forces by the round-off of the lengths that they follow from.
-constexpr double floor_factor = 16 * std::numeric_limits<double>::epsilon();
+constexpr double floor_factor = 64 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -116,6 +116,17 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     const double own = largest <= floor ? 0 : sum > 0 ? (largest - floor) / sum : std::numeric_limits<double>::infinity();
     if (!(own <= residual.own)) residual.own = own;
   }
+}
+
+VectorXd StepSystem::free_path() const {
+  VectorXd d = prescribed_;
+  for (int b : active_) {
+    const Range& u = blocks_.block(b).unknowns();
+    const VectorXd path = blocks_.block(b).free_path();
+    for (int k = 0; k < u.count; ++k)
+      if (blocks_.equation()[u.first + k] >= 0) d[u.first + k] = path[k];
+  }
+  return d;
 }
 
 VectorXd StepSystem::smooth_residual(const VectorXd& d) const {

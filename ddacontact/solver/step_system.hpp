@@ -32,8 +32,10 @@ class StepSystem {
   /// \param[in] held_stiffness  of the springs that hold vertices of six-unknown blocks
   void set_step(const BlockState& state, const StepStart& start, double held_stiffness);
 
-  /// The step's displacements of the held unknowns, zero elsewhere: where a solution starts.
+  /// The step's displacements of the held unknowns, zero elsewhere.
   const VectorXd& prescribed() const { return prescribed_; }
+  /// The same, and elsewhere those of blocks without forces: where a solution starts.
+  VectorXd free_path() const;
   /// Residual of displacements d when the contacts exert these forces.
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                         const std::vector<ContactForce>& forces, Residual& residual) const;

@@ -180,7 +180,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
-    solve_by_stages(start, solution);
+    solve_by_stages(solution);
   return solution;
 }
 
@@ -206,11 +206,8 @@ void Stepper::solve_by_open_close(Solution& solution) {
   }
 }
 
-void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
-  // Where the blocks would go without forces; held unknowns where they should be.
-  solution.d = start.dt * start.velocity + start.jump_path;
-  for (const HeldUnknown& held : blocks_.held_unknowns())
-    solution.d[held.unknown] = system_.prescribed()[held.unknown];
+void Stepper::solve_by_stages(Solution& solution) {
+  solution.d = system_.free_path();
   StagedReport report = solve_staged(system_, staged_, tried_, solution.d);
   counts_.open_close_iterations += report.iterations;
   counts_.minimizations += report.minimizations;

@@ -87,7 +87,7 @@ class Stepper {
   /// Takes the rates of closed contacts out of the velocities of `next`, as rigid motions.
   void hold_closed_contacts(double dt, const VectorXd& d, BlockState& next);
   void solve_by_open_close(Solution& solution);
-  void solve_by_stages(const StepStart& start, Solution& solution);
+  void solve_by_stages(Solution& solution);
   std::string between(int contact) const;
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
   bool advance(double dt, const Solution& solution, BlockState& next);
