@@ -1,0 +1,39 @@
+/// \file Rigid motions of some blocks that their supports allow.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+
+#include <span>
+
+namespace ddacontact {
+
+/// The velocities of blocks as rigid bodies, by coefficients q whose kinetic energy is q.q / 2: up to three
+/// for each block, none for what a block's held unknowns prevent. On the shapes last prepared.
+class RigidMotions {
+ public:
+  RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks);
+
+  int n_coefficients() const { return n_coefficients_; }
+  /// Of a block that moves, kg per m.
+  double largest_mass() const;
+  /// The rigid part of velocities of all unknowns: what is left over is orthogonal to it in kinetic energy.
+  VectorXd coefficients(const VectorXd& velocity) const;
+  /// velocity += the motion q, on all unknowns; 0 on held ones.
+  void add_motion(const VectorXd& q, VectorXd& velocity) const;
+  /// The rate of change of `form`, one of all unknowns, as a form of the coefficients: over the same of them
+  /// for every form over the same unknowns. Those that do not move it are 0, not round-off.
+  AffineForm rate_form(const AffineForm& form) const;
+
+ private:
+  struct Part {
+    const Block* block;
+    int first;  ///< of its coefficients
+    MatrixXd modes;
+  };
+
+  std::vector<Part> parts_;
+  std::vector<int> part_of_unknown_;  ///< index in parts_, -1: none
+  int n_coefficients_ = 0;
+};
+
+}  // namespace ddacontact
