@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace ddacontact {
@@ -12,12 +11,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Springs against rates are so many times as stiff as the least mobile block under any contact: a round of
-/// multipliers leaves the inverse of this of an error, more in long chains.
+/// Springs against rates over the largest mass: a round of multipliers leaves the inverse of this of an
+/// error, more in long chains.
 constexpr double stiffness_factor = 1e4;
 constexpr int max_rounds = 60;
 /// The rates have come down to round-off when as many rounds have not lessened them.
-constexpr int max_rounds_without_gain = 3;
+constexpr int max_rounds_without_gain = 10;
 
 std::vector<int> all_rows(int n) {
   std::vector<int> rows(static_cast<std::size_t>(n));
@@ -25,30 +24,28 @@ std::vector<int> all_rows(int n) {
   return rows;
 }
 
-/// The rate that a unit impulse makes at the least mobile of the form's blocks; infinity: none moves.
-double least_mobility(const RigidMotions& motions, const AffineForm& form) {
-  std::map<int, double> of_block;
-  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
-    of_block[motions.block_of(form.unknowns()[k])] += std::pow(form.coefficients()[k], 2);
-  double least = infinity;
-  for (const auto& [block, mobility] : of_block)
-    if (mobility > 0) least = std::min(least, mobility);
-  return least;
+bool moves(const AffineForm& rate) {
+  return std::ranges::any_of(rate.coefficients(), [](double c) { return c != 0; });
+}
+
+/// Without what no impulse can change.
+std::vector<ContactTerm> effective(std::vector<ContactTerm> terms) {
+  for (ContactTerm& term : terms) {
+    if (!moves(term.gap)) term.normal = ContactTerm::Normal::absent;
+    if (!moves(term.slip)) term.sheared = false;
+  }
+  return terms;
 }
 
 }  // namespace
 
 ImpulseProblem::ImpulseProblem(const RigidMotions& motions, std::vector<ContactTerm> terms)
-    : terms_(std::move(terms)), n_(motions.n_coefficients()), problem_(all_rows(n_), n_) {
-  double least = infinity;
-  for (const ContactTerm& term : terms_) {
-    for (const AffineForm* form : {&term.gap, &term.slip}) {
-      least = std::min(least, least_mobility(motions, *form));
-      for (double c : form->coefficients()) steepest_ = std::max(steepest_, std::abs(c));
-    }
+    : terms_(effective(std::move(terms))), n_(motions.n_coefficients()), problem_(all_rows(n_), n_) {
+  for (ContactTerm& term : terms_) {
+    term.normal_stiffness = term.tangential_stiffness = stiffness_factor * motions.largest_mass();
+    for (const AffineForm* rate : {&term.gap, &term.slip})
+      for (double c : rate->coefficients()) steepest_ = std::max(steepest_, std::abs(c));
   }
-  for (ContactTerm& term : terms_)
-    term.normal_stiffness = term.tangential_stiffness = stiffness_factor / least;
   std::vector<Range> elements;
   for (int k = 0; k < n_; ++k) elements.push_back({k, 1});
   problem_.set_pattern(elements, terms_);
@@ -111,6 +108,7 @@ void ImpulseProblem::set_rates(const NormalAndShear& rates, const VectorXd& w) {
 double ImpulseProblem::largest_rate() const {
   double largest = 0;
   for (const ContactTerm& term : terms_) {
+    if (term.normal == ContactTerm::Normal::absent) continue;
     const bool pressed = term.normal == ContactTerm::Normal::bilateral || term.normal_multiplier > 0;
     largest = std::max(largest, pressed ? std::abs(term.gap.constant) : -term.gap.constant);
     if (term.sheared && std::abs(term.tangential_multiplier) < term.bound)

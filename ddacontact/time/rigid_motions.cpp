@@ -3,6 +3,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ddacontact {
 
 namespace {
@@ -37,13 +40,13 @@ RigidMotions::RigidMotions(const BlockSystem& blocks, std::span<const int> of_bl
     const MatrixXd normalized = mass.matrixL().solve(modes.transpose());
     std::fill_n(part_of_unknown_.begin() + block.unknowns().first, block.unknowns().count,
                 static_cast<int>(parts_.size()));
-    parts_.push_back({&block, n_coefficients(), normalized.transpose()});
-    block_of_.insert(block_of_.end(), static_cast<std::size_t>(modes.cols()), b);
+    parts_.push_back({&block, n_coefficients_, normalized.transpose()});
+    n_coefficients_ += static_cast<int>(modes.cols());
   }
 }
 
 VectorXd RigidMotions::coefficients(const VectorXd& velocity) const {
-  VectorXd q(n_coefficients());
+  VectorXd q(n_coefficients_);
   for (const Part& part : parts_) {
     const auto [first, count] = part.block->unknowns();
     q.segment(part.first, part.modes.cols()) =
@@ -59,15 +62,28 @@ void RigidMotions::add_motion(const VectorXd& q, VectorXd& velocity) const {
   }
 }
 
+double RigidMotions::largest_mass() const {
+  double largest = 0;
+  for (const Part& part : parts_) largest = std::max(largest, part.block->mass_total());
+  return largest;
+}
+
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {
-  AffineForm rate;
+  constexpr double round_off = 1e-13;
+  AffineForm sum, magnitude, rate;
   for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
     const int u = form.unknowns()[k];
     if (part_of_unknown_[u] < 0) continue;
     const Part& part = parts_[part_of_unknown_[u]];
-    for (Index m = 0; m < part.modes.cols(); ++m)
-      rate.add(part.first + static_cast<int>(m),
-               form.coefficients()[k] * part.modes(u - part.block->unknowns().first, m));
+    for (Index m = 0; m < part.modes.cols(); ++m) {
+      const double term = form.coefficients()[k] * part.modes(u - part.block->unknowns().first, m);
+      sum.add(part.first + static_cast<int>(m), term);
+      magnitude.add(part.first + static_cast<int>(m), std::abs(term));
+    }
+  }
+  for (std::size_t k = 0; k < sum.unknowns().size(); ++k) {
+    const double c = sum.coefficients()[k];
+    rate.add(sum.unknowns()[k], std::abs(c) > round_off * magnitude.coefficients()[k] ? c : 0);
   }
   return rate;
 }

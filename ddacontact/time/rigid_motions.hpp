@@ -13,15 +13,15 @@ class RigidMotions {
  public:
   RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks);
 
-  int n_coefficients() const { return static_cast<int>(block_of_.size()); }
-  /// The block that a coefficient moves.
-  int block_of(int coefficient) const { return block_of_[coefficient]; }
+  int n_coefficients() const { return n_coefficients_; }
+  /// Of a block that moves, kg per m.
+  double largest_mass() const;
   /// The rigid part of velocities of all unknowns: what is left over is orthogonal to it in kinetic energy.
   VectorXd coefficients(const VectorXd& velocity) const;
   /// velocity += the motion q, on all unknowns; 0 on held ones.
   void add_motion(const VectorXd& q, VectorXd& velocity) const;
-  /// A form of the coefficients whose value is the rate of change of `form`, one of all unknowns; 0 + ... .
-  /// Over the same coefficients for every form over the same unknowns.
+  /// The rate of change of `form`, one of all unknowns, as a form of the coefficients: over the same of them
+  /// for every form over the same unknowns. Those that do not move it are 0, not round-off.
   AffineForm rate_form(const AffineForm& form) const;
 
  private:
@@ -33,7 +33,7 @@ class RigidMotions {
 
   std::vector<Part> parts_;
   std::vector<int> part_of_unknown_;  ///< index in parts_, -1: none
-  std::vector<int> block_of_;
+  int n_coefficients_ = 0;
 };
 
 }  // namespace ddacontact

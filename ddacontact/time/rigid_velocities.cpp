@@ -1,12 +1,13 @@
 #include <ddacontact/time/rigid_velocities.hpp>
 
+#include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/solver/friction_bounds.hpp>
 #include <ddacontact/time/impulse_problem.hpp>
+#include <ddacontact/time/islands.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
 namespace ddacontact {
@@ -17,94 +18,100 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr double hold_tolerance = 1e-12;  ///< of the largest rate to take out
 
-/// Blocks joined to one another by contacts; those of some islands take part in a jump.
-class Islands {
- public:
-  explicit Islands(const BlockSystem& blocks) : blocks_(blocks), parent_(blocks.n_blocks()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (int b = 0; b < blocks.n_blocks(); ++b)
-      block_of_unknown_.insert(block_of_unknown_.end(), blocks.block(b).n_unknowns(), b);
-  }
-  void join(const AffineForm& form) {
-    const int first = first_movable(form);
-    for (int u : form.unknowns())
-      if (blocks_.is_movable(block_of_unknown_[u])) parent_[root(block_of_unknown_[u])] = root(first);
-  }
-  /// Once all are joined: the island that the form belongs to takes part.
-  void hit(const AffineForm& form) {
-    if (const int b = first_movable(form); b >= 0) hit_.insert(root(b));
-  }
-  bool is_hit(const AffineForm& form) const {
-    const int b = first_movable(form);
-    return b >= 0 && hit_.contains(root(b));
-  }
-  std::vector<int> hit_blocks() const {
-    std::vector<int> blocks;
-    for (int b = 0; b < blocks_.n_blocks(); ++b)
-      if (blocks_.is_movable(b) && hit_.contains(root(b))) blocks.push_back(b);
-    return blocks;
-  }
-
- private:
-  /// -1: none
-  int first_movable(const AffineForm& form) const {
-    for (int u : form.unknowns())
-      if (blocks_.is_movable(block_of_unknown_[u])) return block_of_unknown_[u];
-    return -1;
-  }
-  int root(int b) const {
-    while (parent_[b] != b) b = parent_[b];
-    return b;
-  }
-
-  const BlockSystem& blocks_;
-  std::vector<int> parent_, block_of_unknown_;
-  std::set<int> hit_;  ///< by root
-};
-
-/// The largest part of the way from a to b, 0 .. 1, that leaves no more kinetic energy than q has, when the
-/// change a does so.
-double largest_part(const VectorXd& q, const VectorXd& a, const VectorXd& b) {
-  const VectorXd way = b - a;
-  const double quadratic = way.squaredNorm() / 2, linear = way.dot(q + a), constant = a.dot(q + a / 2);
-  const double excess = quadratic + linear + constant;  // of b
-  if (excess <= 8 * std::numeric_limits<double>::epsilon() * (q.squaredNorm() + b.squaredNorm())) return 1;
-  const double root = std::sqrt(std::max(0., linear * linear - 4 * quadratic * std::min(constant, 0.)));
-  return std::clamp((root - linear) / (2 * quadratic), 0., 1.);
+NormalAndShear zeros(Index n) {
+  return {VectorXd::Zero(n), VectorXd::Zero(n)};
+}
+/// a + part (b - a)
+NormalAndShear between(const NormalAndShear& a, const NormalAndShear& b, double part) {
+  return {a.normal + part * (b.normal - a.normal), a.shear + part * (b.shear - a.shear)};
+}
+double dot(const NormalAndShear& a, const NormalAndShear& b) {
+  return a.normal.dot(b.normal) + a.shear.dot(b.shear);
 }
 
-/// Contacts and the rigid motions of the blocks that they join.
+NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& v) {
+  NormalAndShear rates = zeros(static_cast<Index>(terms.size()));
+  for (std::size_t c = 0; c < terms.size(); ++c) {
+    rates.normal[static_cast<Index>(c)] = terms[c].gap.change(v);
+    rates.shear[static_cast<Index>(c)] = terms[c].slip.change(v);
+  }
+  return rates;
+}
+
+/// The rigid motions in the velocities of the blocks that the terms depend on; 0 for all others.
+VectorXd rigid_part(const Islands& islands, const std::vector<ContactTerm>& terms, const VectorXd& v) {
+  std::set<int> touched;
+  for (const ContactTerm& term : terms)
+    for (int u : term.gap.unknowns()) touched.insert(islands.block_of_unknown(u));
+  VectorXd rigid = VectorXd::Zero(v.size());
+  for (int b : touched) {
+    const Block& block = islands.blocks().block(b);
+    const auto [linear, angular] = rigid_velocity(block, v);
+    rigid.segment(block.unknowns().first, block.n_unknowns()) =
+        block.rigid_modes() * Vec3(linear.x(), linear.y(), angular);
+  }
+  return rigid;
+}
+
+std::vector<ContactTerm> rigid_terms(const RigidMotions& motions, std::vector<ContactTerm> terms) {
+  for (ContactTerm& term : terms) {
+    term.gap = motions.rate_form(term.gap);
+    term.slip = motions.rate_form(term.slip);
+  }
+  return terms;
+}
+
+/// Contacts and the rigid motions of the blocks that they join. With G the gradients of the rates, impulses P
+/// change the coefficients by w = G^T P, and the rates by G w.
 struct Setting {
   RigidMotions motions;
-  VectorXd q;            ///< before
-  NormalAndShear rates;  ///< before, those of deformation included
   ImpulseProblem problem;
+  NormalAndShear rates;        ///< before
+  NormalAndShear rigid_rates;  ///< without those of deformation
 
   /// \param[in] terms  forms of all unknowns
-  Setting(const BlockSystem& blocks, const std::vector<int>& movable, const std::vector<ContactTerm>& terms,
+  Setting(const BlockSystem& blocks, const Islands& islands, const std::vector<ContactTerm>& terms,
           const VectorXd& v)
-      : motions(blocks, movable), q(motions.coefficients(v)), problem(motions, rigid_terms(motions, terms)) {
-    const auto n = static_cast<Index>(terms.size());
-    rates = {VectorXd(n), VectorXd(n)};
-    for (Index c = 0; c < n; ++c) {
-      rates.normal[c] = terms[static_cast<std::size_t>(c)].gap.change(v);
-      rates.shear[c] = terms[static_cast<std::size_t>(c)].slip.change(v);
-    }
-  }
+      : motions(blocks, islands.hit_blocks()),
+        problem(motions, rigid_terms(motions, terms)),
+        rates(rates_of(terms, v)),
+        rigid_rates(rates_of(terms, rigid_part(islands, terms, v))) {}
 
- private:
-  static std::vector<ContactTerm> rigid_terms(const RigidMotions& motions, std::vector<ContactTerm> terms) {
-    for (ContactTerm& term : terms) {
-      term.gap = motions.rate_form(term.gap);
-      term.slip = motions.rate_form(term.slip);
-    }
-    return terms;
+  /// What the impulses take from the kinetic energy and from what moves the supports: -P . (rates before and
+  /// after) / 2. Rates of deformation have no part: no rigid motion has kinetic energy in common with them.
+  double loss(const NormalAndShear& P) const {
+    return -dot(P, rigid_rates) - problem.change(P).squaredNorm() / 2;
+  }
+  /// The largest part of the way from a, whose loss must be >= 0, to b after which the loss still is.
+  double largest_part(const NormalAndShear& a, const NormalAndShear& b) const {
+    const NormalAndShear way{b.normal - a.normal, b.shear - a.shear};
+    const VectorXd w_a = problem.change(a), w = problem.change(way);
+    const double round_off =
+        8 * std::numeric_limits<double>::epsilon() *
+        (b.normal.cwiseAbs().dot(rigid_rates.normal.cwiseAbs()) +
+         b.shear.cwiseAbs().dot(rigid_rates.shear.cwiseAbs()) + problem.change(b).squaredNorm());
+    if (loss(b) >= -round_off) return 1;
+    const double linear = dot(way, rigid_rates) + w.dot(w_a), constant = std::max(0., loss(a));
+    const double root = std::sqrt(linear * linear + 2 * w.squaredNorm() * constant);
+    return std::clamp((root - linear) / w.squaredNorm(), 0., 1.);
+  }
+  void finish(const NormalAndShear& P, JumpReport& report) const {
+    const VectorXd w = problem.change(P);
+    const NormalAndShear change = problem.change_of_rates(w);
+    report.normal_loss = -P.normal.dot(rigid_rates.normal + change.normal / 2);
+    report.friction_loss = -P.shear.dot(rigid_rates.shear + change.shear / 2);
+    motions.add_motion(w, report.jump);
+    report.n_contacts = static_cast<int>(P.normal.size());
+    report.rounds = problem.n_rounds();
+    report.iterations = problem.n_iterations();
   }
 };
 
 /// What of an impact takes part in it.
 struct Participants {
-  std::vector<int> movable;           ///< blocks
+  explicit Participants(const BlockSystem& blocks) : islands(blocks) {}
+
+  Islands islands;
   std::vector<std::size_t> contacts;  ///< indices
   std::vector<ContactTerm> terms;
   VectorXd friction, restitution;
@@ -123,8 +130,8 @@ ContactTerm impact_term(const ImpactContact& contact) {
 
 Participants find_participants(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts,
                                const VectorXd& v, double least_approach) {
-  Participants found;
-  Islands islands(blocks);
+  Participants found(blocks);
+  Islands& islands = found.islands;
   for (const ImpactContact& contact : contacts) islands.join(contact.gap);
   for (const ImpactContact& contact : contacts) {
     const double approach = contact.bonded ? 0 : -contact.gap.change(v);
@@ -132,7 +139,6 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
     islands.hit(contact.gap);
     found.approach = std::max(found.approach, approach);
   }
-  found.movable = islands.hit_blocks();
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (islands.is_hit(contacts[c].gap)) found.contacts.push_back(c);
   const auto n = static_cast<Index>(found.contacts.size());
@@ -157,38 +163,20 @@ bool solve_with_friction(const NormalAndShear& rates, const VectorXd& friction, 
     vanish = problem.solve(rates, tolerance);
     wanted = friction.cwiseProduct(problem.impulses().normal.cwiseMax(0) + given);
   };
-  problem.set_impulses({VectorXd::Zero(given.size()), VectorXd::Zero(given.size())});
+  problem.set_impulses(zeros(given.size()));
   VectorXd bounds = friction.cwiseProduct(given);
   const BoundsReport agreement = iterate_bounds(solve, {}, bounds);
   solves += agreement.solves;
   return vanish && agreement.settled;
 }
 
-/// The part of the velocity that the impulses add, and what it costs. The losses are those of the rigid
-/// motions, to which all other velocities are orthogonal.
-void finish(const Setting& setting, const NormalAndShear& impulses, JumpReport& report) {
-  const VectorXd w = setting.problem.change(impulses);
-  const NormalAndShear mean = setting.problem.change_of_rates(setting.q + w / 2);
-  report.normal_loss = -impulses.normal.dot(mean.normal);
-  report.friction_loss = -impulses.shear.dot(mean.shear);
-  setting.motions.add_motion(w, report.jump);
-  report.n_contacts = static_cast<int>(impulses.normal.size());
-  report.rounds = setting.problem.n_rounds();
-  report.iterations = setting.problem.n_iterations();
-}
-
-/// a + part (b - a)
-NormalAndShear between(const NormalAndShear& a, const NormalAndShear& b, double part) {
-  return {a.normal + part * (b.normal - a.normal), a.shear + part * (b.shear - a.shear)};
-}
-
 }  // namespace
 
-// Why compression takes energy: for frozen bounds b, w minimizes |w|^2 / 2 + I(G (q + w) >= 0) + b |T (q +
-// w)|, so that q + w is the proximal point of q of a convex function that is least at 0: |q + w|^2 + |w|^2 <=
-// |q|^2, which is w . (q + w) <= 0. The jump (1 + e) w of one common e without shear then has the energy (1 +
-// e) (w . (q + w) - (1 - e) |w|^2 / 2) <= 0. With several e, with shear, which gives nothing back, or with
-// rates of deformation there is no such theorem: what gives too much is taken in part.
+// What is lost is -P . (u + u') / 2 for rates u before and u' = u + G G^T P after. In compression
+// u' . P <= 0, so that -P . u' + |G^T P|^2 / 2 >= 0 is lost. Of one common e without shear and second
+// contact, u' . P = 0 there, and (1 + e) P leads to u' + e G G^T P: (1 + e) (1 - e) |G^T P|^2 / 2 >= 0 is
+// lost. With several e, with shear, which gives nothing back, or with rates of deformation there is no such
+// theorem: what would make energy is taken in part.
 JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
                   const ImpactOptions& options) {
   JumpReport report;
@@ -197,17 +185,17 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const Participants of = find_participants(blocks, contacts, v, options.least_approach);
   if (of.contacts.empty()) return report;
 
-  Setting setting(blocks, of.movable, of.terms, v);
+  Setting setting(blocks, of.islands, of.terms, v);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = options.tolerance * of.approach;
-  const NormalAndShear none{VectorXd::Zero(of.friction.size()), VectorXd::Zero(of.friction.size())};
+  const NormalAndShear none = zeros(of.friction.size());
   report.settled =
       solve_with_friction(setting.rates, of.friction, none.normal, tolerance, problem, report.solves);
   report.largest_rate = problem.largest_rate();
   const NormalAndShear compression = problem.impulses();
-  const VectorXd w = problem.change(compression);
-  NormalAndShear total = between(none, compression, largest_part(setting.q, VectorXd::Zero(w.size()), w));
-  report.limited = total.normal != compression.normal;
+  const double compressed = setting.largest_part(none, compression);
+  report.limited = compressed < 1;
+  NormalAndShear total = between(none, compression, compressed);
 
   const VectorXd given = of.restitution.cwiseProduct(compression.normal);
   if (!report.limited && (given.array() > 0).any()) {
@@ -218,7 +206,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
         solve_with_friction(rates, of.friction, given, tolerance, problem, report.solves) && report.settled;
     const NormalAndShear second = problem.impulses();
     restored = {restored.normal + second.normal, restored.shear + second.shear};
-    const double part = largest_part(setting.q, w, problem.change(restored));
+    const double part = setting.largest_part(compression, restored);
     report.limited = part < 1;
     total = between(compression, restored, part);
   }
@@ -228,14 +216,14 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
     total.shear[c] = std::clamp(total.shear[c], -bound, bound);
   }
   if (!report.settled) {
-    const double part = largest_part(setting.q, VectorXd::Zero(w.size()), problem.change(total));
+    const double part = setting.largest_part(none, total);
     report.limited = report.limited || part < 1;
     total = between(none, total, part);
   }
   for (std::size_t k = 0; k < of.contacts.size(); ++k)
     report.impulses[of.contacts[k]] = {total.normal[static_cast<Index>(k)],
                                        total.shear[static_cast<Index>(k)]};
-  finish(setting, total, report);
+  setting.finish(total, report);
   return report;
 }
 
@@ -263,21 +251,21 @@ JumpReport hold(const BlockSystem& blocks, const std::vector<HeldContact>& conta
   if (largest == 0) return report;
 
   for (const ContactTerm& term : terms) islands.hit(term.gap);
-  Setting setting(blocks, islands.hit_blocks(), terms, v);
+  Setting setting(blocks, islands, terms, v);
   report.settled = setting.problem.solve(setting.rates, hold_tolerance * largest);
   report.solves = 1;
   report.largest_rate = setting.problem.largest_rate();
   const NormalAndShear whole = setting.problem.impulses();
-  const VectorXd w = setting.problem.change(whole);
-  const double part = largest_part(setting.q, VectorXd::Zero(w.size()), w);
+  const NormalAndShear none = zeros(whole.normal.size());
+  const double part = setting.largest_part(none, whole);
   report.limited = part < 1;
-  const NormalAndShear total{part * whole.normal, part * whole.shear};
+  const NormalAndShear total = between(none, whole, part);
   for (std::size_t k = 0; k < holding.size(); ++k) {
     const double normal = total.normal[static_cast<Index>(k)], shear = total.shear[static_cast<Index>(k)];
     report.impulses[holding[k]] =
         contacts[holding[k]].normal ? ContactImpulse{normal, shear} : ContactImpulse{0, normal};
   }
-  finish(setting, total, report);
+  setting.finish(total, report);
   return report;
 }
 

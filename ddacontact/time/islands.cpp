@@ -1,0 +1,46 @@
+#include <ddacontact/time/islands.hpp>
+
+#include <numeric>
+
+namespace ddacontact {
+
+Islands::Islands(const BlockSystem& blocks) : blocks_(&blocks), parent_(blocks.n_blocks()) {
+  std::iota(parent_.begin(), parent_.end(), 0);
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    block_of_unknown_.insert(block_of_unknown_.end(), blocks.block(b).n_unknowns(), b);
+}
+
+int Islands::first_movable(const AffineForm& form) const {
+  for (int u : form.unknowns())
+    if (blocks_->is_movable(block_of_unknown_[u])) return block_of_unknown_[u];
+  return -1;
+}
+
+int Islands::root(int b) const {
+  while (parent_[b] != b) b = parent_[b] = parent_[parent_[b]];
+  return b;
+}
+
+void Islands::join(const AffineForm& form) {
+  const int first = first_movable(form);
+  for (int u : form.unknowns())
+    if (const int b = block_of_unknown_[u]; blocks_->is_movable(b)) parent_[root(b)] = root(first);
+}
+
+void Islands::hit(const AffineForm& form) {
+  if (const int b = first_movable(form); b >= 0) hit_.insert(root(b));
+}
+
+bool Islands::is_hit(const AffineForm& form) const {
+  const int b = first_movable(form);
+  return b >= 0 && hit_.contains(root(b));
+}
+
+std::vector<int> Islands::hit_blocks() const {
+  std::vector<int> blocks;
+  for (int b = 0; b < blocks_->n_blocks(); ++b)
+    if (blocks_->is_movable(b) && hit_.contains(root(b))) blocks.push_back(b);
+  return blocks;
+}
+
+}  // namespace ddacontact

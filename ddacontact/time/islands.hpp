@@ -1,0 +1,38 @@
+/// \file Blocks that can pass impulses to one another.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+
+#include <set>
+
+namespace ddacontact {
+
+/// Movable blocks joined to one another by contacts: islands, some of which take part in a jump of
+/// velocities.
+class Islands {
+ public:
+  explicit Islands(const BlockSystem& blocks);
+
+  const BlockSystem& blocks() const { return *blocks_; }
+  int block_of_unknown(int unknown) const { return block_of_unknown_[unknown]; }
+
+  /// The movable blocks on which a contact's form depends are of one island.
+  void join(const AffineForm& form);
+  /// Once all are joined: the form's island takes part.
+  void hit(const AffineForm& form);
+  bool is_hit(const AffineForm& form) const;
+  /// The movable blocks of the islands that take part, ascending.
+  std::vector<int> hit_blocks() const;
+
+ private:
+  int first_movable(const AffineForm& form) const;  ///< -1: none
+  int root(int b) const;
+
+  const BlockSystem* blocks_;
+  mutable std::vector<int>
+      parent_;  ///< towards the block that stands for the island; paths are cut on the way
+  std::vector<int> block_of_unknown_;
+  std::set<int> hit_;  ///< roots
+};
+
+}  // namespace ddacontact
