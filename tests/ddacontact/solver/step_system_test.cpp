@@ -179,6 +179,7 @@ TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
     EXPECT_TRUE(problem.factorize(p.terms(), p.springs()));
     return problem.cholesky().n_factorizations();
   };
+  const int analyses = problem.cholesky().n_analyses();
   p.system.linearize(p.system.prescribed());
   p.set_states({slip_forward});
   EXPECT_EQ(factorizations(), 1);
@@ -190,14 +191,14 @@ TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
   p.system.set_step(p.state, step_start(p.state, dt / 2), held_stiffness);
   p.system.linearize(p.system.prescribed());
   EXPECT_EQ(factorizations(), 3);
-  EXPECT_EQ(problem.cholesky().n_analyses(), 1);
+  EXPECT_EQ(problem.cholesky().n_analyses(), analyses);
   p.system.set_contacts(p.terms());  // the same pattern
   EXPECT_EQ(factorizations(), 4);
-  EXPECT_EQ(problem.cholesky().n_analyses(), 1);
+  EXPECT_EQ(problem.cholesky().n_analyses(), analyses);
   p.contacts.pop_back();
   p.system.set_contacts(p.terms());
   EXPECT_EQ(factorizations(), 5);
-  EXPECT_EQ(problem.cholesky().n_analyses(), 2);
+  EXPECT_EQ(problem.cholesky().n_analyses(), analyses + 1);
 }
 
 /// All forces on the system but those of supports are in the residual of its free and held unknowns: the sum
