@@ -47,8 +47,8 @@ inline Scene paper_mechanics(Scene scene) {
   return scene;
 }
 
-/// Rock (2000 kg/m3, 100 MPa, 0.25) without friction, gravity 10 m/s2 downwards, contact springs of 40 E; with
-/// the mechanics of the paper.
+/// Rock (2000 kg/m3, 100 MPa, 0.25) without friction, gravity 10 m/s2 downwards, contact springs of 40 E;
+/// with the mechanics of the paper.
 inline Scene rock_scene(double time_step, int steps) {
   Scene scene = paper_mechanics({});
   scene.analysis.time_step = time_step;

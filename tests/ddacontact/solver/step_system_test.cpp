@@ -102,7 +102,8 @@ double potential(const Prepared& p, const VectorXd& d) {
   for (const HeldVertex& held : p.blocks.held_vertices) {
     const int v = p.blocks.block(held.block).vertices().first + held.vertex;
     const Vec2 stretch = p.blocks.displacements(p.state).col(v) +
-                         p.blocks.block(held.block).vertex_map(held.vertex)(d) - held.motion.at(p.state.time + dt, p.blocks.end_time);
+                         p.blocks.block(held.block).vertex_map(held.vertex)(d) -
+                         held.motion.at(p.state.time + dt, p.blocks.end_time);
     energy += held_stiffness * (held.x * stretch.x() * stretch.x() + held.y * stretch.y() * stretch.y()) / 2;
   }
   return energy;
@@ -144,7 +145,8 @@ TEST(StepSystem, ContactForcesWorkOnTheChangesOfGapAndSlip) {
     const VectorXd moved = VectorXd::Random(d.size());
     double work = 0, magnitude = 0;
     for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-      work += forces[c].normal * p.contacts[c].gap.change(moved) + forces[c].shear * p.contacts[c].slip.change(moved);
+      work += forces[c].normal * p.contacts[c].gap.change(moved) +
+              forces[c].shear * p.contacts[c].slip.change(moved);
       magnitude += std::hypot(forces[c].normal, forces[c].shear);
     }
     EXPECT_NEAR(exerted.dot(moved), work, 1e-11 * (magnitude + without.norm()));
