@@ -37,9 +37,20 @@ inline BlockDescription block(const Points& vertices, bool fixed = false) {
   return b;
 }
 
-/// Rock (2000 kg/m3, 100 MPa, 0.25) without friction, gravity 10 m/s2 downwards, contact springs of 40 E.
+/// The mechanics of the paper: increments on the current shape, Newmark (1/2, 1), Shi's open-close iteration
+/// with plain penalty springs.
+inline Scene paper_mechanics(Scene scene) {
+  scene.analysis.kinematics = Kinematics::incremental;
+  scene.analysis.scheme = Scheme::dda;
+  scene.contact.method = ContactMethod::classic;
+  scene.contact.penetration_tolerance = 0;
+  return scene;
+}
+
+/// Rock (2000 kg/m3, 100 MPa, 0.25) without friction, gravity 10 m/s2 downwards, contact springs of 40 E;
+/// with the mechanics of the paper.
 inline Scene rock_scene(double time_step, int steps) {
-  Scene scene;
+  Scene scene = paper_mechanics({});
   scene.analysis.time_step = time_step;
   scene.analysis.steps = steps;
   scene.analysis.gravity = Vec2(0, -10);
@@ -76,13 +87,24 @@ inline BuiltScene run(const Scene& scene) {
   return built;
 }
 
+/// The stepper's blocks, for steps that the test itself makes of them.
+inline BlockSystem& blocks_of(BuiltScene& built) {
+  return const_cast<BlockSystem&>(built.stepper->blocks());
+}
+
+/// A step from the state, with no impact within.
+inline StepStart step_start(const BlockState& state, double dt, const StepRule& rule = {}) {
+  const VectorXd none = VectorXd::Zero(state.velocity.size());
+  return {rule, dt, state.velocity, state.acceleration, none, none};
+}
+
 inline Vec2 momentum(const Stepper& stepper, int b) {
   const Block& of = stepper.blocks().block(b);
   return of.mass_total() * rigid_velocity(of, stepper.state().velocity).linear;
 }
 
 inline Vec2 centre(const Stepper& stepper, int b) {
-  return stepper.blocks().block(b).moments().centroid;
+  return stepper.blocks().block(b).centroid();
 }
 
 /// Where the centroid has moved to since the start.

@@ -23,7 +23,7 @@ BuiltScene run_example(const std::string& scene, const std::string& model) {
 
 Points outline(const Stepper& stepper, int b) {
   const Range& v = stepper.blocks().block(b).vertices();
-  return stepper.state().position.middleCols(v.first, v.count);
+  return stepper.blocks().positions(stepper.state()).middleCols(v.first, v.count);
 }
 
 class VoronoiSlope : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
@@ -65,7 +65,7 @@ TEST(VoronoiSlopeStress, IsCompressiveAndGrowsWithDepthRowByRow) {
       const Block& block = stepper.blocks().block(b);
       const double s2 = polyfem::principal_stresses(stress_range(block, stepper.state()).mean).s2;
       EXPECT_LT(s2, 0) << model << ", block " << b;
-      const int row = static_cast<int>(n_rows * (top - block.moments().centroid.y()) / (top - bottom));
+      const int row = static_cast<int>(n_rows * (top - block.centroid().y()) / (top - bottom));
       sum[row] += s2 * block.moments().area;
       area[row] += block.moments().area;
     }

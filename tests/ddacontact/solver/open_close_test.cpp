@@ -18,11 +18,10 @@ struct OneStep {
   OpenCloseReport report;
 
   explicit OneStep(const Vec2& force, double cohesion = 0)
-      : built(build(scene(force, cohesion))), system(built.stepper->blocks()) {
+      : built(build(scene(force, cohesion))), system(blocks_of(built)) {
     contacts = built.stepper->contacts();
     const BlockState& state = built.stepper->state();
-    system.set_contacts(state, contacts, 1e9);
-    system.set_step(state, state.velocity, 0.1);
+    system.set_step(state, step_start(state, 0.1), 1e9);
     report = iterate_open_close(system, {}, contacts, d);
   }
   static Scene scene(const Vec2& force, double cohesion) {
@@ -63,6 +62,9 @@ TEST(OpenClose, ABlockPushedBeyondFrictionSlidesInTheSenseOfThePush) {
       EXPECT_EQ(c.history.state, push > 0 ? slip_backward : slip_forward);
       EXPECT_GT(slip_sign(c.history.state) * c.slip.change(trial.d), 0);
       friction += 0.5 * trial.normal(c);
+      // What the contact is left with is (52) of the present penetration, against the slip.
+      EXPECT_NEAR(c.normal, trial.normal(c), 1e-12 * c.normal);
+      EXPECT_NEAR(c.shear, -slip_sign(c.history.state) * 0.5 * c.normal, 1e-12 * c.normal);
     }
     // d = a dt^2 / 2 from rest: the block's acceleration tells the friction that acted.
     const Block& slider = trial.built.stepper->blocks().block(1);
@@ -101,12 +103,11 @@ TEST(OpenClose, SettledStatesAgreeWithTheirSolution) {
 TEST(OpenClose, WithoutContactsOneSolutionIsEnough) {
   Scene scene = rock_scene(0.1, 1);
   scene.blocks = {block(rectangle(0, 0, 2, 1))};
-  const BuiltScene built = build(scene);
-  StepSystem system(built.stepper->blocks());
+  BuiltScene built = build(scene);
+  StepSystem system(blocks_of(built));
   std::vector<Contact> none;
   VectorXd d;
-  system.set_contacts(built.stepper->state(), none, 1e9);
-  system.set_step(built.stepper->state(), built.stepper->state().velocity, 0.1);
+  system.set_step(built.stepper->state(), step_start(built.stepper->state(), 0.1), 1e9);
   const OpenCloseReport report = iterate_open_close(system, {}, none, d);
   EXPECT_EQ(report.status, OpenCloseStatus::settled);
   EXPECT_EQ(report.iterations, 1);

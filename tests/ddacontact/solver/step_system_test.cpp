@@ -1,3 +1,4 @@
+#include <ddacontact/block/incremental_block.hpp>
 #include <ddacontact/solver/step_system.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
@@ -28,32 +29,54 @@ Scene loaded_scene() {
 
 struct Prepared {
   BuiltScene built;
-  const BlockSystem& blocks;
+  BlockSystem& blocks;
   const BlockState& state;
   std::vector<Contact> contacts;
   StepSystem system;
 
   explicit Prepared(const Scene& scene)
       : built(build(scene)),
-        blocks(built.stepper->blocks()),
+        blocks(blocks_of(built)),
         state(built.stepper->state()),
         contacts(built.stepper->contacts()),
         system(blocks) {
-    system.set_contacts(state, contacts, held_stiffness);
-    system.set_step(state, state.velocity, dt);
+    system.set_contacts(terms());
+    system.set_step(state, step_start(state, dt), held_stiffness);
   }
   void set_states(std::initializer_list<ContactState> cycle) {
     std::size_t c = 0;
     for (Contact& contact : contacts) contact.history.state = cycle.begin()[c++ % cycle.size()];
   }
-  void set_friction(double friction) {
-    for (Contact& contact : contacts) contact.law.friction = friction;
+  std::vector<ContactTerm> terms() const {
+    std::vector<ContactTerm> all;
+    for (const Contact& c : contacts)
+      all.push_back({.gap = c.gap,
+                     .slip = c.slip,
+                     .normal_stiffness = c.law.normal_stiffness,
+                     .tangential_stiffness = c.law.tangential_stiffness});
+    return all;
   }
-  VectorXd residual(const VectorXd& d) const {
+  /// Of springs on the gap of the closed contacts, and on the slip of those that stick.
+  std::vector<unsigned char> springs() const {
+    std::vector<unsigned char> all;
+    for (const Contact& c : contacts) all.push_back(!c.closed() ? 0 : c.history.state == stick ? 3 : 1);
+    return all;
+  }
+  std::vector<ContactForce> spring_forces(const VectorXd& d) const {
+    std::vector<ContactForce> forces(contacts.size());
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const Contact& of = contacts[c];
+      if (of.closed()) forces[c].normal = -of.law.normal_stiffness * (of.gap(d) - of.history.gap_offset);
+      if (of.history.state == stick) forces[c].shear = -of.law.tangential_stiffness * of.slip(d);
+    }
+    return forces;
+  }
+  VectorXd residual(const VectorXd& d, const std::vector<ContactForce>& forces) const {
     Residual r;
-    system.compute_residual(d, contacts, r);
+    system.compute_residual(d, contacts, forces, r);
     return r.force;
   }
+  VectorXd residual(const VectorXd& d) const { return residual(d, spring_forces(d)); }
 };
 
 /// The energy whose gradient (13) is: of inertia, blocks, springs, and the potential of stress and loads.
@@ -63,7 +86,7 @@ double potential(const Prepared& p, const VectorXd& d) {
   p.blocks.add_gravity(F);
   p.blocks.add_loads(p.state, p.state.time + dt, F);
   for (int b = 0; b < p.blocks.n_blocks(); ++b) {
-    const Block& of = p.blocks.block(b);
+    const auto& of = dynamic_cast<const IncrementalBlock&>(p.blocks.block(b));
     const VectorXd d_b = d.segment(of.unknowns().first, of.n_unknowns());
     const VectorXd v_b = p.state.velocity.segment(of.unknowns().first, of.n_unknowns());
     energy +=
@@ -78,8 +101,9 @@ double potential(const Prepared& p, const VectorXd& d) {
   }
   for (const HeldVertex& held : p.blocks.held_vertices) {
     const int v = p.blocks.block(held.block).vertices().first + held.vertex;
-    const Vec2 stretch = p.state.position.col(v) + p.blocks.block(held.block).vertex_map(held.vertex)(d) -
-                         p.blocks.reference().col(v) - held.motion.at(p.state.time + dt, p.blocks.end_time);
+    const Vec2 stretch = p.blocks.displacements(p.state).col(v) +
+                         p.blocks.block(held.block).vertex_map(held.vertex)(d) -
+                         held.motion.at(p.state.time + dt, p.blocks.end_time);
     energy += held_stiffness * (held.x * stretch.x() * stretch.x() + held.y * stretch.y() * stretch.y()) / 2;
   }
   return energy;
@@ -91,7 +115,6 @@ TEST(StepSystem, TheResidualIsTheGradientOfTheStepsPotential) {
   Prepared p(loaded_scene());
   ASSERT_GE(p.contacts.size(), 5u);
   ASSERT_FALSE(p.blocks.held_vertices.empty());
-  p.set_friction(0);
   for (auto states :
        {std::initializer_list<ContactState>{stick}, {open}, {stick, open, slip_forward, slip_backward}}) {
     p.set_states(states);
@@ -108,20 +131,25 @@ TEST(StepSystem, TheResidualIsTheGradientOfTheStepsPotential) {
   }
 }
 
-/// Friction of a sliding contact: N tan phi from the present penetration, against the slip, on both blocks.
-TEST(StepSystem, SlidingAddsTheFrictionOfThePresentPenetration) {
+/// Whatever forces the contacts exert act along the derivatives of gap and slip, on both blocks.
+TEST(StepSystem, ContactForcesWorkOnTheChangesOfGapAndSlip) {
   Prepared p(loaded_scene());
-  for (ContactState state : {slip_forward, slip_backward}) {
-    p.set_states({state});
-    const VectorXd d = 1e-3 * VectorXd::Random(p.blocks.n_unknowns());
-    p.set_friction(0);
-    VectorXd expected = p.residual(d);
-    for (const Contact& c : p.contacts) {
-      const double bound = 0.7 * std::max(0., -c.law.normal_stiffness * (c.gap(d) - c.history.gap_offset));
-      c.slip.add_gradient((state == slip_forward ? 1 : -1) * bound, expected);
+  p.set_states({open});
+  const VectorXd d = 1e-3 * VectorXd::Random(p.blocks.n_unknowns());
+  const VectorXd without = p.residual(d);
+  std::vector<ContactForce> forces;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c)
+    forces.push_back({1e4 * static_cast<double>(c + 1), -3e3 * static_cast<double>(c)});
+  const VectorXd exerted = without - p.residual(d, forces);
+  for (int trial = 0; trial < 5; ++trial) {
+    const VectorXd moved = VectorXd::Random(d.size());
+    double work = 0, magnitude = 0;
+    for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+      work += forces[c].normal * p.contacts[c].gap.change(moved) +
+              forces[c].shear * p.contacts[c].slip.change(moved);
+      magnitude += std::hypot(forces[c].normal, forces[c].shear);
     }
-    p.set_friction(0.7);
-    EXPECT_LE((p.residual(d) - expected).norm(), 1e-12 * expected.norm());
+    EXPECT_NEAR(exerted.dot(moved), work, 1e-11 * (magnitude + without.norm()));
   }
 }
 
@@ -130,16 +158,16 @@ TEST(StepSystem, OneSolutionOfTheFactoredEquationsLeavesNoResidual) {
     Scene scene = loaded_scene();
     scene.blocks[1].model = model;
     Prepared p(scene);
-    p.set_friction(0);
     p.set_states({stick, slip_forward});
     VectorXd d = p.system.prescribed(), correction;
     Residual r;
-    p.system.compute_residual(d, p.contacts, r);
+    p.system.compute_residual(d, p.contacts, p.spring_forces(d), r);
     EXPECT_FALSE(r.balanced(1e-8));
-    ASSERT_TRUE(p.system.factorize(p.contacts));
-    p.system.solve(r.force, correction);
+    p.system.linearize(d);
+    ASSERT_TRUE(p.system.problem().factorize(p.terms(), p.springs()));
+    p.system.problem().solve(r.force, correction);
     d -= correction;
-    p.system.compute_residual(d, p.contacts, r);
+    p.system.compute_residual(d, p.contacts, p.spring_forces(d), r);
     EXPECT_LE(r.largest, 1e-10 * r.scale);
     EXPECT_TRUE(r.balanced(1e-8));
     for (const HeldUnknown& held : p.blocks.held_unknowns()) EXPECT_EQ(correction[held.unknown], 0);
@@ -148,10 +176,13 @@ TEST(StepSystem, OneSolutionOfTheFactoredEquationsLeavesNoResidual) {
 
 TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
   Prepared p(loaded_scene());
+  FrictionProblem& problem = p.system.problem();
   const auto factorizations = [&] {
-    EXPECT_TRUE(p.system.factorize(p.contacts));
-    return p.system.cholesky().n_factorizations();
+    EXPECT_TRUE(problem.factorize(p.terms(), p.springs()));
+    return problem.cholesky().n_factorizations();
   };
+  const int analyses = problem.cholesky().n_analyses();
+  p.system.linearize(p.system.prescribed());
   p.set_states({slip_forward});
   EXPECT_EQ(factorizations(), 1);
   EXPECT_EQ(factorizations(), 1);
@@ -159,16 +190,17 @@ TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
   EXPECT_EQ(factorizations(), 1);
   p.set_states({stick});
   EXPECT_EQ(factorizations(), 2);
-  p.system.set_step(p.state, p.state.velocity, dt / 2);
+  p.system.set_step(p.state, step_start(p.state, dt / 2), held_stiffness);
+  p.system.linearize(p.system.prescribed());
   EXPECT_EQ(factorizations(), 3);
-  EXPECT_EQ(p.system.cholesky().n_analyses(), 1);
-  p.system.set_contacts(p.state, p.contacts, held_stiffness);  // the same pattern
+  EXPECT_EQ(problem.cholesky().n_analyses(), analyses);
+  p.system.set_contacts(p.terms());  // the same pattern
   EXPECT_EQ(factorizations(), 4);
-  EXPECT_EQ(p.system.cholesky().n_analyses(), 1);
+  EXPECT_EQ(problem.cholesky().n_analyses(), analyses);
   p.contacts.pop_back();
-  p.system.set_contacts(p.state, p.contacts, held_stiffness);
+  p.system.set_contacts(p.terms());
   EXPECT_EQ(factorizations(), 5);
-  EXPECT_EQ(p.system.cholesky().n_analyses(), 2);
+  EXPECT_EQ(problem.cholesky().n_analyses(), analyses + 1);
 }
 
 /// All forces on the system but those of supports are in the residual of its free and held unknowns: the sum

@@ -30,7 +30,7 @@ Scene changed(Scene scene, const Mat2& A, const Vec2& by) {
 }
 
 Points displacements(const BuiltScene& built) {
-  return built.stepper->state().position - built.stepper->blocks().reference();
+  return built.stepper->blocks().displacements(built.stepper->state());
 }
 
 void expect_same_counts(const Stepper& a, const Stepper& b) {

@@ -31,11 +31,11 @@ TEST(MotionLimits, NoVertexOutrunsItsLimitInASubstep) {
     const BuiltScene built = build(scene);
     const MotionLimits limits(built.stepper->blocks(), scene.analysis);
     long substeps = 0;
-    Points before = built.stepper->state().position;
+    Points before = built.stepper->blocks().positions(built.stepper->state());
     double furthest = 0;
     for (int k = 0; k < 20; ++k) {
       run(*built.stepper, 1);
-      const Points now = built.stepper->state().position;
+      const Points now = built.stepper->blocks().positions(built.stepper->state());
       const long taken = built.stepper->counts().substeps - substeps;
       furthest = (now - before).middleCols(4, 4).colwise().norm().maxCoeff() / static_cast<double>(taken);
       EXPECT_LE(furthest, limits.largest_reach(1));
