@@ -1,0 +1,46 @@
+#include <tests/ddacontact/simple_scenes.hpp>
+
+using namespace support;
+
+namespace {
+
+/// A block of 40 kN at rest on a fixed plane that is tilted with it, contact forces by the staged method.
+Scene resting(double stiffness, double angle, double friction_degrees) {
+  Scene scene = rock_scene(0.05, 20);
+  scene.analysis.mode = Mode::statics;
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.contact = {ContactMethod::staged, stiffness, 0.4 * stiffness, 1e-6};
+  scene.joints[0].friction_angle = friction_degrees;
+  scene.blocks = {block(turned(rectangle(-4, -1, 10, 1), angle), true), block(turned(rectangle(0, 0, 2, 1), angle))};
+  return scene;
+}
+
+}  // namespace
+
+TEST(Staged, TheContactsStiffnessChangesNeitherForcesNorPlaces) {
+  Vec2 first = Vec2::Zero();
+  for (double factor : {1., 10., 100., 1000.}) {
+    const BuiltScene built = run(resting(factor * 1e8, 0, 30));
+    double normal = 0;
+    for (const Contact& c : built.stepper->contacts()) {
+      normal += c.normal;
+      EXPECT_LE(c.closed() ? -c.end_gap : 0, 1e-6 * c.size);
+    }
+    EXPECT_NEAR(normal, 40e3, 1e-6 * 40e3);
+    if (factor == 1) first = travel(*built.stepper, 1);
+    EXPECT_LE((travel(*built.stepper, 1) - first).norm(), 2e-6 * std::sqrt(2)) << factor;
+  }
+}
+
+/// A static step starts at rest: each slides by dt^2 / 2 of the acceleration that friction leaves.
+TEST(Staged, ABlockStaysOnASlopeBelowItsFrictionAngleAndSlidesAboveIt) {
+  for (double degrees : {10., 30.}) {
+    const double slope = radians(degrees), mu = std::tan(radians(degrees - 0.1));
+    const Vec2 held = travel(*run(resting(4e9, slope, degrees + 0.1)).stepper, 1),
+               slid = travel(*run(resting(4e9, slope, degrees - 0.1)).stepper, 1);
+    const double law = 20 * 0.05 * 0.05 / 2 * 10 * (std::sin(slope) - mu * std::cos(slope));
+    EXPECT_LT(held.norm(), 2.5e-4);  // it settles by its own weight
+    EXPECT_NEAR((slid - held).norm(), law, 0.1 * law);
+  }
+}
