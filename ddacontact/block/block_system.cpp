@@ -132,6 +132,14 @@ void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
     if (!is_unchanging(b)) blocks_[b]->begin_step(state, start);
 }
 
+void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockState& next) {
+  for (int b = 0; b < n_blocks(); ++b) {
+    if (is_unchanging(b)) continue;
+    const Range& u = block(b).unknowns();
+    blocks_[b]->end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), is_free(b), next);
+  }
+}
+
 Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& vertices) const {
   const Range& range = block(point.block).vertices();
   return vertices.middleCols(range.first, range.count) * point.weights;

@@ -15,8 +15,8 @@ void EnergyLedger::close_step() {
 }
 
 double EnergyLedger::balance_error() const {
-  constexpr double round_off = 1e-12;
-  return exchanged_ > round_off * largest_ ? (now.total() - start_.total()) / exchanged_ : 0;
+  constexpr double beyond_residuals = 1e-8;
+  return exchanged_ > beyond_residuals * largest_ ? (now.total() - start_.total()) / exchanged_ : 0;
 }
 
 }  // namespace ddacontact

@@ -28,8 +28,8 @@ class EnergyLedger {
   void start() { start_ = now; }
   /// Notes the present energies as exchanged; call after every step.
   void close_step();
-  /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but
-  /// round-off of the largest energy.
+  /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but what the
+  /// residuals of steps make of the largest energy.
   double balance_error() const;
 
  private:

@@ -244,12 +244,12 @@ VectorXd Stepper::start_velocity() const {
 
 bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
-  const VectorXd &d = solution.d, &external = solution.residual.external;
+  const VectorXd& d = solution.d;
+  blocks_.end_step(d, solution.residual.external, next);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (blocks_.is_unchanging(b)) continue;
     const Block& block = blocks_.block(b);
-    const Range &u = block.unknowns(), &v = block.vertices();
-    block.end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), blocks_.is_free(b), next);
+    const Range& v = block.vertices();
     const auto outline = next.position.middleCols(v.first, v.count);
     if (polyfem::find_non_convex_corner(outline)) {
       rejection_ = "a corner of block " + quoted(blocks_.names[b]) + " turns concave";
