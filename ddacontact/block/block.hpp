@@ -78,7 +78,7 @@ class Block {
   /// before it. `external` are all forces that acted on it, of its own unknowns: free blocks take their
   /// momentum from them (and with forces at the middle their angular momentum).
   virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
-                        BlockState& next) = 0;
+                        BlockState& next) const = 0;
 
   /// At the integration points, axes of the model, 3 x n_stress_points.
   virtual Tensors stress(const BlockState& state) const = 0;

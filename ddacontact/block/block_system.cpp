@@ -132,7 +132,7 @@ void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
     if (!is_unchanging(b)) blocks_[b]->begin_step(state, start);
 }
 
-void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockState& next) {
+void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const {
   for (int b = 0; b < n_blocks(); ++b) {
     if (is_unchanging(b)) continue;
     const Range& u = block(b).unknowns();

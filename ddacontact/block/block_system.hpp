@@ -110,7 +110,7 @@ class BlockSystem {
   /// Begins a step of every block that may change.
   void begin_step(const BlockState& state, const StepStart& start);
   /// Ends it: see Block::end_step. Vectors of all unknowns.
-  void end_step(const VectorXd& d, const VectorXd& external, BlockState& next);
+  void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
 
  private:
   std::vector<std::unique_ptr<Block>> blocks_;

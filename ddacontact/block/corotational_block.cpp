@@ -202,7 +202,7 @@ void CorotationalBlock::tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A
 }
 
 void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
-                                 bool is_free, BlockState& next) {
+                                 bool is_free, BlockState& next) const {
   const Range &u = unknowns(), &v = vertices();
   const Points step = to_nodes(d), y1 = y0_ + step;
   next.position.middleCols(v.first, v.count) = y1 * shape_->outline.transpose();

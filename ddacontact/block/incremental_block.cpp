@@ -28,7 +28,7 @@ void IncrementalBlock::tangent(const Eigen::Ref<const VectorXd>&, MatrixXd& A) c
 }
 
 void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>&, bool,
-                                BlockState& next) {
+                                BlockState& next) const {
   const Range &u = unknowns(), &v = vertices();
   VectorXd all = VectorXd::Zero(u.end());
   all.segment(u.first, u.count) = d;

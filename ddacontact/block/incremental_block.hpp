@@ -13,7 +13,7 @@ class IncrementalBlock : public Block {
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
   void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override;
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
-                BlockState& next) override;
+                BlockState& next) const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
   Tensors stress(const BlockState& state) const override {
     return state.stress.middleCols(stress_points().first, stress_points().count);
