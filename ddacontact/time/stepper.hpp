@@ -84,8 +84,9 @@ class Stepper {
   Solution solve_with(double dt, const StepImpact& impact);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
-  /// Takes the rates of closed contacts out of the velocities of `next`, as rigid motions.
-  void hold_closed_contacts(double dt, const VectorXd& d, BlockState& next);
+  /// Takes the rates of closed contacts out of the velocities of `next`, as rigid motions, with the friction
+  /// that the impulses make; returns what that dissipates, J per m.
+  double hold_closed_contacts(double dt, const VectorXd& d, BlockState& next);
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(Solution& solution);
   std::string between(int contact) const;
@@ -110,6 +111,7 @@ class Stepper {
   ContactMethod method_;
   StagedOptions staged_;
   double held_stiffness_;
+  double held_friction_loss_ = 0;  ///< of the last try, see hold_closed_contacts
 
   BlockState state_;
   std::vector<Contact> contacts_;  ///< of the last accepted substep

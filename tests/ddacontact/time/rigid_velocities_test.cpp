@@ -43,7 +43,7 @@ struct Impact {
     const Range& of = blocks.block(b).vertices();
     return outlines().col(of.first + k % of.count);
   }
-  Vec2 centroid(int b) const { return blocks.block(b).moments().centroid; }
+  Vec2 centroid(int b) const { return blocks.block(b).centroid(); }
 
   /// Vertices of a on edges of b; of two edges at a corner the one that faces a.
   void add_contacts(int a, int b, double friction, double restitution) {
