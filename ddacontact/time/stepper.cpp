@@ -2,6 +2,7 @@
 
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -19,6 +20,10 @@ constexpr double shortest_substep = 1e-3;
 constexpr double tolerant_substep = 1e-2;
 /// A block that moved further than its contacts were looked for has them looked for this much further.
 constexpr double reach_growth = 4;
+/// A step is solved again so often for contacts that closed fast without having been foreseen.
+constexpr int most_impact_rounds = 4;
+/// Rates of closed contacts below this part of what gravity makes in the step are left to themselves.
+constexpr double negligible_rate = 1e-9;
 
 std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
@@ -128,12 +133,42 @@ void Stepper::detect(double dt) {
 }
 
 Stepper::Solution Stepper::solve(double dt) {
-  StepStart start{.rule = step_rule(analysis_),
-                  .dt = dt,
-                  .velocity = start_velocity(),
-                  .acceleration = state_.acceleration,
-                  .jump = VectorXd::Zero(blocks_.n_unknowns()),
-                  .jump_path = VectorXd::Zero(blocks_.n_unknowns())};
+  StepImpact none;
+  none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
+  if (method_ == ContactMethod::classic || is_static()) return solve_with(dt, none);
+  std::vector<char> also;
+  Solution solution;
+  for (int round = 0; round < most_impact_rounds; ++round) {
+    StepImpact impact = none;
+    {
+      const Stopwatch watch(times_.solver);
+      impact = foresee_impact(blocks_, state_, trial_contacts_, state_.velocity, dt, also);
+    }
+    solution = solve_with(dt, impact);
+    solution.impact = std::move(impact);
+    if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
+  }
+  return solution;
+}
+
+bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const {
+  const std::vector<char> before = also;
+  also.resize(tried_.size(), 0);
+  for (std::size_t c = 0; c < tried_.size(); ++c) {
+    const Contact &start = trial_contacts_[c], &end = tried_[c];
+    if (start.closed() || !end.closed() || solution.impact.hit[c]) continue;
+    if (-start.gap.change(state_.velocity) > least_approach(blocks_, start, dt)) also[c] = 1;
+  }
+  return also != before && std::find(also.begin(), also.end(), 1) != also.end();
+}
+
+Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
+  const StepStart start{.rule = step_rule(analysis_),
+                        .dt = dt,
+                        .velocity = start_velocity(),
+                        .acceleration = state_.acceleration,
+                        .jump = impact.jump,
+                        .jump_path = impact.jump_path};
   {
     const Stopwatch watch(times_.assembly);
     system_.set_step(state_, start, held_stiffness_);
@@ -232,7 +267,35 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     return true;
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
+  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged) hold_closed_contacts(dt, d, next);
   return true;
+}
+
+void Stepper::hold_closed_contacts(double dt, const VectorXd& d, BlockState& next) {
+  std::vector<HeldContact> held;
+  bool moves = false;
+  for (const Contact& contact : tried_) {
+    if (contact.normal <= 0) continue;
+    const MovingVertexEdge& m = contact.motion;
+    const VertexEdgePlace place = m.at(d);
+    const bool sticks = contact.history.state == ContactState::stick;
+    HeldContact rates;
+    const VertexEdgeGradient along = gap_gradient(place), across = slip_gradient(place, contact.history.lock);
+    for (const auto& [form, gradient] : {std::pair{&rates.gap, &along}, std::pair{&rates.slip, &across}}) {
+      m.i.add_to(*form, gradient->i);
+      m.j.add_to(*form, gradient->j);
+      m.k.add_to(*form, gradient->k);
+    }
+    rates.tangential = sticks;
+    const double negligible =
+        std::max(negligible_rate * blocks_.gravity.norm() * dt, 1e-12 * contact.size / dt);
+    moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
+            (sticks && std::abs(rates.slip.change(next.velocity)) > negligible);
+    held.push_back(rates);
+  }
+  if (!moves) return;
+  blocks_.prepare(next);
+  next.velocity += hold(blocks_, held, next.velocity).jump;
 }
 
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
@@ -241,6 +304,12 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   account_step(blocks_, system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
                energy_.now);
+  energy_.now.numerical_dissipated -= solution.impact.friction_loss + solution.impact.normal_loss;
+  energy_.now.friction_dissipated += solution.impact.friction_loss;
+  energy_.now.damping_dissipated += solution.impact.normal_loss;
+  counts_.impacts += solution.impact.n_hits;
+  if (solution.impact.limited) ++counts_.limited_impacts;
+  if (!solution.impact.settled) ++counts_.unsettled_impacts;
   contacts_ = tried_;
   state_ = std::move(next);
   prepare_and_keep_momentum();

@@ -6,6 +6,7 @@
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 
 #include <string>
@@ -22,6 +23,9 @@ struct StepCounts {
   long minimizations = 0;          ///< problems with frozen bounds that the staged method had to solve
   long augmentations = 0;
   long broken_bonds = 0;
+  long impacts = 0;           ///< contacts that met with a speed that counts
+  long limited_impacts = 0;   ///< impacts whose restitution was reduced so that no energy arose
+  long unsettled_impacts = 0; ///< impacts whose friction did not agree with their normal impulses to the last
   long contacts_max = 0;       ///< closed at the end of a substep, at most
   long contacts = 0;           ///< closed at the end of the last one
   double max_penetration = 0;  ///< m, at the end of any substep
@@ -73,8 +77,15 @@ class Stepper {
     Residual residual;
     std::string objection;
     bool friction_unsettled = false;  ///< and nothing else
+    StepImpact impact;
   };
   Solution solve(double dt);
+  /// One try with an impact foreseen.
+  Solution solve_with(double dt, const StepImpact& impact);
+  /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
+  bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
+  /// Takes the rates of closed contacts out of the velocities of `next`, as rigid motions.
+  void hold_closed_contacts(double dt, const VectorXd& d, BlockState& next);
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(const StepStart& start, Solution& solution);
   std::string between(int contact) const;

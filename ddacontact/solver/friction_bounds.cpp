@@ -1,0 +1,46 @@
+#include <ddacontact/solver/friction_bounds.hpp>
+
+#include <ddacontact/solver/anderson.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace ddacontact {
+
+BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, VectorXd& wanted)>& solve,
+                            const BoundsOptions& options, VectorXd& bounds) {
+  constexpr int anderson_depth = 5, patience = 8;
+  constexpr double sufficient_decrease = 0.8, least_damping = 0.1;
+  BoundsReport report;
+  AndersonAcceleration acceleration(anderson_depth);
+  const VectorXd weights = VectorXd::Ones(bounds.size());
+  VectorXd wanted = bounds, next = bounds;
+  bool accelerated = true;
+  double damping = 0.5, least = std::numeric_limits<double>::infinity();
+  for (int solves_without_gain = 0; report.solves < options.max_solves;) {
+    bounds = next;
+    solve(bounds, wanted);
+    ++report.solves;
+    const VectorXd change = wanted - bounds;
+    const double difference = change.size() ? change.cwiseAbs().maxCoeff() : 0;
+    report.settled = difference == 0 || difference <= options.tolerance * bounds.cwiseMax(wanted).maxCoeff();
+    if (report.settled) return report;
+
+    solves_without_gain = difference < sufficient_decrease * least ? 0 : solves_without_gain + 1;
+    least = std::min(least, difference);
+    if (solves_without_gain == patience) {
+      solves_without_gain = 0;
+      accelerated = !accelerated;
+      acceleration.reset();
+      if (accelerated) damping = std::max(least_damping, damping / 2);
+    }
+    if (accelerated)
+      acceleration.advance(change, weights, next);
+    else
+      next += damping * change;
+    next = next.cwiseMax(0);
+  }
+  return report;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,153 @@
+#include <ddacontact/time/impacts.hpp>
+
+#include <ddacontact/block/rigid_velocity.hpp>
+#include <ddacontact/time/rigid_velocities.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The first t in [0, dt] with g + v t + a t^2 / 2 <= 0; infinity: none.
+double first_touch(double g, double v, double a, double dt) {
+  if (g <= 0) return v < 0 ? 0 : infinity;
+  const double discriminant = v * v - 2 * a * g;
+  if (discriminant < 0) return infinity;
+  // The smaller root that lies ahead, without cancellation.
+  const double t = 2 * g / (-v + std::sqrt(discriminant));
+  return t >= 0 && t <= dt ? t : infinity;
+}
+
+/// The displacements of all unknowns of blocks that go on as rigid bodies, each for its own time.
+BlockState carried(const BlockSystem& blocks, const BlockState& state, const VectorXd& velocity,
+                   const VectorXd& acceleration, const std::vector<double>& times) {
+  BlockState later = state;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
+    const Block& block = blocks.block(b);
+    const RigidVelocity v = rigid_velocity(block, velocity), a = rigid_velocity(block, acceleration);
+    const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear, centre = block.moments().centroid;
+    const Mat2 R = Eigen::Rotation2Dd(times[b] * v.angular).toRotationMatrix();
+    auto outline = later.position.middleCols(block.vertices().first, block.vertices().count);
+    outline = ((R * (outline.colwise() - centre)).colwise() + (centre + shift)).eval();
+  }
+  return later;
+}
+
+VectorXd as_velocity(const Block& block, const RigidVelocity& v) {
+  return block.rigid_modes() * Vec3(v.linear.x(), v.linear.y(), v.angular);
+}
+
+AffineForm rate_form(const VertexEdgeGradient& gradient, const MovingVertexEdge& motion) {
+  AffineForm form;
+  motion.i.add_to(form, gradient.i);
+  motion.j.add_to(form, gradient.j);
+  motion.k.add_to(form, gradient.k);
+  return form;
+}
+
+VertexEdgePlace place_in(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
+  const Range &of_vertex = blocks.block(pair.vertex_block).vertices(), &of_edge = blocks.block(pair.edge_block).vertices();
+  const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
+  return {state.position.col(of_vertex.first + pair.vertex) + shift, state.position.col(of_edge.first + pair.edge),
+          state.position.col(of_edge.first + (pair.edge + 1) % of_edge.count)};
+}
+
+}  // namespace
+
+double least_approach(const BlockSystem& blocks, const Contact& contact, double dt) {
+  return std::max(0.1 * blocks.gravity.norm() * dt, 1e-9 * contact.size / dt);
+}
+
+StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const std::vector<Contact>& contacts,
+                          const VectorXd& velocity, double dt, const std::vector<char>& also) {
+  StepImpact result;
+  result.jump = result.jump_path = VectorXd::Zero(velocity.size());
+  result.hit.assign(contacts.size(), 0);
+
+  std::vector<bool> touches(blocks.n_blocks(), false);
+  for (const Contact& contact : contacts)
+    if (contact.closed()) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = true;
+  VectorXd acceleration = VectorXd::Zero(velocity.size());
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (touches[b] || !blocks.is_free(b)) continue;
+    const Range& u = blocks.block(b).unknowns();
+    acceleration.segment(u.first, u.count) = blocks.block(b).rigid_modes().leftCols<2>() * blocks.gravity;
+  }
+
+  std::vector<double> times(blocks.n_blocks(), infinity);
+  std::vector<double> approaches(contacts.size(), 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const double rate = contact.gap.change(velocity), growth = contact.gap.change(acceleration),
+                 gap_now = contact.gap.constant - contact.history.gap_offset;
+    const bool near = contact.closed() || gap_now <= contact.length_tolerance;
+    double time = first_touch(near ? 0 : gap_now, rate, growth, dt);
+    if (!std::isfinite(time) && !also.empty() && also[c]) time = rate < 0 ? std::min(dt, std::max(gap_now, 0.0) / -rate) : infinity;
+    if (!std::isfinite(time)) continue;
+    const double slip_then = contact.slip.constant + time * contact.slip.change(velocity);
+    if (!contact.closed() && !contact.is_on_edge(slip_then)) continue;
+    approaches[c] = -(rate + time * growth);
+    if (approaches[c] <= least_approach(blocks, contact, dt)) continue;
+    result.hit[c] = 1;
+    ++result.n_hits;
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) times[b] = std::min(times[b], time);
+  }
+  if (result.n_hits == 0) return result;
+
+  // Everyone collides where he is when he is hit, turned by then.
+  std::vector<RigidVelocity> at_start;
+  for (int b = 0; b < blocks.n_blocks(); ++b) at_start.push_back(rigid_velocity(blocks.block(b), velocity));
+  const BlockState then = carried(blocks, state, velocity, acceleration, times);
+  blocks.prepare(then);
+  VectorXd before = velocity;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
+    const Range& u = blocks.block(b).unknowns();
+    before.segment(u.first, u.count) = as_velocity(blocks.block(b), at_start[b]) + times[b] * acceleration.segment(u.first, u.count);
+  }
+  std::vector<ImpactContact> taking_part;
+  double least = infinity;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (!result.hit[c] && !contact.closed()) continue;
+    const VertexEdgePlace place = place_in(blocks, then, contact.pair);
+    const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
+    const JointLaw& law = contact.law;
+    const bool bonded = contact.history.bonded && (law.cohesion > 0 || law.tension > 0);
+    taking_part.push_back({rate_form(gap_gradient(place), contact.motion),
+                           rate_form(slip_gradient(place, contact.history.lock), contact.motion),
+                           shear_bound(law, 1, false), bounces ? law.restitution : 0, bonded});
+    if (result.hit[c]) least = std::min(least, least_approach(blocks, contact, dt));
+  }
+  const JumpReport report = impact(blocks, taking_part, before, {.least_approach = least / 2});
+  result.friction_loss = report.friction_loss;
+  result.normal_loss = report.normal_loss;
+  result.limited = report.limited;
+  result.settled = report.settled;
+
+  double earliest = infinity;
+  for (double t : times) earliest = std::min(earliest, t);
+  std::vector<RigidVelocity> jumps;
+  for (int b = 0; b < blocks.n_blocks(); ++b) jumps.push_back(rigid_velocity(blocks.block(b), report.jump));
+  blocks.prepare(state);
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Block& block = blocks.block(b);
+    const Range& u = block.unknowns();
+    auto jump = result.jump.segment(u.first, u.count);
+    jump = report.jump.segment(u.first, u.count);
+    if (blocks.is_free(b))
+      jump = as_velocity(block, jumps[b]);
+    result.jump_path.segment(u.first, u.count) = (dt - (std::isfinite(times[b]) ? times[b] : earliest)) * jump;
+  }
+  return result;
+}
+
+}  // namespace ddacontact

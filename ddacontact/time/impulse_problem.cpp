@@ -1,0 +1,149 @@
+#include <ddacontact/time/impulse_problem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Springs against rates are so many times as stiff as the least mobile block under any contact: a round of
+/// multipliers leaves the inverse of this of an error, more in long chains.
+constexpr double stiffness_factor = 1e4;
+constexpr int max_rounds = 60;
+/// The rates have come down to round-off when as many rounds have not lessened them.
+constexpr int max_rounds_without_gain = 3;
+
+std::vector<int> all_rows(int n) {
+  std::vector<int> rows(static_cast<std::size_t>(n));
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
+}
+
+/// The rate that a unit impulse makes at the least mobile of the form's blocks; infinity: none moves.
+double least_mobility(const RigidMotions& motions, const AffineForm& form) {
+  std::map<int, double> of_block;
+  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
+    of_block[motions.block_of(form.unknowns()[k])] += std::pow(form.coefficients()[k], 2);
+  double least = infinity;
+  for (const auto& [block, mobility] : of_block)
+    if (mobility > 0) least = std::min(least, mobility);
+  return least;
+}
+
+}  // namespace
+
+ImpulseProblem::ImpulseProblem(const RigidMotions& motions, std::vector<ContactTerm> terms)
+    : terms_(std::move(terms)), n_(motions.n_coefficients()), problem_(all_rows(n_), n_) {
+  double least = infinity;
+  for (const ContactTerm& term : terms_) {
+    for (const AffineForm* form : {&term.gap, &term.slip}) {
+      least = std::min(least, least_mobility(motions, *form));
+      for (double c : form->coefficients()) steepest_ = std::max(steepest_, std::abs(c));
+    }
+  }
+  for (ContactTerm& term : terms_)
+    term.normal_stiffness = term.tangential_stiffness = stiffness_factor / least;
+  std::vector<Range> elements;
+  for (int k = 0; k < n_; ++k) elements.push_back({k, 1});
+  problem_.set_pattern(elements, terms_);
+  for (int k = 0; k < n_; ++k) problem_.element(k)(0, 0) = 1;
+  problem_.matrices_changed();
+}
+
+void ImpulseProblem::set_bounds(const VectorXd& bounds) {
+  for (std::size_t c = 0; c < terms_.size(); ++c) {
+    ContactTerm& term = terms_[c];
+    if (std::isinf(term.bound)) continue;
+    term.bound = bounds[static_cast<Index>(c)];
+    term.tangential_multiplier = std::clamp(term.tangential_multiplier, -term.bound, term.bound);
+  }
+}
+
+NormalAndShear ImpulseProblem::impulses() const {
+  const auto n = static_cast<Index>(terms_.size());
+  NormalAndShear impulses{VectorXd(n), VectorXd(n)};
+  for (std::size_t c = 0; c < terms_.size(); ++c) {
+    impulses.normal[static_cast<Index>(c)] = terms_[c].normal_multiplier;
+    impulses.shear[static_cast<Index>(c)] = terms_[c].tangential_multiplier;
+  }
+  return impulses;
+}
+
+void ImpulseProblem::set_impulses(const NormalAndShear& impulses) {
+  for (std::size_t c = 0; c < terms_.size(); ++c) {
+    terms_[c].normal_multiplier = impulses.normal[static_cast<Index>(c)];
+    terms_[c].tangential_multiplier = impulses.shear[static_cast<Index>(c)];
+  }
+}
+
+VectorXd ImpulseProblem::change(const NormalAndShear& impulses) const {
+  VectorXd w = VectorXd::Zero(n_);
+  for (std::size_t c = 0; c < terms_.size(); ++c) {
+    terms_[c].gap.add_gradient(impulses.normal[static_cast<Index>(c)], w);
+    terms_[c].slip.add_gradient(impulses.shear[static_cast<Index>(c)], w);
+  }
+  return w;
+}
+
+NormalAndShear ImpulseProblem::change_of_rates(const VectorXd& w) const {
+  const auto n = static_cast<Index>(terms_.size());
+  NormalAndShear rates{VectorXd(n), VectorXd(n)};
+  for (std::size_t c = 0; c < terms_.size(); ++c) {
+    rates.normal[static_cast<Index>(c)] = terms_[c].gap.change(w);
+    rates.shear[static_cast<Index>(c)] = terms_[c].slip.change(w);
+  }
+  return rates;
+}
+
+void ImpulseProblem::set_rates(const NormalAndShear& rates, const VectorXd& w) {
+  for (std::size_t c = 0; c < terms_.size(); ++c) {
+    terms_[c].gap.constant = rates.normal[static_cast<Index>(c)] + terms_[c].gap.change(w);
+    terms_[c].slip.constant = rates.shear[static_cast<Index>(c)] + terms_[c].slip.change(w);
+  }
+}
+
+double ImpulseProblem::largest_rate() const {
+  double largest = 0;
+  for (const ContactTerm& term : terms_) {
+    const bool pressed = term.normal == ContactTerm::Normal::bilateral || term.normal_multiplier > 0;
+    largest = std::max(largest, pressed ? std::abs(term.gap.constant) : -term.gap.constant);
+    if (term.sheared && std::abs(term.tangential_multiplier) < term.bound)
+      largest = std::max(largest, std::abs(term.slip.constant));
+  }
+  return largest;
+}
+
+bool ImpulseProblem::solve(const NormalAndShear& rates, double tolerance) {
+  const VectorXd zero = VectorXd::Zero(n_);
+  const MinimizeOptions options{.unknown_lengths = VectorXd::Ones(n_),
+                                .tolerance = 0.1 * tolerance / steepest_};
+  VectorXd w = change(impulses()), d;
+  set_rates(rates, w);
+  double least = infinity;
+  for (int rounds_without_gain = 0, round = 0; round < max_rounds; ++round) {
+    d = zero;
+    if (problem_.minimize(terms_, zero, w, options, d).status != MinimizeStatus::converged) return false;
+    ++n_rounds_;
+    for (ContactTerm& term : terms_) {
+      const ContactForce impulse = contact_force(term, d);
+      term.normal_multiplier = impulse.normal;
+      term.tangential_multiplier = impulse.shear;
+    }
+    w = change(impulses());
+    set_rates(rates, w);
+    const double largest = largest_rate();
+    if (largest <= tolerance) return true;
+    rounds_without_gain = largest < 0.9 * least ? 0 : rounds_without_gain + 1;
+    if (rounds_without_gain == max_rounds_without_gain) return false;
+    least = std::min(least, largest);
+  }
+  return false;
+}
+
+}  // namespace ddacontact

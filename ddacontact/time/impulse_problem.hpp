@@ -1,0 +1,52 @@
+/// \file Impulses between rigid motions with frozen friction bounds.
+#pragma once
+
+#include <ddacontact/solver/friction_problem.hpp>
+#include <ddacontact/time/rigid_motions.hpp>
+
+namespace ddacontact {
+
+/// A number for the normal direction and one for the shear of every contact: impulses, or rates of gap and
+/// slip.
+struct NormalAndShear {
+  VectorXd normal, shear;
+};
+
+/// The change w of the coefficients of rigid motions of least |w|^2 / 2 that contacts allow: their impulses
+/// are multipliers of the rates, found in rounds of penalty problems. Each round starts from the change that
+/// its multipliers make, so that the springs see small rates only and do not take up the round-off of large
+/// ones.
+class ImpulseProblem {
+ public:
+  /// \param[in] terms  forms of the coefficients, kinds and bounds; stiffnesses are chosen here
+  ImpulseProblem(const RigidMotions& motions, std::vector<ContactTerm> terms);
+
+  /// Replaces the bounds of shear but those that are infinite.
+  void set_bounds(const VectorXd& bounds);
+  NormalAndShear impulses() const;
+  void set_impulses(const NormalAndShear& impulses);
+  /// The change w that impulses make, and those of the rates that a change w makes.
+  VectorXd change(const NormalAndShear& impulses) const;
+  NormalAndShear change_of_rates(const VectorXd& w) const;
+
+  /// Finds the impulses, starting from those set, when `rates` are those without any; false when rates that
+  /// should vanish remain larger than the tolerance.
+  bool solve(const NormalAndShear& rates, double tolerance);
+
+  /// After the last `solve`, that should vanish: approach, separation under an impulse, slip while sticking.
+  double largest_rate() const;
+  /// Problems of penalties and Newton iterations so far.
+  int n_rounds() const { return n_rounds_; }
+  int n_iterations() const { return problem_.n_iterations(); }
+
+ private:
+  void set_rates(const NormalAndShear& rates, const VectorXd& w);
+
+  std::vector<ContactTerm> terms_;
+  int n_;
+  double steepest_ = 0;  ///< the largest coefficient of a rate: an error of w makes so large a one of it
+  FrictionProblem problem_;
+  int n_rounds_ = 0;
+};
+
+}  // namespace ddacontact

@@ -1,0 +1,75 @@
+#include <ddacontact/time/rigid_motions.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace ddacontact {
+
+namespace {
+
+/// Combinations of the rigid modes that do not move the held unknowns.
+MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
+  const auto [first, count] = block.unknowns();
+  std::vector<Index> held;
+  for (int k = 0; k < count; ++k)
+    if (blocks.equation()[first + k] < 0) held.push_back(k);
+  if (held.empty()) return block.rigid_modes();
+
+  MatrixXd modes = block.rigid_modes();
+  modes.col(2) /= block.size();  // comparable to the translations
+  Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
+  rows.setThreshold(1e-9);
+  if (rows.dimensionOfKernel() == 0) return MatrixXd(count, 0);
+  MatrixXd allowed = modes * rows.kernel();
+  allowed(held, Eigen::all).setZero();
+  return allowed;
+}
+
+}  // namespace
+
+RigidMotions::RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks)
+    : part_of_unknown_(static_cast<std::size_t>(blocks.n_unknowns()), -1) {
+  for (int b : of_blocks) {
+    const Block& block = blocks.block(b);
+    MatrixXd modes = allowed_modes(blocks, block);
+    if (modes.cols() == 0) continue;
+    const Eigen::LLT<MatrixXd> mass(modes.transpose() * block.mass() * modes);
+    const MatrixXd normalized = mass.matrixL().solve(modes.transpose());
+    std::fill_n(part_of_unknown_.begin() + block.unknowns().first, block.unknowns().count,
+                static_cast<int>(parts_.size()));
+    parts_.push_back({&block, n_coefficients(), normalized.transpose()});
+    block_of_.insert(block_of_.end(), static_cast<std::size_t>(modes.cols()), b);
+  }
+}
+
+VectorXd RigidMotions::coefficients(const VectorXd& velocity) const {
+  VectorXd q(n_coefficients());
+  for (const Part& part : parts_) {
+    const auto [first, count] = part.block->unknowns();
+    q.segment(part.first, part.modes.cols()) =
+        part.modes.transpose() * (part.block->mass() * velocity.segment(first, count));
+  }
+  return q;
+}
+
+void RigidMotions::add_motion(const VectorXd& q, VectorXd& velocity) const {
+  for (const Part& part : parts_) {
+    const auto [first, count] = part.block->unknowns();
+    velocity.segment(first, count) += part.modes * q.segment(part.first, part.modes.cols());
+  }
+}
+
+AffineForm RigidMotions::rate_form(const AffineForm& form) const {
+  AffineForm rate;
+  for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
+    const int u = form.unknowns()[k];
+    if (part_of_unknown_[u] < 0) continue;
+    const Part& part = parts_[part_of_unknown_[u]];
+    for (Index m = 0; m < part.modes.cols(); ++m)
+      rate.add(part.first + static_cast<int>(m),
+               form.coefficients()[k] * part.modes(u - part.block->unknowns().first, m));
+  }
+  return rate;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,64 @@
+/// \file Jumps of velocity of blocks as rigid bodies: impacts, and rates taken out of closed contacts.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// A contact that may take part in an impact; of its forms only the coefficients matter.
+struct ImpactContact {
+  AffineForm gap, slip;    ///< over the same unknowns in the same order
+  double friction = 0;     ///< |P_T| <= friction P_N
+  double restitution = 0;  ///< 0 .. 1, of the normal impulse; 0 where blocks merely touch
+  bool bonded = false;     ///< no relative motion at all; takes no restitution
+};
+
+/// What passes through a contact, N s per m of thickness: on the gap and on the slip.
+struct ContactImpulse {
+  double normal = 0, shear = 0;
+};
+
+/// What starts an impact, and how well it is solved.
+struct ImpactOptions {
+  double least_approach = 0;  ///< m/s: only islands with a contact that approaches faster take part
+  double tolerance = 1e-10;   ///< of the largest approach: rates that should vanish
+};
+
+/// A jump of velocities.
+struct JumpReport {
+  bool settled = true;  ///< rates that should vanish do, and friction agrees with the normal impulses
+  /// The impulses of restitution, or all, had to be taken in part so that no kinetic energy arises.
+  bool limited = false;
+  VectorXd jump;                         ///< of the velocities of all unknowns
+  std::vector<ContactImpulse> impulses;  ///< of every contact
+  double friction_loss = 0;  ///< - sum of P_T and the mean of the slip rates before and after, J per m
+  double normal_loss = 0;    ///< the same of normal impulses; the two are the kinetic energy lost
+  double largest_rate = 0;   ///< that should have vanished, in an impact at the end of compression, m/s
+  int n_contacts = 0;        ///< that took part
+  int solves = 0;            ///< problems with frozen friction bounds
+  int rounds = 0;            ///< of multipliers in all of them
+  int iterations = 0;        ///< of Newton's method in all of them
+};
+
+/// The jump of the velocities v when contacts collide: impulses P_N >= 0 that leave no approach, P_N u_N = 0,
+/// with friction |P_T| <= mu P_N opposed to the slip (compression); then, as Poisson, e P_N is given back at
+/// each contact, and contact and friction act once more, so that nothing approaches in the end. u are rates
+/// of the forms, of all unknowns; the jump is a rigid motion of each block that its held unknowns allow, on
+/// the shapes last prepared. Momentum is that of the impulses, equal and opposite. The kinetic energy never
+/// rises.
+JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
+                  const ImpactOptions& options);
+
+/// A contact whose rates shall vanish.
+struct HeldContact {
+  AffineForm gap, slip;  ///< over the same unknowns in the same order
+  bool normal = true, tangential = false;
+};
+
+/// The jump of least kinetic energy, rigid in each block, after which the rates named vanish. Contacts may
+/// say the same more than once. The kinetic energy never rises.
+JumpReport hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, const VectorXd& v);
+
+}  // namespace ddacontact
