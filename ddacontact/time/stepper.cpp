@@ -208,7 +208,8 @@ void Stepper::solve_by_open_close(Solution& solution) {
 
 void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
   // Where the blocks would go without forces; held unknowns where they should be.
-  solution.d = start.dt * start.velocity + start.jump_path;
+  solution.d = VectorXd::Zero(blocks_.n_unknowns());
+  system_.add_change(start.dt * start.velocity + start.jump_path, solution.d);
   for (const HeldUnknown& held : blocks_.held_unknowns())
     solution.d[held.unknown] = system_.prescribed()[held.unknown];
   StagedReport report = solve_staged(system_, staged_, tried_, solution.d);
@@ -267,7 +268,8 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     return true;
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
-  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged) hold_closed_contacts(dt, d, next);
+  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
+    hold_closed_contacts(dt, d, next);
   return true;
 }
 
@@ -327,7 +329,8 @@ void Stepper::prepare_and_keep_momentum() {
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
   blocks_.prepare(state_);
-  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static()) return;
+  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static())
+    return;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);
