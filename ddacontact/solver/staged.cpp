@@ -24,6 +24,9 @@ constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-4;
 /// Stage 0 is going nowhere when forces that are left over have grown so much since the step began.
 constexpr double most_growth = 1e6;
+/// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
+/// that have turned since leave stiff forces in soft directions.
+constexpr double stale_factor_gain = 0.1;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
 /// Bonds that exceed their strength by this part of the worst excess break together.
@@ -241,11 +244,12 @@ class Staged {
       look();
     }
     if (since_best_ > 3 * patience) return begin_minimizing();
-    if (solutions_of_states_ == 0 || since_best_ >= patience) {
+    if (solutions_of_states_ == 0 || report_.residual.own > stale_factor_gain * last_own_) {
       system_.linearize(d_);
-      acceleration_.reset();
+      if (solutions_of_states_ == 0) acceleration_.reset();
       if (solutions_of_states_ == 0) first_of_states_ = report_.residual.own;
     }
+    last_own_ = report_.residual.own;
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
     if (!system_.problem().factorize(terms_, active)) return begin_minimizing();
@@ -434,7 +438,7 @@ class Staged {
   std::vector<unsigned char> states_;
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0;
-  double first_of_states_ = infinity, first_largest_ = 0;
+  double last_own_ = infinity, first_of_states_ = infinity, first_largest_ = 0;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 
