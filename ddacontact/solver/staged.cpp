@@ -19,6 +19,10 @@ constexpr double stiffness_ratio = 10;
 constexpr int anderson_depth = 8, bounds_depth = 5;
 /// Stage 0 gives up after so many changes of the states, and may be returned to so often.
 constexpr int most_changes = 12, most_returns = 3;
+/// It also gives up when so many changes left no fewer contacts in a state that is not theirs.
+constexpr int most_losses = 1;
+/// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
+constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
 constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-4;
@@ -218,25 +222,30 @@ class Staged {
   void follow_states_from_here() {
     for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
     best_ = infinity;
-    since_best_ = changes_ = solutions_of_states_ = 0;
+    since_best_ = changes_ = solutions_of_states_ = lost_ = 0;
+    fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
     seen_.clear();
     follows_states_ = true;
     minimizing_ = false;
     look();
   }
 
-  bool states_agree() const {
-    if (!follows_states_) return true;
+  int count_disagreeing() const {
+    int count = 0;
     for (std::size_t c = 0; c < terms_.size(); ++c)
-      if (state_at_d(terms_[c]) != states_[c]) return false;
-    return true;
+      if (state_at_d(terms_[c]) != states_[c]) ++count;
+    return count;
   }
+  bool states_agree() const { return !follows_states_ || count_disagreeing() == 0; }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
     const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
+      const int disagreeing = count_disagreeing();
+      if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return begin_minimizing();
+      fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
       if (!seen_.insert(states_).second || ++changes_ > most_changes) return begin_minimizing();
       solutions_of_states_ = 0;
@@ -255,7 +264,10 @@ class Staged {
     if (!system_.problem().factorize(terms_, active)) return begin_minimizing();
     solve_coupled(system_.problem(), couplings(), report_.residual.force, correction_);
     VectorXd next = d_;
-    acceleration_.advance(-correction_, system_.unknown_lengths(), next);
+    if (solutions_of_states_ >= first_accelerated)
+      acceleration_.advance(-correction_, system_.unknown_lengths(), next);
+    else
+      next -= correction_;
     system_.add_change(next - d_, d_);
     ++report_.iterations;
     ++solutions_of_states_;
@@ -437,7 +449,8 @@ class Staged {
   bool follows_states_ = true;
   std::vector<unsigned char> states_;
   std::set<std::vector<unsigned char>> seen_;
-  int changes_ = 0, solutions_of_states_ = 0;
+  int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
+  int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
   double last_own_ = infinity, first_of_states_ = infinity, first_largest_ = 0;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
