@@ -79,7 +79,9 @@ class Staged {
         augment();
         continue;
       }
-      if (report_.iterations >= options_.max_solutions) return end(StagedStatus::unsettled);
+      if (report_.iterations >= options_.max_solutions ||
+          (!follows_states_ && report_.minimizations >= options_.max_minimizations))
+        return end(StagedStatus::unsettled);
       if (!(follows_states_ ? follow_states() : minimize())) return end(StagedStatus::not_positive_definite);
     }
   }
@@ -226,7 +228,6 @@ class Staged {
     fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
     seen_.clear();
     follows_states_ = true;
-    minimizing_ = false;
     look();
   }
 
@@ -290,7 +291,6 @@ class Staged {
   /// Goes back to where the step began, with the friction bounds of the step before.
   bool begin_minimizing() {
     follows_states_ = false;
-    minimizing_ = true;
     d_ = *start_;
     look();
     bounds_.resize(static_cast<Index>(terms_.size()));
@@ -455,7 +455,6 @@ class Staged {
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 
-  bool minimizing_ = false;
   int returns_ = 0;
   VectorXd bounds_;
   AndersonAcceleration bounds_acceleration_;

@@ -13,6 +13,7 @@ struct StagedOptions {
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   bool mean_forces = false;          ///< contact forces act at the middle of the step
   int max_solutions = 600;
+  int max_minimizations = 600;  ///< 0: stage 0 alone
   int max_augmentations = 10;
 };
 

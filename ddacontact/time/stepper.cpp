@@ -52,6 +52,25 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   energy_.start();
 }
 
+StepRecord Stepper::record() const {
+  return {counts_.steps, begun_, substep_, state_, contacts_};
+}
+
+void Stepper::restore(StepRecord record) {
+  counts_.steps = record.steps;
+  begun_ = record.begun;
+  substep_ = record.substep;
+  state_ = std::move(record.state);
+  contacts_ = std::move(record.contacts);
+  blocks_.prepare(state_, true);
+  detected_ = false;
+  reach_scale_ = 1;
+  energy_ = {};
+  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  energy_.start();
+}
+
 bool Stepper::step() {
   const double end = static_cast<double>(counts_.steps + 1) * analysis_.time_step;
   while (true) {
@@ -127,8 +146,8 @@ Stepper::Try Stepper::try_step(double dt) {
 void Stepper::detect(double dt) {
   const Stopwatch watch(times_.detection);
   reach_ = limits_.reach(state_, dt, reach_scale_);
-  trial_contacts_ = counts_.substeps == 0 ? contact_builder_.build_first(state_, reach_)
-                                          : contact_builder_.build(state_, reach_, contacts_);
+  trial_contacts_ = !begun_ ? contact_builder_.build_first(state_, reach_)
+                            : contact_builder_.build(state_, reach_, contacts_);
   detected_ = true;
 }
 
@@ -319,6 +338,8 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
   energy_.close_step();
   ++counts_.substeps;
+  counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
+  begun_ = true;
   last_dt_ = dt;
   detected_ = false;
   reach_scale_ = 1;
