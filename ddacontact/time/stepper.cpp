@@ -46,7 +46,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       reactions_(Points::Zero(2, state_.position.cols())),
       substep_(analysis.time_step) {
   blocks_.prepare(state_, true);
-  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, analysis.time_step, 1));
+  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis.time_step, 1));
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
   energy_.start();
@@ -75,7 +75,7 @@ bool Stepper::step() {
   const double end = static_cast<double>(counts_.steps + 1) * analysis_.time_step;
   while (true) {
     const double remaining = end - state_.time;
-    const double wanted = std::min(substep_, limits_.foreseen_step(state_));
+    const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
     const double shortest = shortest_substep * analysis_.time_step;
     const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
     const double dt = remaining / pieces;
@@ -145,7 +145,7 @@ Stepper::Try Stepper::try_step(double dt) {
 
 void Stepper::detect(double dt) {
   const Stopwatch watch(times_.detection);
-  reach_ = limits_.reach(state_, dt, reach_scale_);
+  reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
   trial_contacts_ = !begun_ ? contact_builder_.build_first(state_, reach_)
                             : contact_builder_.build(state_, reach_, contacts_);
   detected_ = true;
