@@ -33,6 +33,10 @@ constexpr double most_growth = 1e6;
 constexpr double stale_factor_gain = 0.1;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
+/// Solutions with frozen bounds without a better residual after which bounds are changed by a part only.
+constexpr int patient_bounds = 8;
+/// A correction moves no block further than this part of its size.
+constexpr double largest_move = 0.25;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 
@@ -269,7 +273,7 @@ class Staged {
       acceleration_.advance(-correction_, system_.unknown_lengths(), next);
     else
       next -= correction_;
-    system_.add_change(next - d_, d_);
+    move_by(next - d_);
     ++report_.iterations;
     ++solutions_of_states_;
     look();
@@ -323,9 +327,8 @@ class Staged {
     }
     const VectorXd moved = d_ - d0;
     d_ = d0;
-    system_.add_change(moved, d_);
-    bounds_acceleration_.advance(change, VectorXd::Ones(bounds_.size()), bounds_);
-    bounds_ = bounds_.cwiseMax(0);
+    move_by(moved);
+    improve_bounds(change);
     look();
 
     std::vector<unsigned char> now(terms_.size());
@@ -336,6 +339,21 @@ class Staged {
     }
     settled_states_ = std::move(now);
     return true;
+  }
+
+  /// Accelerated as long as that gains, then ever more cautious.
+  void improve_bounds(const VectorXd& change) {
+    if (since_best_ < patient_bounds)
+      bounds_acceleration_.advance(change, VectorXd::Ones(bounds_.size()), bounds_);
+    else
+      bounds_ += change * patient_bounds / (patient_bounds + since_best_);
+    bounds_ = bounds_.cwiseMax(0);
+  }
+
+  /// What is linear holds for small changes.
+  void move_by(const VectorXd& change) {
+    const double furthest = system_.largest_relative_move(change);
+    system_.add_change(furthest > largest_move ? VectorXd(change * (largest_move / furthest)) : change, d_);
   }
 
   /// Breaks the bonds that bear more than their strength, the worst first; false: none does.

@@ -160,6 +160,17 @@ void StepSystem::add_change(const VectorXd& change, VectorXd& d) const {
   }
 }
 
+double StepSystem::largest_relative_move(const VectorXd& change) const {
+  double largest = 0;
+  for (int b : active_) {
+    const Range& u = blocks_.block(b).unknowns();
+    const auto moves =
+        change.segment(u.first, u.count).cwiseProduct(unknown_lengths_.segment(u.first, u.count));
+    largest = std::max(largest, moves.lpNorm<Eigen::Infinity>() / blocks_.block(b).size());
+  }
+  return largest;
+}
+
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {
   if (element_of_block_[b] < 0) return std::numeric_limits<double>::infinity();
   const Block& block = blocks_.block(b);

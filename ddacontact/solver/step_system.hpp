@@ -44,6 +44,8 @@ class StepSystem {
   void linearize(const VectorXd& d);
   /// d += change, the rotations of free blocks carried out as such, see Block::add_change.
   void add_change(const VectorXd& change, VectorXd& d) const;
+  /// The furthest that a change moves a block, relative to the block's size.
+  double largest_relative_move(const VectorXd& change) const;
   /// The matrix, its factor and what is solved with it.
   FrictionProblem& problem() { return problem_; }
   const FrictionProblem& problem() const { return problem_; }
