@@ -18,8 +18,8 @@ struct BlockMaterial {
 ///
 /// Unknowns, outline vertices and integration points are ranges of the arrays of BlockState, given once by
 /// `place`. `prepare` makes the block ready for a state; `begin_step` for a step from there. Everything else
-/// speaks of the state last prepared and the step last begun. Vectors of one block are in the order of its own
-/// unknowns. Forces are per metre of thickness.
+/// speaks of the state last prepared and the step last begun. Vectors of one block are in the order of its
+/// own unknowns. Forces are per metre of thickness.
 class Block {
  public:
   virtual ~Block() = default;
@@ -74,11 +74,16 @@ class Block {
   virtual void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const = 0;
   /// Their derivative by d, next to exact, symmetric positive definite: n_unknowns x n_unknowns.
   virtual void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const = 0;
-  /// Writes the block's place, velocity, acceleration and stress after the step into `next`, which holds those
-  /// before it. `external` are all forces that acted on it, of its own unknowns: free blocks take their
+  /// d += change, where the block's frame turns with it the rotation in `change` carried out as one:
+  /// rotations that are added up stretch the block.
+  virtual void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
+    d += change;
+  }
+  /// Writes the block's place, velocity, acceleration and stress after the step into `next`, which holds
+  /// those before it. `external` are all forces that acted on it, of its own unknowns: free blocks take their
   /// momentum from them (and with forces at the middle their angular momentum).
-  virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
-                        BlockState& next) const = 0;
+  virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
+                        bool is_free, BlockState& next) const = 0;
 
   /// At the integration points, axes of the model, 3 x n_stress_points.
   virtual Tensors stress(const BlockState& state) const = 0;
@@ -86,10 +91,10 @@ class Block {
   virtual double stored_energy(const Eigen::Ref<const VectorXd>& d) const = 0;
   /// Integral of sigma D^-1 sigma / 2, J per m.
   double elastic_energy(const BlockState& state) const;
-  /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the shape
-  /// last prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at every point
-  /// x of the block the field nearest in energy to the stresses at the integration points. It is that field
-  /// itself while the block has not turned, since the stress is then a sum of such fields.
+  /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the
+  /// shape last prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at
+  /// every point x of the block the field nearest in energy to the stresses at the integration points. It is
+  /// that field itself while the block has not turned, since the stress is then a sum of such fields.
   virtual Points strain_displacement(const BlockState& state) const = 0;
 
  protected:

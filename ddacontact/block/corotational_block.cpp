@@ -75,7 +75,8 @@ PointMap CorotationalBlock::vertex_map(int vertex) const {
   if (shape_->basis.size() > 0) {
     for (Index u = 0; u < shape_->basis.cols(); ++u) {
       const Vec2 column =
-          (shape_->outline.row(vertex) * shape_->basis.col(u).reshaped(2, shape_->nodes.cols()).transpose()).transpose();
+          (shape_->outline.row(vertex) * shape_->basis.col(u).reshaped(2, shape_->nodes.cols()).transpose())
+              .transpose();
       map.add(first + static_cast<int>(u), column);
     }
     return map;
@@ -128,8 +129,8 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   path_ = dt_ * velocity_ + jump_path_;
   shape_->elastic.frame(y0_, start_);
   initial_force_.resize(2 * y0_.cols());
-  polyfem::stress_forces(shape_->element,
-                         state.stress.middleCols(stress_points().first, stress_points().count), initial_force_);
+  polyfem::stress_forces(
+      shape_->element, state.stress.middleCols(stress_points().first, stress_points().count), initial_force_);
 
   const double end_share = rule_.mean_forces() ? 0.5 + rule_.decay() : 1;
   reference_tangent_ = (end_share + rule_.damping.stiffness / dt_) * shape_->elastic.stiffness() +
@@ -188,8 +189,10 @@ void CorotationalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces&
   forces.damping = forces_on_unknowns(rule_.damping.mass / dt_ * step * shape_->mass);
   if (rule_.damping.stiffness > 0) {
     VectorXd damped;
-    elastic_force(end, initial_force_ + rule_.damping.stiffness / dt_ * (shape_->elastic.stiffness() * (end.u - start_.u)),
-                  damped);
+    elastic_force(
+        end,
+        initial_force_ + rule_.damping.stiffness / dt_ * (shape_->elastic.stiffness() * (end.u - start_.u)),
+        damped);
     forces.damping += forces_on_unknowns((damped - f).reshaped(2, step.cols()));
   }
 }
@@ -197,20 +200,32 @@ void CorotationalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces&
 void CorotationalBlock::tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const {
   Frame end;
   shape_->elastic.frame(y0_ + to_nodes(d), end);
-  polyfem::rotate(reference_tangent_, rule_.mean_forces() ? polyfem::mid_rotation(start_, end) : end.rotation, A);
+  polyfem::rotate(reference_tangent_, rule_.mean_forces() ? polyfem::mid_rotation(start_, end) : end.rotation,
+                  A);
   if (shape_->basis.size() > 0) A = (shape_->basis.transpose() * A * shape_->basis).eval();
 }
 
-void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
-                                 bool is_free, BlockState& next) const {
+void CorotationalBlock::add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
+  const Points y = y0_ + to_nodes(d);
+  const Motion motion = split(y, to_nodes(change));
+  const Mat2 turn = Eigen::Rotation2Dd(motion.angular).toRotationMatrix() - Mat2::Identity();
+  const Points arms = y - centre(y) * shape_->translation.transpose() + motion.deformation;
+  d += to_unknowns(turn * arms + motion.deformation + motion.linear * shape_->translation.transpose());
+}
+
+void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
+                                 const Eigen::Ref<const VectorXd>& external, bool is_free,
+                                 BlockState& next) const {
   const Range &u = unknowns(), &v = vertices();
   const Points step = to_nodes(d), y1 = y0_ + step;
   next.position.middleCols(v.first, v.count) = y1 * shape_->outline.transpose();
   Frame end;
   shape_->elastic.frame(y1, end);
 
-  const Points acceleration = rule_.inertia() / (dt_ * dt_) * (step - path_) - rule_.history() * acceleration_;
-  Points velocity = velocity_ + jump_ + dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
+  const Points acceleration =
+      rule_.inertia() / (dt_ * dt_) * (step - path_) - rule_.history() * acceleration_;
+  Points velocity =
+      velocity_ + jump_ + dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
   if (rule_.scheme == Scheme::decaying) {
     // Rigid motion goes on, deformation has the velocity of the step's mean.
     const Motion trapezoid = split(y1, velocity);
@@ -224,12 +239,13 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eige
     const Vec2 force(external.dot(rigid_modes_.col(0)), external.dot(rigid_modes_.col(1)));
     const Motion before = split(y0_, velocity_ + jump_), end_motion = split(y1, velocity);
     const Vec2 start_acceleration = acceleration_ * mass_of_translation_ / mass_total_;
-    const Vec2 linear = before.linear + dt_ * ((1 - rule_.gamma) * start_acceleration +
-                                               rule_.gamma * (force / mass_total_));
+    const Vec2 linear =
+        before.linear + dt_ * ((1 - rule_.gamma) * start_acceleration + rule_.gamma * (force / mass_total_));
     velocity += (linear - end_motion.linear) * shape_->translation.transpose();
     if (rule_.history() != 0) {
       Points kept = to_nodes(next.acceleration.segment(u.first, u.count));
-      kept += (force / mass_total_ - kept * mass_of_translation_ / mass_total_) * shape_->translation.transpose();
+      kept +=
+          (force / mass_total_ - kept * mass_of_translation_ / mass_total_) * shape_->translation.transpose();
       next.acceleration.segment(u.first, u.count) = to_unknowns(kept);
     }
     if (rule_.mean_forces()) {

@@ -7,8 +7,8 @@
 
 namespace ddacontact {
 
-/// Matrices are computed once, of the reference shape, and turned with the block. Area and stress are exact at
-/// any rotation.
+/// Matrices are computed once, of the reference shape, and turned with the block. Area and stress are exact
+/// at any rotation.
 class CorotationalBlock final : public Block {
  public:
   CorotationalBlock(const BlockMaterial& material, const PointsRef& outline,
@@ -23,6 +23,7 @@ class CorotationalBlock final : public Block {
   VectorXd free_path() const override;
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
   void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override;
+  void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const override;
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;

@@ -26,6 +26,7 @@ struct MovingVertexEdge {
   PointMap i, j, k;
 
   VertexEdgePlace at(const VectorXd& d) const { return {start.i + i(d), start.j + j(d), start.k + k(d)}; }
+  VertexEdgePlace moved(const VectorXd& d) const { return {i(d), j(d), k(d)}; }
 };
 
 /// A vertex of one block against an edge of another, through one step.
@@ -39,8 +40,8 @@ struct Contact {
   double edge_length = 0;
   double length_tolerance = 0;  ///< gaps and slips below this are round-off, m
   double end_tolerance = 0;     ///< a vertex no further than this beyond an end of the edge is still on it, m
-  double damping = 0;           ///< dashpot over the length of the step: force by change of the gap, N/m per m
-  double size = 0;              ///< of the smaller block, held ones not counted, m
+  double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
+  double size = 0;     ///< of the smaller block, held ones not counted, m
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
   double normal = 0;        ///< N, > 0 compression

@@ -21,6 +21,18 @@ struct Edge {
   double l;
 };
 
+/// What the motion changes: b by `b`, l by `l`, t by `t`. Each is no sum of anything larger than itself.
+struct EdgeChange {
+  EdgeChange(const Edge& start, const VertexEdgePlace& by)
+      : b(by.i - by.j),
+        l((2 * start.a + by.k - by.j).dot(by.k - by.j) / (start.l + (start.a + by.k - by.j).norm())),
+        t((by.k - by.j - l * start.t()) / (start.l + l)) {}
+
+  Vec2 b;
+  double l;
+  Vec2 t;
+};
+
 /// b = i - j and a = k - j
 VertexEdgeGradient by_places(const Vec2& by_b, const Vec2& by_a) {
   return {by_b, -by_b - by_a, by_a};
@@ -51,6 +63,18 @@ double gap(const VertexEdgePlace& place) {
 double slip(const VertexEdgePlace& place, double lock) {
   const Edge edge(place);
   return edge.along_t() - lock * edge.l;
+}
+
+double gap_change(const VertexEdgePlace& start, const VertexEdgePlace& by) {
+  const Edge edge(start);
+  const EdgeChange change(edge, by);
+  return turned_clockwise(edge.t() + change.t).dot(change.b) + turned_clockwise(change.t).dot(edge.b);
+}
+
+double slip_change(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock) {
+  const Edge edge(start);
+  const EdgeChange change(edge, by);
+  return (edge.t() + change.t).dot(change.b) + change.t.dot(edge.b) - lock * change.l;
 }
 
 VertexEdgeGradient gap_gradient(const VertexEdgePlace& place) {

@@ -1,6 +1,7 @@
 #include <ddacontact/solver/staged.hpp>
 
 #include <ddacontact/solver/anderson.hpp>
+#include <ddacontact/solver/coupled_solution.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,30 @@ namespace ddacontact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A contact is at least this much stiffer than the softer side of it: augmentations converge by a tenth then.
+/// A contact is at least this much stiffer than the softer side of it: augmentations converge by a tenth
+/// then.
 constexpr double stiffness_ratio = 10;
 constexpr int anderson_depth = 8, bounds_depth = 5;
 /// Stage 0 gives up after so many changes of the states, and may be returned to so often.
 constexpr int most_changes = 12, most_returns = 3;
+/// It also gives up when so many changes left no fewer contacts in a state that is not theirs.
+constexpr int most_losses = 1;
+/// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
+constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
 constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-4;
+/// Stage 0 is going nowhere when forces that are left over have grown so much since the step began.
+constexpr double most_growth = 1e6;
+/// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
+/// that have turned since leave stiff forces in soft directions.
+constexpr double stale_factor_gain = 0.1;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
+/// Solutions with frozen bounds without a better residual after which bounds are changed by a part only.
+constexpr int patient_bounds = 8;
+/// A correction moves no block further than this part of its size.
+constexpr double largest_move = 0.25;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 
@@ -56,6 +71,7 @@ class Staged {
     const VectorXd start_d = d_;
     start_ = &start_d;
     look();
+    first_largest_ = report_.residual.largest;
     system_.set_contacts(terms_);
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
@@ -67,9 +83,10 @@ class Staged {
         augment();
         continue;
       }
-      if (report_.iterations >= options_.max_solutions) return end(StagedStatus::unsettled);
-      if (!(follows_states_ ? follow_states() : minimize()))
-        return end(StagedStatus::not_positive_definite);
+      if (report_.iterations >= options_.max_solutions ||
+          (!follows_states_ && report_.minimizations >= options_.max_minimizations))
+        return end(StagedStatus::unsettled);
+      if (!(follows_states_ ? follow_states() : minimize())) return end(StagedStatus::not_positive_definite);
     }
   }
 
@@ -91,7 +108,8 @@ class Staged {
     const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
                  of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
                                 t * t / system_.vertex_stiffness(edge_block, next, normal));
-    const double ratio = law.tangential_stiffness / law.normal_stiffness, softer = std::min(of_vertex, of_edge);
+    const double ratio = law.tangential_stiffness / law.normal_stiffness,
+                 softer = std::min(of_vertex, of_edge);
     if (std::isfinite(softer))
       law.normal_stiffness = std::max(law.normal_stiffness, stiffness_ratio * softer);
     law.tangential_stiffness = ratio * law.normal_stiffness;
@@ -122,7 +140,9 @@ class Staged {
     if (!contact.closed()) return open;
     if (!sheared) return pressed;
     if (!is_slipping(contact.history.state)) return pressed | stuck;
-    return pressed | (contact.history.shear > 0 || contact.history.state == ContactState::slip_backward ? at_upper : at_lower);
+    return pressed |
+           (contact.history.shear > 0 || contact.history.state == ContactState::slip_backward ? at_upper
+                                                                                              : at_lower);
   }
 
   unsigned char state_at_d(const ContactTerm& term) const {
@@ -133,25 +153,37 @@ class Staged {
     return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
   }
 
+  /// The bound of friction, continued below N = 0: what follows the states solves with it.
+  static double friction_under(const JointLaw& law, double N) {
+    return N < 0 ? law.friction * N : shear_bound(law, N, false);
+  }
+  /// Its derivative by N.
+  static double friction_rate(const JointLaw& law, double N) {
+    if (!law.friction_law || N <= 0) return law.friction;
+    const double step = 1e-6 * N;
+    return (shear_bound(law, N + step, false) - shear_bound(law, N - step, false)) / (2 * step);
+  }
+
   /// The forces when the springs of this state act, however far: not clipped.
   ContactForce force_in_state(std::size_t c) const {
     const ContactTerm& term = terms_[c];
     const unsigned char state = states_[c];
-    // Before the first solution nothing is known of N: friction is what it was.
-    const double bound = report_.iterations > 0 ? term.bound : std::abs(multipliers_[c].shear);
     ContactForce force;
     if (state & pressed) force.normal = normal_spring(term, d_).force;
     if (state & stuck) force.shear = tangential_spring(term, d_).force;
+    const double bound = friction_under(contacts_[c].law, force.normal);
     if (state & at_upper) force.shear = bound;
     if (state & at_lower) force.shear = -bound;
     return force;
   }
 
   void look_at(Contact& contact, const Multiplier& multiplier, ContactTerm& term) const {
-    const VertexEdgePlace &begin = contact.motion.start, finish = contact.motion.at(d_);
     const MovingVertexEdge& m = contact.motion;
-    const double lock = contact.history.lock, g = gap(finish), s = slip(finish, lock);
-    const VertexEdgeGradient dg = options_.mean_forces ? gap_mean_gradient(begin, finish) : gap_gradient(finish);
+    const VertexEdgePlace &begin = m.start, finish = m.at(d_), by = m.moved(d_);
+    const double lock = contact.history.lock, start_gap = gap(begin), g = start_gap + gap_change(begin, by),
+                 s = slip(begin, lock) + slip_change(begin, by, lock);
+    const VertexEdgeGradient dg =
+        options_.mean_forces ? gap_mean_gradient(begin, finish) : gap_gradient(finish);
     const VertexEdgeGradient ds =
         options_.mean_forces ? slip_mean_gradient(begin, finish, lock) : slip_gradient(finish, lock);
     contact.gap = linear_form(g, dg, m.i, m.j, m.k, d_);
@@ -163,20 +195,21 @@ class Staged {
     term.slip = contact.slip;
     term.normal_stiffness = law.normal_stiffness + contact.damping;
     term.tangential_stiffness = law.tangential_stiffness;
-    term.normal_multiplier =
-        multiplier.normal + contact.damping * (gap(begin) - contact.history.gap_offset);
-    const bool possible = multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
-    term.normal = !possible                                  ? ContactTerm::Normal::absent
-                  : multiplier.bonded && law.tension > 0     ? ContactTerm::Normal::bilateral
-                                                             : ContactTerm::Normal::unilateral;
+    term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
+    const bool possible =
+        multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
+    term.normal = !possible                              ? ContactTerm::Normal::absent
+                  : multiplier.bonded && law.tension > 0 ? ContactTerm::Normal::bilateral
+                                                         : ContactTerm::Normal::unilateral;
     term.sheared = multiplier.bonded || law.has_friction();
-    set_bound(multiplier, term, multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false));
+    set_bound(multiplier, term,
+              multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false));
   }
 
   static void set_bound(const Multiplier& multiplier, ContactTerm& term, double bound) {
     term.bound = bound;
-    term.tangential_multiplier =
-        multiplier.sliding ? std::copysign(bound, multiplier.shear) : std::clamp(multiplier.shear, -bound, bound);
+    term.tangential_multiplier = multiplier.sliding ? std::copysign(bound, multiplier.shear)
+                                                    : std::clamp(multiplier.shear, -bound, bound);
   }
 
   bool is_balanced() const {
@@ -195,25 +228,29 @@ class Staged {
   void follow_states_from_here() {
     for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
     best_ = infinity;
-    since_best_ = changes_ = solutions_of_states_ = 0;
+    since_best_ = changes_ = solutions_of_states_ = lost_ = 0;
+    fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
     seen_.clear();
     follows_states_ = true;
-    minimizing_ = false;
     look();
   }
 
-  bool states_agree() const {
-    if (!follows_states_) return true;
+  int count_disagreeing() const {
+    int count = 0;
     for (std::size_t c = 0; c < terms_.size(); ++c)
-      if (state_at_d(terms_[c]) != states_[c]) return false;
-    return true;
+      if (state_at_d(terms_[c]) != states_[c]) ++count;
+    return count;
   }
+  bool states_agree() const { return !follows_states_ || count_disagreeing() == 0; }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
     const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
+      const int disagreeing = count_disagreeing();
+      if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return begin_minimizing();
+      fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
       if (!seen_.insert(states_).second || ++changes_ > most_changes) return begin_minimizing();
       solutions_of_states_ = 0;
@@ -221,26 +258,43 @@ class Staged {
       look();
     }
     if (since_best_ > 3 * patience) return begin_minimizing();
-    if (solutions_of_states_ == 0 || since_best_ >= patience) {
+    if (solutions_of_states_ == 0 || report_.residual.own > stale_factor_gain * last_own_) {
       system_.linearize(d_);
-      acceleration_.reset();
+      if (solutions_of_states_ == 0) acceleration_.reset();
       if (solutions_of_states_ == 0) first_of_states_ = report_.residual.own;
     }
+    last_own_ = report_.residual.own;
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
-    if (!system_.problem().factorize(terms_, active)) return false;
-    system_.problem().solve(report_.residual.force, correction_);
-    acceleration_.advance(-correction_, system_.unknown_lengths(), d_);
+    if (!system_.problem().factorize(terms_, active)) return begin_minimizing();
+    solve_coupled(system_.problem(), couplings(), report_.residual.force, correction_);
+    VectorXd next = d_;
+    if (solutions_of_states_ >= first_accelerated)
+      acceleration_.advance(-correction_, system_.unknown_lengths(), next);
+    else
+      next -= correction_;
+    move_by(next - d_);
     ++report_.iterations;
     ++solutions_of_states_;
     look();
+    if (!(report_.residual.largest <= most_growth * first_largest_)) return begin_minimizing();
     return true;
+  }
+
+  /// Friction of sliding contacts follows their normal forces.
+  std::vector<Coupling> couplings() const {
+    std::vector<Coupling> couplings;
+    for (std::size_t c = 0; c < terms_.size(); ++c) {
+      const int sense = (states_[c] & at_upper ? 1 : 0) - (states_[c] & at_lower ? 1 : 0);
+      const double rate = friction_rate(contacts_[c].law, forces_[c].normal) * terms_[c].normal_stiffness;
+      if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate});
+    }
+    return couplings;
   }
 
   /// Goes back to where the step began, with the friction bounds of the step before.
   bool begin_minimizing() {
     follows_states_ = false;
-    minimizing_ = true;
     d_ = *start_;
     look();
     bounds_.resize(static_cast<Index>(terms_.size()));
@@ -267,11 +321,14 @@ class Staged {
     VectorXd change(bounds_.size());
     for (std::size_t c = 0; c < terms_.size(); ++c) {
       const double N = normal_spring(terms_[c], d_).clipped();
-      change[static_cast<Index>(c)] =
-          terms_[c].bound < infinity ? shear_bound(contacts_[c].law, N, false) - bounds_[static_cast<Index>(c)] : 0;
+      change[static_cast<Index>(c)] = terms_[c].bound < infinity ? shear_bound(contacts_[c].law, N, false) -
+                                                                       bounds_[static_cast<Index>(c)]
+                                                                 : 0;
     }
-    bounds_acceleration_.advance(change, VectorXd::Ones(bounds_.size()), bounds_);
-    bounds_ = bounds_.cwiseMax(0);
+    const VectorXd moved = d_ - d0;
+    d_ = d0;
+    move_by(moved);
+    improve_bounds(change);
     look();
 
     std::vector<unsigned char> now(terms_.size());
@@ -284,6 +341,21 @@ class Staged {
     return true;
   }
 
+  /// Accelerated as long as that gains, then ever more cautious.
+  void improve_bounds(const VectorXd& change) {
+    if (since_best_ < patient_bounds)
+      bounds_acceleration_.advance(change, VectorXd::Ones(bounds_.size()), bounds_);
+    else
+      bounds_ += change * patient_bounds / (patient_bounds + since_best_);
+    bounds_ = bounds_.cwiseMax(0);
+  }
+
+  /// What is linear holds for small changes.
+  void move_by(const VectorXd& change) {
+    const double furthest = system_.largest_relative_move(change);
+    system_.add_change(furthest > largest_move ? VectorXd(change * (largest_move / furthest)) : change, d_);
+  }
+
   /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
   bool break_bonds() {
     double worst = 0;
@@ -292,11 +364,10 @@ class Staged {
       if (!multipliers_[c].bonded) continue;
       const JointLaw& law = contacts_[c].law;
       const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, forces_[c].normal);
-      const double opened =
-          terms_[c].normal == ContactTerm::Normal::unilateral && forces_[c].normal <= 0 &&
-                  terms_[c].gap(d_) > contacts_[c].length_tolerance
-              ? strength
-              : 0;
+      const double opened = terms_[c].normal == ContactTerm::Normal::unilateral && forces_[c].normal <= 0 &&
+                                    terms_[c].gap(d_) > contacts_[c].length_tolerance
+                                ? strength
+                                : 0;
       excess[c] = std::max({-forces_[c].normal - law.tension,
                             std::abs(forces_[c].shear) - shear_bound(law, forces_[c].normal, true), opened});
       if (excess[c] <= options_.residual_tolerance * strength) excess[c] = 0;
@@ -344,7 +415,10 @@ class Staged {
 
   /// N without the dashpot's part.
   double elastic_normal(std::size_t c) const {
-    return forces_[c].normal == 0 ? 0 : forces_[c].normal + contacts_[c].damping * (contacts_[c].gap(d_) - gap(contacts_[c].motion.start));
+    return forces_[c].normal == 0
+               ? 0
+               : forces_[c].normal +
+                     contacts_[c].damping * (contacts_[c].gap(d_) - gap(contacts_[c].motion.start));
   }
 
   bool is_sliding(std::size_t c) const {
@@ -393,12 +467,12 @@ class Staged {
   bool follows_states_ = true;
   std::vector<unsigned char> states_;
   std::set<std::vector<unsigned char>> seen_;
-  int changes_ = 0, solutions_of_states_ = 0;
-  double first_of_states_ = infinity;
+  int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
+  int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
+  double last_own_ = infinity, first_of_states_ = infinity, first_largest_ = 0;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 
-  bool minimizing_ = false;
   int returns_ = 0;
   VectorXd bounds_;
   AndersonAcceleration bounds_acceleration_;

@@ -1,4 +1,5 @@
-/// \file The staged contact method: a step solved to its residual, whatever the contacts' stiffness, or not at all.
+/// \file The staged contact method: a step solved to its residual, whatever the contacts' stiffness, or not
+/// at all.
 #pragma once
 
 #include <ddacontact/solver/step_system.hpp>
@@ -11,15 +12,16 @@ struct StagedOptions {
   double residual_aim = 1e-12;       ///< what is iterated to while that goes on
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   bool mean_forces = false;          ///< contact forces act at the middle of the step
-  int max_solutions = 200;
+  int max_solutions = 600;
+  int max_minimizations = 600;  ///< 0: stage 0 alone
   int max_augmentations = 10;
 };
 
 /// Whether the step may be accepted; if not, it is cut.
 enum class StagedStatus {
-  settled,           ///< the residual passes, and penetration is below its tolerance
-  unsettled,         ///< the residual does not pass
-  penetrating,       ///< the residual passes, penetration stays above its tolerance
+  settled,      ///< the residual passes, and penetration is below its tolerance
+  unsettled,    ///< the residual does not pass
+  penetrating,  ///< the residual passes, penetration stays above its tolerance
   not_positive_definite,
   not_finite
 };
@@ -37,15 +39,16 @@ struct StagedReport {
 
 /// Solves the step for displacements `d` (in: where to start) and the contacts' states.
 ///
-/// The law of a contact: N = max(0, lambda - p g), T = tau - p_t s clipped to what friction bears under N, with
-/// g and s of the true geometry at the end of the step; forces act along the derivatives of g and s there, or,
-/// with mean forces, along their discrete gradients. lambda and tau start from the forces of the step before
-/// and are replaced by N and T until g = 0 and, sticking, s = 0 within the tolerance: p and p_t do not matter
-/// then. A bonded contact neither opens nor slides; one that bears more than its strength when all has settled
-/// is broken for good, and the step solved again.
+/// The law of a contact: N = max(0, lambda - p g), T = tau - p_t s clipped to what friction bears under N,
+/// with g and s of the true geometry at the end of the step; forces act along the derivatives of g and s
+/// there, or, with mean forces, along their discrete gradients. lambda and tau start from the forces of the
+/// step before and are replaced by N and T until g = 0 and, sticking, s = 0 within the tolerance: p and p_t
+/// do not matter then. A bonded contact neither opens nor slides; one that bears more than its strength when
+/// all has settled is broken for good, and the step solved again.
 ///
 /// Stage 0 follows the active set, as open-close does. When that goes round in circles, stage 1 freezes
 /// geometry and friction bounds and minimizes, and iterates on them (FrictionProblem).
-StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts, VectorXd& d);
+StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
+                          VectorXd& d);
 
 }  // namespace ddacontact

@@ -71,7 +71,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (forces[c].normal == 0 && forces[c].shear == 0) continue;
     const Contact& contact = contacts[c];
-    contact.gap.add_gradient(forces[c].normal, residual.external);   // (40), (48), (52)
+    contact.gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
     contact.slip.add_gradient(forces[c].shear, residual.external);
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
       magnitude_[b] += std::hypot(forces[c].normal, forces[c].shear);
@@ -102,8 +102,9 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     for (const VectorXd* f : {&load_forces_, &gravity_forces_})
       sum += f->segment(u.first, u.count).cwiseQuotient(lengths).lpNorm<1>();
     const double furthest = d.segment(u.first, u.count).cwiseProduct(lengths).lpNorm<Eigen::Infinity>();
-    const double floor = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * (block.size() + furthest) +
-                                         inertia_ * block.mass_total() / (dt_ * dt_) * furthest);
+    const double floor =
+        floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * (block.size() + furthest) +
+                        inertia_ * block.mass_total() / (dt_ * dt_) * furthest);
     double largest = 0;
     for (int k = 0; k < u.count; ++k) {
       if (blocks_.equation()[u.first + k] < 0) continue;
@@ -113,7 +114,9 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     residual.scale = std::max(residual.scale, sum);
     residual.floor = std::max(residual.floor, floor);
     if (!(largest <= residual.largest)) residual.largest = largest;
-    const double own = largest <= floor ? 0 : sum > 0 ? (largest - floor) / sum : std::numeric_limits<double>::infinity();
+    const double own = largest <= floor ? 0
+                       : sum > 0        ? (largest - floor) / sum
+                                        : std::numeric_limits<double>::infinity();
     if (!(own <= residual.own)) residual.own = own;
   }
 }
@@ -156,6 +159,27 @@ void StepSystem::linearize(const VectorXd& d) {
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
   problem_.matrices_changed();
+}
+
+void StepSystem::add_change(const VectorXd& change, VectorXd& d) const {
+  for (int b : active_) {
+    const Range& u = blocks_.block(b).unknowns();
+    if (blocks_.is_free(b))
+      blocks_.block(b).add_change(change.segment(u.first, u.count), d.segment(u.first, u.count));
+    else
+      d.segment(u.first, u.count) += change.segment(u.first, u.count);
+  }
+}
+
+double StepSystem::largest_relative_move(const VectorXd& change) const {
+  double largest = 0;
+  for (int b : active_) {
+    const Range& u = blocks_.block(b).unknowns();
+    const auto moves =
+        change.segment(u.first, u.count).cwiseProduct(unknown_lengths_.segment(u.first, u.count));
+    largest = std::max(largest, moves.lpNorm<Eigen::Infinity>() / blocks_.block(b).size());
+  }
+  return largest;
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

@@ -11,12 +11,13 @@ namespace ddacontact {
 
 /// How far from equilibrium: r = (what the blocks resist with) - (what acts on them).
 struct Residual {
-  VectorXd force;     ///< of every unknown; at a held one it is the reaction
-  VectorXd external;  ///< what acts on every unknown: loads, gravity, contacts, holding springs
+  VectorXd force;      ///< of every unknown; at a held one it is the reaction
+  VectorXd external;   ///< what acts on every unknown: loads, gravity, contacts, holding springs
   double largest = 0;  ///< over the free unknowns, forces (moments over the block's size), N per m
   double scale = 0;    ///< the largest sum over a block of the magnitudes of the forces on it, N per m
   double floor = 0;    ///< what round-off alone may leave, N per m
-  double own = 0;      ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
+  double own =
+      0;  ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
 
   bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }
 };
@@ -43,6 +44,10 @@ class StepSystem {
   VectorXd smooth_residual(const VectorXd& d) const;
   /// Makes the matrix anew for the blocks displaced by d.
   void linearize(const VectorXd& d);
+  /// d += change, the rotations of free blocks carried out as such, see Block::add_change.
+  void add_change(const VectorXd& change, VectorXd& d) const;
+  /// The furthest that a change moves a block, relative to the block's size.
+  double largest_relative_move(const VectorXd& change) const;
   /// The matrix, its factor and what is solved with it.
   FrictionProblem& problem() { return problem_; }
   const FrictionProblem& problem() const { return problem_; }

@@ -35,7 +35,21 @@ double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
   return fastest;
 }
 
-std::vector<double> MotionLimits::reach(const BlockState& state, double dt, double scale) const {
+std::vector<double> MotionLimits::speeds(const BlockState& state, const std::vector<Contact>& met) const {
+  std::vector<double> own(blocks_.n_blocks());
+  for (int b = 0; b < blocks_.n_blocks(); ++b) own[b] = fastest_vertex(state, b);
+  std::vector<double> speeds = own;
+  for (const Contact& contact : met) {
+    const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
+    speeds[a] = std::max(speeds[a], own[b]);
+    speeds[b] = std::max(speeds[b], own[a]);
+  }
+  return speeds;
+}
+
+std::vector<double> MotionLimits::reach(const BlockState& state, const std::vector<Contact>& met, double dt,
+                                        double scale) const {
+  const std::vector<double> speed = speeds(state, met);
   std::vector<double> reach(blocks_.n_blocks());
   const VectorXd prescribed = blocks_.prescribed(state, state.time + dt);
   const double fall = analysis_.gravity.norm() * dt * dt;
@@ -47,21 +61,21 @@ std::vector<double> MotionLimits::reach(const BlockState& state, double dt, doub
         furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
       reach[b] = furthest;
     } else {
-      const double expected = 2 * (fastest_vertex(state, b) * dt + fall) + least_reach * block.size();
+      const double expected = 2 * (speed[b] * dt + fall) + least_reach * block.size();
       reach[b] = std::min(scale * expected, largest_reach(b));
     }
   }
   return reach;
 }
 
-double MotionLimits::foreseen_step(const BlockState& state) const {
+double MotionLimits::foreseen_step(const BlockState& state, const std::vector<Contact>& met) const {
   double longest = std::numeric_limits<double>::infinity();
   if (analysis_.mode == Mode::statics) return longest;
+  const std::vector<double> speed = speeds(state, met);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     // v dt + g dt^2 / 2 = what is allowed, with v for the fastest vertex
-    const double v = fastest_vertex(state, b), g = analysis_.gravity.norm(),
-                 allowed = foreseen_part * largest_reach(b);
+    const double v = speed[b], g = analysis_.gravity.norm(), allowed = foreseen_part * largest_reach(b);
     if (v + g > 0) longest = std::min(longest, 2 * allowed / (v + std::sqrt(v * v + 2 * g * allowed)));
   }
   return longest;

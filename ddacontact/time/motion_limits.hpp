@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/options.hpp>
 
 #include <vector>
@@ -16,10 +17,13 @@ class MotionLimits {
   MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis);
 
   /// How far from each block to look for contacts in a step of length dt: twice the motion expected from its
-  /// velocity and gravity and a little, times `scale`, m.
-  std::vector<double> reach(const BlockState& state, double dt, double scale) const;
-  /// The longest step that present velocities allow, s; infinity when nothing moves.
-  double foreseen_step(const BlockState& state) const;
+  /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
+  /// `scale`, m. \param[in] met  contacts of the last step: who may meet whom
+  std::vector<double> reach(const BlockState& state, const std::vector<Contact>& met, double dt,
+                            double scale) const;
+  /// The longest step that present velocities allow, s; infinity when nothing moves. A block that is hit is
+  /// as fast as what hits it.
+  double foreseen_step(const BlockState& state, const std::vector<Contact>& met) const;
 
   /// No vertex of any block may move further than this in a step, m.
   double largest_displacement() const { return largest_displacement_; }
@@ -28,6 +32,7 @@ class MotionLimits {
 
  private:
   double fastest_vertex(const BlockState& state, int block) const;
+  std::vector<double> speeds(const BlockState& state, const std::vector<Contact>& met) const;
 
   const BlockSystem& blocks_;
   AnalysisOptions analysis_;

@@ -62,7 +62,26 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       reactions_(Points::Zero(2, state_.position.cols())),
       substep_(analysis.time_step) {
   blocks_.prepare(state_, true);
-  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, analysis.time_step, 1));
+  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis.time_step, 1));
+  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  energy_.start();
+}
+
+StepRecord Stepper::record() const {
+  return {counts_.steps, begun_, substep_, state_, contacts_};
+}
+
+void Stepper::restore(StepRecord record) {
+  counts_.steps = record.steps;
+  begun_ = record.begun;
+  substep_ = record.substep;
+  state_ = std::move(record.state);
+  contacts_ = std::move(record.contacts);
+  blocks_.prepare(state_, true);
+  detected_ = false;
+  reach_scale_ = 1;
+  energy_ = {};
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
   energy_.start();
@@ -72,7 +91,7 @@ bool Stepper::step() {
   const double end = static_cast<double>(counts_.steps + 1) * analysis_.time_step;
   while (true) {
     const double remaining = end - state_.time;
-    const double wanted = std::min(substep_, limits_.foreseen_step(state_));
+    const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
     const double shortest = shortest_substep * analysis_.time_step;
     const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
     const double dt = remaining / pieces;
@@ -142,9 +161,9 @@ Stepper::Try Stepper::try_step(double dt) {
 
 void Stepper::detect(double dt) {
   const Stopwatch watch(times_.detection);
-  reach_ = limits_.reach(state_, dt, reach_scale_);
-  trial_contacts_ = counts_.substeps == 0 ? contact_builder_.build_first(state_, reach_)
-                                          : contact_builder_.build(state_, reach_, contacts_);
+  reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
+  trial_contacts_ = !begun_ ? contact_builder_.build_first(state_, reach_)
+                            : contact_builder_.build(state_, reach_, contacts_);
   detected_ = true;
 }
 
@@ -358,6 +377,8 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
   energy_.close_step();
   ++counts_.substeps;
+  counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
+  begun_ = true;
   last_dt_ = dt;
   detected_ = false;
   reach_scale_ = 1;
@@ -368,7 +389,8 @@ void Stepper::prepare_and_keep_momentum() {
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
   blocks_.prepare(state_);
-  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static()) return;
+  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static())
+    return;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);

@@ -8,6 +8,7 @@
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
+#include <ddacontact/time/step_record.hpp>
 
 #include <string>
 
@@ -15,20 +16,22 @@ namespace ddacontact {
 
 /// What a run has done so far.
 struct StepCounts {
-  long steps = 0;        ///< whole steps of the length the scene states
-  long substeps = 0;     ///< accepted tries
-  long rejected = 0;     ///< tries given up and cut
-  long unconverged = 0;  ///< accepted although stick and slip had not settled
+  long steps = 0;                  ///< whole steps of the length the scene states
+  long substeps = 0;               ///< accepted tries
+  long rejected = 0;               ///< tries given up and cut
+  long unconverged = 0;            ///< accepted although stick and slip had not settled
   long open_close_iterations = 0;  ///< solutions of (13), in all tries
   long minimizations = 0;          ///< problems with frozen bounds that the staged method had to solve
   long augmentations = 0;
   long broken_bonds = 0;
-  long impacts = 0;           ///< contacts that met with a speed that counts
-  long limited_impacts = 0;   ///< impacts whose restitution was reduced so that no energy arose
-  long unsettled_impacts = 0; ///< impacts whose friction did not agree with their normal impulses to the last
-  long contacts_max = 0;       ///< closed at the end of a substep, at most
-  long contacts = 0;           ///< closed at the end of the last one
+  long impacts = 0;          ///< contacts that met with a speed that counts
+  long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose
+  long unsettled_impacts =
+      0;                  ///< impacts whose friction did not agree with their normal impulses to the last
+  long contacts_max = 0;  ///< closed at the end of a substep, at most
+  long contacts = 0;      ///< closed at the end of the last one
   double max_penetration = 0;  ///< m, at the end of any substep
+  double max_residual = 0;     ///< Residual::own of any accepted substep, at most
 };
 
 /// Seconds spent, by phase.
@@ -48,6 +51,13 @@ class Stepper {
   /// Carries the state over one time_step, in as many substeps as it takes. False when it has to stop: the
   /// state is then that of the last accepted substep and `stop_reason` says why.
   [[nodiscard]] bool step();
+
+  /// Where the run stands, and going on from there: a stepper of the same scene makes the same steps then.
+  StepRecord record() const;
+  void restore(StepRecord record);
+
+  /// How hard the staged method tries, for those who measure it.
+  StagedOptions& staged_options() { return staged_; }
 
   const BlockSystem& blocks() const { return blocks_; }
   const BlockState& state() const { return state_; }
@@ -71,7 +81,8 @@ class Stepper {
 
   Try try_step(double dt);
   void detect(double dt);
-  /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they can).
+  /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
+  /// can).
   struct Solution {
     VectorXd d;
     Residual residual;
@@ -122,6 +133,7 @@ class Stepper {
   std::vector<Contact> tried_;           ///< as open-close left them
   std::vector<double> reach_;            ///< that trial_contacts_ were looked for in
   double reach_scale_ = 1;
+  bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;  ///< trial_contacts_ are those of state_
 
   double substep_;  ///< the length to try next, s

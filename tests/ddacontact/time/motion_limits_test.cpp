@@ -51,12 +51,12 @@ TEST(MotionLimits, ReachCoversTheMotionForeseenAndHeldBlocksNone) {
   const Scene scene = falling_blocks(Preset::standard);
   const BuiltScene built = build(scene);
   const MotionLimits limits(built.stepper->blocks(), scene.analysis);
-  const auto reach = limits.reach(built.stepper->state(), 0.01, 1);
+  const auto reach = limits.reach(built.stepper->state(), {}, 0.01, 1);
   EXPECT_GT(reach[1], 0.01);
   EXPECT_GT(reach[0], 0.0005);
   EXPECT_EQ(reach[2], 0);
-  EXPECT_GT(limits.reach(built.stepper->state(), 0.01, 2)[1], 1.9 * reach[1]);
-  EXPECT_LE(limits.reach(built.stepper->state(), 0.01, 1e9)[1], limits.largest_reach(1));
-  const double t = limits.foreseen_step(built.stepper->state());
+  EXPECT_GT(limits.reach(built.stepper->state(), {}, 0.01, 2)[1], 1.9 * reach[1]);
+  EXPECT_LE(limits.reach(built.stepper->state(), {}, 0.01, 1e9)[1], limits.largest_reach(1));
+  const double t = limits.foreseen_step(built.stepper->state(), {});
   EXPECT_NEAR(1 * t + scene.analysis.gravity.norm() * t * t / 2, 0.9 * 0.0625, 1e-12);
 }

@@ -1,0 +1,27 @@
+/// \file Everything that the next step depends on beside the scene, so that it can be made again alone.
+#pragma once
+
+#include <ddacontact/block/state.hpp>
+#include <ddacontact/contact/contact.hpp>
+
+#include <iosfwd>
+#include <vector>
+
+namespace ddacontact {
+
+/// Where a run stands. Of the contacts only what one step hands to the next is kept: which they are, their
+/// history, the strength of their bonds and their slip at the end.
+struct StepRecord {
+  long steps = 0;      ///< whole steps made
+  bool begun = false;  ///< a substep has been made: contacts carry on those of the record
+  double substep = 0;  ///< the length to try next, s
+  BlockState state;
+  std::vector<Contact> contacts;  ///< of the last substep
+};
+
+/// Text, with numbers in hexadecimal: read_record returns the same bits.
+void write_record(std::ostream& out, const StepRecord& record);
+/// Throws Error for what write_record has not written.
+StepRecord read_record(std::istream& in);
+
+}  // namespace ddacontact

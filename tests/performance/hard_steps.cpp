@@ -1,0 +1,157 @@
+// Contact methods on steps that are hard on them.
+//   hard_steps              the table of methods over tests/hard_steps, in Markdown
+//   hard_steps collect DIR  records the hardest steps of drops and of scenes made for it
+//   hard_steps drops N      N random drops: what they took, and what was rejected
+#include <tests/support/hard_steps.hpp>
+#include <tests/support/random_scenes.hpp>
+
+#include <ddacontact/time/stopwatch.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
+
+namespace {
+
+using namespace ddacontact;
+using namespace support;
+
+struct Method {
+  const char* name;
+  ContactMethod method;
+  int max_minimizations;
+  bool all_agree;
+};
+
+/// What a method does with the recorded steps, one try for each.
+struct Outcome {
+  int solved = 0, attempted = 0;
+  long solutions = 0, most = 0, factorizations = 0;
+  double seconds = 0, residual = 0;
+};
+
+Outcome try_steps(const Method& method, const std::vector<HardStep>& steps) {
+  Outcome outcome;
+  for (HardStep step : steps) {
+    step.scene.contact.method = method.method;
+    if (method.method == ContactMethod::classic) step.scene.contact.penetration_tolerance = 0;
+    step.scene.analysis.cutting_factor = 1e-4;  // the first rejected try is the last
+    const BuiltScene built = build_at(step);
+    Stepper& stepper = *built.stepper;
+    stepper.staged_options().max_minimizations = method.max_minimizations;
+    bool made;
+    {
+      const Stopwatch watch(outcome.seconds);
+      made = stepper.step();
+    }
+    const StepCounts& counts = stepper.counts();
+    ++outcome.attempted;
+    outcome.solved += made && !(method.all_agree && counts.unconverged > 0);
+    outcome.solutions += counts.open_close_iterations;
+    outcome.most = std::max(outcome.most, counts.open_close_iterations);
+    outcome.factorizations += stepper.cholesky().n_factorizations();
+    outcome.residual = std::max(outcome.residual, counts.max_residual);
+  }
+  return outcome;
+}
+
+void print_table() {
+  const std::vector<HardStep> steps = hard_steps();
+  const Method methods[] = {
+      {"classic, stick and slip as they may be", ContactMethod::classic, 0, false},
+      {"classic, all states settled", ContactMethod::classic, 0, true},
+      {"staged, stage 0 alone", ContactMethod::staged, 0, false},
+      {"staged", ContactMethod::staged, StagedOptions{}.max_minimizations, false},
+  };
+  std::printf(
+      "# Contact methods on hard steps\n\n"
+      "%zu recorded steps (`tests/hard_steps`), one try each; written by `hard_steps` "
+      "(tests/performance).\n"
+      "The residual is the largest over the accepted steps of what is left of the forces on a block, "
+      "relative to the sum of their magnitudes.\n\n"
+      "| method | solved | solutions a step | most | factorizations a step | ms a step | residual |\n"
+      "|---|---|---|---|---|---|---|\n",
+      steps.size());
+  for (const Method& method : methods) {
+    const Outcome o = try_steps(method, steps);
+    std::printf("| %s | %d of %d | %.1f | %ld | %.1f | %.2f | %.1e |\n", method.name, o.solved, o.attempted,
+                static_cast<double>(o.solutions) / o.attempted, o.most,
+                static_cast<double>(o.factorizations) / o.attempted, 1e3 * o.seconds / o.attempted,
+                o.residual);
+  }
+}
+
+/// The step of a run that took most solutions is recorded when it took more than `least`.
+void collect_from(const Scene& scene, const std::string& name, long least,
+                  const std::filesystem::path& directory) {
+  const BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  StepRecord hardest;
+  long most = least;
+  for (int k = 0; k < scene.analysis.steps; ++k) {
+    StepRecord before = stepper.record();
+    const long solutions = stepper.counts().open_close_iterations;
+    const bool made = stepper.step();
+    if (stepper.counts().open_close_iterations - solutions > most) {
+      most = stepper.counts().open_close_iterations - solutions;
+      hardest = std::move(before);
+    }
+    if (!made) break;
+  }
+  if (most > least) write_hard_step(directory / (name + ".step"), scene, hardest);
+}
+
+void run_drops(int n) {
+  struct Sum {
+    long drops = 0, steps = 0, substeps = 0, rejected = 0, solutions = 0, minimizations = 0, stopped = 0;
+    double residual = 0;
+  };
+  std::map<std::string, Sum> sums;
+  for (int seed = 0; seed < n; ++seed) {
+    const Scene scene = random_drop(static_cast<std::uint64_t>(seed));
+    const BuiltScene built = build(scene);
+    bool made = true;
+    for (int k = 0; k < scene.analysis.steps && made; ++k) made = built.stepper->step();
+    const StepCounts& counts = built.stepper->counts();
+    for (const std::string& name :
+         {name_of(drop_kind(static_cast<std::uint64_t>(seed))), std::string("~all")}) {
+      Sum& sum = sums[name];
+      ++sum.drops;
+      sum.steps += counts.steps;
+      sum.substeps += counts.substeps;
+      sum.rejected += counts.rejected;
+      sum.solutions += counts.open_close_iterations;
+      sum.minimizations += counts.minimizations;
+      sum.stopped += !made;
+      sum.residual = std::max(sum.residual, counts.max_residual);
+    }
+  }
+  std::printf(
+      "| drops of | drops | steps | substeps | rejected | stopped | solutions a substep | stage 1 | residual "
+      "|\n"
+      "|---|---|---|---|---|---|---|---|---|\n");
+  for (const auto& [name, s] : sums)
+    std::printf("| %s | %ld | %ld | %ld | %ld | %ld | %.2f | %ld | %.1e |\n",
+                name == "~all" ? "all" : name.c_str(), s.drops, s.steps, s.substeps, s.rejected, s.stopped,
+                static_cast<double>(s.solutions) / static_cast<double>(s.substeps), s.minimizations,
+                s.residual);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what == "collect" && argc == 3) {
+    for (std::uint64_t seed = 0; seed < 400; ++seed)
+      collect_from(random_drop(seed), name_of(drop_kind(seed)) + '_' + std::to_string(seed), 150, argv[2]);
+  } else if (what == "drops" && argc == 3) {
+    run_drops(std::atoi(argv[2]));
+  } else if (argc == 1) {
+    print_table();
+  } else {
+    std::cerr << "hard_steps [collect DIR | drops N]\n";
+    return 2;
+  }
+}
