@@ -51,17 +51,22 @@ TEST(StepRecord, RefusesWhatIsNone) {
   EXPECT_THROW((void)read_record(text), Error);
 }
 
-TEST(HardSteps, StagedMethodSolvesEachInOneTry) {
+/// A step that does not balance is cut: never accepted as it is. Most balance at the length they were
+/// recorded with.
+TEST(HardSteps, StagedMethodMakesEachAndMostWithoutCutting) {
   const std::vector<HardStep> steps = hard_steps();
-  ASSERT_GE(steps.size(), 30u);
-  for (HardStep step : steps) {
+  ASSERT_GE(steps.size(), 50u);
+  std::size_t uncut = 0;
+  for (const HardStep& step : steps) {
     SCOPED_TRACE(step.name);
-    step.scene.analysis.cutting_factor = 1e-4;  // the first rejected try is the last
     const BuiltScene built = build_at(step);
     EXPECT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
     EXPECT_LE(built.stepper->counts().max_residual, 1e-8);
+    EXPECT_LE(largest_overlap(*built.stepper), 1e-4);
     EXPECT_TRUE(built.stepper->state().position.allFinite());
+    uncut += built.stepper->counts().rejected == 0;
   }
+  EXPECT_GE(uncut, 42u);
 }
 
 TEST(RandomDrops, BalanceInNearlyEveryTryAndBlocksStayApart) {

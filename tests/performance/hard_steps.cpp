@@ -26,7 +26,7 @@ struct Method {
   bool all_agree;
 };
 
-/// What a method does with the recorded steps, one try for each.
+/// What a method does with the recorded steps.
 struct Outcome {
   int solved = 0, attempted = 0;
   long solutions = 0, most = 0, factorizations = 0;
@@ -68,8 +68,8 @@ void print_table() {
   };
   std::printf(
       "# Contact methods on hard steps\n\n"
-      "%zu recorded steps (`tests/hard_steps`), one try each; written by `hard_steps` "
-      "(tests/performance).\n"
+      "%zu recorded steps (`tests/hard_steps`); written by `build/tests/performance/hard_steps`.\n"
+      "Solved is a step made without a rejected try, in the pieces that the motion asks for.\n"
       "The residual is the largest over the accepted steps of what is left of the forces on a block, "
       "relative to the sum of their magnitudes.\n\n"
       "| method | solved | solutions a step | most | factorizations a step | ms a step | residual |\n"
