@@ -26,8 +26,6 @@ constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
 constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-4;
-/// Stage 0 is going nowhere when forces that are left over have grown so much since the step began.
-constexpr double most_growth = 1e6;
 /// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
 /// that have turned since leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
@@ -71,7 +69,6 @@ class Staged {
     const VectorXd start_d = d_;
     start_ = &start_d;
     look();
-    first_largest_ = report_.residual.largest;
     system_.set_contacts(terms_);
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
@@ -277,7 +274,7 @@ class Staged {
     ++report_.iterations;
     ++solutions_of_states_;
     look();
-    if (!(report_.residual.largest <= most_growth * first_largest_)) return begin_minimizing();
+    if (!std::isfinite(report_.residual.largest)) return begin_minimizing();
     return true;
   }
 
@@ -469,7 +466,7 @@ class Staged {
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
-  double last_own_ = infinity, first_of_states_ = infinity, first_largest_ = 0;
+  double last_own_ = infinity, first_of_states_ = infinity;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 

@@ -3,6 +3,7 @@
 //   hard_steps collect DIR  records the hardest steps of drops and of scenes made for it
 //   hard_steps drops N      N random drops: what they took, and what was rejected
 #include <tests/support/hard_steps.hpp>
+#include <tests/support/made_scenes.hpp>
 #include <tests/support/random_scenes.hpp>
 
 #include <ddacontact/time/stopwatch.hpp>
@@ -25,7 +26,7 @@ struct Method {
   bool all_agree;
 };
 
-/// What a method does with the recorded steps, one try for each.
+/// What a method does with the recorded steps.
 struct Outcome {
   int solved = 0, attempted = 0;
   long solutions = 0, most = 0, factorizations = 0;
@@ -67,8 +68,8 @@ void print_table() {
   };
   std::printf(
       "# Contact methods on hard steps\n\n"
-      "%zu recorded steps (`tests/hard_steps`), one try each; written by `hard_steps` "
-      "(tests/performance).\n"
+      "%zu recorded steps (`tests/hard_steps`); written by `build/tests/performance/hard_steps`.\n"
+      "Solved is a step made without a rejected try, in the pieces that the motion asks for.\n"
       "The residual is the largest over the accepted steps of what is left of the forces on a block, "
       "relative to the sum of their magnitudes.\n\n"
       "| method | solved | solutions a step | most | factorizations a step | ms a step | residual |\n"
@@ -144,8 +145,11 @@ void run_drops(int n) {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "collect" && argc == 3) {
-    for (std::uint64_t seed = 0; seed < 400; ++seed)
-      collect_from(random_drop(seed), name_of(drop_kind(seed)) + '_' + std::to_string(seed), 150, argv[2]);
+    for (const auto& [name, scene] : made_scenes()) collect_from(scene, name, 0, argv[2]);
+    // Of piles there are more than enough.
+    for (std::uint64_t seed = 0; seed < 300; ++seed)
+      if (drop_kind(seed) != DropKind::pile || seed < 60)
+        collect_from(random_drop(seed), name_of(drop_kind(seed)) + '_' + std::to_string(seed), 150, argv[2]);
   } else if (what == "drops" && argc == 3) {
     run_drops(std::atoi(argv[2]));
   } else if (argc == 1) {

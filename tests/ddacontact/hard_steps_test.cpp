@@ -1,0 +1,92 @@
+#include <tests/support/hard_steps.hpp>
+#include <tests/support/overlap_area.hpp>
+#include <tests/support/random_scenes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+using namespace ddacontact;
+using namespace support;
+
+namespace {
+
+/// The largest area that two blocks have in common, relative to the smaller one's.
+double largest_overlap(const Stepper& stepper) {
+  const BlockSystem& blocks = stepper.blocks();
+  double largest = 0;
+  for (int a = 0; a < blocks.n_blocks(); ++a)
+    for (int b = a + 1; b < blocks.n_blocks(); ++b) {
+      if (!blocks.is_movable(a) && !blocks.is_movable(b)) continue;
+      const Points p = blocks.outline_from(stepper.state(), a, a),
+                   q = blocks.outline_from(stepper.state(), b, a);
+      if ((p.rowwise().minCoeff().array() > q.rowwise().maxCoeff().array()).any() ||
+          (q.rowwise().minCoeff().array() > p.rowwise().maxCoeff().array()).any())
+        continue;
+      const double smaller = std::min(blocks.block(a).reference_area(), blocks.block(b).reference_area());
+      largest = std::max(largest, overlap_area(p, q) / smaller);
+    }
+  return largest;
+}
+
+}  // namespace
+
+TEST(StepRecord, ReadsBackAndTheRunGoesOnAsItWould) {
+  const Scene scene = random_drop(5);
+  const BuiltScene first = build(scene), second = build(scene);
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(first.stepper->step());
+  std::stringstream text;
+  write_record(text, first.stepper->record());
+  second.stepper->restore(read_record(text));
+  for (int k = 0; k < 5; ++k) ASSERT_TRUE(first.stepper->step() && second.stepper->step());
+  const BlockState &a = first.stepper->state(), &b = second.stepper->state();
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.velocity, b.velocity);
+}
+
+TEST(StepRecord, RefusesWhatIsNone) {
+  std::istringstream text("0x1p+0 nonsense");
+  EXPECT_THROW((void)read_record(text), Error);
+}
+
+/// A step that does not balance is cut: never accepted as it is. Most balance at the length they were
+/// recorded with.
+TEST(HardSteps, StagedMethodMakesEachAndMostWithoutCutting) {
+  const std::vector<HardStep> steps = hard_steps();
+  ASSERT_GE(steps.size(), 50u);
+  std::size_t uncut = 0;
+  for (const HardStep& step : steps) {
+    SCOPED_TRACE(step.name);
+    const BuiltScene built = build_at(step);
+    EXPECT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
+    EXPECT_LE(built.stepper->counts().max_residual, 1e-8);
+    EXPECT_LE(largest_overlap(*built.stepper), 1e-4);
+    EXPECT_TRUE(built.stepper->state().position.allFinite());
+    uncut += built.stepper->counts().rejected == 0;
+  }
+  EXPECT_GE(uncut, 42u);
+}
+
+TEST(RandomDrops, BalanceInNearlyEveryTryAndBlocksStayApart) {
+  long steps = 0, rejected = 0;
+  for (std::uint64_t seed = 1000; seed < 1090; ++seed) {
+    const Scene scene = random_drop(seed);
+    if (drop_kind(seed) == DropKind::pile && seed > 1020) continue;
+    SCOPED_TRACE(name_of(drop_kind(seed)) + ' ' + std::to_string(seed));
+    const BuiltScene built = build(scene);
+    Stepper& stepper = *built.stepper;
+    for (int k = 0; k < scene.analysis.steps; ++k) {
+      ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
+      if (k % 10 == 0) {
+        EXPECT_LE(largest_overlap(stepper), 1e-4) << "step " << k;
+      }
+    }
+    EXPECT_TRUE(stepper.state().position.allFinite());
+    EXPECT_LE(stepper.counts().max_residual, 1e-8);
+    steps += stepper.counts().steps;
+    rejected += stepper.counts().rejected;
+  }
+  EXPECT_LE(rejected, steps / 100) << rejected << " of " << steps;
+}
