@@ -22,6 +22,8 @@ constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-4;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
+/// What is iterated to of the residual that round-off may leave, while that goes on.
+constexpr double aim_of_floor = 0.05;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 
@@ -181,6 +183,7 @@ class Staged {
 
   bool is_balanced() const {
     const double own = report_.residual.own;
+    if (own == 0 && report_.residual.over_floor > aim_of_floor && since_best_ < patience) return false;
     return own <= options_.residual_aim || (own <= options_.residual_tolerance && since_best_ >= patience);
   }
 

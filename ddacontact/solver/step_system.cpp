@@ -87,7 +87,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   }
 
   residual.force = -residual.external;
-  residual.largest = residual.scale = residual.floor = residual.own = 0;
+  residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
   for (int b : active_) {
     const Block& block = blocks_.block(b);
     const Range& u = block.unknowns();
@@ -115,6 +115,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     if (!(largest <= residual.largest)) residual.largest = largest;
     const double own = largest <= floor ? 0 : sum > 0 ? (largest - floor) / sum : std::numeric_limits<double>::infinity();
     if (!(own <= residual.own)) residual.own = own;
+    residual.over_floor = std::max(residual.over_floor, largest / floor);
   }
 }
 
