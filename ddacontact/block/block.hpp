@@ -89,6 +89,12 @@ class Block {
   virtual Tensors stress(const BlockState& state) const = 0;
   /// What the step's displacements d store in the block, J per m.
   virtual double stored_energy(const Eigen::Ref<const VectorXd>& d) const = 0;
+  /// What the step loses of the work of the block's elastic forces, J per m: by the identity of the scheme
+  /// where there is one, so that a force that is not that of the energy leaves the ledger open; else what the
+  /// work of `elastic` has more than is stored.
+  virtual double elastic_loss(const Eigen::Ref<const VectorXd>& d, const VectorXd& elastic) const {
+    return d.dot(elastic) - stored_energy(d);
+  }
   /// Integral of sigma D^-1 sigma / 2, J per m.
   double elastic_energy(const BlockState& state) const;
   /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the

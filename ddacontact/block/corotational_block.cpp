@@ -109,6 +109,10 @@ CorotationalBlock::Motion CorotationalBlock::split(const Points& y, const Points
   return motion;
 }
 
+Points CorotationalBlock::motion_at(const Points& y, const Motion& motion) const {
+  return motion.linear * shape_->translation.transpose() + motion.angular * spin(y) + motion.deformation;
+}
+
 void CorotationalBlock::prepare_shape(const PointsRef& outline) {
   const Points y = nodes(outline), turning = spin(y);
   rigid_modes_.resize(n_unknowns(), 3);
@@ -124,9 +128,8 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   y0_ = nodes(state.position.middleCols(vertices().first, vertices().count));
   velocity_ = to_nodes(start.velocity.segment(u.first, u.count));
   acceleration_ = to_nodes(start.acceleration.segment(u.first, u.count));
-  jump_ = to_nodes(start.jump.segment(u.first, u.count));
-  jump_path_ = to_nodes(start.jump_path.segment(u.first, u.count));
-  path_ = dt_ * velocity_ + jump_path_;
+  jump_ = split(y0_, to_nodes(start.jump.segment(u.first, u.count)));
+  jump_path_ = split(y0_, to_nodes(start.jump_path.segment(u.first, u.count)));
   shape_->elastic.frame(y0_, start_);
   initial_force_.resize(2 * y0_.cols());
   polyfem::stress_forces(
@@ -142,7 +145,7 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
 }
 
 VectorXd CorotationalBlock::free_path() const {
-  const Motion motion = split(y0_, path_ / dt_);
+  const Motion motion = split(y0_, velocity_ + motion_at(y0_, jump_path_) / dt_);
   const Eigen::Rotation2Dd turn(2 * std::atan(dt_ * motion.angular / 2));
   const Points r = y0_ - centre(y0_) * shape_->translation.transpose();
   return to_unknowns(turn.toRotationMatrix() * r - r + dt_ * motion.linear * shape_->translation.transpose());
@@ -164,8 +167,12 @@ void CorotationalBlock::elastic_force(const Frame& end, const VectorXd& initial_
     shape_->elastic.end_force(end, initial_force, f);
 }
 
+Points CorotationalBlock::path(const Points& step) const {
+  return dt_ * velocity_ + motion_at(y0_ + step / 2, jump_path_);
+}
+
 Points CorotationalBlock::mean_deforming(const Points& step) const {
-  return split(y0_ + step / 2, (step - jump_path_) / dt_).deformation;
+  return split(y0_ + step / 2, (step - motion_at(y0_ + step / 2, jump_path_)) / dt_).deformation;
 }
 
 Points CorotationalBlock::carried_deforming(const Frame& end) const {
@@ -173,7 +180,7 @@ Points CorotationalBlock::carried_deforming(const Frame& end) const {
 }
 
 Points CorotationalBlock::inertia_force(const Points& step, const Frame& end) const {
-  Points acceleration = rule_.inertia() / (dt_ * dt_) * (step - path_) - rule_.history() * acceleration_;
+  Points acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step)) - rule_.history() * acceleration_;
   if (rule_.scheme == Scheme::decaying) acceleration -= (mean_deforming(step) - carried_deforming(end)) / dt_;
   return acceleration * shape_->mass;
 }
@@ -222,10 +229,8 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   Frame end;
   shape_->elastic.frame(y1, end);
 
-  const Points acceleration =
-      rule_.inertia() / (dt_ * dt_) * (step - path_) - rule_.history() * acceleration_;
-  Points velocity =
-      velocity_ + jump_ + dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
+  const Points acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step)) - rule_.history() * acceleration_;
+  Points velocity = velocity_ + motion_at(y1, jump_) + dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
   if (rule_.scheme == Scheme::decaying) {
     // Rigid motion goes on, deformation has the velocity of the step's mean.
     const Motion trapezoid = split(y1, velocity);
@@ -237,7 +242,7 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   if (is_free) {
     // What the forces gave it, not what is left of it after K d has cancelled.
     const Vec2 force(external.dot(rigid_modes_.col(0)), external.dot(rigid_modes_.col(1)));
-    const Motion before = split(y0_, velocity_ + jump_), end_motion = split(y1, velocity);
+    const Motion before = split(y0_, velocity_ + motion_at(y0_, jump_)), end_motion = split(y1, velocity);
     const Vec2 start_acceleration = acceleration_ * mass_of_translation_ / mass_total_;
     const Vec2 linear =
         before.linear + dt_ * ((1 - rule_.gamma) * start_acceleration + rule_.gamma * (force / mass_total_));
@@ -265,6 +270,14 @@ double CorotationalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) con
   Frame end;
   shape_->elastic.frame(y0_ + to_nodes(d), end);
   return shape_->elastic.energy(end, initial_force_) - shape_->elastic.energy(start_, initial_force_);
+}
+
+double CorotationalBlock::elastic_loss(const Eigen::Ref<const VectorXd>& d, const VectorXd& elastic) const {
+  if (!rule_.mean_forces()) return Block::elastic_loss(d, elastic);
+  Frame end;
+  shape_->elastic.frame(y0_ + to_nodes(d), end);
+  const VectorXd strained = end.u - start_.u;
+  return rule_.decay() * strained.dot(shape_->elastic.stiffness() * strained);
 }
 
 Tensors CorotationalBlock::stress(const BlockState& state) const {

@@ -27,6 +27,7 @@ class CorotationalBlock final : public Block {
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
+  double elastic_loss(const Eigen::Ref<const VectorXd>& d, const VectorXd& elastic) const override;
   Tensors stress(const BlockState& state) const override;
   Points strain_displacement(const BlockState& state) const override;
 
@@ -50,9 +51,13 @@ class CorotationalBlock final : public Block {
   /// Velocities of a unit rotation about the centre of mass.
   Points spin(const Points& y) const;
   Motion split(const Points& y, const Points& velocity) const;
+  /// The same motion of the block in another place.
+  Points motion_at(const Points& y, const Motion& motion) const;
 
   void elastic_force(const Frame& end, const VectorXd& initial_force, VectorXd& f) const;
   Points inertia_force(const Points& step, const Frame& end) const;
+  /// Where the velocity at the start and a jump within the step lead, from the start.
+  Points path(const Points& step) const;
   /// Velocity of deformation within the step: its mean, and that at the start carried to the middle.
   Points mean_deforming(const Points& step) const;
   Points carried_deforming(const Frame& end) const;
@@ -66,7 +71,8 @@ class CorotationalBlock final : public Block {
   // Of the step last begun.
   StepRule rule_;
   double dt_ = 0;
-  Points y0_, velocity_, acceleration_, jump_, path_, jump_path_;
+  Points y0_, velocity_, acceleration_;
+  Motion jump_, jump_path_;  ///< turn with the block: see motion_at
   Points deforming_;        ///< velocity of deformation at the start, in the block's frame
   VectorXd initial_force_;  ///< of the stress that the reference shape has
   Frame start_;

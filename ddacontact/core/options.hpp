@@ -47,20 +47,20 @@ struct AnalysisOptions {
   Vec2 gravity{0.0, -9.8};  ///< m/s2
   Plane plane = Plane::strain;
   BlockModel block_model = BlockModel::wachspress;  ///< "auto" is resolved
-  Kinematics kinematics = Kinematics::incremental;
-  Scheme scheme = Scheme::dda;
+  Kinematics kinematics = Kinematics::corotational;
+  Scheme scheme = Scheme::decaying;
   double beta = 0.25, gamma = 0.5;  ///< of Scheme::newmark
   RayleighDamping damping;
   GradientCorrection gradient_correction = GradientCorrection::on;  ///< off in the paper preset
-  double cutting_factor = 0.3;  ///< a rejected step is tried again with this times its length
+  double cutting_factor = 0.5;  ///< a rejected step is tried again with this times its length
 };
 
 /// Springs of the contacts.
 struct ContactOptions {
-  ContactMethod method = ContactMethod::classic;
+  ContactMethod method = ContactMethod::staged;
   double normal_stiffness = 0;       ///< N/m per m; > 0 once resolved; staged: where it starts
   double tangential_stiffness = 0;   ///< N/m per m; > 0 once resolved
-  double penetration_tolerance = 0;  ///< of the block size; 0 = plain penalty
+  double penetration_tolerance = 1e-6;  ///< of the block size; 0 = plain penalty
 };
 
 }  // namespace ddacontact

@@ -35,6 +35,8 @@ constexpr int patience = 4;
 constexpr int patient_bounds = 8;
 /// A correction moves no block further than this part of its size.
 constexpr double largest_move = 0.25;
+/// What is iterated to of the residual that round-off may leave, while that goes on.
+constexpr double aim_of_floor = 0.05;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 
@@ -211,6 +213,7 @@ class Staged {
 
   bool is_balanced() const {
     const double own = report_.residual.own;
+    if (own == 0 && report_.residual.over_floor > aim_of_floor && since_best_ < patience) return false;
     return own <= options_.residual_aim || (own <= options_.residual_tolerance && since_best_ >= patience);
   }
 

@@ -87,7 +87,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   }
 
   residual.force = -residual.external;
-  residual.largest = residual.scale = residual.floor = residual.own = 0;
+  residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
   for (int b : active_) {
     const Block& block = blocks_.block(b);
     const Range& u = block.unknowns();
@@ -118,6 +118,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
                        : sum > 0        ? (largest - floor) / sum
                                         : std::numeric_limits<double>::infinity();
     if (!(own <= residual.own)) residual.own = own;
+    residual.over_floor = std::max(residual.over_floor, largest / floor);
   }
 }
 

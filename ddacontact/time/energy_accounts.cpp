@@ -20,8 +20,8 @@ void account_block(const Block& block, const AcceptedStep& step, Energy& energy)
   BlockForces forces;
   block.forces(d, forces);
   const MatrixXd& M = block.mass();
-  energy.numerical_dissipated += d.dot(forces.elastic) - block.stored_energy(d) + d.dot(forces.inertia) -
-                                 (v1.dot(M * v1) - v0.dot(M * v0)) / 2;
+  energy.numerical_dissipated +=
+      block.elastic_loss(d, forces.elastic) + d.dot(forces.inertia) - (v1.dot(M * v1) - v0.dot(M * v0)) / 2;
   energy.damping_dissipated += d.dot(forces.damping);
 }
 
@@ -30,7 +30,8 @@ double stored_normal(const Contact& contact, double gap) {
   return contact.closed() && !contact.augmented ? normal_energy(contact.law, gap) : 0;
 }
 double stored_shear(const Contact& contact, double slip) {
-  return contact.history.state == ContactState::stick && !contact.augmented ? shear_energy(contact.law, slip) : 0;
+  return contact.history.state == ContactState::stick && !contact.augmented ? shear_energy(contact.law, slip)
+                                                                            : 0;
 }
 
 void account_contact(const Contact& before, const Contact& after, const VectorXd& d, Energy& energy) {
@@ -38,7 +39,8 @@ void account_contact(const Contact& before, const Contact& after, const VectorXd
   const double by_dashpot = after.normal != 0 ? -after.damping * gap_change : 0;
   energy.damping_dissipated -= by_dashpot * gap_change;
   energy.numerical_dissipated += stored_normal(before, before.gap.constant - before.history.gap_offset) -
-                                 stored_normal(after, after.end_gap) - (after.normal - by_dashpot) * gap_change;
+                                 stored_normal(after, after.end_gap) -
+                                 (after.normal - by_dashpot) * gap_change;
   const double from_shear = stored_shear(before, before.slip.constant) - stored_shear(after, after.end_slip) -
                             after.shear * slip_change;
   (is_slipping(after.history.state) ? energy.friction_dissipated : energy.numerical_dissipated) += from_shear;

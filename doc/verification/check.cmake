@@ -1,10 +1,11 @@
 # Makes the verification anew and compares its verdicts with those of the committed text; figures may differ in their last
 # digits from machine to machine, what is seen may not.
-#   cmake -DPROGRAM=... -DCOMMITTED=.../paper.md -DDIRECTORY=... -P check.cmake
+#   cmake -DPROGRAM=... -DCOMMITTED=.../NAME.md -DDIRECTORY=... -P check.cmake
 file(REMOVE_RECURSE ${DIRECTORY})
 file(MAKE_DIRECTORY ${DIRECTORY})
 execute_process(COMMAND ${PROGRAM} ${DIRECTORY} COMMAND_ERROR_IS_FATAL ANY)
-foreach(text ${COMMITTED} ${DIRECTORY}/paper.md)
+get_filename_component(page ${COMMITTED} NAME)
+foreach(text ${COMMITTED} ${DIRECTORY}/${page})
   file(READ ${text} content)
   string(REGEX MATCHALL "\n\\| [^|\n]* \\| (yes|\\*\\*no\\*\\*) \\|" verdicts "${content}")
   list(LENGTH verdicts n_verdicts)

@@ -26,11 +26,11 @@ int main(int argc, char** argv) {
   }
   try {
     polyfem::pin_blas_to_one_thread();
-    verification::Report report(argv[1]);
+    verification::Report report(argv[1], "the paper says");
     verification::sliding_block(report);
     verification::arch_bridge(report);
     verification::voronoi_slope(report);
-    report.write(fmt::format(front, report.n_claims(), report.n_seen()));
+    report.write("paper", fmt::format(front, report.n_claims(), report.n_seen()));
   } catch (const std::exception& error) {
     fmt::print(stderr, "paper_verification: error: {}\n", error.what());
     return 1;

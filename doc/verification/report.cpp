@@ -34,17 +34,17 @@ void Report::picture(const std::string& name, const std::string& svg, const std:
 }
 
 void Report::claims(const std::vector<Claim>& claims) {
-  std::vector<std::vector<std::string>> rows{{"the paper says", "seen", "here"}};
+  std::vector<std::vector<std::string>> rows{{claims_of_, "seen", "here"}};
   for (const Claim& claim : claims) {
-    rows.push_back({claim.paper, claim.seen ? "yes" : "**no**", claim.here});
+    rows.push_back({claim.said, claim.seen ? "yes" : "**no**", claim.here});
     ++n_claims_;
     n_seen_ += claim.seen;
   }
   table(rows);
 }
 
-void Report::write(const std::string& front) const {
-  write_file(directory_ / "paper.md", front + text_);
+void Report::write(const std::string& name, const std::string& front) const {
+  write_file(directory_ / (name + ".md"), front + text_);
 }
 
 }  // namespace verification

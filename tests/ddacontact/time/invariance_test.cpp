@@ -64,6 +64,20 @@ TEST(Invariance, AFarOriginChangesNothing) {
   EXPECT_LE((displacements(here) - displacements(there)).norm(), 1e-9);
 }
 
+/// The default mechanics, on a map, with coordinates that are multiples of 2^-20 m.
+TEST(Invariance, AMapsOriginChangesNothingOfTheDefaultMechanics) {
+  Scene scene = pile();
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.blocks[3].vertices = (scene.blocks[3].vertices.array() + 1. / (1 << 20)).matrix();
+  const BuiltScene here = run(scene), there = run(changed(scene, Mat2::Identity(), Vec2(5e5, 4e6)));
+  expect_same_counts(*here.stepper, *there.stepper);
+  EXPECT_GT(displacements(here).colwise().norm().maxCoeff(), 0.2);
+  EXPECT_LE((displacements(here) - displacements(there)).colwise().norm().maxCoeff(), 1e-9 * 0.75);
+}
+
 /// Lengths by 2^k at the same time step: gravity and velocities by as much, stiffnesses and stresses by its
 /// square.
 TEST(Invariance, ScalingLengthsByPowersOfTwoScalesEverythingBitByBit) {

@@ -1,0 +1,127 @@
+#include <ddacontact/block/corotational_block.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <algorithm>
+
+using namespace support;
+
+namespace {
+
+/// The only block of a system, whose elastic forces are `factor` times those of its energy.
+class MisjudgedBlock final : public Block {
+ public:
+  MisjudgedBlock(const BlockMaterial& material, const PointsRef& outline, double factor)
+      : Block(material, outline),
+        right_(material, outline,
+               std::make_shared<CorotationalShape>(
+                   wachspress_shape(material, outline, choose_integration(outline, GradientCorrection::on)))),
+        factor_(factor) {
+    right_.place(0, 0, 0, 0);
+    mass_ = right_.mass();
+    integration_weights_ = right_.integration_weights();
+  }
+
+  int n_unknowns() const override { return right_.n_unknowns(); }
+  int n_stress_points() const override { return right_.n_stress_points(); }
+  VectorXd unknown_lengths() const override { return right_.unknown_lengths(); }
+  PointMap vertex_map(int vertex) const override { return right_.vertex_map(vertex); }
+  void add_body_force(const Vec2& b, VectorXd& F) const override { right_.add_body_force(b, F); }
+  void begin_step(const BlockState& state, const StepStart& start) override {
+    right_.begin_step(state, start);
+  }
+  VectorXd free_path() const override { return right_.free_path(); }
+  void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override {
+    right_.forces(d, forces);
+    forces.elastic *= factor_;
+  }
+  void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override { right_.tangent(d, A); }
+  void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
+                BlockState& next) const override {
+    right_.end_step(d, external, is_free, next);
+  }
+  double stored_energy(const Eigen::Ref<const VectorXd>& d) const override { return right_.stored_energy(d); }
+  double elastic_loss(const Eigen::Ref<const VectorXd>& d, const VectorXd& elastic) const override {
+    return right_.elastic_loss(d, elastic);
+  }
+  Tensors stress(const BlockState& state) const override { return right_.stress(state); }
+  Points strain_displacement(const BlockState& state) const override {
+    return right_.strain_displacement(state);
+  }
+
+ private:
+  void prepare_shape(const PointsRef& outline) override {
+    BlockState state;
+    state.origin = Points::Zero(2, 1);
+    state.position = outline;
+    right_.prepare(state);
+    rigid_modes_ = right_.rigid_modes();
+  }
+
+  CorotationalBlock right_;
+  double factor_;
+};
+
+/// The largest balance error of a turning square that rings from a stress of 1 MPa.
+double worst_balance(Scheme scheme, double factor) {
+  const BlockMaterial rock{polyfem::elasticity_matrix(1e8, 0.25, Plane::strain), 2000};
+  std::vector<std::unique_ptr<Block>> blocks;
+  blocks.push_back(std::make_unique<MisjudgedBlock>(rock, rectangle(0, 0, 2, 1), factor));
+  BlockSystem system(std::move(blocks));
+  BlockState state = system.initial_state();
+  system.prepare(state, true);
+  state.stress.row(0).setConstant(1e6);
+  state.velocity = 3 * system.block(0).rigid_modes().col(2);
+
+  AnalysisOptions analysis;
+  analysis.time_step = 1e-3;
+  analysis.kinematics = Kinematics::corotational;
+  analysis.scheme = scheme;
+  analysis.max_displacement_ratio = 1;
+  const ContactProperties contacts{1e9, 4e8, JointTable(JointStrength{}), {0}, ContactMethod::staged, 0};
+  Stepper stepper(std::move(system), std::move(state), contacts, analysis);
+  double worst = 0;
+  for (int k = 0; k < 50; ++k) {
+    run(stepper, 1);
+    worst = std::max(worst, std::abs(stepper.energy().balance_error()));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST(EnergyLedger, OpensWhenAForceIsWrong) {
+  for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying}) {
+    EXPECT_LE(worst_balance(scheme, 1), 1e-8);
+    EXPECT_GE(worst_balance(scheme, 1.01), 5e-3);
+    EXPECT_LE(worst_balance(scheme, 1.01), 0.1);
+  }
+}
+
+/// A square is thrown along the floor, bounces on a corner, slides and hits another one; damping acts
+/// throughout.
+TEST(EnergyLedger, OfEverythingAtOnceCloses) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint}) {
+    Scene scene = rock_scene(0.005, 200);
+    scene.analysis.kinematics = Kinematics::corotational;
+    scene.analysis.scheme = scheme;
+    scene.analysis.max_displacement_ratio = 1;
+    scene.analysis.damping = {0.2, 1e-4};
+    scene.contact.method = ContactMethod::staged;
+    scene.contact.penetration_tolerance = 1e-6;
+    scene.joints[0].friction_angle = 25;
+    scene.joints[0].restitution = 0.4;
+    scene.joints[0].dashpot = 0.1;
+    scene.blocks = {block(rectangle(-2, -1, 14, 1), true),
+                    block(turned(rectangle(-0.5, 0.5, 1, 1), 0.1, {0, 1})), block(rectangle(3, 0, 1, 1.5))};
+    scene.blocks[1].velocity = {6, 0};
+    const BuiltScene built = build(scene);
+    for (int k = 0; k < 200; ++k) {
+      run(*built.stepper, 1);
+      ASSERT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6) << k;
+    }
+    const Energy& now = built.stepper->energy().now;
+    EXPECT_GT(travel(*built.stepper, 2).x(), 0.01);
+    EXPECT_GT(now.friction_dissipated, 1e3);
+    EXPECT_GT(now.damping_dissipated, 1e3);
+  }
+}

@@ -1,0 +1,356 @@
+#include <ddacontact/block/corotational_shape.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+using namespace support;
+
+namespace {
+
+constexpr double g = 9.8, one_turn = 2 * std::numbers::pi;
+
+/// Rock (2500 kg/m3, 35 GPa, 0.3) with the default mechanics.
+Scene stiff_scene(double time_step, double end_time, Scheme scheme = Scheme::decaying) {
+  Scene scene;
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = static_cast<int>(std::lround(end_time / time_step));
+  scene.analysis.gravity = Vec2(0, -g);
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = scheme;
+  scene.analysis.cutting_factor = 0.5;
+  scene.analysis.max_displacement_ratio = 10;
+  scene.contact = {ContactMethod::staged, 40 * 35e9, 16 * 35e9, 1e-6};
+  scene.materials = {{"rock", 2500, 35e9, 0.3}};
+  scene.joints.resize(1);
+  return scene;
+}
+
+Points pentagon() {
+  Points p(2, 5);
+  p << 0, 2, 2.5, 1, -0.3, 0, 0, 1.2, 2, 1;
+  return p;
+}
+
+RigidVelocity rigid(const Stepper& stepper, int b) {
+  return rigid_velocity(stepper.blocks().block(b), stepper.state().velocity);
+}
+
+double spin_momentum(const Stepper& stepper, int b) {
+  const Block& of = stepper.blocks().block(b);
+  const auto turning = of.rigid_modes().col(2);
+  return turning.dot(of.mass() * turning) * rigid(stepper, b).angular;
+}
+
+double mechanical_energy(const Stepper& stepper) {
+  const Energy& now = stepper.energy().now;
+  return now.kinetic + now.elastic + now.gravity;
+}
+
+double normal_force(const Stepper& stepper, int one, int other) {
+  double sum = 0;
+  for (const Contact& c : stepper.contacts())
+    if (std::minmax(c.pair.vertex_block, c.pair.edge_block) == std::minmax(one, other)) sum += c.normal;
+  return sum;
+}
+
+std::vector<ContactState> states(const Stepper& stepper) {
+  std::vector<ContactState> states;
+  for (const Contact& contact : stepper.contacts()) states.push_back(contact.history.state);
+  return states;
+}
+
+Scene spinning(BlockModel model, Scheme scheme, int turns, double young = 35e9) {
+  Scene scene = stiff_scene(0.01, turns, scheme);
+  scene.analysis.gravity.setZero();
+  scene.materials[0].young = young;
+  scene.blocks = {block(pentagon())};
+  scene.blocks[0].model = model;
+  scene.blocks[0].velocity = {3, 1};
+  scene.blocks[0].angular_velocity = one_turn;
+  return scene;
+}
+
+/// Of the area that turns steadily, K u = w^2 M (X + u), over that at rest, less 1.
+double centrifugal_stretch(const Block& block, BlockModel model, double w) {
+  const Points outline = block.reference().colwise() - polyfem::area_moments(block.reference()).centroid;
+  const CorotationalShape shape =
+      model == BlockModel::affine
+          ? affine_shape(block.material(), outline)
+          : wachspress_shape(block.material(), outline, choose_integration(outline, GradientCorrection::on));
+  MatrixXd A = shape.elastic.stiffness();
+  const Index m = shape.nodes.cols();
+  for (Index a = 0; a < m; ++a)
+    for (Index b = 0; b < m; ++b) A.block<2, 2>(2 * a, 2 * b) -= w * w * shape.mass(a, b) * Mat2::Identity();
+  const Points load = w * w * shape.nodes * shape.mass;
+  const VectorXd u = A.fullPivLu().solve(VectorXd(load.reshaped()));
+  const Points stretched = (shape.nodes + u.reshaped(2, m)) * shape.outline.transpose();
+  return polyfem::area_moments(stretched).area / polyfem::area_moments(outline).area - 1;
+}
+
+class Spinning : public testing::TestWithParam<std::tuple<BlockModel, Scheme>> {};
+
+}  // namespace
+
+TEST_P(Spinning, KeepsMomentaEnergyAndTheAreaOfItsCentrifugalStretch) {
+  const auto [model, scheme] = GetParam();
+  const BuiltScene built = build(spinning(model, scheme, 20));
+  Stepper& stepper = *built.stepper;
+  const Vec2 v0 = rigid(stepper, 0).linear;
+  const double L0 = spin_momentum(stepper, 0), E0 = mechanical_energy(stepper);
+  double area = 0;
+  for (int k = 0; k < 2000; ++k) {
+    run(stepper, 1);
+    ASSERT_LE((rigid(stepper, 0).linear - v0).norm(), 1e-12 * v0.norm()) << k;
+    ASSERT_NEAR(spin_momentum(stepper, 0), L0, 1e-9 * L0) << k;
+    ASSERT_LE(mechanical_energy(stepper), E0 * (1 + 1e-9)) << k;
+    const Block& of = stepper.blocks().block(0);
+    if (k >= 1000) area += (of.moments().area / of.reference_area() - 1) / 1000;
+  }
+  const double stretch = centrifugal_stretch(stepper.blocks().block(0), model, rigid(stepper, 0).angular);
+  EXPECT_GT(stretch, 5e-7);
+  EXPECT_NEAR(area, stretch, 1e-8);
+  EXPECT_NEAR(mechanical_energy(stepper), E0, scheme == Scheme::midpoint ? 1e-9 * E0 : 1e-6 * E0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Spinning,
+                         testing::Combine(testing::Values(BlockModel::wachspress, BlockModel::affine),
+                                          testing::Values(Scheme::midpoint, Scheme::decaying)));
+
+/// Forces at the end of a step have no moment about the shape there: tan(theta) = w dt, and w' dt =
+/// sin(theta).
+TEST(SpinningCorotationalBlock, SlowsDownAsItsSchemeSays) {
+  const double w2 = std::pow(one_turn * 0.01, 2);
+  struct Law {
+    Scheme scheme;
+    double young, loss;  // of 1 / L^2 a step
+  };
+  for (const Law& law : {Law{Scheme::dda, 35e9, w2}, Law{Scheme::backward_euler, 35e9, 2 * w2},
+                         Law{Scheme::newmark, 1e8, 0}}) {
+    const BuiltScene built = build(spinning(BlockModel::wachspress, law.scheme, 2, law.young));
+    const double L0 = spin_momentum(*built.stepper, 0);
+    for (int n = 1; n <= 200; ++n) {
+      run(*built.stepper, 1);
+      ASSERT_NEAR(spin_momentum(*built.stepper, 0) / L0, 1 / std::sqrt(1 + n * law.loss), 0.01) << n;
+    }
+  }
+}
+
+TEST(Flight, OfASpinningBlockIsExactAndItsAngleOfSecondOrder) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint}) {
+    for (const double dt : {0.02, 0.005}) {
+      Scene scene = stiff_scene(dt, 1, scheme);
+      scene.blocks = {block(pentagon())};
+      scene.blocks[0].velocity = {4, 6};
+      scene.blocks[0].angular_velocity = 5;
+      const BuiltScene built = run(scene);
+      EXPECT_LE((travel(*built.stepper, 0) - Vec2(4, 6 - g / 2)).norm(),
+                1e-7);  // a stretched shape's centroid
+      EXPECT_LE((rigid(*built.stepper, 0).linear - Vec2(4, 6 - g)).norm(), 1e-12);
+      EXPECT_NEAR(built.stepper->state().rotation[0], 5 / (5 * dt / 2) * std::atan(5 * dt / 2), 1e-5);
+    }
+  }
+}
+
+namespace {
+
+/// A block of 4 x 2 m on a slope that falls to the right. Gravity pulls along the slope smoothly from 0.1 to
+/// 0.6 s, so that the block does not vibrate.
+Scene slow_slope(double angle, double friction, double dt, double penalty) {
+  const Vec2 along(std::cos(angle), -std::sin(angle)), normal(std::sin(angle), std::cos(angle));
+  Scene scene = stiff_scene(dt, 1.4);
+  scene.blocks = {block(turned(rectangle(-5, -1, 60, 1), -angle), true),
+                  block(turned(rectangle(0, 0, 4, 2), -angle))};
+  scene.joints[0].friction_angle = std::atan(friction) * 180 / std::numbers::pi;
+  scene.contact.normal_stiffness = penalty * 35e9;
+  scene.contact.tangential_stiffness = penalty * 14e9;
+  scene.analysis.gravity = -g * std::cos(angle) * normal;
+  Load load = body_load(1, {TimeFunction::Kind::history, Vec2::Zero(), {}});
+  for (int k = 0; k <= 100; ++k) {
+    const double s = k / 100., grown = s * s * s * (10 - 15 * s + 6 * s * s);
+    const Vec2 force = grown * 2500 * g * std::sin(angle) * along;
+    load.force.history.emplace_back(0.1 + 0.5 * s, force.x(), force.y());
+  }
+  scene.loads = {load};
+  return scene;
+}
+
+/// The acceleration along the slope from 0.7 to 1.4 s, by the distance and by the velocity, and the velocity
+/// at the end.
+struct Slid {
+  double by_distance, by_velocity, velocity;
+};
+Slid slide(double angle, double friction, double dt, double penalty = 40) {
+  const Vec2 along(std::cos(angle), -std::sin(angle));
+  const BuiltScene built = build(slow_slope(angle, friction, dt, penalty));
+  Stepper& stepper = *built.stepper;
+  const int first = static_cast<int>(std::lround(0.7 / dt)), all = static_cast<int>(std::lround(1.4 / dt));
+  run(stepper, first);
+  const double x0 = travel(stepper, 1).dot(along), v0 = rigid(stepper, 1).linear.dot(along),
+               t = (all - first) * dt;
+  run(stepper, all - first);
+  const double v = rigid(stepper, 1).linear.dot(along);
+  EXPECT_EQ(stepper.counts().rejected, 0);
+  return {2 * (travel(stepper, 1).dot(along) - x0 - v0 * t) / (t * t), (v - v0) / t, v};
+}
+
+}  // namespace
+
+TEST(Slope, ABlockSlidesAsARigidOneWhateverTheStepAndThePenalty) {
+  for (const double a : {radians(45), radians(30)})
+    for (const double below : {1., 5., 30.})
+      for (const double dt : {0.02, 0.002}) {
+        const double mu = std::tan(a - radians(below)), exact = g * (std::sin(a) - std::cos(a) * mu);
+        const double with_E = slide(a, mu, dt, 1).by_distance,
+                     with_1000_E = slide(a, mu, dt, 1000).by_distance;
+        EXPECT_NEAR(with_E, exact, 1e-3 * exact) << below << ' ' << dt;
+        EXPECT_NEAR(with_1000_E, with_E, 1e-4 * exact) << below << ' ' << dt;
+      }
+}
+
+TEST(Slope, AtTheLimitOfFrictionAMillionthDecides) {
+  for (const double a : {radians(45), radians(30)})
+    for (const double dt : {0.02, 0.005}) {
+      const double exact = 1e-6 * g * std::sin(a);
+      EXPECT_LE(std::abs(slide(a, std::tan(a) * (1 + 1e-6), dt).velocity), 1e-9) << dt;
+      EXPECT_NEAR(slide(a, std::tan(a) * (1 - 1e-6), dt).by_velocity, exact, 0.05 * exact) << dt;
+    }
+}
+
+TEST(Impact, LeavesTheRestitutionAskedForAtEveryStepAndPhase) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint})
+    for (const double e : {0., 0.25, 0.5, 0.75, 1.})
+      for (const double dt : {1e-5, 1e-3, 2e-2})
+        for (const double phase : {0.03, 0.4, 0.77, 0.98}) {
+          const double hit = (1 + phase) * dt, speed = 2 + g * hit;
+          Scene scene = stiff_scene(dt, 4 * dt, scheme);
+          scene.joints[0].restitution = e;
+          scene.blocks = {block(rectangle(-2, -1, 5, 1), true),
+                          block(rectangle(0, 2 * hit + g * hit * hit / 2, 1, 1))};
+          scene.blocks[1].velocity = {0, -2};
+          const BuiltScene built = run(scene);
+          const double since = e == 0 ? 0 : g * (4 * dt - hit);
+          EXPECT_NEAR((rigid(*built.stepper, 1).linear.y() + since) / speed, e, 0.02) << dt << ' ' << phase;
+        }
+}
+
+TEST(Impact, OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint})
+    for (const double e : {0., 0.5, 1.})
+      for (const double tilt : {0., 0.4})
+        for (const double dt : {0.02, 0.002}) {
+          Scene scene = stiff_scene(dt, 0.3, scheme);
+          scene.analysis.gravity.setZero();
+          scene.joints[0].restitution = e;
+          scene.joints[0].friction_angle = 30;
+          scene.blocks = {block(rectangle(-1, -0.5, 1, 1)), block(turned(rectangle(-1, -0.5, 2, 1), tilt))};
+          scene.blocks[1].vertices.colwise() += Vec2(1.3, tilt);
+          scene.blocks[0].velocity = {3, 0.2};
+          scene.blocks[1].velocity = {-1, 0};
+          const BuiltScene built = build(scene);
+          Stepper& stepper = *built.stepper;
+          const auto angular = [&] {
+            double sum = 0;
+            for (int b : {0, 1}) {
+              const Vec2 x = stepper.blocks().block(b).centroid(), p = momentum(stepper, b);
+              sum += x.x() * p.y() - x.y() * p.x() + spin_momentum(stepper, b);
+            }
+            return sum;
+          };
+          const double size = momentum(stepper, 0).norm() + momentum(stepper, 1).norm(), L0 = angular(),
+                       E0 = mechanical_energy(stepper), x0 = momentum(stepper, 0).x();
+          const Vec2 p0 = momentum(stepper, 0) + momentum(stepper, 1);
+          for (int k = 0; k < scene.analysis.steps; ++k) {
+            run(stepper, 1);
+            ASSERT_LE((momentum(stepper, 0) + momentum(stepper, 1) - p0).norm(), 1e-12 * size);
+            ASSERT_NEAR(angular(), L0, 1e-6 * size);
+            ASSERT_LE(mechanical_energy(stepper), E0 * (1 + 1e-9));
+          }
+          EXPECT_LT(momentum(stepper, 0).x(), 0.7 * x0);
+        }
+}
+
+TEST(Stack, ComesToRestCarriesItsWeightAndStays) {
+  Scene scene = stiff_scene(0.01, 1);
+  scene.joints[0].friction_angle = 30;
+  scene.blocks = {block(rectangle(-2, -1, 5, 1), true)};
+  for (int k = 0; k < 20; ++k) scene.blocks.push_back(block(rectangle(0, k, 1, 1)));
+  const BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  run(stepper, 300);
+  const Points before = stepper.blocks().displacements(stepper.state());
+  const auto states_before = states(stepper);
+  for (int k = 0; k < 50; ++k) {
+    run(stepper, 1);
+    ASSERT_NEAR(normal_force(stepper, 0, 1) / (20 * 2500 * g), 1, 1e-8) << k;
+    ASSERT_EQ(states(stepper), states_before) << k;
+  }
+  EXPECT_LE((stepper.blocks().displacements(stepper.state()) - before).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_EQ(stepper.counts().rejected, 0);
+}
+
+TEST(Stack, OfDensitiesOrModuliAMillionApartCarriesEveryWeight) {
+  struct Blocks {
+    double density[3], young[3];  // from below
+  };
+  for (const Blocks& blocks :
+       {Blocks{{25, 25, 2.5e7}, {35e9, 35e9, 35e9}}, Blocks{{2.5e7, 25, 25}, {35e9, 35e9, 35e9}},
+        Blocks{{2500, 2500, 2500}, {35e6, 35e6, 35e12}}, Blocks{{2500, 2500, 2500}, {35e12, 35e6, 35e6}}}) {
+    Scene scene = stiff_scene(0.01, 1);
+    scene.joints[0].friction_angle = 30;
+    scene.blocks = {block(rectangle(-2, -1, 5, 1), true)};
+    scene.materials.clear();
+    for (int k = 0; k < 3; ++k) {
+      scene.blocks.push_back(block(rectangle(0, k, 1, 1)));
+      scene.blocks.back().material = k;
+      scene.materials.push_back({std::to_string(k), blocks.density[k], blocks.young[k], 0.3});
+    }
+    // A force is resolved to its spring times the last digit of a coordinate.
+    scene.contact.normal_stiffness = *std::min_element(blocks.young, blocks.young + 3);
+    scene.contact.tangential_stiffness = scene.contact.normal_stiffness / 2.5;
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 1000);
+    double weight = 0;
+    for (int k = 2; k >= 0; --k) {
+      weight += blocks.density[k] * g;
+      EXPECT_NEAR(normal_force(*built.stepper, k, k + 1) / weight, 1, 1e-6) << k;
+    }
+  }
+}
+
+namespace {
+
+/// How a block of height 1 m and atan(base / height) = `slenderness` starts on a slope of 30 degrees.
+std::pair<bool, bool> slides_and_topples(double friction, double slenderness) {
+  const double a = radians(30);
+  Scene scene = stiff_scene(0.01, 0.3);
+  scene.joints[0].friction_angle = friction;
+  scene.blocks = {block(turned(rectangle(-2, -1, 6, 1), -a), true),
+                  block(turned(rectangle(0, 0, std::tan(radians(slenderness)), 1), -a))};
+  const BuiltScene built = run(scene);
+  const Stepper& stepper = *built.stepper;
+  const Vec2 toe =
+      stepper.blocks().displacements(stepper.state()).col(stepper.blocks().block(1).vertices().first + 1);
+  return {toe.dot(Vec2(std::cos(a), -std::sin(a))) > 1e-3, stepper.state().rotation[1] < -1e-3};
+}
+
+}  // namespace
+
+/// Statics: it slides below a friction angle of 30 degrees and topples below a slenderness of as much. In
+/// motion a block that tilts pushes less along the slope, and one that slides topples only below its friction
+/// angle.
+TEST(SlideOrTopple, IsRightADegreeFromTheBoundaries) {
+  const auto rests = std::pair(false, false), slides = std::pair(true, false),
+             topples = std::pair(false, true), both = std::pair(true, true);
+  EXPECT_EQ(slides_and_topples(31, 31), rests);
+  EXPECT_EQ(slides_and_topples(31, 29), topples);
+  EXPECT_EQ(slides_and_topples(29, 31), slides);
+  EXPECT_EQ(slides_and_topples(50, 31), rests);
+  EXPECT_EQ(slides_and_topples(50, 29), topples);
+  EXPECT_EQ(slides_and_topples(29, 50), slides);
+  EXPECT_EQ(slides_and_topples(5, 50), slides);
+  EXPECT_EQ(slides_and_topples(10, 12), slides);
+  EXPECT_EQ(slides_and_topples(10, 8), both);
+  EXPECT_EQ(slides_and_topples(5, 3), both);
+}
