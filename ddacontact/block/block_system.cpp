@@ -27,7 +27,8 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   reference_.resize(2, n_vertices);
   for (const auto& block : blocks_)
     reference_.middleCols(block->vertices().first, block->vertices().count) = block->reference();
-  for (int b = 0; b < n_blocks(); ++b) block_of_vertex_.insert(block_of_vertex_.end(), block(b).n_vertices(), b);
+  for (int b = 0; b < n_blocks(); ++b)
+    block_of_vertex_.insert(block_of_vertex_.end(), block(b).n_vertices(), b);
   start_ = initial_state();
   set_held_unknowns({});
 }

@@ -229,8 +229,10 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   Frame end;
   shape_->elastic.frame(y1, end);
 
-  const Points acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step)) - rule_.history() * acceleration_;
-  Points velocity = velocity_ + motion_at(y1, jump_) + dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
+  const Points acceleration =
+      rule_.inertia() / (dt_ * dt_) * (step - path(step)) - rule_.history() * acceleration_;
+  Points velocity = velocity_ + motion_at(y1, jump_) +
+                    dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
   if (rule_.scheme == Scheme::decaying) {
     // Rigid motion goes on, deformation has the velocity of the step's mean.
     const Motion trapezoid = split(y1, velocity);

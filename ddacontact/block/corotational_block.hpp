@@ -73,8 +73,8 @@ class CorotationalBlock final : public Block {
   double dt_ = 0;
   Points y0_, velocity_, acceleration_;
   Motion jump_, jump_path_;  ///< turn with the block: see motion_at
-  Points deforming_;        ///< velocity of deformation at the start, in the block's frame
-  VectorXd initial_force_;  ///< of the stress that the reference shape has
+  Points deforming_;         ///< velocity of deformation at the start, in the block's frame
+  VectorXd initial_force_;   ///< of the stress that the reference shape has
   Frame start_;
   MatrixXd reference_tangent_;
 };

@@ -56,8 +56,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   const Index n = outline.cols();
   MatrixXd of_outline(n, 3);
   of_outline << VectorXd::Ones(n), (outline.colwise() - moments.centroid).transpose() / size;
-  const MatrixXd nodes_of_outline =
-      of_outline.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
+  const MatrixXd nodes_of_outline = of_outline.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
 
   MatrixXd basis;
   if (control) {
@@ -70,7 +69,8 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
     basis = displacements.inverse();
   }
   const VectorXd translation = Vec3(1, 0, 0);
-  return {nodes, element, mass, translation, of_outline, nodes_of_outline, {nodes, weights, translation, K}, basis};
+  return {nodes, element, mass, translation, of_outline, nodes_of_outline, {nodes, weights, translation, K},
+          basis};
 }
 
 }  // namespace ddacontact

@@ -34,8 +34,7 @@ void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen
   all.segment(u.first, u.count) = d;
   for (int k = 0; k < v.count; ++k) next.position.col(v.first + k) += vertex_map(k)(all);
   add_stress(all, next.stress);
-  const VectorXd acceleration =
-      rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
+  const VectorXd acceleration = rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
   const double gamma = rule_.gamma;
   next.velocity.segment(u.first, u.count) =
       velocity_ + jump_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);

@@ -23,7 +23,8 @@ struct StepRule {
 };
 
 inline StepRule step_rule(const AnalysisOptions& analysis) {
-  if (analysis.scheme == Scheme::newmark) return {analysis.scheme, analysis.beta, analysis.gamma, analysis.damping};
+  if (analysis.scheme == Scheme::newmark)
+    return {analysis.scheme, analysis.beta, analysis.gamma, analysis.damping};
   return {analysis.scheme, 0.5, 1, analysis.damping};
 }
 
@@ -32,8 +33,8 @@ struct StepStart {
   StepRule rule;
   double dt = 0;
   VectorXd velocity, acceleration;
-  /// An impact within the step changes the velocity by `jump`; `jump_path` is `jump` times what is left of the
-  /// step after it.
+  /// An impact within the step changes the velocity by `jump`; `jump_path` is `jump` times what is left of
+  /// the step after it.
   VectorXd jump, jump_path;
 };
 

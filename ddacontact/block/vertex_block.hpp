@@ -17,7 +17,8 @@ struct Integration {
 /// outline.
 Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction);
 
-/// A convex block interpolated by (6) on its current shape, as stiff and as heavy as its integration makes it.
+/// A convex block interpolated by (6) on its current shape, as stiff and as heavy as its integration makes
+/// it.
 class VertexBlock final : public IncrementalBlock {
  public:
   /// `outline`: strictly convex, counter-clockwise.

@@ -93,7 +93,9 @@ MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdg
   const Block &vertex_block = blocks_.block(pair.vertex_block), &edge_block = blocks_.block(pair.edge_block);
   const int next = (pair.edge + 1) % edge_block.n_vertices();
   const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
-  const auto place = [&](const Block& block, int v) -> Vec2 { return state.position.col(block.vertices().first + v); };
+  const auto place = [&](const Block& block, int v) -> Vec2 {
+    return state.position.col(block.vertices().first + v);
+  };
   return {{place(vertex_block, pair.vertex) + shift, place(edge_block, pair.edge), place(edge_block, next)},
           vertex_block.vertex_map(pair.vertex),
           edge_block.vertex_map(pair.edge),

@@ -16,7 +16,7 @@ struct ContactProperties {
   double normal_stiffness = 0;      ///< p, N/m per m
   double tangential_stiffness = 0;  ///< p bar, N/m per m
   JointTable joints;
-  std::vector<int> materials;        ///< of each block
+  std::vector<int> materials;  ///< of each block
   ContactMethod method = ContactMethod::classic;
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
 };

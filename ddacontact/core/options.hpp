@@ -21,11 +21,11 @@ enum class BlockModel { wachspress, affine };
 enum class Kinematics { corotational, incremental };
 /// The time scheme.
 enum class Scheme {
-  decaying,        ///< momenta kept exactly, motion of rigid blocks of second order, deformation and contact
-                   ///< as backward Euler has them: what vibrates decays
-  midpoint,        ///< momenta and energy kept exactly
-  dda,             ///< Newmark (1/2, 1), Eq. (24)-(27)
-  newmark,         ///< Newmark (beta, gamma)
+  decaying,  ///< momenta kept exactly, motion of rigid blocks of second order, deformation and contact
+             ///< as backward Euler has them: what vibrates decays
+  midpoint,  ///< momenta and energy kept exactly
+  dda,       ///< Newmark (1/2, 1), Eq. (24)-(27)
+  newmark,   ///< Newmark (beta, gamma)
   backward_euler
 };
 /// How contact states are found: the staged method | Shi's open-close iteration.
@@ -58,8 +58,8 @@ struct AnalysisOptions {
 /// Springs of the contacts.
 struct ContactOptions {
   ContactMethod method = ContactMethod::staged;
-  double normal_stiffness = 0;       ///< N/m per m; > 0 once resolved; staged: where it starts
-  double tangential_stiffness = 0;   ///< N/m per m; > 0 once resolved
+  double normal_stiffness = 0;          ///< N/m per m; > 0 once resolved; staged: where it starts
+  double tangential_stiffness = 0;      ///< N/m per m; > 0 once resolved
   double penetration_tolerance = 1e-6;  ///< of the block size; 0 = plain penalty
 };
 

@@ -93,7 +93,8 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
 void ResultDirectory::write_vertices(const Stepper& stepper) {
   CsvFile csv(file("vertices.csv"), "block,vertex,x,y,ux,uy,vx,vy");
   const BlockState& state = stepper.state();
-  const Points positions = stepper.blocks().positions(state), displacements = stepper.blocks().displacements(state);
+  const Points positions = stepper.blocks().positions(state),
+               displacements = stepper.blocks().displacements(state);
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     const Block& block = stepper.blocks().block(b);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {

@@ -276,8 +276,8 @@ class Builder {
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);
     return {scene_.contact.normal_stiffness, scene_.contact.tangential_stiffness,
-            JointTable(std::move(joints)), std::move(materials), scene_.contact.method,
-            scene_.contact.penetration_tolerance};
+            JointTable(std::move(joints)),   std::move(materials),
+            scene_.contact.method,           scene_.contact.penetration_tolerance};
   }
 
   const Scene& scene_;

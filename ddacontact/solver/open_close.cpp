@@ -148,7 +148,9 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std
   Residual& r = report.residual;
   for (Contact& contact : contacts) contact.was_closed = contact.closed();
   const std::vector<ContactTerm> terms = terms_of(contacts);
-  const auto compute_residual = [&] { system.compute_residual(d, contacts, forces_in_states(contacts, d), r); };
+  const auto compute_residual = [&] {
+    system.compute_residual(d, contacts, forces_in_states(contacts, d), r);
+  };
   system.set_contacts(terms);
   d = system.prescribed();
   system.linearize(d);

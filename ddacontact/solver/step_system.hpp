@@ -16,7 +16,8 @@ struct Residual {
   double largest = 0;  ///< over the free unknowns, forces (moments over the block's size), N per m
   double scale = 0;    ///< the largest sum over a block of the magnitudes of the forces on it, N per m
   double floor = 0;    ///< what round-off alone may leave, N per m
-  double own = 0;      ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
+  double own =
+      0;  ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
   double over_floor = 0;  ///< the largest over the free unknowns over the floor of its own block
 
   bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }

@@ -33,7 +33,8 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
     const Block& block = blocks.block(b);
     const RigidVelocity v = rigid_velocity(block, velocity), a = rigid_velocity(block, acceleration);
-    const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear, centre = block.moments().centroid;
+    const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear,
+               centre = block.moments().centroid;
     const Mat2 R = Eigen::Rotation2Dd(times[b] * v.angular).toRotationMatrix();
     auto outline = later.position.middleCols(block.vertices().first, block.vertices().count);
     outline = ((R * (outline.colwise() - centre)).colwise() + (centre + shift)).eval();
@@ -54,9 +55,11 @@ AffineForm rate_form(const VertexEdgeGradient& gradient, const MovingVertexEdge&
 }
 
 VertexEdgePlace place_in(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
-  const Range &of_vertex = blocks.block(pair.vertex_block).vertices(), &of_edge = blocks.block(pair.edge_block).vertices();
+  const Range &of_vertex = blocks.block(pair.vertex_block).vertices(),
+              &of_edge = blocks.block(pair.edge_block).vertices();
   const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
-  return {state.position.col(of_vertex.first + pair.vertex) + shift, state.position.col(of_edge.first + pair.edge),
+  return {state.position.col(of_vertex.first + pair.vertex) + shift,
+          state.position.col(of_edge.first + pair.edge),
           state.position.col(of_edge.first + (pair.edge + 1) % of_edge.count)};
 }
 
@@ -90,7 +93,8 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
                  gap_now = contact.gap.constant - contact.history.gap_offset;
     const bool near = contact.closed() || gap_now <= contact.length_tolerance;
     double time = first_touch(near ? 0 : gap_now, rate, growth, dt);
-    if (!std::isfinite(time) && !also.empty() && also[c]) time = rate < 0 ? std::min(dt, std::max(gap_now, 0.0) / -rate) : infinity;
+    if (!std::isfinite(time) && !also.empty() && also[c])
+      time = rate < 0 ? std::min(dt, std::max(gap_now, 0.0) / -rate) : infinity;
     if (!std::isfinite(time)) continue;
     const double slip_then = contact.slip.constant + time * contact.slip.change(velocity);
     if (!contact.closed() && !contact.is_on_edge(slip_then)) continue;
@@ -111,7 +115,8 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    before.segment(u.first, u.count) = as_velocity(blocks.block(b), at_start[b]) + times[b] * acceleration.segment(u.first, u.count);
+    before.segment(u.first, u.count) =
+        as_velocity(blocks.block(b), at_start[b]) + times[b] * acceleration.segment(u.first, u.count);
   }
   std::vector<ImpactContact> taking_part;
   double least = infinity;
@@ -143,9 +148,9 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
     const Range& u = block.unknowns();
     auto jump = result.jump.segment(u.first, u.count);
     jump = report.jump.segment(u.first, u.count);
-    if (blocks.is_free(b))
-      jump = as_velocity(block, jumps[b]);
-    result.jump_path.segment(u.first, u.count) = (dt - (std::isfinite(times[b]) ? times[b] : earliest)) * jump;
+    if (blocks.is_free(b)) jump = as_velocity(block, jumps[b]);
+    result.jump_path.segment(u.first, u.count) =
+        (dt - (std::isfinite(times[b]) ? times[b] : earliest)) * jump;
   }
   return result;
 }

@@ -10,20 +10,20 @@ namespace ddacontact {
 
 /// An impact within a step.
 struct StepImpact {
-  VectorXd jump;       ///< of the velocities of all unknowns
-  VectorXd jump_path;  ///< jump times what is left of the step after it
+  VectorXd jump;          ///< of the velocities of all unknowns
+  VectorXd jump_path;     ///< jump times what is left of the step after it
   std::vector<char> hit;  ///< the contacts that met with a speed that counts
   int n_hits = 0;
   double friction_loss = 0, normal_loss = 0;  ///< kinetic energy lost, J per m
-  bool limited = false;   ///< restitution was reduced so that no energy arises
+  bool limited = false;                       ///< restitution was reduced so that no energy arises
   bool settled = true;
 };
 
 /// Follows the blocks on their way without forces (with gravity those that touch nothing) and lets those that
-/// meet within the step collide as rigid bodies: the approach of a hitting contact becomes `restitution` times
-/// itself away. Closed contacts take part, without restitution. A contact hits when its approach is faster
-/// than what gravity makes in a tenth of the step; its restitution counts when it is faster than what gravity
-/// makes in two steps: bounces that short are not resolved.
+/// meet within the step collide as rigid bodies: the approach of a hitting contact becomes `restitution`
+/// times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
+/// faster than what gravity makes in a tenth of the step; its restitution counts when it is faster than what
+/// gravity makes in two steps: bounces that short are not resolved.
 ///
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] also         contacts that are known to close within the step; empty: none

@@ -313,7 +313,8 @@ double Stepper::hold_closed_contacts(double dt, const VectorXd& d, BlockState& n
     if (contact.normal <= 0) continue;
     HeldContact rates = rates_at(contact, d);
     rates.tangential = contact.history.state == ContactState::stick;
-    const double negligible = std::max(negligible_rate * blocks_.gravity.norm() * dt, 1e-12 * contact.size / dt);
+    const double negligible =
+        std::max(negligible_rate * blocks_.gravity.norm() * dt, 1e-12 * contact.size / dt);
     moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
             (rates.tangential && std::abs(rates.slip.change(next.velocity)) > negligible);
     held.push_back(rates);

@@ -88,9 +88,7 @@ class Drawing {
 
  private:
   double between(double low, double high) { return uniform(low, high, random_); }
-  double log_between(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-  }
+  double log_between(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
   bool chance(double probability) { return between(0, 1) < probability; }
   double duration() const { return scene_.end_time(); }
 
@@ -157,8 +155,8 @@ class Drawing {
       const double touching = radius / std::cos(std::max(left, right));
       height = std::max(height + radius, 1.05 * touching + 0.01);
       const double tilt = (right - left) / 2;
-      add_at(turned(radius * shape(), between(0, 2 * std::numbers::pi)), height * Vec2(-std::sin(tilt), std::cos(tilt)) * 1.5,
-             radius);
+      add_at(turned(radius * shape(), between(0, 2 * std::numbers::pi)),
+             height * Vec2(-std::sin(tilt), std::cos(tilt)) * 1.5, radius);
       height += radius;
     }
   }
@@ -180,7 +178,8 @@ class Drawing {
     bricks(rows, columns);
     const double radius = log_between(0.1, 0.8), gap = radius * log_between(1e-3, 0.5);
     const Vec2 centre(-radius - gap, std::max(radius * 1.01, between(0, 0.5 * rows)));
-    BlockDescription& hits = add(turned(radius * shape(), between(0, 2 * std::numbers::pi)).colwise() + centre);
+    BlockDescription& hits =
+        add(turned(radius * shape(), between(0, 2 * std::numbers::pi)).colwise() + centre);
     hits.velocity = Vec2(std::min(20.0, between(0.5, 6) / duration()), 0);
     hits.angular_velocity = between(-5, 5);
   }
@@ -191,7 +190,8 @@ class Drawing {
     double height = 0;
     for (int k = 0; k < n; ++k) {
       const double width = log_between(0.2, 2), thickness = width * between(0.2, 1);
-      BlockDescription& block = add(rectangle(width, thickness, Vec2(-width / 2 + between(-0.1, 0.1), height)));
+      BlockDescription& block =
+          add(rectangle(width, thickness, Vec2(-width / 2 + between(-0.1, 0.1), height)));
       if (chance(0.5)) set_moving(block, width, true);
       height += thickness;
     }

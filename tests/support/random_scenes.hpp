@@ -1,4 +1,5 @@
-/// \file Scenes drawn by lot that are hard on contacts: blocks of sizes 1:30 that fall, collide, slide and spin.
+/// \file Scenes drawn by lot that are hard on contacts: blocks of sizes 1:30 that fall, collide, slide and
+/// spin.
 #pragma once
 
 #include <ddacontact/scene/scene.hpp>

@@ -113,7 +113,8 @@ TEST_P(StrainDisplacement, OfARectangleInBendingIsLinear) {
   for (int k = 0; k < 50; ++k) {
     const Vec2 r(uniform(-2, 2, random), uniform(-0.5, 0.5, random));
     const Vec3 expected = 1e-3 * elasticity * Vec3(r.y(), 0, r.x());
-    EXPECT_LE((one.stress(w, centre - one.state.origin.col(0) + r) - expected).norm(), 1e-10 * 1e-3 * elasticity.norm());
+    EXPECT_LE((one.stress(w, centre - one.state.origin.col(0) + r) - expected).norm(),
+              1e-10 * 1e-3 * elasticity.norm());
   }
 }
 

@@ -12,7 +12,8 @@ Scene resting(double stiffness, double angle, double friction_degrees) {
   scene.analysis.scheme = Scheme::decaying;
   scene.contact = {ContactMethod::staged, stiffness, 0.4 * stiffness, 1e-6};
   scene.joints[0].friction_angle = friction_degrees;
-  scene.blocks = {block(turned(rectangle(-4, -1, 10, 1), angle), true), block(turned(rectangle(0, 0, 2, 1), angle))};
+  scene.blocks = {block(turned(rectangle(-4, -1, 10, 1), angle), true),
+                  block(turned(rectangle(0, 0, 2, 1), angle))};
   return scene;
 }
 

@@ -102,8 +102,8 @@ TEST(Rest, AStaticColumnShortensByHooksLaw) {
   }
 }
 
-/// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All places and the lock
-/// points' fractions are whole binary numbers: nothing is left to round-off.
+/// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All places and the
+/// lock points' fractions are whole binary numbers: nothing is left to round-off.
 TEST(Rest, AnInitialOverlapMakesNoForce) {
   Scene scene = resting(BlockModel::wachspress, 0, Mode::dynamic);
   scene.analysis.gravity.setZero();
