@@ -95,9 +95,6 @@ class Stepper {
   Solution solve_with(double dt, const StepImpact& impact);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
-  /// Takes the rates of closed contacts out of the velocities of `next`, as rigid motions, with the friction
-  /// that the impulses make; returns what that dissipates, J per m.
-  double hold_closed_contacts(double dt, const VectorXd& d, BlockState& next);
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(Solution& solution);
   std::string between(int contact) const;
