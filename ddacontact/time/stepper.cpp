@@ -281,9 +281,9 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     return true;
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
-  held_friction_loss_ = analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged
-                            ? hold_closed_contacts(blocks_, tried_, d, dt, next)
-                            : 0;
+  held_ = HeldReport{};
+  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
+    held_ = hold_closed_contacts(blocks_, tried_, d, dt, next);
   return true;
 }
 
@@ -293,13 +293,14 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   account_step(blocks_, system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
                energy_.now);
-  const double friction_loss = solution.impact.friction_loss + held_friction_loss_;
+  const double friction_loss = solution.impact.friction_loss + held_.friction_loss;
   energy_.now.numerical_dissipated -= friction_loss + solution.impact.normal_loss;
   energy_.now.friction_dissipated += friction_loss;
   energy_.now.damping_dissipated += solution.impact.normal_loss;
   counts_.impacts += solution.impact.n_hits;
   if (solution.impact.limited) ++counts_.limited_impacts;
   if (!solution.impact.settled) ++counts_.unsettled_impacts;
+  if (!held_.settled) ++counts_.frictionless_holds;
   contacts_ = tried_;
   state_ = std::move(next);
   prepare_and_keep_momentum();
