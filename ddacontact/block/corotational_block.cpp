@@ -243,7 +243,8 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
 
   if (is_free) {
     // What the forces gave it, not what is left of it after K d has cancelled.
-    const Vec2 force(external.dot(rigid_modes_.col(0)), external.dot(rigid_modes_.col(1)));
+    const VectorXd acting = external - forces_on_unknowns(rule_.damping.mass / dt_ * step * shape_->mass);
+    const Vec2 force(acting.dot(rigid_modes_.col(0)), acting.dot(rigid_modes_.col(1)));
     const Motion before = split(y0_, velocity_ + motion_at(y0_, jump_)), end_motion = split(y1, velocity);
     const Vec2 start_acceleration = acceleration_ * mass_of_translation_ / mass_total_;
     const Vec2 linear =
@@ -259,7 +260,7 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
       const Points turning0 = spin(y0_), turning = spin(y1);
       const double inertia0 = (turning0 * shape_->mass).cwiseProduct(turning0).sum(),
                    inertia = (turning * shape_->mass).cwiseProduct(turning).sum();
-      const double torque = external.dot(to_unknowns(spin(y0_ + step / 2)));
+      const double torque = acting.dot(to_unknowns(spin(y0_ + step / 2)));
       const double angular = (inertia0 * before.angular + dt_ * torque) / inertia;
       velocity += (angular - end_motion.angular) * turning;
     }
