@@ -2,7 +2,7 @@
 
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
-#include <ddacontact/time/rigid_velocities.hpp>
+#include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -22,24 +22,6 @@ constexpr double tolerant_substep = 1e-2;
 constexpr double reach_growth = 4;
 /// A step is solved again so often for contacts that closed fast without having been foreseen.
 constexpr int most_impact_rounds = 4;
-/// Rates of closed contacts below this part of what gravity makes in the step are left to themselves.
-constexpr double negligible_rate = 1e-9;
-/// Of normal impulses and the friction that goes with them, when rates are taken out.
-constexpr int most_friction_rounds = 20;
-
-/// How velocities change gap and slip at the end of a step.
-HeldContact rates_at(const Contact& contact, const VectorXd& d) {
-  const MovingVertexEdge& m = contact.motion;
-  const VertexEdgePlace place = m.at(d);
-  HeldContact rates;
-  const VertexEdgeGradient across = gap_gradient(place), along = slip_gradient(place, contact.history.lock);
-  for (const auto& [form, gradient] : {std::pair{&rates.gap, &across}, std::pair{&rates.slip, &along}}) {
-    m.i.add_to(*form, gradient->i);
-    m.j.add_to(*form, gradient->j);
-    m.k.add_to(*form, gradient->k);
-  }
-  return rates;
-}
 
 std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
@@ -299,63 +281,10 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     return true;
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
-  held_friction_loss_ = analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged
-                            ? hold_closed_contacts(dt, d, next)
-                            : 0;
+  held_ = HeldReport{};
+  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
+    held_ = hold_closed_contacts(blocks_, tried_, d, dt, next);
   return true;
-}
-
-double Stepper::hold_closed_contacts(double dt, const VectorXd& d, BlockState& next) {
-  std::vector<HeldContact> held;
-  std::vector<const Contact*> contacts;
-  bool moves = false;
-  for (const Contact& contact : tried_) {
-    if (contact.normal <= 0) continue;
-    HeldContact rates = rates_at(contact, d);
-    rates.tangential = contact.history.state == ContactState::stick;
-    const double negligible =
-        std::max(negligible_rate * blocks_.gravity.norm() * dt, 1e-12 * contact.size / dt);
-    moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
-            (rates.tangential && std::abs(rates.slip.change(next.velocity)) > negligible);
-    held.push_back(rates);
-    contacts.push_back(&contact);
-  }
-  if (!moves) return 0;
-  blocks_.prepare(next);
-  // Friction of sliding contacts follows the normal impulses, which follow it: a few rounds settle that.
-  VectorXd normal = VectorXd::Zero(static_cast<Index>(held.size())), shear = normal;
-  double friction_loss = 0;
-  for (int round = 0; round < most_friction_rounds; ++round) {
-    const JumpReport report = hold(blocks_, held, next.velocity);
-    next.velocity += report.jump;
-    VectorXd impulses = VectorXd::Zero(next.velocity.size());
-    bool changed = false;
-    for (std::size_t c = 0; c < held.size(); ++c) {
-      const Contact& contact = *contacts[c];
-      if (held[c].tangential || !contact.law.has_friction()) continue;
-      const Index k = static_cast<Index>(c);
-      normal[k] += report.impulses[c].normal;
-      const double N = std::max(0.0, contact.normal + normal[k] / dt);
-      const double change =
-          dt * (std::copysign(shear_bound(contact.law, N, false), contact.shear) - contact.shear) - shear[k];
-      changed = changed || std::abs(change) > 1e-9 * dt * std::abs(contact.shear);
-      shear[k] += change;
-      held[c].slip.add_gradient(change, impulses);
-    }
-    if (!changed) break;
-    const VectorXd before = next.velocity;
-    for (int b = 0; b < blocks_.n_blocks(); ++b) {
-      if (!blocks_.is_free(b)) continue;
-      const Block& block = blocks_.block(b);
-      const Range& u = block.unknowns();
-      const auto& modes = block.rigid_modes();
-      const Vec3 inertia = (modes.transpose() * block.mass() * modes).diagonal();
-      next.velocity.segment(u.first, u.count) +=
-          modes * (modes.transpose() * impulses.segment(u.first, u.count)).cwiseQuotient(inertia);
-    }
-    friction_loss -= impulses.dot(before + next.velocity) / 2;
-  }
-  return friction_loss;
 }
 
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
@@ -364,13 +293,14 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   account_step(blocks_, system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
                energy_.now);
-  const double friction_loss = solution.impact.friction_loss + held_friction_loss_;
+  const double friction_loss = solution.impact.friction_loss + held_.friction_loss;
   energy_.now.numerical_dissipated -= friction_loss + solution.impact.normal_loss;
   energy_.now.friction_dissipated += friction_loss;
   energy_.now.damping_dissipated += solution.impact.normal_loss;
   counts_.impacts += solution.impact.n_hits;
   if (solution.impact.limited) ++counts_.limited_impacts;
   if (!solution.impact.settled) ++counts_.unsettled_impacts;
+  if (!held_.settled) ++counts_.frictionless_holds;
   contacts_ = tried_;
   state_ = std::move(next);
   prepare_and_keep_momentum();

@@ -6,6 +6,7 @@
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/step_record.hpp>
@@ -27,11 +28,12 @@ struct StepCounts {
   long impacts = 0;          ///< contacts that met with a speed that counts
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose
   long unsettled_impacts =
-      0;                  ///< impacts whose friction did not agree with their normal impulses to the last
-  long contacts_max = 0;  ///< closed at the end of a substep, at most
-  long contacts = 0;      ///< closed at the end of the last one
-  double max_penetration = 0;  ///< m, at the end of any substep
-  double max_residual = 0;     ///< Residual::own of any accepted substep, at most
+      0;  ///< impacts whose friction did not agree with their normal impulses to the last
+  long frictionless_holds = 0;  ///< steps whose closed contacts were held without the friction of that
+  long contacts_max = 0;        ///< closed at the end of a substep, at most
+  long contacts = 0;            ///< closed at the end of the last one
+  double max_penetration = 0;   ///< m, at the end of any substep
+  double max_residual = 0;      ///< Residual::own of any accepted substep, at most
 };
 
 /// Seconds spent, by phase.
@@ -95,9 +97,6 @@ class Stepper {
   Solution solve_with(double dt, const StepImpact& impact);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
-  /// Takes the rates of closed contacts out of the velocities of `next`, as rigid motions, with the friction
-  /// that the impulses make; returns what that dissipates, J per m.
-  double hold_closed_contacts(double dt, const VectorXd& d, BlockState& next);
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(Solution& solution);
   std::string between(int contact) const;
@@ -122,7 +121,7 @@ class Stepper {
   ContactMethod method_;
   StagedOptions staged_;
   double held_stiffness_;
-  double held_friction_loss_ = 0;  ///< of the last try, see hold_closed_contacts
+  HeldReport held_;  ///< of the last try
 
   BlockState state_;
   std::vector<Contact> contacts_;  ///< of the last accepted substep

@@ -1,0 +1,125 @@
+#include <ddacontact/time/held_contacts.hpp>
+
+#include <ddacontact/solver/anderson.hpp>
+#include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/rigid_velocities.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+/// Rates of closed contacts below this part of what gravity makes in the step are left to themselves.
+constexpr double negligible_rate = 1e-9;
+/// Of normal impulses and the friction that goes with them, when rates are taken out.
+constexpr int most_friction_rounds = 30, anderson_depth = 5;
+/// They agree to this part of the largest.
+constexpr double settled_friction = 1e-9;
+
+/// How velocities change gap and slip at the end of a step.
+HeldContact rates_at(const Contact& contact, const VectorXd& d) {
+  const MovingVertexEdge& m = contact.motion;
+  const VertexEdgePlace place = m.at(d);
+  HeldContact rates;
+  const VertexEdgeGradient across = gap_gradient(place), along = slip_gradient(place, contact.history.lock);
+  for (const auto& [form, gradient] : {std::pair{&rates.gap, &across}, std::pair{&rates.slip, &along}}) {
+    m.i.add_to(*form, gradient->i);
+    m.j.add_to(*form, gradient->j);
+    m.k.add_to(*form, gradient->k);
+  }
+  return rates;
+}
+
+VectorXd normal_impulses(const JumpReport& report) {
+  VectorXd normal(static_cast<Index>(report.impulses.size()));
+  for (std::size_t c = 0; c < report.impulses.size(); ++c)
+    normal[static_cast<Index>(c)] = report.impulses[c].normal;
+  return normal;
+}
+
+/// Impulses on the unknowns of free blocks, as rigid bodies.
+void push(const BlockSystem& blocks, const VectorXd& impulses, VectorXd& velocity) {
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (!blocks.is_free(b)) continue;
+    const Block& block = blocks.block(b);
+    const Range& u = block.unknowns();
+    const auto& modes = block.rigid_modes();
+    const Vec3 inertia = (modes.transpose() * block.mass() * modes).diagonal();
+    velocity.segment(u.first, u.count) +=
+        modes * (modes.transpose() * impulses.segment(u.first, u.count)).cwiseQuotient(inertia);
+  }
+}
+
+}  // namespace
+
+HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all, const VectorXd& d,
+                                double dt, BlockState& next) {
+  std::vector<HeldContact> held;
+  std::vector<const Contact*> contacts;
+  bool moves = false;
+  for (const Contact& contact : all) {
+    if (contact.normal <= 0) continue;
+    HeldContact rates = rates_at(contact, d);
+    rates.tangential = contact.history.state == ContactState::stick;
+    const double negligible =
+        std::max(negligible_rate * blocks.gravity.norm() * dt, 1e-12 * contact.size / dt);
+    moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
+            (rates.tangential && std::abs(rates.slip.change(next.velocity)) > negligible);
+    held.push_back(rates);
+    contacts.push_back(&contact);
+  }
+  if (!moves) return {};
+  blocks.prepare(next);
+  const VectorXd moving = next.velocity;
+  const JumpReport first = hold(blocks, held, moving);
+  next.velocity += first.jump;
+  const VectorXd without_friction = next.velocity;
+
+  // Friction of sliding contacts follows the normal impulses, which follow it.
+  VectorXd normal = normal_impulses(first), shear = VectorXd::Zero(normal.size());
+  AndersonAcceleration acceleration(anderson_depth);
+  HeldReport report;
+  report.settled = false;
+  for (int round = 0; round < most_friction_rounds && !report.settled; ++round) {
+    VectorXd change = VectorXd::Zero(normal.size());
+    double largest = 0, scale = 0;
+    for (std::size_t c = 0; c < held.size(); ++c) {
+      const Contact& contact = *contacts[c];
+      if (held[c].tangential || !contact.law.has_friction()) continue;
+      const Index k = static_cast<Index>(c);
+      const double N = std::max(0.0, contact.normal + normal[k] / dt);
+      change[k] =
+          dt * (std::copysign(shear_bound(contact.law, N, false), contact.shear) - contact.shear) - shear[k];
+      largest = std::max(largest, std::abs(change[k]));
+      scale = std::max(scale, dt * std::abs(contact.shear) + std::abs(shear[k]));
+    }
+    report.settled = largest <= settled_friction * scale;
+    if (report.settled) break;
+    const VectorXd before = next.velocity, was = shear;
+    acceleration.advance(change, VectorXd::Ones(change.size()), shear);
+    VectorXd impulses = VectorXd::Zero(next.velocity.size());
+    for (std::size_t c = 0; c < held.size(); ++c) {
+      const Index k = static_cast<Index>(c);
+      held[c].slip.add_gradient(shear[k] - was[k], impulses);
+    }
+    push(blocks, impulses, next.velocity);
+    report.friction_loss -= impulses.dot(before + next.velocity) / 2;
+    const JumpReport again = hold(blocks, held, next.velocity);
+    next.velocity += again.jump;
+    normal += normal_impulses(again);
+  }
+  // It may give back friction of the step that was too much, but no more.
+  double rubbed = 0;
+  for (const Contact* contact : contacts)
+    if (is_slipping(contact->history.state)) rubbed -= contact->shear * contact->slip.change(d);
+  if (!report.settled ||
+      kinetic_energy(blocks, next.velocity) > kinetic_energy(blocks, moving) + std::max(rubbed, 0.0)) {
+    next.velocity = without_friction;
+    report = {0, false};
+  }
+  return report;
+}
+
+}  // namespace ddacontact
