@@ -167,6 +167,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"limited_impacts", counts.limited_impacts},
                                        {"unsettled_impacts", counts.unsettled_impacts},
                                        {"max_residual", counts.max_residual},
+                                       {"frictionless_holds", counts.frictionless_holds},
                                        {"energy",
                                         {{"kinetic", e.kinetic},
                                          {"elastic", e.elastic},

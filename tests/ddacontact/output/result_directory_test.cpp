@@ -213,7 +213,8 @@ TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
                                                    {"broken_bonds", counts.broken_bonds},
                                                    {"impacts", counts.impacts},
                                                    {"limited_impacts", counts.limited_impacts},
-                                                   {"unsettled_impacts", counts.unsettled_impacts}};
+                                                   {"unsettled_impacts", counts.unsettled_impacts},
+                                                   {"frictionless_holds", counts.frictionless_holds}};
   for (const auto& [key, count] : expected) EXPECT_EQ(summary.number(key), count) << key;
   EXPECT_EQ(summary.number("max_residual"), counts.max_residual);
   EXPECT_GT(counts.impacts, 0);
