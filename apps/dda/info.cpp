@@ -42,6 +42,7 @@ int info(const std::string& name) {
     tell_outcome(answer, summary);
     tell_size(answer, summary);
     tell_work(answer, summary);
+    tell_impacts(answer, summary);
     int status = tell(answer, [&] { tell_motion(answer, directory); });
     status = std::max(status, tell(answer, [&] { tell_stress(answer, directory); }));
     status = std::max(status, tell(answer, [&] { tell_contacts(answer, summary, directory); }));

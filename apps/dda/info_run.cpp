@@ -45,6 +45,8 @@ void tell_work(Answer& answer, const SummaryTable& summary) {
     answer.line(*unconverged == 0
                     ? "every substep converged"
                     : plural(*unconverged, "substep", "substeps") + " accepted without convergence");
+  if (const auto residual = summary.number("max_residual"))
+    answer.line(fmt::format("residual at most {} of the forces", number_text(*residual, 2)));
   if (passes && substeps && *substeps > 0)
     answer.line(fmt::format("{}, {} a substep",
                             plural(*passes, "open-close iteration", "open-close iterations"),
@@ -52,6 +54,20 @@ void tell_work(Answer& answer, const SummaryTable& summary) {
   if (solves && factorizations)
     answer.line(fmt::format("{}, {}", plural(*solves, "linear solution", "linear solutions"),
                             plural(*factorizations, "factorization", "factorizations")));
+}
+
+void tell_impacts(Answer& answer, const SummaryTable& summary) {
+  const auto impacts = summary.number("impacts"), limited = summary.number("limited_impacts"),
+             unsettled = summary.number("unsettled_impacts"), bonds = summary.number("broken_bonds");
+  answer.topic("events");
+  if (impacts) {
+    std::string text = plural(*impacts, "contact met", "contacts met") + " at speed";
+    if (limited && *limited > 0) text += "; restitution was reduced " + plural(*limited, "time", "times");
+    if (unsettled && *unsettled > 0)
+      text += "; friction did not settle " + plural(*unsettled, "time", "times");
+    answer.line(text);
+  }
+  if (bonds && *bonds > 0) answer.line(plural(*bonds, "bond broke", "bonds broke"));
 }
 
 void tell_energy(Answer& answer, const SummaryTable& summary) {

@@ -10,6 +10,7 @@ namespace dda {
 void tell_outcome(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_size(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_work(Answer& answer, const ddacontact::SummaryTable& summary);
+void tell_impacts(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_energy(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_times(Answer& answer, const ddacontact::SummaryTable& summary);
 

@@ -117,6 +117,11 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       summary.status, counts.steps, stepper.state().time, counts.substeps, counts.rejected,
       counts.unconverged, counts.open_close_iterations, counts.contacts);
   log.info("{}", outcome);
+  log.info(
+      "{} minimizations, {} augmentations, {} broken bonds, {} impacts ({} limited, {} unsettled), largest "
+      "residual {:.2g} of the forces",
+      counts.minimizations, counts.augmentations, counts.broken_bonds, counts.impacts, counts.limited_impacts,
+      counts.unsettled_impacts, counts.max_residual);
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
   if (counts.unconverged > 0) {
     const std::string warning = fmt::format("{} of {} substeps were accepted unsettled: {}",

@@ -22,6 +22,7 @@ struct StepRule {
   double load_time() const { return mean_forces() ? 0.5 : 1; }
 };
 
+/// The scheme that the options ask for, with its numbers.
 inline StepRule step_rule(const AnalysisOptions& analysis) {
   if (analysis.scheme == Scheme::newmark)
     return {analysis.scheme, analysis.beta, analysis.gamma, analysis.damping};

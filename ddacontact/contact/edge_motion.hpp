@@ -28,9 +28,10 @@ double gap(const VertexEdgePlace& place);
 /// (41), a length: how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k.
 double slip(const VertexEdgePlace& place, double lock);
 
-/// What `gap` and `slip` change by when the three places move by `by`: to the rounding of that motion, where
+/// What `gap` changes by when the three places move by `by`: to the rounding of that motion, where
 /// the difference of two values has that of the whole edge's length.
 double gap_change(const VertexEdgePlace& start, const VertexEdgePlace& by);
+/// The same of `slip`, the lock point staying where it is on the edge.
 double slip_change(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock);
 
 /// Derivatives of `gap`: n by i, shared among j and k as the foot of the vertex divides the edge.

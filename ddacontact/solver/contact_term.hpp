@@ -50,6 +50,7 @@ inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) 
 struct ContactForce {
   double normal = 0, shear = 0;
 };
+/// The forces of the contact at d, each within its bounds.
 inline ContactForce contact_force(const ContactTerm& c, const VectorXd& d) {
   return {normal_spring(c, d).clipped(), tangential_spring(c, d).clipped()};
 }

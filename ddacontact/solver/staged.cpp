@@ -448,7 +448,24 @@ class Staged {
     return end(StagedStatus::settled);
   }
 
+  /// The contact with the largest force on the block that is furthest from balance; -1: it touches nothing.
+  int find_unbalanced() const {
+    int worst = -1;
+    double largest = 0;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const VertexEdge& pair = contacts_[c].pair;
+      const double force = std::hypot(forces_[c].normal, forces_[c].shear);
+      const bool touches_it = pair.vertex_block == report_.residual.worst_block ||
+                              pair.edge_block == report_.residual.worst_block;
+      if (!touches_it || force <= largest) continue;
+      worst = static_cast<int>(c);
+      largest = force;
+    }
+    return worst;
+  }
+
   StagedReport end(StagedStatus status) {
+    if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
     return std::move(report_);
   }

@@ -87,6 +87,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   }
 
   residual.force = -residual.external;
+  residual.worst_block = -1;
   residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
   for (int b : active_) {
     const Block& block = blocks_.block(b);
@@ -117,7 +118,10 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     const double own = largest <= floor ? 0
                        : sum > 0        ? (largest - floor) / sum
                                         : std::numeric_limits<double>::infinity();
-    if (!(own <= residual.own)) residual.own = own;
+    if (!(own <= residual.own)) {
+      residual.own = own;
+      residual.worst_block = b;
+    }
     residual.over_floor = std::max(residual.over_floor, largest / floor);
   }
 }

@@ -18,6 +18,7 @@ struct Residual {
   double floor = 0;    ///< what round-off alone may leave, N per m
   double own =
       0;  ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
+  int worst_block = -1;   ///< whose residual `own` is; -1: none is above its floor
   double over_floor = 0;  ///< the largest over the free unknowns over the floor of its own block
 
   bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }

@@ -181,6 +181,59 @@ TEST_F(Program, AnAnalysisThatMustStopKeepsWhatItComputed) {
   EXPECT_EQ(number_of_frames("result"), 1);
 }
 
+/// A scene of a block between a floor and a press, with more tables at its end.
+std::string press(const std::string& core, const std::string& tables) {
+  return "format = 1\n[analysis]\nsteps = 60\ntime_step = 0.01\n"
+         "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = \"1 GPa\"\npoisson = 0.25\n"
+         "[[joint]]\nfriction_angle = 30\n"
+         "[[block]]\nname = \"floor\"\nmaterial = \"rock\"\nfixed = true\n"
+         "vertices = [[-2, -1], [2, -1], [2, 0], [-2, 0]]\n"
+         "[[block]]\nname = \"core\"\nmaterial = \"rock\"\nvertices = " +
+         core +
+         "\n[[block]]\nname = \"press\"\nmaterial = \"rock\"\n"
+         "vertices = [[-2, 1], [2, 1], [2, 2], [-2, 2]]\n" +
+         tables;
+}
+
+const std::string wedge = "[[-0.5, 0], [0.5, 0], [0, 1]]";
+
+TEST_F(Program, AStepThatHasNoSolutionStopsTheRunAndNamesTheContact) {
+  // The press reaches the floor after 0.5 s: nothing is left of the wedge between them then.
+  write("press.toml",
+        press(wedge, "[[support]]\nblock = \"press\"\nvertices = [0, 1, 2, 3]\nvelocity = [0, -2]\n"));
+  ASSERT_EQ(dda("run press.toml -o result --quiet"), 3) << err_;
+  const nlohmann::json s = summary("result");
+  EXPECT_EQ(s["status"], "stopped");
+  const std::string reason = s["reason"].get<std::string>();
+  for (const char* words : {"penetration", "between blocks", "\"core\"", "time_step"}) {
+    EXPECT_NE(reason.find(words), std::string::npos) << reason;
+    EXPECT_NE(err_.find(words), std::string::npos) << err_;
+  }
+  EXPECT_EQ(s["steps_completed"], 50);
+  EXPECT_GT(s["rejected_steps"], 0);
+  EXPECT_EQ(s["unconverged_steps"], 0);
+  EXPECT_LE(s["max_residual"].get<double>(), 1e-8);
+  EXPECT_GE(number_of_frames("result"), 51);
+  EXPECT_EQ(read_csv(directory_ / "result/energy.csv").size(), 1u + 51u);
+  EXPECT_EQ(read_csv(directory_ / "result/blocks.csv").size(), 1u + 3u);
+  EXPECT_GT(read_csv(directory_ / "result/contacts.csv").size(), 1u);
+  EXPECT_TRUE(fs::exists(directory_ / "result/log.txt"));
+}
+
+TEST_F(Program, CheckSaysWhereABadSceneIsBad) {
+  const auto refused = [&](const std::string& scene, const std::string& setting, const std::string& place,
+                           const char* words) {
+    write("bad.toml", scene);
+    EXPECT_EQ(dda("check bad.toml" + setting), 2);
+    EXPECT_NE(err_.find("bad.toml:" + place + ": error: "), std::string::npos) << err_;
+    EXPECT_NE(err_.find(words), std::string::npos) << err_;
+  };
+  refused(press("[[-0.5, 0], [0.5, 0], [0, 1.2]]", ""), "", "24:12", "overlaps block 'core' by 0.2 m");
+  refused(press("[[5, 0], [6, 0], [5.5, 1]]", ""), " --set analysis.mode=static", "20:12",
+          "'core' is free and nothing can hold it");
+  refused(press(wedge, "[contact]\nnormal_stiffness = -1e9\n"), "", "26:20", "'normal_stiffness' = '-1e+09'");
+}
+
 TEST_F(Program, MakeVoronoiWritesASceneThatRuns) {
   ASSERT_EQ(dda("make voronoi -o rock.toml"), 0) << err_;
   EXPECT_EQ(out_, "rock.toml: 100 Voronoi blocks, seed 1\n");

@@ -1,6 +1,7 @@
 #include <ddacontact/output/block_summary.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
+#include <ddacontact/output/summary_reader.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <fstream>
@@ -185,6 +186,40 @@ TEST(ResultDirectory, ResultsSpeakOfTheScenesVerticesAndCoordinates) {
     EXPECT_EQ(read_csv(directory.path / "energy.csv").size(), 51u);
     EXPECT_TRUE(std::filesystem::exists(directory.path / "summary.json"));
   }
+}
+
+/// What `run` counted is what the file says, under the keys of the documentation.
+TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
+  Scene scene = rock_scene(0.01, 60);
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.joints[0].restitution = 0.5;
+  scene.joints[0].friction_angle = 30;
+  scene.blocks = {block(rectangle(0, -1, 6, 1), true), block(rectangle(2, 0.05, 1, 1))};
+  scene.blocks[1].velocity = {0.3, -2};
+  const BuiltScene built = build(scene);
+  const Directory directory;
+  ResultDirectory results(directory.path, built.labels);
+  run(*built.stepper, scene.analysis.steps);
+  results.finish(*built.stepper, {});
+
+  const SummaryTable summary = read_summary(directory.path / "summary.json");
+  const StepCounts& counts = built.stepper->counts();
+  const std::pair<const char*, long> expected[] = {{"substeps", counts.substeps},
+                                                   {"minimizations", counts.minimizations},
+                                                   {"augmentations", counts.augmentations},
+                                                   {"broken_bonds", counts.broken_bonds},
+                                                   {"impacts", counts.impacts},
+                                                   {"limited_impacts", counts.limited_impacts},
+                                                   {"unsettled_impacts", counts.unsettled_impacts},
+                                                   {"frictionless_holds", counts.frictionless_holds}};
+  for (const auto& [key, count] : expected) EXPECT_EQ(summary.number(key), count) << key;
+  EXPECT_EQ(summary.number("max_residual"), counts.max_residual);
+  EXPECT_GT(counts.impacts, 0);
+  EXPECT_GT(counts.augmentations, 0);
+  EXPECT_LE(counts.max_residual, 1e-8);
 }
 
 TEST(StressRange, IsTheAverageAndTheExtremesOverTheIntegrationPoints) {
