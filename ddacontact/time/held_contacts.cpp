@@ -30,8 +30,8 @@ HeldContact rates_at(const Contact& contact, const VectorXd& d) {
 
 }  // namespace
 
-double hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all, const VectorXd& d,
-                            double dt, BlockState& next) {
+HoldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all, const VectorXd& d,
+                                double dt, BlockState& next) {
   std::vector<HeldContact> held;
   std::vector<const Contact*> contacts;
   bool moves = false;
@@ -46,14 +46,17 @@ double hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all
     held.push_back(rates);
     contacts.push_back(&contact);
   }
-  if (!moves) return 0;
+  if (!moves) return {};
   blocks.prepare(next);
-  // Friction of sliding contacts follows the normal impulses, which follow it: a few rounds settle that.
+  // Friction of sliding contacts follows the normal impulses, which follow it: a few rounds settle that,
+  // unless what friction changes asks for ever more of it.
   VectorXd normal = VectorXd::Zero(static_cast<Index>(held.size())), shear = normal;
-  double friction_loss = 0;
+  HoldReport result;
+  VectorXd without_friction;
   for (int round = 0; round < most_friction_rounds; ++round) {
     const JumpReport report = hold(blocks, held, next.velocity);
     next.velocity += report.jump;
+    if (round == 0) without_friction = next.velocity;
     VectorXd impulses = VectorXd::Zero(next.velocity.size());
     bool changed = false;
     for (std::size_t c = 0; c < held.size(); ++c) {
@@ -68,7 +71,7 @@ double hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all
       shear[k] += change;
       held[c].slip.add_gradient(change, impulses);
     }
-    if (!changed) break;
+    if (!changed) return result;
     const VectorXd before = next.velocity;
     for (int b = 0; b < blocks.n_blocks(); ++b) {
       if (!blocks.is_free(b)) continue;
@@ -79,9 +82,10 @@ double hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all
       next.velocity.segment(u.first, u.count) +=
           modes * (modes.transpose() * impulses.segment(u.first, u.count)).cwiseQuotient(inertia);
     }
-    friction_loss -= impulses.dot(before + next.velocity) / 2;
+    result.friction_loss -= impulses.dot(before + next.velocity) / 2;
   }
-  return friction_loss;
+  next.velocity = without_friction;
+  return {.settled = false};
 }
 
 }  // namespace ddacontact

@@ -281,9 +281,11 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     return true;
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
-  held_friction_loss_ = analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged
-                            ? hold_closed_contacts(blocks_, tried_, d, dt, next)
-                            : 0;
+  HoldReport held;
+  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
+    held = hold_closed_contacts(blocks_, tried_, d, dt, next);
+  held_friction_loss_ = held.friction_loss;
+  if (!held.settled) ++counts_.unsettled_impacts;
   return true;
 }
 
