@@ -26,10 +26,11 @@ struct StepCounts {
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose
-  long unsettled_impacts =
-      0;                  ///< impacts whose friction did not agree with their normal impulses to the last
-  long contacts_max = 0;  ///< closed at the end of a substep, at most
-  long contacts = 0;      ///< closed at the end of the last one
+  /// Impacts, and steps at whose end closed contacts were held, whose friction did not agree with their
+  /// normal impulses to the last.
+  long unsettled_impacts = 0;
+  long contacts_max = 0;       ///< closed at the end of a substep, at most
+  long contacts = 0;           ///< closed at the end of the last one
   double max_penetration = 0;  ///< m, at the end of any substep
   double max_residual = 0;     ///< Residual::own of any accepted substep, at most
 };
