@@ -154,7 +154,7 @@ void run_drops(int n) {
       "than %g of the largest kinetic energy so far. The overlap is the largest common area of two blocks, "
       "relative to the smaller one, after every tenth step.\n\n"
       "| drops of | drops | steps | substeps | rejected | %% | stopped | stage 1 | residual | overlap | "
-      "rises |\n"
+      "rises | largest |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|\n",
       n, n, energy_rise);
   for (const auto& [name, s] : sums)
