@@ -1,5 +1,7 @@
 #include "hard_steps.hpp"
 
+#include "overlap_area.hpp"
+
 #include <ddacontact/scene/reader.hpp>
 #include <ddacontact/scene/writer.hpp>
 
@@ -48,6 +50,23 @@ ddacontact::BuiltScene build_at(const HardStep& step) {
   ddacontact::BuiltScene built = ddacontact::build(step.scene);
   built.stepper->restore(step.record);
   return built;
+}
+
+double largest_overlap(const ddacontact::Stepper& stepper) {
+  const ddacontact::BlockSystem& blocks = stepper.blocks();
+  double largest = 0;
+  for (int a = 0; a < blocks.n_blocks(); ++a)
+    for (int b = a + 1; b < blocks.n_blocks(); ++b) {
+      if (!blocks.is_movable(a) && !blocks.is_movable(b)) continue;
+      const polyfem::Points p = blocks.outline_from(stepper.state(), a, a),
+                            q = blocks.outline_from(stepper.state(), b, a);
+      if ((p.rowwise().minCoeff().array() > q.rowwise().maxCoeff().array()).any() ||
+          (q.rowwise().minCoeff().array() > p.rowwise().maxCoeff().array()).any())
+        continue;
+      const double smaller = std::min(blocks.block(a).reference_area(), blocks.block(b).reference_area());
+      largest = std::max(largest, overlap_area(p, q) / smaller);
+    }
+  return largest;
 }
 
 }  // namespace support

@@ -24,4 +24,7 @@ std::vector<HardStep> hard_steps();
 /// The scene built and brought to where the step begins.
 ddacontact::BuiltScene build_at(const HardStep& step);
 
+/// The largest area that two blocks have in common, relative to the smaller one's.
+double largest_overlap(const ddacontact::Stepper& stepper);
+
 }  // namespace support
