@@ -97,7 +97,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     }
     report.settled = largest <= settled_friction * scale;
     if (report.settled) break;
-    const VectorXd before = next.velocity, was = shear;
+    const VectorXd was = shear;
     acceleration.advance(change, VectorXd::Ones(change.size()), shear);
     VectorXd impulses = VectorXd::Zero(next.velocity.size());
     for (std::size_t c = 0; c < held.size(); ++c) {
@@ -105,16 +105,19 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
       held[c].slip.add_gradient(shear[k] - was[k], impulses);
     }
     push(blocks, impulses, next.velocity);
-    report.friction_loss -= impulses.dot(before + next.velocity) / 2;
     const JumpReport again = hold(blocks, held, next.velocity);
     next.velocity += again.jump;
     normal += normal_impulses(again);
   }
   // It may give back friction of the step that was too much, but no more.
   double rubbed = 0;
-  for (const Contact* contact : contacts)
-    if (is_slipping(contact->history.state)) rubbed -= contact->shear * contact->slip.change(d);
-  if (!report.settled ||
+  for (std::size_t c = 0; c < held.size(); ++c) {
+    const Contact& contact = *contacts[c];
+    const double rates = held[c].slip.change(moving) + held[c].slip.change(next.velocity);
+    report.friction_loss -= shear[static_cast<Index>(c)] * rates / 2;
+    if (is_slipping(contact.history.state)) rubbed -= contact.shear * contact.slip.change(d);
+  }
+  if (!report.settled || report.friction_loss + rubbed < 0 ||
       kinetic_energy(blocks, next.velocity) > kinetic_energy(blocks, moving) + std::max(rubbed, 0.0)) {
     next.velocity = without_friction;
     report = {0, false};
