@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace ddacontact {
 
@@ -30,6 +32,10 @@ HeldContact rates_at(const Contact& contact, const VectorXd& d) {
     m.k.add_to(*form, gradient->k);
   }
   return rates;
+}
+
+std::pair<int, int> blocks_of(const Contact& contact) {
+  return std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
 }
 
 VectorXd normal_impulses(const JumpReport& report) {
@@ -59,10 +65,14 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   std::vector<HeldContact> held;
   std::vector<const Contact*> contacts;
   bool moves = false;
+  // Where one contact of two blocks slides the others slide with it, rigid as the blocks are here.
+  std::set<std::pair<int, int>> sliding;
+  for (const Contact& contact : all)
+    if (contact.normal > 0 && is_slipping(contact.history.state)) sliding.insert(blocks_of(contact));
   for (const Contact& contact : all) {
     if (contact.normal <= 0) continue;
     HeldContact rates = rates_at(contact, d);
-    rates.tangential = contact.history.state == ContactState::stick;
+    rates.tangential = contact.history.state == ContactState::stick && !sliding.contains(blocks_of(contact));
     const double negligible =
         std::max(negligible_rate * blocks.gravity.norm() * dt, 1e-12 * contact.size / dt);
     moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
