@@ -64,7 +64,6 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
 
 void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                                   const std::vector<ContactForce>& forces, Residual& residual) const {
-  ++n_evaluations_;
   magnitude_.setZero(blocks_.n_blocks());
   stiffest_.setZero(blocks_.n_blocks());
   residual.external = load_forces_ + gravity_forces_;
@@ -138,7 +137,6 @@ VectorXd StepSystem::free_path() const {
 }
 
 VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
-  ++n_evaluations_;
   VectorXd r = -load_forces_ - gravity_forces_;
   for (const HeldSpring& spring : held_springs_)
     spring.form.add_gradient(held_stiffness_ * spring.form(d), r);

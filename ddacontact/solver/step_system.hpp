@@ -72,8 +72,6 @@ class StepSystem {
   /// Forces of all unknowns within the step: of loads (21), (23) other than gravity, and of gravity.
   const VectorXd& load_forces() const { return load_forces_; }
   const VectorXd& gravity_forces() const { return gravity_forces_; }
-  /// How often blocks were asked for their forces.
-  long n_evaluations() const { return n_evaluations_; }
 
  private:
   BlockSystem& blocks_;
@@ -88,7 +86,6 @@ class StepSystem {
   VectorXd prescribed_, load_forces_, gravity_forces_;
   mutable BlockForces forces_;
   mutable VectorXd magnitude_, stiffest_;
-  mutable long n_evaluations_ = 0;
 };
 
 }  // namespace ddacontact
