@@ -49,8 +49,8 @@ void energy_ledger(Report& report) {
                                {"elastic", &Energy::elastic},
                                {"gravity", &Energy::gravity},
                                {"lost by friction", &Energy::friction_dissipated},
-                               {"lost by impacts and the scheme", &Energy::numerical_dissipated},
-                               {"lost by damping", &Energy::damping_dissipated}};
+                               {"lost by the scheme", &Energy::numerical_dissipated},
+                               {"lost by damping and impacts", &Energy::damping_dissipated}};
   Chart chart{
       .x_symbol = {"t", "", ""}, .y_symbol = {"energy", "", ""}, .x_unit = "s", .y_unit = "J", .series = {}};
   for (const Entry& entry : entries) chart.series.push_back({entry.name, {}, {}});
