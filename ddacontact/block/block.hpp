@@ -4,7 +4,10 @@
 #include <ddacontact/block/point_map.hpp>
 #include <ddacontact/block/state.hpp>
 #include <ddacontact/block/step_start.hpp>
+#include <polyfem/basis/basis.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+
+#include <vector>
 
 namespace ddacontact {
 
@@ -14,9 +17,26 @@ struct BlockMaterial {
   double density = 0;  ///< at the start, kg/m3
 };
 
+/// A polygon of a block: inside it the stress is smooth.
+struct BlockCell {
+  std::vector<int> corners;               ///< places of the block, counter-clockwise
+  const polyfem::Basis* basis = nullptr;  ///< its shape functions; not owned
+};
+
+/// The stress in a cell: elasticity * B(x) strain_displacement + offset, with B of (8) by the functions of
+/// the cell on its present corners.
+struct CellStress {
+  Points strain_displacement;  ///< m, one a corner
+  Mat3 elasticity;             ///< Pa
+  Vec3 offset;                 ///< Pa
+};
+
 /// One block of (13): how its unknowns move its outline, and with what forces it resists them.
 ///
-/// Unknowns, outline vertices and integration points are ranges of the arrays of BlockState, given once by
+/// A block's places are points that the state keeps the positions of: first the vertices of its outline,
+/// counter-clockwise, which contacts act on, then the corners of its cells that lie inside or on an edge.
+///
+/// Unknowns, places and integration points are ranges of the arrays of BlockState, given once by
 /// `place`. `prepare` makes the block ready for a state; `begin_step` for a step from there. Everything else
 /// speaks of the state last prepared and the step last begun. Vectors of one block are in the order of its
 /// own unknowns. Forces are per metre of thickness.
@@ -28,14 +48,17 @@ class Block {
 
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
-  int n_vertices() const { return static_cast<int>(reference_.cols()); }
+  int n_vertices() const { return n_vertices_; }
+  int n_places() const { return static_cast<int>(reference_.cols()); }
   /// Its number, and where its entries start in the arrays of the state.
-  void place(int index, int first_vertex, int first_unknown, int first_stress_point);
+  void place(int index, int first_place, int first_unknown, int first_stress_point);
+  /// Of the outline, the first of `places`.
   const Range& vertices() const { return vertices_; }
+  const Range& places() const { return places_; }
   const Range& unknowns() const { return unknowns_; }
   const Range& stress_points() const { return stress_points_; }
 
-  /// At the start, relative to the model's origin.
+  /// The places at the start, relative to the model's origin.
   const Points& reference() const { return reference_; }
   double reference_area() const { return reference_area_; }
   double mass_total() const { return material_.density * reference_area_; }
@@ -62,8 +85,8 @@ class Block {
   /// conjugate to it divided by this are comparable.
   virtual VectorXd unknown_lengths() const = 0;
 
-  /// The displacement of outline vertex `vertex` (0 .. n_vertices - 1).
-  virtual PointMap vertex_map(int vertex) const = 0;
+  /// The displacement of a place (0 .. n_places - 1).
+  virtual PointMap vertex_map(int place) const = 0;
   /// F += integral of T^T b, Eq. (23), of all unknowns; `b` is a force per volume of the undeformed block.
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
 
@@ -103,6 +126,11 @@ class Block {
   /// that field itself while the block has not turned, since the stress is then a sum of such fields.
   virtual Points strain_displacement(const BlockState& state) const = 0;
 
+  /// The polygons that its stress is smooth in; they fill the block.
+  virtual int n_cells() const { return 1; }
+  virtual BlockCell cell(int c) const;
+  virtual CellStress cell_stress(const BlockState& state, int c) const;
+
  protected:
   Block(const BlockMaterial& material, const PointsRef& outline);
 
@@ -123,7 +151,8 @@ class Block {
   double reference_area_;
   double grid_;  ///< spacing of the origins
   int index_ = 0;
-  Range vertices_, unknowns_, stress_points_;
+  int n_vertices_;
+  Range vertices_, places_, unknowns_, stress_points_;
   Vec2 origin_{0, 0};
   polyfem::AreaMoments moments_;
 };

@@ -16,19 +16,18 @@ bool stays(const TimeFunction& motion) {
 }  // namespace
 
 BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
-  int n_vertices = 0;
+  int n_places = 0;
   for (const auto& block : blocks_) {
-    block->place(static_cast<int>(names.size()), n_vertices, n_unknowns_, n_stress_points_);
-    n_vertices = block->vertices().end();
+    block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_);
+    n_places = block->places().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
     names.push_back(std::to_string(names.size()));
   }
-  reference_.resize(2, n_vertices);
+  reference_.resize(2, n_places);
   for (const auto& block : blocks_)
-    reference_.middleCols(block->vertices().first, block->vertices().count) = block->reference();
-  for (int b = 0; b < n_blocks(); ++b)
-    block_of_vertex_.insert(block_of_vertex_.end(), block(b).n_vertices(), b);
+    reference_.middleCols(block->places().first, block->places().count) = block->reference();
+  for (int b = 0; b < n_blocks(); ++b) block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
   start_ = initial_state();
   set_held_unknowns({});
 }
@@ -61,9 +60,9 @@ BlockState BlockSystem::initial_state() const {
   state.origin.resize(2, n_blocks());
   state.position = reference_;
   for (int b = 0; b < n_blocks(); ++b) {
-    const Range& v = block(b).vertices();
+    const Range &v = block(b).vertices(), &all = block(b).places();
     state.origin.col(b) = block(b).grid_point(reference_.middleCols(v.first, v.count).rowwise().mean());
-    state.position.middleCols(v.first, v.count).colwise() -= state.origin.col(b);
+    state.position.middleCols(all.first, all.count).colwise() -= state.origin.col(b);
   }
   state.velocity = state.acceleration = VectorXd::Zero(n_unknowns_);
   state.stress = Tensors::Zero(3, n_stress_points_);
@@ -101,7 +100,7 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
   VectorXd d = VectorXd::Zero(n_unknowns_);
   for (const HeldUnknown& h : held_unknowns_) {
-    const int b = block_of_vertex_[h.vertex];
+    const int b = block_of_place_[h.vertex];
     const double now = (state.position(h.axis, h.vertex) - start_.position(h.axis, h.vertex)) +
                        (state.origin(h.axis, b) - start_.origin(h.axis, b));
     d[h.unknown] = h.motion.at(time, end_time)[h.axis] - now;
@@ -111,14 +110,14 @@ VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
 
 Points BlockSystem::positions(const BlockState& state) const {
   Points x = state.position;
-  for (Index v = 0; v < x.cols(); ++v) x.col(v) += state.origin.col(block_of_vertex_[v]);
+  for (Index v = 0; v < x.cols(); ++v) x.col(v) += state.origin.col(block_of_place_[v]);
   return x;
 }
 
 Points BlockSystem::displacements(const BlockState& state) const {
   Points u = state.position - start_.position;
   for (Index v = 0; v < u.cols(); ++v)
-    u.col(v) += state.origin.col(block_of_vertex_[v]) - start_.origin.col(block_of_vertex_[v]);
+    u.col(v) += state.origin.col(block_of_place_[v]) - start_.origin.col(block_of_place_[v]);
   return u;
 }
 

@@ -33,7 +33,7 @@ struct BodyLoad {
 };
 
 /// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
-/// an outline vertex along an axis.
+/// a place along an axis.
 struct HeldUnknown {
   int unknown = 0;
   int vertex = 0;       ///< in the arrays of the state
@@ -48,7 +48,7 @@ struct HeldVertex {
   TimeFunction motion;
 };
 
-/// Owns the blocks; their unknowns, vertices and integration points are numbered in block order.
+/// Owns the blocks; their unknowns, places and integration points are numbered in block order.
 class BlockSystem {
  public:
   /// Takes blocks and numbers them.
@@ -58,7 +58,7 @@ class BlockSystem {
   int n_unknowns() const { return n_unknowns_; }
   int n_stress_points() const { return n_stress_points_; }
   const Block& block(int b) const { return *blocks_[b]; }
-  /// Outline vertices at the start.
+  /// All places at the start.
   const Points& reference() const { return reference_; }
 
   std::vector<std::string> names;  ///< of the blocks, for messages; their indices unless replaced
@@ -96,9 +96,9 @@ class BlockSystem {
   /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
   VectorXd prescribed(const BlockState& state, double time) const;
 
-  /// All outline vertices, relative to the model's origin.
+  /// All places, relative to the model's origin.
   Points positions(const BlockState& state) const;
-  /// Of all outline vertices since the start.
+  /// Of all places since the start.
   Points displacements(const BlockState& state) const;
   /// The outline of a block from the origin of another: no digits are lost to where they are.
   Points outline_from(const BlockState& state, int block, int origin_of) const;
@@ -116,7 +116,7 @@ class BlockSystem {
   std::vector<std::unique_ptr<Block>> blocks_;
   Points reference_;
   BlockState start_;
-  std::vector<int> block_of_vertex_;
+  std::vector<int> block_of_place_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;

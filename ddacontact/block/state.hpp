@@ -13,7 +13,7 @@ namespace ddacontact {
 struct BlockState {
   double time = 0;
   Points origin;          ///< of each block, relative to the model's origin
-  Points position;        ///< outline vertices of all blocks, relative to their block's origin
+  Points position;        ///< the places of all blocks, relative to their block's origin
   VectorXd velocity;      ///< of every unknown
   VectorXd acceleration;  ///< of every unknown, at the end of the last step; what Newmark's scheme carries on
   Tensors stress;  ///< at the integration points of all blocks: the stress (incremental blocks), or what the

@@ -14,8 +14,11 @@ using polyfem::Plane;
 enum class Preset { standard, paper };
 /// Velocities carry over | every step starts at rest.
 enum class Mode { dynamic, statics };
-/// The unknowns of a block: displacements of its vertices | the six of (1).
-enum class BlockModel { wachspress, affine };
+/// The unknowns of a block: displacements of its vertices, by Wachspress functions or by mean value ones |
+/// the six of (1) | displacements of the vertices of polygons that fill it | whichever of these is enough.
+enum class BlockModel { wachspress, mean_value, affine, mesh, automatic };
+/// The cells of BlockModel::mesh.
+enum class CellKind { voronoi, quads };
 /// How displacements add up: totals from the reference shape in a frame that turns with the block |
 /// increments on the current shape, Eq. (12).
 enum class Kinematics { corotational, incremental };
@@ -37,6 +40,14 @@ struct RayleighDamping {
   double stiffness = 0;  ///< s
 };
 
+/// How the inside of a block of the model `mesh` is divided.
+struct MeshOptions {
+  CellKind kind = CellKind::voronoi;
+  int cells = 64;          ///< about how many
+  double cell_size = 0;    ///< m; > 0: as many cells as are of this size, instead
+  bool edge_nodes = true;  ///< false: the block's edges stay straight
+};
+
 /// Steps, laws of motion and defaults of the blocks.
 struct AnalysisOptions {
   Preset preset = Preset::standard;
@@ -46,7 +57,8 @@ struct AnalysisOptions {
   double max_displacement_ratio = 0.1;
   Vec2 gravity{0.0, -9.8};  ///< m/s2
   Plane plane = Plane::strain;
-  BlockModel block_model = BlockModel::wachspress;  ///< "auto" is resolved
+  BlockModel block_model = BlockModel::wachspress;
+  MeshOptions mesh;  ///< of blocks that state none
   Kinematics kinematics = Kinematics::corotational;
   Scheme scheme = Scheme::decaying;
   double beta = 0.25, gamma = 0.5;  ///< of Scheme::newmark

@@ -38,13 +38,14 @@ struct Joint {
 struct BlockDescription {
   std::string name;  ///< empty: known by its index alone
   int material = 0;
-  Points vertices;                            ///< as given, either orientation
-  BlockModel model = BlockModel::wachspress;  ///< resolved
-  bool fixed = false;                         ///< every vertex held in x and y
-  std::vector<int> fixed_vertices;            ///< held in x and y, when not all are
-  Vec2 velocity{0, 0};                        ///< initial, m/s
-  double angular_velocity = 0;                ///< initial, about the centroid, rad/s
-  Vec3 stress{0, 0, 0};                       ///< initial (xx, yy, xy), Pa
+  Points vertices;  ///< as given, either orientation
+  BlockModel model = BlockModel::wachspress;
+  MeshOptions mesh;                 ///< of the model `mesh`
+  bool fixed = false;               ///< every vertex held in x and y
+  std::vector<int> fixed_vertices;  ///< held in x and y, when not all are
+  Vec2 velocity{0, 0};              ///< initial, m/s
+  double angular_velocity = 0;      ///< initial, about the centroid, rad/s
+  Vec3 stress{0, 0, 0};             ///< initial (xx, yy, xy), Pa
 };
 
 /// Vertices of a block whose displacement is prescribed.
