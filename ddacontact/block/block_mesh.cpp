@@ -2,6 +2,7 @@
 
 #include <polyfem/core/error.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/validity.hpp>
 #include <polyfem/mesh/generators.hpp>
 #include <polyfem/mesh/vertex_moves.hpp>
 #include <polyfem/mesh/voronoi.hpp>
@@ -15,6 +16,9 @@ namespace ddacontact {
 namespace {
 
 using polyfem::PolygonMesh;
+
+/// Corners that turn by less, as a sine, leave no room for a grid.
+constexpr double least_turn_of_quads = 0.1;
 
 double edge_length(const PointsRef& outline, Index k) {
   return (outline.col((k + 1) % outline.cols()) - outline.col(k)).norm();
@@ -99,8 +103,9 @@ BlockMesh divide(const PointsRef& outline, const MeshOptions& options) {
     throw Error("more than a million cells (ask for fewer `cells` or a larger `cell_size`)");
   polyfem::VoronoiOptions how;
   how.n_cells = static_cast<int>(std::lround(wanted));
-  OpenMesh mesh(options.kind == CellKind::quads ? quads(local, wanted) : polyfem::voronoi(local, how),
-                local.col(0));
+  const bool fits_quads = local.cols() == 4 && !polyfem::find_non_convex_corner(local, least_turn_of_quads);
+  const bool in_quads = options.kind == CellKind::quads || (options.kind == CellKind::by_shape && fits_quads);
+  OpenMesh mesh(in_quads ? quads(local, wanted) : polyfem::voronoi(local, how), local.col(0));
   for (const Vec2& x : local.colwise())
     if (mesh.find_on_ring(x) < 0) mesh.insert(x);
 

@@ -17,9 +17,9 @@ namespace ddacontact {
 
 namespace {
 
-/// K and M of a block that is one cell of mean value functions: Hammer's points do not follow their
-/// gradients.
-constexpr double tolerance_of_mean_value = 1e-4;
+/// Of K and M of the cells of a mesh and of a block of mean value functions: four points a triangle follow
+/// neither hexagons nor the gradients at concave corners.
+constexpr double fine = 1e-3;
 /// lambda over the shear modulus from which on displacements of polygons lock.
 constexpr double nearly_incompressible = 9;
 /// Entries of a basis below this are no more than round-off.
@@ -48,10 +48,17 @@ CellMatrices matrices(const polyfem::TabulatedElement& element, const BlockMater
 }
 
 ShapeCell polygon_cell(const BlockMaterial& material, const PointsRef& outline, const polyfem::Basis& basis,
-                       const Integration& integration, bool mean_dilatation) {
+                       const Integration& integration, bool mean_dilatation, double tolerance) {
   polyfem::TabulatedElement element;
   tabulate(outline, *integration.triangle_rule, basis, integration.correction, element);
-  CellMatrices of = matrices(element, material, mean_dilatation);
+  CellMatrices of;
+  if (tolerance > 0) {
+    polyfem::TabulatedElement exact;
+    tabulate_to_tolerance(outline, basis, tolerance, integration.correction, exact);
+    of = matrices(exact, material, mean_dilatation);
+  } else {
+    of = matrices(element, material, mean_dilatation);
+  }
   return {{},
           &basis,
           std::move(element),
@@ -99,15 +106,9 @@ CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& 
   shape.nodes = block_outline.colwise() - polyfem::area_moments(block_outline).centroid;
   const Index n = shape.nodes.cols();
   shape.translation = VectorXd::Ones(n);
-  ShapeCell& cell = shape.cells.emplace_back(polygon_cell(material, shape.nodes, basis, integration, false));
+  shape.cells.push_back(polygon_cell(material, shape.nodes, basis, integration, false,
+                                     &basis == &polyfem::wachspress ? 0 : fine));
   shape.mean_gradient = polyfem::mean_gradient_weights(shape.nodes);
-  if (&basis != &polyfem::wachspress) {
-    polyfem::TabulatedElement fine;
-    tabulate_to_tolerance(shape.nodes, basis, tolerance_of_mean_value, integration.correction, fine);
-    CellMatrices of = matrices(fine, material, false);
-    cell.elastic = {shape.nodes, shape.mean_gradient, of.K};
-    cell.mass = std::move(of.mass);
-  }
   shape.n_outline = static_cast<int>(n);
   find_unknowns(shape);
   return shape;
@@ -181,8 +182,8 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
   for (const std::vector<int>& corners : mesh.cells) {
     const Points polygon = shape.nodes(Eigen::all, corners);
     const polyfem::Basis& basis = polyfem::suitable_basis(polygon);
-    shape.cells.push_back(polygon_cell(material, polygon, basis,
-                                       choose_integration(polygon, correction, basis), mean_dilatation));
+    shape.cells.push_back(polygon_cell(
+        material, polygon, basis, choose_integration(polygon, correction, basis), mean_dilatation, fine));
     shape.cells.back().nodes = corners;
   }
 
