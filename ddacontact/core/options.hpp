@@ -46,6 +46,8 @@ struct MeshOptions {
   int cells = 64;          ///< about how many
   double cell_size = 0;    ///< m; > 0: as many cells as are of this size, instead
   bool edge_nodes = true;  ///< false: the block's edges stay straight
+
+  bool operator==(const MeshOptions&) const = default;
 };
 
 /// Steps, laws of motion and defaults of the blocks.
@@ -57,8 +59,8 @@ struct AnalysisOptions {
   double max_displacement_ratio = 0.1;
   Vec2 gravity{0.0, -9.8};  ///< m/s2
   Plane plane = Plane::strain;
-  BlockModel block_model = BlockModel::wachspress;
-  MeshOptions mesh;  ///< of blocks that state none
+  BlockModel block_model = BlockModel::automatic;  ///< wachspress in the paper preset
+  MeshOptions mesh;                                ///< of blocks that state none
   Kinematics kinematics = Kinematics::corotational;
   Scheme scheme = Scheme::decaying;
   double beta = 0.25, gamma = 0.5;  ///< of Scheme::newmark
