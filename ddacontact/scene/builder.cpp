@@ -147,7 +147,8 @@ class Builder {
       system.names[b] = scene_.block_name(static_cast<int>(b));
       built_.labels.block_models.push_back(model_name(scene_.blocks[b].model));
       built_.labels.block_materials.push_back(scene_.blocks[b].material);
-      built_.labels.turned.push_back(placed_[b].turned);
+      built_.labels.block_reasons.emplace_back();
+      built_.labels.outlines.push_back(label_outline(placed_[b].outline, placed_[b].turned));
     }
     for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
     for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));
