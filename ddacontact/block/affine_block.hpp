@@ -28,6 +28,7 @@ class AffineBlock final : public IncrementalBlock {
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void add_stress(const VectorXd& d, Tensors& stress) const override;
   Points strain_displacement(const BlockState& state) const override;
+  Points integration_points() const override { return Points::Zero(2, 1); }
 
  private:
   using Mat6 = Eigen::Matrix<double, 6, 6>;

@@ -82,6 +82,8 @@ class Block {
   MatrixXd mass() const { return times_mass(MatrixXd::Identity(n_unknowns(), n_unknowns())); }
   /// Unknowns of a unit translation in x, in y and a unit rotation about the centroid: n_unknowns x 3.
   const Eigen::Matrix<double, Eigen::Dynamic, 3>& rigid_modes() const { return rigid_modes_; }
+  /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.
+  virtual Points integration_points() const = 0;
   /// Area that belongs to each integration point.
   const VectorXd& integration_weights() const { return integration_weights_; }
   /// 1 for an unknown that is a displacement, the block's size for one that is an angle or a strain: forces

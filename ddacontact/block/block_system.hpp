@@ -77,6 +77,7 @@ class BlockSystem {
   /// The row of (13) of each unknown, -1 when it is held.
   const std::vector<int>& equation() const { return equation_; }
   int n_equations() const { return n_equations_; }
+  int block_of_place(int place) const { return block_of_place_[place]; }
   /// Whether a block has an unknown that is not held.
   bool is_movable(int b) const { return movable_[b]; }
   /// Whether a block has no unknown that is held.

@@ -414,6 +414,14 @@ Tensors CorotationalBlock::stress(const BlockState& state) const {
   return sigma;
 }
 
+Points CorotationalBlock::integration_points() const {
+  Points points(2, n_stress_points());
+  for (int c = 0; c < n_cells(); ++c)
+    points.middleCols(first_point_[c], first_point_[c + 1] - first_point_[c]) =
+        shape_->cells[c].element.rule.points;
+  return points;
+}
+
 BlockCell CorotationalBlock::cell(int c) const {
   const ShapeCell& of = shape_->cells[c];
   BlockCell cell = Block::cell(c);

@@ -37,6 +37,7 @@ class CorotationalBlock final : public Block {
   Tensors stress(const BlockState& state) const override;
   double elastic_energy(const BlockState& state) const override;
   Points strain_displacement(const BlockState& state) const override;
+  Points integration_points() const override;
   int n_cells() const override { return static_cast<int>(shape_->cells.size()); }
   BlockCell cell(int c) const override;
   CellStress cell_stress(const BlockState& state, int c) const override;

@@ -39,6 +39,7 @@ class VertexBlock final : public IncrementalBlock {
   void add_stress(const VectorXd& d, Tensors& stress) const override;
   Points strain_displacement(const BlockState& state) const override;
   BlockCell cell(int c) const override;
+  Points integration_points() const override { return element_.rule.points.colwise() - moments().centroid; }
 
  private:
   void prepare_shape(const PointsRef& outline) override;

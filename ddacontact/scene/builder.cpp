@@ -1,6 +1,7 @@
 #include <ddacontact/scene/builder.hpp>
 
 #include <ddacontact/block/corotational_block.hpp>
+#include <ddacontact/scene/model_choice.hpp>
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/area_moments.hpp>
@@ -125,30 +126,38 @@ void check_followed(const VertexHolds& holds, const PointsRef& outline, const st
 
 class Builder {
  public:
-  explicit Builder(const Scene& scene) : scene_(scene), origin_(low_corner(scene)) {
+  /// \param[in] reasons  why blocks have the models that the scene states; empty ones: it was asked for
+  Builder(const Scene& scene, const std::vector<std::string>& reasons)
+      : scene_(scene), reasons_(reasons), origin_(low_corner(scene)) {
     for (const BlockDescription& block : scene.blocks) placed_.push_back(place(block, origin_));
     holds_ = collect_holds(scene, placed_);
   }
 
+  /// What of the stress in each block bends it and is missing, see missing_bending; all < 0: not known.
+  std::vector<double> missing() {
+    BlockSystem system = make_system();
+    BlockState initial = system.initial_state();
+    set_initial(system, initial);
+    const ContactBuilder contacts(system, contact_properties());
+    const FirstLoading loading = load_once(system, initial, contacts);
+    if (!loading.settled) return std::vector<double>(scene_.blocks.size(), -1);
+    return missing_bending(system, initial, loading);
+  }
+
   BuiltScene build() {
-    std::vector<std::unique_ptr<Block>> blocks;
-    for (std::size_t b = 0; b < scene_.blocks.size(); ++b) blocks.push_back(make_block(static_cast<int>(b)));
-
-    BlockSystem system(std::move(blocks));
-    hold(system);
+    BlockSystem system = make_system();
     note_idle_velocities(system);
-    system.gravity = scene_.analysis.gravity;
-    system.end_time = scene_.end_time();
-    add_loads(system);
-
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));
       system.names[b] = scene_.block_name(static_cast<int>(b));
       built_.labels.block_models.push_back(model_name(scene_.blocks[b].model));
       built_.labels.block_materials.push_back(scene_.blocks[b].material);
-      built_.labels.block_reasons.emplace_back();
-      built_.labels.outlines.push_back(label_outline(placed_[b].outline, placed_[b].turned));
+      built_.labels.block_reasons.push_back(reasons_[b]);
+      const auto& mesh = placed_[b].mesh;
+      built_.labels.outlines.push_back(
+          mesh ? label_outline(mesh->places.leftCols(mesh->n_outline), mesh->vertex, placed_[b].turned)
+               : label_outline(placed_[b].outline, placed_[b].turned));
     }
     for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
     for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));
@@ -161,6 +170,17 @@ class Builder {
   }
 
  private:
+  BlockSystem make_system() {
+    std::vector<std::unique_ptr<Block>> blocks;
+    for (std::size_t b = 0; b < scene_.blocks.size(); ++b) blocks.push_back(make_block(static_cast<int>(b)));
+    BlockSystem system(std::move(blocks));
+    hold(system);
+    system.gravity = scene_.analysis.gravity;
+    system.end_time = scene_.end_time();
+    add_loads(system);
+    return system;
+  }
+
   std::unique_ptr<Block> make_block(int b) {
     const BlockDescription& description = scene_.blocks[b];
     const Material& rock = scene_.materials[description.material];
@@ -353,6 +373,7 @@ class Builder {
   }
 
   const Scene& scene_;
+  const std::vector<std::string>& reasons_;
   Vec2 origin_;
   std::vector<Placed> placed_;
   std::vector<VertexHolds> holds_;
@@ -365,7 +386,11 @@ class Builder {
 }  // namespace
 
 BuiltScene build(const Scene& scene) {
-  return Builder(scene).build();
+  const ChosenModels chosen =
+      choose_models(scene, [](const Scene& stated, const std::vector<std::string>& reasons) {
+        return Builder(stated, reasons).missing();
+      });
+  return Builder(chosen.scene, chosen.reasons).build();
 }
 
 }  // namespace ddacontact

@@ -47,6 +47,7 @@ class MisjudgedBlock final : public Block {
     return right_.elastic_loss(d, elastic);
   }
   Tensors stress(const BlockState& state) const override { return right_.stress(state); }
+  Points integration_points() const override { return right_.integration_points(); }
   Points strain_displacement(const BlockState& state) const override {
     return right_.strain_displacement(state);
   }

@@ -1,0 +1,138 @@
+#include <ddacontact/scene/model_choice.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <polyfem/geometry/validity.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double least_turn = 0.035;  ///< the sine of two degrees
+constexpr double least_slenderness = 2.5;
+constexpr double largest_missing = 0.1;
+constexpr int cells_across = 4;
+/// Of meshes: two vertices a cell, and what is allowed in all.
+constexpr long unknowns_per_cell = 4, most_unknowns = 200'000;
+/// Forces below this part of a block's weight are none.
+constexpr double least_load = 1e-3;
+/// Stress counts at least as this part of the largest in the scene, by energy density.
+constexpr double least_density = 0.1;
+
+struct ChoiceByShape {
+  BlockModel model;
+  std::string reason;
+};
+
+/// Rule 1, of a counter-clockwise outline.
+ChoiceByShape choose_by_shape(const PointsRef& outline) {
+  const auto corner = polyfem::find_non_convex_corner(outline, least_turn);
+  if (!corner) return {BlockModel::wachspress, "convex"};
+  const Index n = outline.cols();
+  const Vec2 in = outline.col(*corner) - outline.col((*corner + n - 1) % n),
+             out = outline.col((*corner + 1) % n) - outline.col(*corner);
+  return {BlockModel::mean_value,
+          cross(in, out) < -least_turn * in.norm() * out.norm() ? "concave" : "a corner is next to straight"};
+}
+
+}  // namespace
+
+double slenderness(const PointsRef& outline) {
+  const Vec2 moments =
+      Eigen::SelfAdjointEigenSolver<Mat2>(polyfem::area_moments(outline).second, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  return std::sqrt(moments[1] / moments[0]);
+}
+
+ChosenModels choose_models(
+    const Scene& scene,
+    const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing) {
+  ChosenModels chosen{scene, std::vector<std::string>(scene.blocks.size())};
+  std::vector<std::size_t> slender;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    BlockDescription& block = chosen.scene.blocks[b];
+    if (block.model != BlockModel::automatic) continue;
+    Points outline = block.vertices;
+    if (polyfem::signed_area(outline) < 0) outline = outline.rowwise().reverse().eval();
+    const ChoiceByShape by_shape = choose_by_shape(outline);
+    block.model = by_shape.model;
+    chosen.reasons[b] = by_shape.reason;
+    if (block.fixed)
+      chosen.reasons[b] = "held, " + chosen.reasons[b];
+    else if (scene.analysis.kinematics == Kinematics::corotational &&
+             slenderness(outline) > least_slenderness)
+      slender.push_back(b);
+  }
+  if (slender.empty()) return chosen;
+
+  const std::vector<double> share = missing(chosen.scene, chosen.reasons);
+  long unknowns = 0;
+  for (std::size_t b : slender) {
+    BlockDescription& block = chosen.scene.blocks[b];
+    const double ratio = slenderness(block.vertices);
+    const std::string length = "slender (" + scene_format::rounded(ratio) + ":1)";
+    std::string& reason = chosen.reasons[b];
+    if (share[b] >= 0 && share[b] <= largest_missing) {
+      reason +=
+          ", " + length + " but hardly bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)";
+      continue;
+    }
+    MeshOptions mesh = block.mesh;
+    mesh.kind = CellKind::by_shape;
+    mesh.cell_size = 0;
+    mesh.edge_nodes = true;
+    mesh.cells = static_cast<int>(std::lround(cells_across * cells_across * ratio));
+    unknowns += unknowns_per_cell * mesh.cells;
+    if (unknowns > most_unknowns) {
+      reason += ", " + length + ", but the meshes of others have used up what is allowed";
+      continue;
+    }
+    block.model = BlockModel::mesh;
+    block.mesh = mesh;
+    reason =
+        length + (share[b] < 0 ? std::string(", its load is not known")
+                               : " and bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)");
+  }
+  return chosen;
+}
+
+std::vector<double> missing_bending(const BlockSystem& blocks, const BlockState& initial,
+                                    const FirstLoading& loading) {
+  const auto n = static_cast<std::size_t>(blocks.n_blocks());
+  std::vector<double> total(n, 0), missing(n, -1), absent(n, 0);
+  double largest_density = 0;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Block& block = blocks.block(b);
+    if (blocks.is_unchanging(b)) continue;
+    const auto [first, count] = block.vertices();
+    const Points outline = initial.position.middleCols(first, count).colwise() - block.moments().centroid;
+    double sum = 0;
+    for (const ActingForce& acting : loading.forces[b]) sum += acting.force.norm();
+    if (sum <= least_load * block.mass_total() * blocks.gravity.norm()) continue;
+
+    polyfem::PolygonRule rule;
+    polyfem::make_polygon_rule(outline, polyfem::hammer_rule(5), rule);
+    const Mat3 compliance = block.material().elasticity.inverse();
+    const StressMoments asked = moments_of_forces(
+        rule, loading.forces[b], block.mass_total() / block.reference_area() * blocks.gravity);
+    absent[b] = energy_of_moments(rule, compliance, asked - loading.moments[b]);
+    const Vec3& mean = loading.mean[b];
+    total[b] =
+        block.reference_area() * mean.dot(compliance * mean) / 2 + energy_of_moments(rule, compliance, asked);
+    largest_density = std::max(largest_density, total[b] / block.reference_area());
+    missing[b] = 0;
+  }
+  for (std::size_t b = 0; b < n; ++b)
+    if (missing[b] == 0 && absent[b] > 0)
+      missing[b] =
+          std::sqrt(absent[b] / std::max(total[b], least_density * largest_density *
+                                                       blocks.block(static_cast<int>(b)).reference_area()));
+  return missing;
+}
+
+}  // namespace ddacontact

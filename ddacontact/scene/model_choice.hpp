@@ -1,0 +1,44 @@
+/// \file What the model "auto" is for a block: the cheapest one that is sound for it.
+///
+/// 1. By shape: Wachspress functions where every corner turns left by more than two degrees, else mean value
+///    functions.
+/// 2. A block is slender when its principal radii of gyration differ by a factor of more than 2.5. Then one
+///    polygon cannot bend: a rectangle of 4:1 has 15 % of the compliance of a beam.
+/// 3. A slender block is divided into cells, four across, where bending matters: where more than a tenth of
+///    the stress (in the energy norm, of that block or of a tenth of the largest energy density in the scene,
+///    whichever is larger) is a part linear in x that its forces ask for and the polygon does not carry. The
+///    forces are those of a first look at the scene at rest. Where that finds none on a block (it falls, or
+///    waits for others), slenderness alone decides.
+/// 4. These meshes have 200 000 unknowns at most in all; blocks beyond, in the order of the scene, stay
+/// single.
+#pragma once
+
+#include <ddacontact/scene/scene.hpp>
+#include <ddacontact/time/first_loading.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// A scene that states every model.
+struct ChosenModels {
+  Scene scene;
+  std::vector<std::string> reasons;  ///< of every block: why it has its model; empty: it was asked for
+};
+
+/// Puts models in the place of "auto". `missing` finds what `missing_bending` says of a scene that states
+/// every model; it is asked at most once, and only where a slender block is free to bend.
+ChosenModels choose_models(
+    const Scene& scene,
+    const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing);
+
+/// The ratio of the principal radii of gyration, >= 1.
+double slenderness(const PointsRef& outline);
+
+/// What of the stress in each block is missing, relative as in rule 3; negative: no forces are known on it.
+std::vector<double> missing_bending(const BlockSystem& blocks, const BlockState& initial,
+                                    const FirstLoading& loading);
+
+}  // namespace ddacontact

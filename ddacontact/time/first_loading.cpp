@@ -1,0 +1,129 @@
+#include <ddacontact/time/first_loading.hpp>
+
+#include <ddacontact/solver/step_system.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// The inertia of the softest block over its stiffness: keeps what nothing holds from being singular.
+constexpr double inertia_ratio = 1e-6;
+/// Times friction bounds are set by the normal forces before, frictionless ones first.
+constexpr int rounds = 3;
+/// Displacements are made this small, of the smallest block, where stresses are taken: to first order.
+constexpr double small_move = 1e-6;
+/// Of the largest force on a block: more than this is not worth while for a choice.
+constexpr double tolerance = 1e-6;
+
+double step_length(const BlockSystem& blocks) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    shortest = std::min(shortest, std::sqrt(2 * blocks.block(b).mass_total() /
+                                            (inertia_ratio * blocks.block(b).material().elasticity(2, 2))));
+  return shortest;
+}
+
+ContactTerm term_of(const Contact& contact) {
+  ContactTerm term;
+  term.gap = contact.gap;
+  term.gap.constant = 0;
+  term.slip = contact.slip;
+  term.slip.constant = 0;
+  term.normal_stiffness = contact.law.normal_stiffness;
+  term.tangential_stiffness = contact.law.tangential_stiffness;
+  term.normal = contact.history.bonded ? ContactTerm::Normal::unilateral : ContactTerm::Normal::absent;
+  term.sheared = !contact.law.frictionless();
+  return term;
+}
+
+/// Stresses by displacements made small, and made large again.
+void add_stresses(BlockSystem& blocks, const BlockState& initial, const StepStart& start, const VectorXd& d,
+                  FirstLoading& result) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int b = 0; b < blocks.n_blocks(); ++b) smallest = std::min(smallest, blocks.block(b).size());
+  const double part = std::min(1.0, small_move * smallest / d.lpNorm<Eigen::Infinity>());
+  BlockState moved = initial;
+  blocks.begin_step(initial, start);
+  blocks.end_step(part * d, VectorXd::Zero(d.size()), moved);
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Block& block = blocks.block(b);
+    const Tensors before = block.stress(initial), stress = before + (block.stress(moved) - before) / part;
+    const polyfem::PolygonRule rule{block.integration_points(), block.integration_weights()};
+    result.moments.push_back(moments_of_stresses(rule, stress));
+    result.mean.emplace_back(stress * rule.weights / rule.weights.sum());
+  }
+}
+
+}  // namespace
+
+FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, const ContactBuilder& builder) {
+  FirstLoading result;
+  const auto n_blocks = static_cast<std::size_t>(blocks.n_blocks());
+  result.forces.resize(n_blocks);
+  blocks.prepare(initial, true);
+  const std::vector<Contact> contacts = builder.build_first(initial, std::vector<double>(n_blocks, 0));
+  std::vector<ContactTerm> terms;
+  for (const Contact& contact : contacts) terms.push_back(term_of(contact));
+
+  StepSystem system(blocks);
+  StepStart start;
+  start.rule.scheme = Scheme::dda;
+  start.dt = step_length(blocks);
+  start.velocity = start.acceleration = start.jump = start.jump_path = VectorXd::Zero(blocks.n_unknowns());
+  double stiffest = 0;
+  for (const Contact& contact : contacts) stiffest = std::max(stiffest, contact.law.normal_stiffness);
+  system.set_step(initial, start, stiffest);
+  VectorXd d = VectorXd::Zero(blocks.n_unknowns());
+  system.linearize(d);
+  system.set_contacts(terms);
+  const VectorXd g0 = system.smooth_residual(d), d0 = d;
+  const double largest = g0.lpNorm<Eigen::Infinity>();
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      terms[c].bound = round == 0 ? 0 : shear_bound(contacts[c].law, contact_force(terms[c], d).normal, true);
+    const MinimizeReport report = system.problem().minimize(
+        terms, d0, g0, {.unknown_lengths = system.unknown_lengths(), .tolerance = tolerance * largest}, d);
+    if (report.status != MinimizeStatus::converged || !d.allFinite()) return result;
+  }
+  result.settled = true;
+
+  VectorXd r;
+  system.problem().compute_residual(terms, d0, g0, d, r);
+  const auto add = [&](int block, const Vec2& from_origin, const Vec2& force) {
+    result.forces[block].push_back({from_origin - blocks.block(block).moments().centroid, force});
+  };
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const ContactForce force = contact_force(terms[c], d);
+    if (force.normal == 0 && force.shear == 0) continue;
+    const VertexEdgePlace& place = contacts[c].motion.start;
+    const Vec2 along = (place.k - place.j).normalized(), out(along.y(), -along.x()),
+               on_vertex = force.normal * out + force.shear * along;
+    const auto [vertex_block, vertex, edge_block, edge] = contacts[c].pair;
+    const Vec2 shift = initial.origin.col(edge_block) - initial.origin.col(vertex_block);
+    add(vertex_block, place.i + shift, on_vertex);
+    add(edge_block, place.i, -on_vertex);
+  }
+  for (const HeldUnknown& held : blocks.held_unknowns()) {
+    const int b = blocks.block_of_place(held.vertex);
+    add(b, initial.position.col(held.vertex), r[held.unknown] * Vec2::Unit(held.axis));
+  }
+  for (const PointLoad& load : blocks.point_loads) {
+    const auto places = initial.position.middleCols(blocks.block(load.point.block).places().first,
+                                                    blocks.block(load.point.block).n_places());
+    add(load.point.block, places * load.point.weights, load.force.at(blocks.end_time, blocks.end_time));
+  }
+  for (const PressureLoad& load : blocks.pressure_loads) {
+    const auto [first, count] = blocks.block(load.block).vertices();
+    const Vec2 j = initial.position.col(first + load.edge),
+               k = initial.position.col(first + (load.edge + 1) % count), edge = k - j;
+    for (const Vec2& end : {j, k}) add(load.block, end, load.pressure / 2 * Vec2(-edge.y(), edge.x()));
+  }
+  add_stresses(blocks, initial, start, d, result);
+  return result;
+}
+
+}  // namespace ddacontact
