@@ -1,8 +1,11 @@
 /// \file Scenes and geometry files changed at random: reading them ends, with a sound scene or with problems.
 #include "geometry_scenes.hpp"
 
+#include <ddacontact/scene/block_cutting.hpp>
 #include <ddacontact/scene/outline_check.hpp>
 #include <ddacontact/scene/writer.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/validity.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -306,6 +309,7 @@ bool expect_read_or_refused(const SceneReading& reading, const std::string& muta
   }
   if (!reading.scene) return false;
   expect_sound(*reading.scene, mutant);
+  expect_cut(*reading.scene, mutant);
   std::ostringstream first, second;
   write_scene(first, *reading.scene);
   const SceneReading again = read(first.str());
@@ -313,6 +317,23 @@ bool expect_read_or_refused(const SceneReading& reading, const std::string& muta
   if (again.scene) write_scene(second, *again.scene);
   EXPECT_EQ(first.str(), second.str());
   return true;
+}
+
+/// Whatever can be read can be cut into convex blocks that fill it.
+void expect_cut(const Scene& scene, const std::string& text) {
+  Scene nameless = scene;
+  for (BlockDescription& block : nameless.blocks) block.name.clear();
+  CutCounts counts;
+  const Scene cut =
+      cut_blocks(nameless, {.shortest_edge = 0, .drop_straight = false, .convex = true}, counts);
+  double before = 0, after = 0;
+  for (const BlockDescription& block : scene.blocks) before += std::abs(polyfem::signed_area(block.vertices));
+  for (const BlockDescription& block : cut.blocks) {
+    after += std::abs(polyfem::signed_area(block.vertices));
+    if (polyfem::signed_area(block.vertices) < 0) continue;  // as it was given: convex
+    EXPECT_FALSE(polyfem::find_non_convex_corner(block.vertices)) << text;
+  }
+  EXPECT_NEAR(after, before, 1e-8 * before) << text;
 }
 
 TEST(Fuzz, MutatedScenesAreReadOrRefused) {
