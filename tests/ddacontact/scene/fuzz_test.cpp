@@ -296,6 +296,23 @@ unsigned n_mutants() {
   return wanted ? static_cast<unsigned>(std::strtoul(wanted, nullptr, 10)) : 4000;
 }
 
+/// Whatever can be read can be cut into convex blocks that fill it.
+void expect_cut(const Scene& scene, const std::string& text) {
+  Scene nameless = scene;
+  for (BlockDescription& block : nameless.blocks) block.name.clear();
+  CutCounts counts;
+  const Scene cut =
+      cut_blocks(nameless, {.shortest_edge = 0, .drop_straight = false, .convex = true}, counts);
+  double before = 0, after = 0;
+  for (const BlockDescription& block : scene.blocks) before += std::abs(polyfem::signed_area(block.vertices));
+  for (const BlockDescription& block : cut.blocks) {
+    after += std::abs(polyfem::signed_area(block.vertices));
+    if (polyfem::signed_area(block.vertices) < 0) continue;  // as it was given: convex
+    EXPECT_FALSE(polyfem::find_non_convex_corner(block.vertices)) << text;
+  }
+  EXPECT_NEAR(after, before, 1e-8 * before) << text;
+}
+
 /// Either a sound scene that can be written and read again, or problems with their places; whether it is a
 /// scene.
 bool expect_read_or_refused(const SceneReading& reading, const std::string& mutant) {
@@ -317,23 +334,6 @@ bool expect_read_or_refused(const SceneReading& reading, const std::string& muta
   if (again.scene) write_scene(second, *again.scene);
   EXPECT_EQ(first.str(), second.str());
   return true;
-}
-
-/// Whatever can be read can be cut into convex blocks that fill it.
-void expect_cut(const Scene& scene, const std::string& text) {
-  Scene nameless = scene;
-  for (BlockDescription& block : nameless.blocks) block.name.clear();
-  CutCounts counts;
-  const Scene cut =
-      cut_blocks(nameless, {.shortest_edge = 0, .drop_straight = false, .convex = true}, counts);
-  double before = 0, after = 0;
-  for (const BlockDescription& block : scene.blocks) before += std::abs(polyfem::signed_area(block.vertices));
-  for (const BlockDescription& block : cut.blocks) {
-    after += std::abs(polyfem::signed_area(block.vertices));
-    if (polyfem::signed_area(block.vertices) < 0) continue;  // as it was given: convex
-    EXPECT_FALSE(polyfem::find_non_convex_corner(block.vertices)) << text;
-  }
-  EXPECT_NEAR(after, before, 1e-8 * before) << text;
 }
 
 TEST(Fuzz, MutatedScenesAreReadOrRefused) {
