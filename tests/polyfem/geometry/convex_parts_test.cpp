@@ -86,15 +86,22 @@ Points random_star(int n, std::mt19937& random) {
   return star;
 }
 
+/// With one more vertex behind vertex `at`.
+Points with_vertex(const Points& polygon, Index at, const Vec2& vertex) {
+  Points result(2, polygon.cols() + 1);
+  result.leftCols(at + 1) = polygon.leftCols(at + 1);
+  result.col(at + 1) = vertex;
+  result.rightCols(polygon.cols() - at - 1) = polygon.rightCols(polygon.cols() - at - 1);
+  return result;
+}
+
 /// A simple polygon grown from a triangle by vertices put in at random where it stays simple.
 Points random_simple_polygon(int n, std::mt19937& random) {
   Points polygon = support::points({{0, 0}, {1, 0}, {0.4, 0.9}});
   while (polygon.cols() < n) {
     const Index at = std::uniform_int_distribution<Index>(0, polygon.cols() - 1)(random);
-    Points grown(2, polygon.cols() + 1);
-    grown.leftCols(at + 1) = polygon.leftCols(at + 1);
-    grown.col(at + 1) << support::uniform(-1, 2, random), support::uniform(-1, 2, random);
-    grown.rightCols(polygon.cols() - at - 1) = polygon.rightCols(polygon.cols() - at - 1);
+    const double x = support::uniform(-1, 2, random), y = support::uniform(-1, 2, random);
+    const Points grown = with_vertex(polygon, at, Vec2(x, y));
     if (!find_defect(grown) && signed_area(grown) > 0.1) polygon = grown;
   }
   return polygon;
@@ -144,6 +151,23 @@ TEST(ConvexParts, OfRandomPolygonsAreConvexAndFillThem) {
       const auto parts = sound_parts(polygon, i % 2 ? 1e-9 : 0.0);
       EXPECT_LE(static_cast<int>(parts.size()), 2 * n_reflex(polygon) + 1);
     }
+  }
+}
+
+TEST(ConvexParts, OfPolygonsOnAGridFillThemExactly) {
+  // Vertices on edges, parallel edges, cuts in line with edges: whatever is not in general position.
+  std::mt19937 random(13);
+  for (int i = 0; i < 400; ++i) {
+    Points polygon = support::points({{0, 0}, {6, 0}, {0, 6}});
+    for (int tries = 0; tries < 300 && polygon.cols() < 5 + i % 20; ++tries) {
+      const Points finer =
+          with_vertex(polygon, std::uniform_int_distribution<Index>(0, polygon.cols() - 1)(random),
+                      Vec2(static_cast<double>(random() % 7), static_cast<double>(random() % 7)));
+      if (!find_defect(finer) && signed_area(finer) > 0) polygon = finer;
+    }
+    double area = 0;
+    for (const auto& part : sound_parts(polygon, 0)) area += signed_area(columns(polygon, part));
+    EXPECT_EQ(area, signed_area(polygon));
   }
 }
 
