@@ -3,6 +3,7 @@
 #include <polyfem/geometry/validity.hpp>
 #include <tests/support/concave_polygons.hpp>
 #include <tests/support/random_polygon.hpp>
+#include <tests/support/random_simple_polygon.hpp>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,20 @@ TEST(ShortEdges, AreGoneAndThePolygonIsSimple) {
     EXPECT_NEAR(signed_area(cleaned.polygon), signed_area(polygon), 2e-3 * n);
     expect_sources(cleaned, polygon.cols());
   }
+}
+
+TEST(CleanedOutlines, StaySimpleWhateverIsAskedFor) {
+  std::mt19937 random(17);
+  for (int i = 0; i < 400; ++i)
+    for (const Points& polygon :
+         {support::random_star(4 + i % 20, random), support::random_simple_polygon(4 + i % 20, random)})
+      for (const double limit : {0.1, 0.5, 0.9})
+        for (const CleanedOutline& cleaned :
+             {drop_straight_vertices(polygon, limit), merge_ends_of_short_edges(polygon, limit)}) {
+          EXPECT_FALSE(find_defect(cleaned.polygon));
+          EXPECT_GT(signed_area(cleaned.polygon), 0);
+          expect_sources(cleaned, polygon.cols());
+        }
 }
 
 TEST(ShortEdges, StayWhereThePolygonWouldTouchItself) {
