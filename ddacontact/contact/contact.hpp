@@ -38,10 +38,11 @@ struct Contact {
   AffineForm gap, slip;  ///< over the same unknowns; the gap without its offset. (36) and (44), or, in the
                          ///< staged method, the true ones at the end of the step with their derivatives
   double edge_length = 0;
-  double length_tolerance = 0;  ///< gaps and slips below this are round-off, m
-  double end_tolerance = 0;     ///< a vertex no further than this beyond an end of the edge is still on it, m
-  double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
-  double size = 0;     ///< of the smaller block, held ones not counted, m
+  double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
+  double length_tolerance = 0;                     ///< gaps and slips below this are round-off, m
+  double end_tolerance = 0;  ///< a vertex no further than this beyond an end of the edge is still on it, m
+  double damping = 0;        ///< dashpot over the length of the step: force by change of the gap, N/m per m
+  double size = 0;           ///< of the smaller block, held ones not counted, m
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
   double normal = 0;        ///< N, > 0 compression
@@ -50,10 +51,11 @@ struct Contact {
   bool augmented = false;   ///< its forces are multipliers: its springs store no energy
 
   bool closed() const { return history.state != ContactState::open; }
-  /// Whether the vertex projects onto the edge when its slip is this.
+  /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.
   bool is_on_edge(double at_slip) const {
     const double along = history.lock * edge_length + at_slip;
-    return along >= -end_tolerance && along <= edge_length + end_tolerance;
+    return along >= -(end_tolerance + straight_before) &&
+           along <= edge_length + straight_after + end_tolerance;
   }
 };
 

@@ -2,6 +2,8 @@
 
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/corner.hpp>
+#include <ddacontact/detection/half_width.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -16,13 +18,6 @@ constexpr double coincidence = 1e-6;
 constexpr double near_corner = 1e-2;
 /// Gaps below this times the block size are round-off.
 constexpr double length_tolerance = 1e-12;
-
-double perimeter(const PointsRef& polygon) {
-  double sum = 0;
-  for (Index k = 0; k < polygon.cols(); ++k)
-    sum += (polygon.col((k + 1) % polygon.cols()) - polygon.col(k)).norm();
-  return sum;
-}
 
 /// The contacts of one pair of blocks stand together: ordered by the pair, then by contact.
 Pair block_pair(const VertexEdge& contact) {
@@ -50,8 +45,7 @@ ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties prop
     : blocks_(blocks), properties_(std::move(properties)) {
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& v = blocks.block(b).vertices();
-    half_width_.push_back(blocks.block(b).reference_area() /
-                          perimeter(blocks.reference().middleCols(v.first, v.count)));
+    half_width_.push_back(half_width(blocks.reference().middleCols(v.first, v.count)));
   }
 }
 
@@ -127,6 +121,10 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
   contact.edge_length = (k - j).norm();
+  const Range& v = blocks_.block(pair.edge_block).vertices();
+  const auto outline = state.position.middleCols(v.first, v.count);
+  contact.straight_before = straight_before_start(outline, pair.edge);
+  contact.straight_after = straight_beyond_end(outline, pair.edge);
   contact.augmented = properties_.method == ContactMethod::staged && properties_.penetration_tolerance > 0;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.end_tolerance = coincidence * contact.size;
@@ -164,6 +162,15 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
                                                 std::span<const Contact> previous) const {
   for (const Contact& old : previous)
     if (old.closed() && old.pair == pair) return &old;
+  const Range& of_edge = blocks_.block(pair.edge_block).vertices();
+  const auto edge_outline = state.position.middleCols(of_edge.first, of_edge.count);
+  for (const Contact& old : previous) {
+    const bool same_vertex = old.pair.vertex_block == pair.vertex_block && old.pair.vertex == pair.vertex;
+    if (old.closed() && same_vertex &&
+        (goes_straight_on(edge_outline, old.pair.edge, pair.edge) ||
+         goes_straight_on(edge_outline, pair.edge, old.pair.edge)))
+      return &old;
+  }
   const auto place = [&](int block, int vertex) -> Vec2 {
     const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
     return state.position.col(blocks_.block(block).vertices().first + vertex) + shift;
@@ -196,7 +203,8 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
       contact.law.cohesion = old->law.cohesion;
       contact.law.tension = old->law.tension;
       if (old->pair != pair) {
-        // Slip keeps its sign: the two edges are antiparallel, and so are the roles of their blocks.
+        // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
+        // their blocks.
         const Range& v = blocks_.block(pair.edge_block).vertices();
         const Vec2 edge =
             state.position.col(v.first + (pair.edge + 1) % v.count) - state.position.col(v.first + pair.edge);

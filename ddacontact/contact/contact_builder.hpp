@@ -31,8 +31,8 @@ class ContactBuilder {
   /// an overlap is taken as stress-free.
   std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach) const;
   /// The contacts that may close while no vertex of block b moves further than reach[b]. Those also in
-  /// `previous` carry on its history; a vertex that slid across a corner
-  /// onto the neighbour's vertex does too.
+  /// `previous` carry on its history; so does a vertex that slid straight on onto the next edge, or across a
+  /// corner onto the neighbour's vertex.
   std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
                              const std::vector<Contact>& previous) const;
 
@@ -42,8 +42,9 @@ class ContactBuilder {
  private:
   std::vector<VertexEdge> detect(const BlockState& state, const std::vector<double>& reach,
                                  const std::vector<Contact>& previous) const;
-  /// The closed contact of the step before whose history this one carries on: the same, or, where vertex
-  /// meets vertex, the one that the other vertex made with this vertex's edge.
+  /// The closed contact of the step before whose history this one carries on: the same, or that of the same
+  /// vertex with an edge that goes straight on into this one, or, where vertex meets vertex, the one that the
+  /// other vertex made with this vertex's edge.
   const Contact* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                   std::span<const Contact> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
@@ -52,7 +53,7 @@ class ContactBuilder {
 
   const BlockSystem& blocks_;
   ContactProperties properties_;
-  std::vector<double> half_width_;  ///< of each block: area over perimeter
+  std::vector<double> half_width_;  ///< of each block
 };
 
 }  // namespace ddacontact

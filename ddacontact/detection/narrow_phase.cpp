@@ -1,22 +1,21 @@
 #include <ddacontact/detection/narrow_phase.hpp>
 
+#include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/corner.hpp>
+#include <polyfem/geometry/validity.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace ddacontact {
 
 namespace {
 
-/// Edges within 3 degrees of each other count as touching along their length.
-constexpr double sin_parallel = 0.0523;
-
-int next(int k, const PointsRef& polygon) {
-  return k + 1 == polygon.cols() ? 0 : k + 1;
-}
-int previous(int k, const PointsRef& polygon) {
-  return (k == 0 ? static_cast<int>(polygon.cols()) : k) - 1;
-}
+/// A vertex nearer to an end of an edge than this part of its length is at that end.
+constexpr double end_part = 1e-6;
 
 struct Edge {
   Vec2 start, tangent, normal;  // outward normal of a counter-clockwise polygon
@@ -36,63 +35,238 @@ struct Edge {
   }
 };
 
-/// Whether the corner at `vertex` lies on the outer side of an edge with this normal, or may be turned there
-/// within the step.
-bool admissible(const PointsRef& polygon, int vertex, const Vec2& normal, double reach) {
-  const Vec2 x = polygon.col(vertex);
-  for (int neighbour : {next(vertex, polygon), previous(vertex, polygon)}) {
-    const Vec2 side = polygon.col(neighbour) - x;
-    const double length = side.norm();
-    if (normal.dot(side) < -std::max(sin_parallel * length, std::min(reach, length / 2))) return false;
+/// A corner that may touch edges: its place and its two sides.
+struct VertexCorner {
+  Vec2 x;
+  std::array<Vec2, 2> sides;
+  std::array<double, 2> lengths;
+
+  VertexCorner(const PointsRef& polygon, int vertex) : x(polygon.col(vertex)) {
+    sides = {polygon.col(next(vertex, polygon)) - x, polygon.col(previous(vertex, polygon)) - x};
+    lengths = {sides[0].norm(), sides[1].norm()};
   }
-  return true;
-}
+  /// Whether it lies on the outer side of an edge with this normal, or may be turned there within the step.
+  bool admissible(const Vec2& normal, double reach) const {
+    for (int k : {0, 1})
+      if (normal.dot(sides[k]) < -std::max(sin_parallel * lengths[k], std::min(reach, lengths[k] / 2)))
+        return false;
+    return true;
+  }
+};
 
 struct Candidate {
   VertexEdge contact;
   double gap, overshoot;
   Vec2 normal;
   bool kept;
-  bool strict;  ///< admissible as it stands, without turning within the step
+  bool strict = false;  ///< admissible as it stands, without turning within the step
   bool dropped = false;
 
   bool inside() const { return overshoot <= 0; }
+  double aside() const { return std::max(overshoot, 0.0); }
+  double distance() const { return std::hypot(gap, aside()); }
+};
+
+struct NumberedEdge {
+  int number;
+  Edge edge;
+};
+
+/// Working arrays, kept between calls: pairs are many.
+struct Workspace {
+  std::vector<NumberedEdge> edges;
+  std::vector<Candidate> at_vertex, of_a, of_b;
 };
 
 bool is_kept(std::span<const VertexEdge> kept, const VertexEdge& contact) {
   return std::find(kept.begin(), kept.end(), contact) != kept.end();
 }
 
-/// Whether x lies beyond some edge by more than `tolerance`.
-bool is_outside(const PointsRef& polygon, const Vec2& x, double tolerance) {
-  for (int e = 0; e < polygon.cols(); ++e)
-    if (Edge(polygon, e).gap(x) > tolerance) return true;
+bool turns_right_somewhere(const PointsRef& polygon) {
+  for (int k = 0; k < polygon.cols(); ++k) {
+    const Vec2 x = polygon.col(k);
+    if (cross(x - polygon.col(previous(k, polygon)), polygon.col(next(k, polygon)) - x) < 0) return true;
+  }
   return false;
 }
 
-/// The entrance edge of each vertex of `a` into `b`.
-void add_entrances(const Outline& a, const Outline& b, const PairLimits& limits,
-                   std::span<const VertexEdge> kept, std::vector<Candidate>& candidates) {
-  for (int i = 0; i < a.vertices.cols(); ++i) {
-    const Vec2 x = a.vertices.col(i);
-    const bool outside = is_outside(b.vertices, x, limits.coincidence);
-    std::optional<Candidate> best;
-    for (int e = 0; e < b.vertices.cols(); ++e) {
-      const Edge edge(b.vertices, e);
+double distance_to_edge(const Edge& edge, const Vec2& x) {
+  return std::hypot(edge.gap(x), std::max(edge.overshoot(x), 0.0));
+}
+
+/// The entrance edges of the vertices of one polygon into another.
+class Entrances {
+ public:
+  Entrances(const Outline& a, const Outline& b, const PairLimits& limits, std::span<const VertexEdge> kept,
+            Workspace& work)
+      : a_(a),
+        b_(b),
+        limits_(limits),
+        kept_(kept),
+        edges_(work.edges),
+        near_(work.at_vertex),
+        margin_(std::max(limits.reach, limits.max_depth) + 2 * limits.coincidence) {}
+
+  void find(const Box& box_a, const Box& box_b, std::vector<Candidate>& found) {
+    found.clear();
+    edges_.clear();
+    const Vec2 low = box_a.low.array() - margin_, high = box_a.high.array() + margin_;
+    for (int e = 0; e < b_.vertices.cols(); ++e) {
+      const Vec2 p = b_.vertices.col(e), q = b_.vertices.col(next(e, b_.vertices));
+      const bool far =
+          (p.cwiseMin(q).array() > high.array()).any() || (p.cwiseMax(q).array() < low.array()).any();
+      if (!far) edges_.push_back({e, Edge(b_.vertices, e)});
+    }
+    if (edges_.empty()) return;
+    for (int i = 0; i < a_.vertices.cols(); ++i) {
+      const Vec2 x = a_.vertices.col(i);
+      const bool far =
+          (x.array() < box_b.low.array() - margin_).any() || (x.array() > box_b.high.array() + margin_).any();
+      if (far || corner_at(a_.vertices, i) == Corner::reflex) continue;
+      add_entrances_of(i, found);
+    }
+  }
+
+ private:
+  void add_entrances_of(int i, std::vector<Candidate>& found) {
+    const VertexCorner corner(a_.vertices, i);
+    const Vec2& x = corner.x;
+    near_.clear();
+    bool behind = false;
+    for (const auto& [e, edge] : edges_) {
       const double gap = edge.gap(x), overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
-      if (gap < -limits.max_depth || std::hypot(off, aside) > limits.reach) continue;
-      if (gap < -limits.coincidence && outside) continue;
-      if (!admissible(a.vertices, i, edge.normal, limits.reach)) continue;
-      const VertexEdge contact{a.block, i, b.block, e};
-      const bool stays = overshoot <= limits.coincidence && is_kept(kept, contact);
-      if (best && std::pair(best->kept, best->gap) >= std::pair(stays, gap)) continue;
-      const bool strict = admissible(a.vertices, i, edge.normal, 0);
-      best = Candidate{contact, gap, overshoot, edge.normal, stays, strict};
+      if (gap < -limits_.max_depth || std::hypot(off, aside) > limits_.reach) continue;
+      if (!corner.admissible(edge.normal, limits_.reach)) continue;
+      const VertexEdge contact{a_.block, i, b_.block, e};
+      const bool stays = overshoot <= limits_.coincidence && is_kept(kept_, contact);
+      near_.push_back({contact, gap, overshoot, edge.normal, stays});
+      behind = behind || is_behind(near_.back());
     }
-    if (best) candidates.push_back(*best);
+    if (near_.empty()) return;
+    bool inside = false;
+    if (behind) {
+      inside = !is_outside(x);
+      if (!inside) std::erase_if(near_, [this](const Candidate& c) { return is_behind(c); });
+    }
+    keep_nearest_of_straight_runs();
+    if (near_.size() > 1) choose(inside);
+    for (Candidate& c : near_) {
+      c.strict = corner.admissible(c.normal, 0);
+      found.push_back(c);
+    }
   }
-}
+
+  bool is_behind(const Candidate& c) const { return c.gap < -limits_.coincidence; }
+
+  bool is_concave() {
+    if (!concave_) concave_ = turns_right_somewhere(b_.vertices);
+    return *concave_;
+  }
+
+  /// Whether x is no nearer to b than the coincidence: of a convex polygon beyond the line of an edge.
+  bool is_outside(const Vec2& x) {
+    const int n = static_cast<int>(b_.vertices.cols());
+    if (!is_concave()) {
+      for (int e = 0; e < n; ++e)
+        if (Edge(b_.vertices, e).gap(x) > limits_.coincidence) return true;
+      return false;
+    }
+    if (polyfem::contains(b_.vertices, x)) return false;
+    return std::none_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
+      return distance_to_edge(of.edge, x) <= limits_.coincidence;
+    });
+  }
+
+  /// Of edges that go straight on into each other the vertex is over one.
+  void keep_nearest_of_straight_runs() {
+    const auto joined = [this](const Candidate& p, const Candidate& q) {
+      return goes_straight_on(b_.vertices, p.contact.edge, q.contact.edge);
+    };
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < near_.size(); ++k) {
+      if (!joined(near_[last], near_[k]))
+        near_[++last] = near_[k];
+      else if (is_nearer(near_[k], near_[last]))
+        near_[last] = near_[k];
+    }
+    if (near_.empty()) return;
+    near_.resize(last + 1);
+    if (last > 0 && joined(near_.back(), near_.front())) {
+      if (!is_nearer(near_.front(), near_.back())) near_.front() = near_.back();
+      near_.pop_back();
+    }
+  }
+  bool is_nearer(const Candidate& p, const Candidate& q) const {
+    if (p.kept != q.kept) return p.kept;
+    const double round_off = 1e-3 * limits_.coincidence;
+    if (std::abs(p.aside() - q.aside()) > round_off) return p.aside() < q.aside();
+    return std::abs(p.gap) < std::abs(q.gap) - round_off;
+  }
+
+  /// Leaves of edges that a vertex can enter only one of the one with the largest gap, or the one kept.
+  void choose(bool inside) {
+    if (!is_concave()) {
+      near_.front() = *std::max_element(near_.begin(), near_.end(), comes_later);
+      near_.resize(1);
+      return;
+    }
+    std::sort(near_.begin(), near_.end(), [](const Candidate& p, const Candidate& q) {
+      return std::tuple(p.kept, p.gap, q.contact.edge) > std::tuple(q.kept, q.gap, p.contact.edge);
+    });
+    if (inside) came_in_through_the_nearest();
+    std::size_t n_chosen = 1;
+    for (std::size_t k = 1; k < near_.size(); ++k) {
+      const auto excludes = [&](const Candidate& c) {
+        return turns_left(b_.vertices, c.contact.edge, near_[k].contact.edge) ||
+               turns_left(b_.vertices, near_[k].contact.edge, c.contact.edge);
+      };
+      if (std::none_of(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(n_chosen), excludes))
+        near_[n_chosen++] = near_[k];
+    }
+    near_.resize(n_chosen);
+  }
+
+  static bool comes_later(const Candidate& p, const Candidate& q) {
+    return std::pair(p.kept, p.gap) < std::pair(q.kept, q.gap);
+  }
+
+  /// Of a vertex inside: first the edge it came through; of those it is behind else only kept ones and the
+  /// other side of a notch.
+  void came_in_through_the_nearest() {
+    const auto came_less = [this](const Candidate& p, const Candidate& q) {
+      const auto rank = [this](const Candidate& c) {
+        return std::tuple(c.gap <= limits_.coincidence, c.kept, -c.distance());
+      };
+      return rank(p) < rank(q);
+    };
+    const auto entrance = std::max_element(near_.begin(), near_.end(), came_less);
+    std::rotate(near_.begin(), entrance, entrance + 1);
+    const int of_entrance = near_.front().contact.edge;
+    std::erase_if(near_, [&](const Candidate& c) {
+      const int e = c.contact.edge;
+      return is_behind(c) && !c.kept && e != of_entrance && !share_notch(e, of_entrance) &&
+             !share_notch(of_entrance, e);
+    });
+  }
+  /// Whether the outline goes from edge `from` to edge `to` by one reflex corner, else straight.
+  bool share_notch(int from, int to) const {
+    const PointsRef& polygon = b_.vertices;
+    int first = from;
+    while (first != to && corner_at(polygon, next(first, polygon)) == Corner::straight)
+      first = next(first, polygon);
+    if (first == to || corner_at(polygon, next(first, polygon)) != Corner::reflex) return false;
+    return goes_straight_on(polygon, next(first, polygon), to);
+  }
+
+  const Outline &a_, &b_;
+  const PairLimits& limits_;
+  std::span<const VertexEdge> kept_;
+  std::vector<NumberedEdge>& edges_;  ///< of b that a may be near
+  std::vector<Candidate>& near_;      ///< of the vertex at hand
+  double margin_;
+  std::optional<bool> concave_;
+};
 
 /// The end of an edge that is nearer to x.
 int nearer_end(const PointsRef& polygon, int edge, const Vec2& x) {
@@ -125,6 +299,9 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     // One is an entrance only if its corner turns within the step: it may wait for that, open.
     Candidate& loose = p.strict ? q : p;
     loose.dropped = loose.gap <= 0;
+  } else if (!parallel && !p.strict && p.inside() != q.inside()) {
+    // Both wait for a turn, as two sides that are nearly parallel do: they meet where a vertex is over one.
+    (p.inside() ? q : p).dropped = true;
   } else if (!parallel) {
     (p.gap >= q.gap ? q : p).dropped = true;
   } else if (p.inside() != q.inside()) {
@@ -140,9 +317,11 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
 
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                    std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts) {
-  std::vector<Candidate> of_a, of_b;
-  add_entrances(a, b, limits, kept, of_a);
-  add_entrances(b, a, limits, kept, of_b);
+  thread_local Workspace work;
+  auto &of_a = work.of_a, &of_b = work.of_b;
+  const Box box_a = bounding_box(a.vertices), box_b = bounding_box(b.vertices);
+  Entrances(a, b, limits, kept, work).find(box_a, box_b, of_a);
+  Entrances(b, a, limits, kept, work).find(box_b, box_a, of_b);
   for (Candidate& p : of_a)
     for (Candidate& q : of_b)
       if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.reach))
@@ -153,17 +332,24 @@ void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
 }
 
 double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge) {
-  const Edge e(edge_polygon, edge);
   const Vec2 x = vertex_polygon.col(vertex);
-  double length = 0;
-  for (int neighbour : {next(vertex, vertex_polygon), previous(vertex, vertex_polygon)}) {
+  const auto length_towards = [&](int neighbour) {
     const Vec2 y = vertex_polygon.col(neighbour);
-    if (std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) continue;
+    Edge e(edge_polygon, edge);
+    if (std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) return 0.0;
+    // From an end of the edge it goes on along the next one, where that is straight on.
+    const double at = e.tangent.dot(x - e.start), onward = e.tangent.dot(y - x);
+    const int after = next(edge, edge_polygon), before = previous(edge, edge_polygon);
+    if (onward > 0 && at > (1 - end_part) * e.length && goes_straight_on(edge_polygon, edge, after))
+      e = Edge(edge_polygon, after);
+    else if (onward < 0 && at < end_part * e.length && goes_straight_on(edge_polygon, before, edge))
+      e = Edge(edge_polygon, before);
     const double s = e.tangent.dot(x - e.start), t = e.tangent.dot(y - e.start);
-    const double overlap = std::min(std::max(s, t), e.length) - std::max(std::min(s, t), 0.0);
-    length = std::max(length, overlap / 2);
-  }
-  return length;
+    return (std::min(std::max(s, t), e.length) - std::max(std::min(s, t), 0.0)) / 2;
+  };
+  const double forward = std::max(0.0, length_towards(next(vertex, vertex_polygon))),
+               back = std::max(0.0, length_towards(previous(vertex, vertex_polygon)));
+  return corner_at(vertex_polygon, vertex) == Corner::straight ? forward + back : std::max(forward, back);
 }
 
 }  // namespace ddacontact

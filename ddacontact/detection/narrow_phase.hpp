@@ -1,4 +1,4 @@
-/// \file Where two convex polygons touch or may touch within a step: vertices against edges.
+/// \file Where two polygons touch or may touch within a step: vertices against edges.
 #pragma once
 
 #include <ddacontact/core/types.hpp>
@@ -18,7 +18,7 @@ struct VertexEdge {
 /// One of the two polygons of a pair.
 struct Outline {
   int block;
-  PointsRef vertices;  ///< strictly convex, counter-clockwise
+  PointsRef vertices;  ///< simple, counter-clockwise
 };
 
 /// Lengths by which the contacts of two polygons are chosen, m.
@@ -30,17 +30,23 @@ struct PairLimits {
 
 /// Appends the contacts of a pair to `contacts`: the vertices of `a` on edges of `b`, then those of `b`.
 ///
-/// A vertex may enter a convex polygon only through an edge on whose outer side its whole corner lies, and
-/// it is outside as long as it is beyond one edge: so each vertex has at most one entrance edge, the one
-/// with the largest gap among those admissible. Two touching edges come out as the two ends of their overlap;
-/// where vertex meets vertex the two corners' entrance edges are compared, and one stays. `kept` are contacts
-/// of this pair that were closed before: where the choice is a tie they win, so that a resting contact keeps
-/// its lock point.
+/// A vertex may enter through an edge on whose outer side its whole corner lies; a reflex one through none.
+/// Of edges that go straight on into each other it meets the one it is over. A vertex may enter a convex
+/// polygon through one edge only, the one with the largest gap, as it is outside as long as it is beyond one
+/// edge. So it is with edges of any polygon between which the outline turns left; edges with a reflex corner
+/// between them, as the two of a notch, are met each. Whether a vertex is outside is decided exactly, up to
+/// `coincidence`: then it meets no edge that it is behind. One inside came in through the nearest edge, or
+/// one that was closed before, and of edges that it is behind meets besides only the other one of a notch.
+///
+/// Two touching edges come out as the two ends of their overlap; where vertex meets vertex the two corners'
+/// entrance edges are compared, and one stays. `kept` are contacts of this pair that were closed before:
+/// where the choice is a tie they win, so that a resting contact keeps its lock point.
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                    std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts);
 
 /// The length over which a vertex contact stands for two touching edges: half the overlap of its edge with
-/// the neighbouring edge of its vertex that lies along it; 0 for a vertex alone on an edge.
+/// the neighbouring edge of its vertex that lies along it, of both where its vertex is on a straight line; 0
+/// for a vertex alone on an edge.
 double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge);
 
 }  // namespace ddacontact

@@ -3,21 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <sstream>
 
 using namespace ddacontact;
 using namespace support;
-
-namespace {
-
-/// Steps after which blocks are known to overlap by more than is asserted of all others.
-/// pile_33: a corner of "22" enters a side of "30" (1.4e-3 of the area). Both sides lie just beyond the 3
-/// degrees that count as parallel, neither corner is admissible before it turns, and detection then keeps the
-/// pair of larger gap, whose vertex lies beyond the end of its edge, and drops the one that closes.
-const std::set<std::string> known_overlaps{"pile_33"};
-
-}  // namespace
 
 TEST(StepRecord, ReadsBackAndTheRunGoesOnAsItWould) {
   const Scene scene = random_drop(5);
@@ -49,9 +38,7 @@ TEST(HardSteps, StagedMethodMakesEachAndMostWithoutCutting) {
     const BuiltScene built = build_at(step);
     EXPECT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
     EXPECT_LE(built.stepper->counts().max_residual, 1e-8);
-    if (!known_overlaps.contains(step.name)) {
-      EXPECT_LE(largest_overlap(*built.stepper), 1e-4);
-    }
+    EXPECT_LE(largest_overlap(*built.stepper), 1e-4);
     EXPECT_TRUE(built.stepper->state().position.allFinite());
     uncut += built.stepper->counts().rejected == 0;
   }

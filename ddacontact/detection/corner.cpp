@@ -1,0 +1,83 @@
+#include <ddacontact/detection/corner.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace ddacontact {
+
+using polyfem::cross;
+using polyfem::Vec2;
+
+namespace {
+
+/// A little more than half a turn: two sides of a plate look away from each other.
+constexpr double largest_turn = std::numbers::pi + 0.1;
+
+Vec2 along(const PointsRef& polygon, int edge) {
+  return polygon.col(next(edge, polygon)) - polygon.col(edge);
+}
+
+Corner turn_between(const Vec2& from, const Vec2& to) {
+  const double sine = cross(from, to), cosine = from.dot(to);
+  if (cosine > 0 && sine * sine <= sin_parallel * sin_parallel * from.squaredNorm() * to.squaredNorm())
+    return Corner::straight;
+  return sine < 0 ? Corner::reflex : Corner::convex;
+}
+
+}  // namespace
+
+Corner corner_at(const PointsRef& polygon, int vertex) {
+  return turn_between(along(polygon, previous(vertex, polygon)), along(polygon, vertex));
+}
+
+bool goes_straight_on(const PointsRef& polygon, int from, int to) {
+  const Vec2 first = along(polygon, from);
+  for (int e = from; e != to;) {
+    const Vec2 before = along(polygon, e);
+    e = next(e, polygon);
+    const Vec2 now = along(polygon, e);
+    if (turn_between(before, now) != Corner::straight || turn_between(first, now) != Corner::straight)
+      return false;
+  }
+  return true;
+}
+
+bool turns_left(const PointsRef& polygon, int from, int to) {
+  double turn = 0;
+  for (int e = from; e != to;) {
+    const Vec2 before = along(polygon, e);
+    e = next(e, polygon);
+    const Vec2 now = along(polygon, e);
+    if (turn_between(before, now) == Corner::reflex) return false;
+    turn += std::atan2(cross(before, now), before.dot(now));
+    if (turn > largest_turn) return false;
+  }
+  return true;
+}
+
+double straight_beyond_end(const PointsRef& polygon, int edge) {
+  double length = 0;
+  const Vec2 of_edge = along(polygon, edge);
+  for (int e = next(edge, polygon); e != edge; e = next(e, polygon)) {
+    const Vec2 of_this = along(polygon, e);
+    if (corner_at(polygon, e) != Corner::straight || turn_between(of_edge, of_this) != Corner::straight)
+      break;
+    length += of_this.norm();
+  }
+  return length;
+}
+
+double straight_before_start(const PointsRef& polygon, int edge) {
+  double length = 0;
+  const Vec2 of_edge = along(polygon, edge);
+  for (int e = previous(edge, polygon); e != edge; e = previous(e, polygon)) {
+    const Vec2 of_this = along(polygon, e);
+    if (corner_at(polygon, next(e, polygon)) != Corner::straight ||
+        turn_between(of_this, of_edge) != Corner::straight)
+      break;
+    length += of_this.norm();
+  }
+  return length;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,42 @@
+/// \file Corners of a counter-clockwise simple polygon as contacts see them: convex, straight or reflex.
+#pragma once
+
+#include <polyfem/core/types.hpp>
+
+namespace ddacontact {
+
+using polyfem::PointsRef;
+
+/// Sine of 3 degrees: edges that turn by no more count as one straight line.
+inline constexpr double sin_parallel = 0.0523;
+
+enum class Corner {
+  convex,    ///< turns left
+  straight,  ///< turns by no more than 3 degrees, either way
+  reflex     ///< turns right: nothing can be touched with it first
+};
+
+/// The vertex after k, and the one before.
+inline int next(int k, const PointsRef& polygon) {
+  return k + 1 == polygon.cols() ? 0 : k + 1;
+}
+inline int previous(int k, const PointsRef& polygon) {
+  return (k == 0 ? static_cast<int>(polygon.cols()) : k) - 1;
+}
+
+Corner corner_at(const PointsRef& polygon, int vertex);
+
+/// Whether the outline goes straight on from edge `from` to edge `to`, both included: straight corners, and
+/// no edge in a direction more than 3 degrees from that of `from`.
+bool goes_straight_on(const PointsRef& polygon, int from, int to);
+
+/// Whether it turns left from edge `from` to edge `to`, by no reflex corner and by no more than about half a
+/// turn: a point beyond both edges can enter through one of them only.
+bool turns_left(const PointsRef& polygon, int from, int to);
+
+/// How far the outline goes straight on beyond an end of an edge, m: with the end of the edge, or against it
+/// from its start.
+double straight_beyond_end(const PointsRef& polygon, int edge);
+double straight_before_start(const PointsRef& polygon, int edge);
+
+}  // namespace ddacontact
