@@ -46,7 +46,7 @@ void describe(AnalysisRecord& r, Visit&& visit) {
   visit(Key{.name = "mesh",
             .what = "How blocks of the model \"mesh\" are divided: about `cells` cells, or as many as are of "
                     "`cell_size` metres.",
-            .default_text = "`{ kind = \"voronoi\", cells = 64, edge_nodes = true }`"},
+            .default_text = "`{ kind = \"auto\", cells = 64, edge_nodes = true }`"},
         r.mesh);
   visit(Key{.name = "kinematics",
             .what = "Displacements from the reference shape in a frame that turns with the block, or "

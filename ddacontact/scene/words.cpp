@@ -27,7 +27,8 @@ const std::vector<Word<BlockModel>>& words_of(BlockModel) {
 }
 
 const std::vector<Word<CellKind>>& words_of(CellKind) {
-  static const std::vector<Word<CellKind>> words{{"voronoi", CellKind::voronoi}, {"quads", CellKind::quads}};
+  static const std::vector<Word<CellKind>> words{
+      {"auto", CellKind::by_shape}, {"voronoi", CellKind::voronoi}, {"quads", CellKind::quads}};
   return words;
 }
 

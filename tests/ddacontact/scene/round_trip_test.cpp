@@ -71,7 +71,7 @@ TEST(RoundTrip, StatesEveryDefault) {
                            "preset = \"default\"",
                            "block_model = \"auto\"",
                            "model = \"auto\"",
-                           "mesh = { kind = \"voronoi\", cells = 64, edge_nodes = true }",
+                           "mesh = { kind = \"auto\", cells = 64, edge_nodes = true }",
                            "gradient_correction = true",
                            "cutting_factor = 0.5",
                            "normal_stiffness = 4e+10",
