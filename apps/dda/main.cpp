@@ -1,5 +1,6 @@
 /// \file The program `dda`: one verb, one file.
 #include "check.hpp"
+#include "cut.hpp"
 #include "exit_status.hpp"
 #include "info.hpp"
 #include "make.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct Call {
   dda::RunArguments run;
   dda::MakeArguments make;
+  dda::CutArguments cut;
   dda::PlotArguments plot;
   std::string info;
   std::vector<std::string> scenes_to_check, check_settings;
@@ -30,7 +32,7 @@ struct Call {
 };
 
 constexpr const char* not_available = "is not available in this version";
-constexpr std::array<std::string_view, 5> known_verbs{"run", "check", "make", "plot", "info"};
+constexpr std::array<std::string_view, 6> known_verbs{"run", "check", "make", "cut", "plot", "info"};
 
 bool is_known(std::string_view verb) {
   return std::find(known_verbs.begin(), known_verbs.end(), verb) != known_verbs.end();
@@ -39,6 +41,7 @@ bool is_known(std::string_view verb) {
 int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("check")) return dda::check(call.scenes_to_check, call.check_settings);
   if (app.got_subcommand("make")) return dda::make(call.make);
+  if (app.got_subcommand("cut")) return dda::cut(call.cut);
   if (app.got_subcommand("plot")) return dda::plot(call.plot);
   if (app.got_subcommand("info")) return dda::info(call.info);
   if (!call.resume.empty()) {
@@ -79,6 +82,7 @@ int parse_and_execute(int argc, char** argv) {
       ->expected(1);
 
   dda::add_make(app, call.make);
+  dda::add_cut(app, call.cut);
   dda::declare_plot(app, call.plot);
   CLI::App* info = app.add_subcommand("info", "Tell a result in words");
   info->add_option("DIR", call.info, "Result directory")->required();

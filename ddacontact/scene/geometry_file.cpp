@@ -4,7 +4,8 @@
 #include <ddacontact/scene/geojson_reader.hpp>
 #include <ddacontact/scene/wkt_reader.hpp>
 
-#include <filesystem>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace ddacontact::scene_format {
@@ -42,6 +43,17 @@ GeometryBlocks read_geometry_file(const std::string& path, const Place& key, Pro
     read.complete = false;
   }
   return read;
+}
+
+bool add_geometry(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
+  if (!document.places.written("blocks")) return true;
+  document.has_all_blocks = false;
+  if (!document.places.good("blocks")) return true;
+  GeometryBlocks file = read_geometry_file((directory / *document.geometry_file).string(),
+                                           document.places.of("blocks"), problems);
+  document.has_all_blocks = file.complete;
+  std::move(file.blocks.begin(), file.blocks.end(), std::back_inserter(document.blocks));
+  return !file.unreadable;
 }
 
 }  // namespace ddacontact::scene_format

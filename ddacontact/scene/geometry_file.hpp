@@ -3,6 +3,7 @@
 
 #include <ddacontact/scene/records.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,9 @@ struct GeometryBlocks {
 /// Reads the file at `path`; its ending says what it is. `key` is the place of what names it, for problems
 /// with the file as a whole; other problems have `path` for a file.
 GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems);
+
+/// Appends the blocks of the file that the key 'blocks' of a document names; `directory` is the scene's.
+/// Returns whether the file could be read.
+bool add_geometry(const std::filesystem::path& directory, Document& document, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -2,6 +2,8 @@
 
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/scene/text.hpp>
+#include <ddacontact/scene/value_text.hpp>
+#include <ddacontact/scene/writer.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +33,31 @@ std::string vertex_list(const Points& polygon, bool closed, std::string_view ope
   return text;
 }
 
-void write_geojson(std::ostream& out, const std::vector<Points>& polygons) {
+/// `properties` are of each polygon, without their braces; empty: of none.
+void write_geojson(std::ostream& out, const std::vector<Points>& polygons,
+                   const std::vector<std::string>& properties) {
   out << "{\"type\": \"FeatureCollection\", \"features\": [\n";
   for (std::size_t i = 0; i < polygons.size(); ++i)
-    out << R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
+    out << R"({"type": "Feature", "properties": {)" << (properties.empty() ? "" : properties[i])
+        << R"(}, "geometry": {"type": "Polygon", "coordinates": [[)"
         << vertex_list(polygons[i], true, "[", ", ", "]") << "]]}}"
         << (i + 1 < polygons.size() ? ",\n" : "\n");
   out << "]}\n";
+}
+
+/// What a feature may say of a block, as members of a JSON object.
+std::string properties_of(const BlockDescription& block, const Scene& scene, int n_unnamed_materials) {
+  std::string text;
+  const auto add = [&](const char* key, const std::string& value) {
+    text += (text.empty() ? "\"" : ", \"") + std::string(key) + "\": " + value;
+  };
+  if (!block.name.empty()) add("name", scene_format::quoted(block.name));
+  if (block.material >= n_unnamed_materials)
+    add("material", scene_format::quoted(scene.materials[block.material].name));
+  if (block.model != BlockModel::automatic) add("model", scene_format::value_text(block.model));
+  if (block.fixed || !block.fixed_vertices.empty())
+    add("fixed", scene_format::value_text(scene_format::FixedVertices{block.fixed, block.fixed_vertices}));
+  return text;
 }
 
 void write_wkt(std::ostream& out, const std::vector<Points>& polygons) {
@@ -90,9 +110,25 @@ GeometryFormat geometry_format(const std::string& path) {
 void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title) {
   const GeometryFormat format = geometry_format(path);
   std::ofstream out(path, std::ios::binary);
-  if (format == GeometryFormat::geojson) write_geojson(out, polygons);
+  if (format == GeometryFormat::geojson) write_geojson(out, polygons, {});
   if (format == GeometryFormat::wkt) write_wkt(out, polygons);
   if (format == GeometryFormat::toml) write_scene(out, polygons, title);
+  out.close();
+  if (!out) throw OutputError("cannot write \"" + path + "\"");
+}
+
+void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials) {
+  const GeometryFormat format = geometry_format(path);
+  std::vector<Points> polygons;
+  std::vector<std::string> properties;
+  for (const BlockDescription& block : scene.blocks) {
+    polygons.push_back(block.vertices);
+    properties.push_back(properties_of(block, scene, n_unnamed_materials));
+  }
+  std::ofstream out(path, std::ios::binary);
+  if (format == GeometryFormat::geojson) write_geojson(out, polygons, properties);
+  if (format == GeometryFormat::wkt) write_wkt(out, polygons);
+  if (format == GeometryFormat::toml) write_scene(out, scene);
   out.close();
   if (!out) throw OutputError("cannot write \"" + path + "\"");
 }

@@ -1,7 +1,7 @@
 /// \file Polygons as a file that other programs, or this one, can read.
 #pragma once
 
-#include <ddacontact/core/types.hpp>
+#include <ddacontact/scene/scene.hpp>
 
 #include <string>
 #include <vector>
@@ -23,5 +23,10 @@ GeometryFormat geometry_format(const std::string& path);
 /// The scene has one material, one joint and gravity; blocks that reach down to the lowest vertex of all are
 /// held. Throws Error as `geometry_format` does and OutputError when the file cannot be written.
 void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title);
+
+/// Writes the blocks of a scene: to .toml the whole scene, to .geojson features with `name`, `material`,
+/// `model` and `fixed` where these are not what a feature without them has, to .wkt the polygons alone. The
+/// first `n_unnamed_materials` are not written to features. Throws as `write_geometry` does.
+void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials);
 
 }  // namespace ddacontact

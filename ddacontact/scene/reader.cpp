@@ -7,9 +7,7 @@
 #include <ddacontact/scene/settings.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
-#include <algorithm>
 #include <exception>
-#include <iterator>
 
 namespace ddacontact {
 
@@ -18,25 +16,13 @@ namespace {
 using scene_format::Document;
 using scene_format::ProblemList;
 
-/// Appends the blocks of the file that 'blocks' names. Returns whether that could be read.
-bool add_geometry(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
-  if (!document.places.written("blocks")) return true;
-  document.has_all_blocks = false;
-  if (!document.places.good("blocks")) return true;
-  scene_format::GeometryBlocks file = scene_format::read_geometry_file(
-      (directory / *document.geometry_file).string(), document.places.of("blocks"), problems);
-  document.has_all_blocks = file.complete;
-  std::move(file.blocks.begin(), file.blocks.end(), std::back_inserter(document.blocks));
-  return !file.unreadable;
-}
-
 void read(const std::string& text, const std::vector<std::string>& settings,
           const std::filesystem::path& directory, ProblemList& problems, SceneReading& reading) {
   std::optional<toml::table> root = scene_format::parse_toml(text, problems.file(), problems);
   if (!root) return;
   scene_format::apply_settings(settings, *root, problems);
   Document document = scene_format::read_document(*root, problems);
-  reading.unreadable = !add_geometry(directory, document, problems);
+  reading.unreadable = !scene_format::add_geometry(directory, document, problems);
   Scene scene = scene_format::resolve(document, problems);
   if (!problems.has_errors()) reading.scene = std::move(scene);
 }

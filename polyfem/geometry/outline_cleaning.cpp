@@ -34,16 +34,16 @@ class Outline {
   /// Takes vertex k out; returns false and changes nothing where that would break the polygon.
   bool drop(int k) {
     std::vector<Vec2> rest = vertices_;
-    rest.erase(rest.begin() + index(k));
-    if (!is_sound(rest, {index(k) - 1})) return false;
+    rest.erase(rest.begin() + k);
+    if (!is_sound(rest, {k - 1})) return false;
     vertices_ = std::move(rest);
-    sources_.erase(sources_.begin() + index(k));
+    sources_.erase(sources_.begin() + k);
     return true;
   }
 
   /// Makes one vertex at `place` of the two ends of an edge, or changes nothing.
   bool merge(int edge, const Vec2& place) {
-    const int k = index(edge), next = index(edge + 1);
+    const int k = edge, next = index(edge + 1);
     std::vector<Vec2> rest = vertices_;
     rest[k] = place;
     rest.erase(rest.begin() + next);

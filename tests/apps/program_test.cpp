@@ -272,6 +272,46 @@ TEST_F(Program, MakeVoronoiRefusesWhatMakesNoSense) {
   EXPECT_NE(err_.find("missing/a.wkt"), std::string::npos);
 }
 
+TEST_F(Program, CutSplitsConcaveBlocksAndSaysSo) {
+  write("shapes.toml", press("[[-0.5, 0], [0.5, 0], [0.25, 0.5], [0.5, 1], [-0.5, 1], [-0.5, 0.5]]", "") +
+                           "[[monitor]]\nname = \"m\"\nblock = \"core\"\nat = \"centroid\"\n");
+  ASSERT_EQ(dda("cut shapes.toml -o convex.toml --convex"), 0) << err_;
+  EXPECT_EQ(out_, "convex.toml: 4 blocks\n");
+  EXPECT_NE(
+      err_.find("shapes.toml: 3 blocks to 4: 1 split, 0 short edges taken out, 0 straight vertices dropped"),
+      std::string::npos)
+      << err_;
+  EXPECT_NE(err_.find("monitors"), std::string::npos) << err_;
+  EXPECT_EQ(dda("check convex.toml --set analysis.block_model=wachspress"), 0) << err_;
+  const std::string text = read_file(directory_ / "convex.toml");
+  for (const char* name : {"\"floor\"", "\"core.1\"", "\"core.2\"", "\"press\"", "friction_angle = 30.0"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+
+  ASSERT_EQ(dda("cut shapes.toml -o simple.geojson --drop-straight --shortest-edge 0.01"), 0) << err_;
+  EXPECT_NE(err_.find("3 blocks to 3: 0 split, 0 short edges taken out, 1 straight vertex dropped"),
+            std::string::npos)
+      << err_;
+  ASSERT_EQ(dda("cut simple.geojson -o simple.wkt --convex"), 0) << err_;
+  const std::string wkt = read_file(directory_ / "simple.wkt");
+  EXPECT_EQ(std::count(wkt.begin(), wkt.end(), '\n'), 4) << wkt;
+}
+
+TEST_F(Program, CutRefusesWhatMakesNoSense) {
+  write("a.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))\n");
+  write("bad.wkt", "\nPOLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\n");
+  for (const char* call : {"cut", "cut a.wkt --convex", "cut a.wkt -o b.wkt", "cut a.wkt -o b.shp --convex",
+                           "cut a.wkt -o b.wkt --shortest-edge 2", "cut a.wkt -o b.wkt --shortest-edge x"}) {
+    EXPECT_EQ(dda(call), 2) << call;
+    EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
+  }
+  EXPECT_EQ(dda("cut bad.wkt -o b.wkt --convex"), 2);
+  EXPECT_NE(err_.find("bad.wkt:2:"), std::string::npos) << err_;
+  EXPECT_EQ(dda("cut missing.wkt -o b.wkt --convex"), 4);
+  EXPECT_EQ(dda("cut a.wkt -o missing/b.wkt --convex"), 4);
+  EXPECT_FALSE(fs::exists(directory_ / "b.wkt"));
+  EXPECT_EQ(dda("cut --help"), 0);
+}
+
 TEST_F(Program, ASignalEndsTheRunWithItsResults) {
   const std::string command = "timeout -s TERM 1 " POLYDDA_PROGRAM " run " + sliding + " -o '" +
                               (directory_ / "result").string() + "' --steps 100000000 --quiet 2> /dev/null";

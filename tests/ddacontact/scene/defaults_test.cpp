@@ -15,7 +15,7 @@ TEST(Defaults, OfTheDefaultPreset) {
   EXPECT_EQ(analysis.block_model, BlockModel::automatic);
   EXPECT_EQ(analysis.mesh, MeshOptions{});
   EXPECT_EQ(analysis.mesh.cells, 64);
-  EXPECT_EQ(analysis.mesh.kind, CellKind::voronoi);
+  EXPECT_EQ(analysis.mesh.kind, CellKind::by_shape);
   EXPECT_TRUE(analysis.mesh.edge_nodes);
   EXPECT_EQ(analysis.kinematics, Kinematics::corotational);
   EXPECT_EQ(analysis.scheme, Scheme::decaying);
@@ -150,8 +150,8 @@ TEST(Reading, AMeshIsTheBlocksOwnKeyByKey) {
   EXPECT_EQ(scene.blocks[1].mesh, (MeshOptions{CellKind::quads, 7, 0, false})) << "cells instead of a size";
 
   const Scene other = scene_of(text, {"analysis.mesh.cells=9", "block.0.mesh.cell_size=0.5"});
-  EXPECT_EQ(other.blocks[0].mesh, (MeshOptions{CellKind::voronoi, 9, 0.5, true})) << "a size instead";
-  EXPECT_EQ(other.blocks[1].mesh, (MeshOptions{CellKind::voronoi, 7, 0, true}));
+  EXPECT_EQ(other.blocks[0].mesh, (MeshOptions{CellKind::by_shape, 9, 0.5, true})) << "a size instead";
+  EXPECT_EQ(other.blocks[1].mesh, (MeshOptions{CellKind::by_shape, 7, 0, true}));
 }
 
 TEST(Reading, MeshOptionsOfOtherModelsWait) {

@@ -1,0 +1,82 @@
+#include "cut.hpp"
+
+#include "exit_status.hpp"
+#include "messages.hpp"
+
+#include <fmt/format.h>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/scene/blocks_reader.hpp>
+#include <ddacontact/scene/geometry_writer.hpp>
+
+namespace dda {
+
+namespace {
+
+std::string counted(int n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+void tell(const CutArguments& arguments, const ddacontact::Scene& before, const ddacontact::Scene& after,
+          const ddacontact::CutCounts& counts) {
+  fmt::print(stderr, "{}: {} to {}: {} split, {} taken out, {} dropped\n", arguments.blocks,
+             counted(static_cast<int>(before.blocks.size()), "block", "blocks"), after.blocks.size(),
+             counts.split, counted(counts.short_edges, "short edge", "short edges"),
+             counted(counts.straight_vertices, "straight vertex", "straight vertices"));
+  if (counts.lost_holds > 0)
+    fmt::print(stderr, "{}: warning: {} in lists 'fixed' went with the cut\n", arguments.blocks,
+               counted(counts.lost_holds, "vertex", "vertices"));
+  if (!before.supports.empty() || !before.loads.empty() || !before.monitors.empty())
+    fmt::print(
+        stderr,
+        "{}: warning: supports, loads and monitors count vertices and edges as they were: they are left "
+        "out\n",
+        arguments.blocks);
+}
+
+int cut_file(const CutArguments& arguments) {
+  const ddacontact::CutOptions& options = arguments.options;
+  if (!options.convex && !options.drop_straight && !(options.shortest_edge > 0))
+    throw ddacontact::Error("cut needs to know what to do (--convex, --shortest-edge L or --drop-straight)");
+  ddacontact::geometry_format(arguments.file);  // an unknown ending is an error before anything is computed
+  const ddacontact::BlocksReading reading = ddacontact::read_blocks(arguments.blocks);
+  const int status = report(reading.scene);
+  if (!reading.scene.scene) return status;
+  ddacontact::CutCounts counts;
+  const ddacontact::Scene scene = ddacontact::cut_blocks(*reading.scene.scene, options, counts);
+  ddacontact::write_blocks(arguments.file, scene, reading.n_unnamed_materials);
+  tell(arguments, *reading.scene.scene, scene, counts);
+  fmt::print("{}: {} blocks\n", arguments.file, scene.blocks.size());
+  return done;
+}
+
+}  // namespace
+
+void add_cut(CLI::App& app, CutArguments& arguments) {
+  CLI::App* cut =
+      app.add_subcommand("cut", "Split concave blocks, take out short edges and straight vertices");
+  cut->add_option("BLOCKS", arguments.blocks, "Blocks: a scene (.toml), .geojson, .json or .wkt")->required();
+  cut->add_option("-o,--output", arguments.file, "File to write: .geojson, .wkt or .toml (a scene to run)")
+      ->required();
+  cut->add_option("--shortest-edge", arguments.options.shortest_edge,
+                  "Make one vertex of the ends of shorter edges; relative to the size of their block, "
+                  "sqrt(area)")
+      ->check(CLI::Range(0.0, 1.0));
+  cut->add_flag("--drop-straight", arguments.options.drop_straight,
+                "Leave out vertices that turn by at most 1e-9 (a sine)");
+  cut->add_flag("--convex", arguments.options.convex,
+                "Split concave blocks into few convex ones: NAME.1, NAME.2, ...");
+}
+
+int cut(const CutArguments& arguments) {
+  try {
+    return cut_file(arguments);
+  } catch (const ddacontact::OutputError& error) {
+    print_error(error.what());
+    return file_error;
+  } catch (const ddacontact::Error& error) {
+    print_error(error.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace dda
