@@ -2,6 +2,7 @@
 
 #include <ddacontact/output/block_summary.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <polyfem/basis/mean_value.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -33,33 +34,24 @@ std::vector<int> in_scene_order(const OutlineLabels& labels) {
   return order;
 }
 
-/// The reactions of a block by the scene's vertices.
-struct SceneReactions {
-  std::vector<bool> held;  ///< the vertex or a node on one of its edges
-  Points force;
-};
-
-/// What holds a node on an edge counts at the ends of the edge, by the rule of the lever.
-SceneReactions at_scene_vertices(const OutlineLabels& labels, const Range& vertices,
-                                 const std::vector<int>& supported, const Points& reactions) {
+/// The reactions of a block by the scene's vertices: what holds other places is shared among these with the
+/// same resultant and moment.
+Points at_scene_vertices(const Block& block, const OutlineLabels& labels, const Points& reactions) {
   const int n = labels.n_vertices;
-  SceneReactions result{std::vector<bool>(n, false), Points::Zero(2, n)};
-  const auto add = [&](int vertex, double share, const Vec2& force) {
-    result.held[vertex] = true;
-    result.force.col(vertex) += share * force;
-  };
-  for (int v = 0; v < vertices.count; ++v) {
-    const int column = vertices.first + v;
-    if (!std::binary_search(supported.begin(), supported.end(), column)) continue;
-    const Vec2 force = reactions.col(column);
-    if (labels.vertex[v] < n) {
-      add(labels.vertex[v], 1, force);
-    } else {
-      add(labels.edge[v], 1 - labels.along[v], force);
-      add((labels.edge[v] + 1) % n, labels.along[v], force);
-    }
+  Points vertices(2, n), forces = Points::Zero(2, n);
+  for (int p = 0; p < block.n_vertices(); ++p) {
+    if (labels.vertex[p] >= n) continue;
+    vertices.col(labels.vertex[p]) = block.reference().col(p);
+    forces.col(labels.vertex[p]) = reactions.col(block.places().first + p);
   }
-  return result;
+  polyfem::ShapeValues shape;
+  for (int p = 0; p < block.n_places(); ++p) {
+    const Vec2 force = reactions.col(block.places().first + p);
+    if ((p < block.n_vertices() && labels.vertex[p] < n) || force.isZero(0)) continue;
+    polyfem::mean_value(vertices, block.reference().col(p), shape);
+    forces += force * shape.values.transpose();
+  }
+  return forces;
 }
 
 }  // namespace
@@ -165,11 +157,20 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
 void ResultDirectory::write_supports(const Stepper& stepper) {
   CsvFile csv(file("supports.csv"), "block,vertex,fx,fy");
   const BlockSystem& blocks = stepper.blocks();
+  const std::vector<int>& held = blocks.supported_vertices;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const SceneReactions reactions = at_scene_vertices(labels_.outlines[b], blocks.block(b).vertices(),
-                                                       blocks.supported_vertices, stepper.reactions());
-    for (int v = 0; v < labels_.outlines[b].n_vertices; ++v)
-      if (reactions.held[v]) csv.row(labels_.block_names[b], v, reactions.force(0, v), reactions.force(1, v));
+    const Block& block = blocks.block(b);
+    const std::vector<int> order = in_scene_order(labels_.outlines[b]);
+    const auto is_held = [&](int scene_v) {
+      return std::binary_search(held.begin(), held.end(), block.vertices().first + order[scene_v]);
+    };
+    const int n = labels_.outlines[b].n_vertices;
+    bool any_held = false;
+    for (int v = 0; v < n; ++v) any_held = any_held || is_held(v);
+    if (!any_held) continue;
+    const Points forces = at_scene_vertices(block, labels_.outlines[b], stepper.reactions());
+    for (int v = 0; v < n; ++v)
+      if (is_held(v)) csv.row(labels_.block_names[b], v, forces(0, v), forces(1, v));
   }
   csv.close();
 }

@@ -15,6 +15,7 @@ class FanMesh {
  public:
   FanMesh(int n_corners, int rings) : n_corners_(n_corners), rings_(rings) {}
 
+  int n_corners() const { return n_corners_; }
   int rings() const { return rings_; }
   int n_nodes() const { return first(rings_ + 1); }
   int n_outline_nodes() const { return n_corners_ * rings_; }

@@ -35,9 +35,24 @@ std::vector<int> bands_above(int lowest, int highest, double pixels) {
   return bands;
 }
 
+void widen(ValueRange& range, const Eigen::Ref<const VectorXd>& values, bool first) {
+  range.low = first ? values.minCoeff() : std::min(range.low, values.minCoeff());
+  range.high = first ? values.maxCoeff() : std::max(range.high, values.maxCoeff());
+}
+
+std::vector<bool> cells_of_divided_blocks(const Frame& frame) {
+  std::vector<int> n_cells(static_cast<std::size_t>(frame.n_blocks()), 0);
+  for (const FrameCell& cell : frame.cells) ++n_cells[static_cast<std::size_t>(cell.block)];
+  std::vector<bool> divided;
+  for (const FrameCell& cell : frame.cells)
+    divided.push_back(n_cells[static_cast<std::size_t>(cell.block)] > 1);
+  return divided;
+}
+
 }  // namespace
 
 FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre) : frame_(frame) {
+  const std::vector<bool> is_divided = cells_of_divided_blocks(frame);
   for (int c = 0; c < frame.n_cells(); ++c) {
     CellField value(frame, c, field);
     for (const CellPiece& corners : pieces_of(value.corners())) {
@@ -48,10 +63,10 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       Piece& piece = pieces_.emplace_back(Piece{c, corners, mesh, mesh.nodes(outline, centroid), {}});
       piece.values.resize(piece.nodes.cols());
       for (Index i = 0; i < piece.nodes.cols(); ++i) piece.values[i] = value(piece.nodes.col(i));
-      const double low = piece.values.minCoeff(), high = piece.values.maxCoeff();
       const bool first = pieces_.size() == 1;
-      range_.low = first ? low : std::min(range_.low, low);
-      range_.high = first ? high : std::max(range_.high, high);
+      widen(range_, piece.values, first);
+      const int rings = is_divided[static_cast<std::size_t>(c)] ? (mesh.rings() + 1) / 2 : mesh.rings();
+      widen(telling_range_, piece.values.head(FanMesh(mesh.n_corners(), rings).n_nodes()), first);
     }
   }
 }

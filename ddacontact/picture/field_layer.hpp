@@ -16,6 +16,9 @@ class FieldSamples {
 
   /// Of all nodes; {0, 0} when there are none.
   const ValueRange& range() const { return range_; }
+  /// What colours should tell apart: of divided blocks without the outer halves of the cells, whose functions
+  /// have steep gradients at short edges and nearly straight corners that mean nothing.
+  const ValueRange& telling_range() const { return telling_range_; }
 
   /// Nested regions, painted from the lowest colour to the highest, one path for each colour: what is higher
   /// lies on what is lower, so no gap shows between them.
@@ -37,7 +40,7 @@ class FieldSamples {
 
   const Frame& frame_;
   std::vector<Piece> pieces_;
-  ValueRange range_;
+  ValueRange range_, telling_range_;
 };
 
 }  // namespace ddacontact

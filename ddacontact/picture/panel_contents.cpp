@@ -58,13 +58,18 @@ std::vector<PanelContent> make_contents(const std::vector<Panel>& panels, const 
   }
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (!contents[i].samples) continue;
-    ValueRange data = contents[i].samples->range();
+    ValueRange data = contents[i].samples->range(), telling = contents[i].samples->telling_range();
+    const auto include = [](ValueRange& range, const ValueRange& other) {
+      range.low = std::min(range.low, other.low);
+      range.high = std::max(range.high, other.high);
+    };
     for (std::size_t j = 0; j < panels.size(); ++j)
       if (share_colours(i, j, panels, options.sharing, static_cast<std::size_t>(columns))) {
-        data.low = std::min(data.low, contents[j].samples->range().low);
-        data.high = std::max(data.high, contents[j].samples->range().high);
+        include(data, contents[j].samples->range());
+        include(telling, contents[j].samples->telling_range());
       }
-    contents[i].scale.emplace(panels[i].field, data, options.range ? &*options.range : nullptr);
+    const ValueRange* shown = options.range ? &*options.range : telling == data ? nullptr : &telling;
+    contents[i].scale.emplace(panels[i].field, data, shown);
   }
   return contents;
 }

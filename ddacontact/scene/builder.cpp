@@ -40,6 +40,10 @@ struct Placed {
   int ours(int scene_vertex) const {
     return turned ? static_cast<int>(outline.cols()) - 1 - scene_vertex : scene_vertex;
   }
+  OutlineLabels labels() const {
+    return mesh ? label_outline(mesh->n_outline, mesh->vertex, turned)
+                : label_outline(static_cast<int>(outline.cols()), turned);
+  }
   /// The number among the block's places of a vertex so counted.
   int place(int vertex) const { return mesh ? mesh->vertex[vertex] : vertex; }
 };
@@ -154,10 +158,7 @@ class Builder {
       built_.labels.block_models.push_back(model_name(scene_.blocks[b].model));
       built_.labels.block_materials.push_back(scene_.blocks[b].material);
       built_.labels.block_reasons.push_back(reasons_[b]);
-      const auto& mesh = placed_[b].mesh;
-      built_.labels.outlines.push_back(
-          mesh ? label_outline(mesh->places.leftCols(mesh->n_outline), mesh->vertex, placed_[b].turned)
-               : label_outline(placed_[b].outline, placed_[b].turned));
+      built_.labels.outlines.push_back(placed_[b].labels());
     }
     for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
     for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));

@@ -1,6 +1,8 @@
+#include <ddacontact/output/cell_view.hpp>
 #include <ddacontact/output/frame_reader.hpp>
 #include <ddacontact/output/frame_writer.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <fstream>
@@ -93,6 +95,36 @@ TEST_F(FrameWriterTest, FramesHoldTheRunsStates) {
   EXPECT_EQ(start.position, rectangle(0, 0, 2, 1));
   EXPECT_LE((end.displacement - (end.position - start.position)).norm(), 1e-15);
   EXPECT_LE((end.velocity.colwise() - Vec2(0, -0.1)).norm(), 1e-10);  // falls freely, 10 m/s2
+}
+
+/// What a divided block stores at its integration points is what its frame tells of its cells.
+TEST_F(FrameWriterTest, CellsOfADividedBlockHoldItsStress) {
+  Scene scene = rock_scene(0.01, 5);
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.blocks = {block(turned(rectangle(0, 0, 2, 1), 0.3))};
+  scene.blocks[0].fixed_vertices = {0, 3};
+  scene.blocks[0].model = BlockModel::mesh;
+  scene.blocks[0].mesh.cells = 12;
+  const BuiltScene built = support::run(scene);
+  FrameWriter frames(directory, {});
+  frames.write_last(*built.stepper, built.labels);
+  const Frame frame = read_frame(read_series(directory)[0]);
+  ASSERT_GT(frame.n_cells(), 5);
+  Vec3 sum = Vec3::Zero();
+  double area = 0;
+  for (int c = 0; c < frame.n_cells(); ++c) {
+    const CellView view(frame, c);
+    const double of_cell = polyfem::signed_area(view.corners());
+    sum += of_cell * view.mean_stress();
+    area += of_cell;
+  }
+  EXPECT_NEAR(area, polyfem::signed_area(frame.outline(0)), 1e-12);
+  const Vec3 mean = frame.mean_stress.col(0);
+  EXPECT_GT(mean.norm(), 1e3);
+  EXPECT_LE((sum / area - mean).norm(), 1e-2 * mean.norm());
 }
 
 TEST_F(FrameWriterTest, TheLastStateIsWrittenOnce) {

@@ -151,6 +151,18 @@ TEST(Picture, BlocksOfAnyShapeAreFilled) {
   EXPECT_NEAR(painted, 1e4 * expected, 1e-3 * painted);
 }
 
+/// What a divided block's cells have at their corners does not set the colours; of other blocks it does.
+TEST(Picture, ColoursTellTheInsideOfCellsApart) {
+  const Frame whole = wall(3, 2);
+  Frame divided = random_cell_frame(9);
+  divided.strain_displacement.leftCols(divided.cells[3].corners.first).setZero();  // of the other blocks
+  const FieldSamples of_whole(whole, Field::s1, 100), of_divided(divided, Field::s1, 100);
+  EXPECT_EQ(of_whole.telling_range(), of_whole.range());
+  const ValueRange &all = of_divided.range(), &telling = of_divided.telling_range();
+  EXPECT_TRUE(all.low <= telling.low && telling.low < telling.high && telling.high <= all.high);
+  EXPECT_LT(telling.high - telling.low, all.high - all.low);
+}
+
 TEST(Picture, ConcaveCellsHaveTheirOwnFunctions) {
   const Frame frame = random_cell_frame(4);
   const int u_shape = 2;
