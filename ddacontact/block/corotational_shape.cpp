@@ -17,7 +17,7 @@ namespace ddacontact {
 
 namespace {
 
-/// Of K and M of the cells of a mesh and of a block of mean value functions: four points a triangle follow
+/// Of K of the cells of a mesh and of a block of mean value functions: four points a triangle follow
 /// neither hexagons nor the gradients at concave corners.
 constexpr double fine = 1e-3;
 /// lambda over the shear modulus from which on displacements of polygons lock.
@@ -30,40 +30,31 @@ MatrixXd of_one_axis(const MatrixXd& M) {
   return M(Eigen::seq(0, Eigen::last, 2), Eigen::seq(0, Eigen::last, 2));
 }
 
-struct CellMatrices {
-  MatrixXd K, mass;
-};
-
-CellMatrices matrices(const polyfem::TabulatedElement& element, const BlockMaterial& material,
+MatrixXd stiffness_of(const polyfem::TabulatedElement& element, const Mat3& elasticity,
                       bool mean_dilatation) {
-  CellMatrices of;
-  MatrixXd M;
+  MatrixXd K;
   if (mean_dilatation)
-    polyfem::b_bar_stiffness(element, material.elasticity, of.K);
+    polyfem::b_bar_stiffness(element, elasticity, K);
   else
-    polyfem::stiffness(element, material.elasticity, of.K);
-  polyfem::mass(element, M);
-  of.mass = material.density * of_one_axis(M);
-  return of;
+    polyfem::stiffness(element, elasticity, K);
+  return K;
 }
 
 ShapeCell polygon_cell(const BlockMaterial& material, const PointsRef& outline, const polyfem::Basis& basis,
                        const Integration& integration, bool mean_dilatation, double tolerance) {
   polyfem::TabulatedElement element;
   tabulate(outline, *integration.triangle_rule, basis, integration.correction, element);
-  CellMatrices of;
-  if (tolerance > 0) {
-    polyfem::TabulatedElement exact;
-    tabulate_to_tolerance(outline, basis, tolerance, integration.correction, exact);
-    of = matrices(exact, material, mean_dilatation);
-  } else {
-    of = matrices(element, material, mean_dilatation);
-  }
+  // Mass is exact for linear fields by the triangles' points, which a rule to a tolerance is not.
+  MatrixXd M;
+  polyfem::mass(element, M);
+  polyfem::TabulatedElement finer;
+  if (tolerance > 0) tabulate_to_tolerance(outline, basis, tolerance, integration.correction, finer);
+  const MatrixXd K = stiffness_of(tolerance > 0 ? finer : element, material.elasticity, mean_dilatation);
   return {{},
           &basis,
           std::move(element),
-          {outline, polyfem::mean_gradient_weights(outline), of.K},
-          std::move(of.mass),
+          {outline, polyfem::mean_gradient_weights(outline), K},
+          material.density * of_one_axis(M),
           mean_dilatation,
           {},
           {}};
