@@ -41,9 +41,10 @@ int info(const std::string& name) {
     answer.heading(title_of(directory, scene));
     tell_outcome(answer, summary);
     tell_size(answer, summary);
+    int status = tell(answer, [&] { tell_models(answer, directory); });
     tell_work(answer, summary);
     tell_impacts(answer, summary);
-    int status = tell(answer, [&] { tell_motion(answer, directory); });
+    status = std::max(status, tell(answer, [&] { tell_motion(answer, directory); }));
     status = std::max(status, tell(answer, [&] { tell_stress(answer, directory); }));
     status = std::max(status, tell(answer, [&] { tell_contacts(answer, summary, directory); }));
     tell_energy(answer, summary);

@@ -42,6 +42,16 @@ std::optional<Vec2> weight(const std::optional<Scene>& scene, const fs::path& di
 
 }  // namespace
 
+void tell_models(Answer& answer, const fs::path& directory) {
+  answer.topic("models");
+  std::map<std::string, int> counts;
+  for (const std::string& model : CsvTable(directory / "blocks.csv").texts("model")) ++counts[model];
+  std::string text;
+  for (const auto& [model, count] : counts)
+    text += (text.empty() ? "" : ", ") + plural(count, "block", "blocks") + " " + model;
+  if (!text.empty()) answer.line(text);
+}
+
 void tell_motion(Answer& answer, const fs::path& directory) {
   answer.topic("motion");
   const CsvTable vertices(directory / "vertices.csv"), blocks(directory / "blocks.csv");

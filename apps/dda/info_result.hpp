@@ -1,4 +1,4 @@
-/// \file What the tables of a result tell: motion, stress, contacts, reactions, frames and files.
+/// \file What the tables of a result tell: models of blocks, motion, stress, contacts, reactions, frames and files.
 ///
 /// All throw ddacontact::Error when a table is missing or damaged.
 #pragma once
@@ -13,6 +13,7 @@
 
 namespace dda {
 
+void tell_models(Answer& answer, const std::filesystem::path& directory);
 void tell_motion(Answer& answer, const std::filesystem::path& directory);
 void tell_stress(Answer& answer, const std::filesystem::path& directory);
 void tell_contacts(Answer& answer, const ddacontact::SummaryTable& summary,

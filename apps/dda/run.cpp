@@ -123,6 +123,10 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       counts.minimizations, counts.augmentations, counts.broken_bonds, counts.impacts, counts.limited_impacts,
       counts.unsettled_impacts, counts.max_residual);
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
+  for (const std::string& note : stepper.notes()) {
+    log.warn("{}", note);
+    if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
+  }
   if (counts.unconverged > 0) {
     const std::string warning = fmt::format("{} of {} substeps were accepted unsettled: {}",
                                             counts.unconverged, counts.substeps, stepper.last_unsettled());

@@ -1,22 +1,24 @@
 #include <ddacontact/block/block.hpp>
 
-#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/geometry/validity.hpp>
 
 #include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ddacontact {
 
-Block::Block(const BlockMaterial& material, const PointsRef& outline)
+Block::Block(const BlockMaterial& material, const PointsRef& places, int n_vertices)
     : material_(material),
       compliance_(material.elasticity.inverse()),
-      reference_(outline),
-      reference_area_(polyfem::signed_area(outline)),
+      reference_(places),
+      reference_area_(polyfem::signed_area(places.leftCols(n_vertices))),
       grid_(std::exp2(std::floor(std::log2(reference_area_) / 2))),
-      n_vertices_(static_cast<int>(outline.cols())),
-      moments_(polyfem::area_moments(outline)) {}
+      n_vertices_(n_vertices),
+      moments_(polyfem::area_moments(places.leftCols(n_vertices))) {}
 
 void Block::place(int index, int first_place, int first_unknown, int first_stress_point) {
   index_ = index;
@@ -35,10 +37,10 @@ Vec2 Block::grid_point(const Vec2& near) const {
 }
 
 void Block::prepare(const BlockState& state) {
-  const auto outline = state.position.middleCols(vertices_.first, vertices_.count);
+  const auto places = state.position.middleCols(places_.first, places_.count);
   origin_ = state.origin.col(index_);
-  moments_ = polyfem::area_moments(outline);
-  prepare_shape(outline);
+  moments_ = polyfem::area_moments(places.leftCols(n_vertices_));
+  prepare_shape(places);
 }
 
 void Block::follow_with_origin(BlockState& state) const {
@@ -58,8 +60,43 @@ double Block::elastic_energy(const BlockState& state) const {
   return energy;
 }
 
+std::vector<int> Block::part_unknowns(int /*part*/) const {
+  std::vector<int> all(n_unknowns());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+MatrixXd Block::tangent(const Eigen::Ref<const VectorXd>& d) const {
+  std::vector<MatrixXd> parts(n_parts());
+  tangent(d, parts);
+  MatrixXd sum = MatrixXd::Zero(n_unknowns(), n_unknowns());
+  for (int p = 0; p < n_parts(); ++p) {
+    const std::vector<int> u = part_unknowns(p);
+    sum(u, u) += parts[p];
+  }
+  return sum;
+}
+
+VectorXd Block::place_weights(const Vec2& x) const {
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < n_cells() && least > 0; ++c) {
+    const Points outline = reference_(Eigen::all, cell(c).corners);
+    const double distance = polyfem::distance_outside(outline, x);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = c;
+  }
+  const BlockCell in = cell(nearest);
+  polyfem::ShapeValues shape;
+  (*in.basis)(reference_(Eigen::all, in.corners), x, shape);
+  VectorXd weights = VectorXd::Zero(n_places());
+  weights(in.corners) = shape.values;
+  return weights;
+}
+
 BlockCell Block::cell(int /*c*/) const {
-  BlockCell cell{std::vector<int>(n_vertices_), &polyfem::wachspress};
+  BlockCell cell{std::vector<int>(n_vertices_), &polyfem::suitable_basis(reference_.leftCols(n_vertices_))};
   std::iota(cell.corners.begin(), cell.corners.end(), 0);
   return cell;
 }

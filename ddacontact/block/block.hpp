@@ -7,6 +7,7 @@
 #include <polyfem/basis/basis.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
+#include <span>
 #include <vector>
 
 namespace ddacontact {
@@ -75,8 +76,10 @@ class Block {
   const polyfem::AreaMoments& moments() const { return moments_; }
   /// Relative to the model's origin.
   Vec2 centroid() const { return origin_ + moments_.centroid; }
-  /// The mass matrix, density * integral of T^T T of (26), n_unknowns x n_unknowns.
-  const MatrixXd& mass() const { return mass_; }
+  /// M times velocities, one a column: momenta by unknown. M is density * integral of T^T T of (26).
+  virtual MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const = 0;
+  /// All of M, n_unknowns x n_unknowns.
+  MatrixXd mass() const { return times_mass(MatrixXd::Identity(n_unknowns(), n_unknowns())); }
   /// Unknowns of a unit translation in x, in y and a unit rotation about the centroid: n_unknowns x 3.
   const Eigen::Matrix<double, Eigen::Dynamic, 3>& rigid_modes() const { return rigid_modes_; }
   /// Area that belongs to each integration point.
@@ -95,8 +98,14 @@ class Block {
   virtual VectorXd free_path() const = 0;
   /// The forces that resist displacements d of the block's unknowns.
   virtual void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const = 0;
-  /// Their derivative by d, next to exact, symmetric positive definite: n_unknowns x n_unknowns.
-  virtual void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const = 0;
+  /// Their derivative by d, next to exact, symmetric positive definite, is a sum of matrices of some of the
+  /// unknowns each: of these, 0 .. n_unknowns - 1.
+  virtual int n_parts() const { return 1; }
+  virtual std::vector<int> part_unknowns(int part) const;
+  /// The matrices of all parts.
+  virtual void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const = 0;
+  /// Their sum, n_unknowns x n_unknowns.
+  MatrixXd tangent(const Eigen::Ref<const VectorXd>& d) const;
   /// d += change, where the block's frame turns with it the rotation in `change` carried out as one:
   /// rotations that are added up stretch the block.
   virtual void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
@@ -119,7 +128,9 @@ class Block {
     return d.dot(elastic) - stored_energy(d);
   }
   /// Integral of sigma D^-1 sigma / 2, J per m.
-  double elastic_energy(const BlockState& state) const;
+  virtual double elastic_energy(const BlockState& state) const;
+  /// The weights of the places (n_places) whose sum is x, a point of the closed block at the start.
+  VectorXd place_weights(const Vec2& x) const;
   /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the
   /// shape last prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at
   /// every point x of the block the field nearest in energy to the stresses at the integration points. It is
@@ -132,15 +143,15 @@ class Block {
   virtual CellStress cell_stress(const BlockState& state, int c) const;
 
  protected:
-  Block(const BlockMaterial& material, const PointsRef& outline);
+  /// Places, the first `n_vertices` of which are the outline.
+  Block(const BlockMaterial& material, const PointsRef& places, int n_vertices);
 
-  virtual void prepare_shape(const PointsRef& outline) = 0;
+  virtual void prepare_shape(const PointsRef& places) = 0;
   const Mat3& compliance() const { return compliance_; }  ///< D^-1
   int index() const { return index_; }
   /// Moves the origin in `state` back to the block when it has gone far from it.
   void follow_with_origin(BlockState& state) const;
 
-  MatrixXd mass_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> rigid_modes_;
   VectorXd integration_weights_;
 

@@ -1,7 +1,5 @@
 #include <ddacontact/block/block_system.hpp>
 
-#include <polyfem/basis/wachspress.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -84,7 +82,8 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
   for (const PointLoad& load : point_loads) {
     const Vec2 force = load.force.at(time, end_time);
     const Block& on = block(load.point.block);
-    for (int v = 0; v < on.n_vertices(); ++v) on.vertex_map(v).add_force(load.point.weights[v] * force, F);
+    for (int p = 0; p < on.n_places(); ++p)
+      if (load.point.weights[p] != 0) on.vertex_map(p).add_force(load.point.weights[p] * force, F);
   }
   for (const PressureLoad& load : pressure_loads) {
     const Block& on = block(load.block);
@@ -140,22 +139,17 @@ void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockSta
   }
 }
 
-Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& vertices) const {
-  const Range& range = block(point.block).vertices();
-  return vertices.middleCols(range.first, range.count) * point.weights;
+Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_places) const {
+  const Range& range = block(point.block).places();
+  return at_places.middleCols(range.first, range.count) * point.weights;
 }
 
 Vec2 BlockSystem::displacement(const MaterialPoint& point, const VectorXd& d) const {
   const Block& on = block(point.block);
   Vec2 u = Vec2::Zero();
-  for (int v = 0; v < on.n_vertices(); ++v) u += point.weights[v] * on.vertex_map(v)(d);
+  for (int p = 0; p < on.n_places(); ++p)
+    if (point.weights[p] != 0) u += point.weights[p] * on.vertex_map(p)(d);
   return u;
-}
-
-MaterialPoint make_material_point(int block, const PointsRef& outline, const Vec2& x) {
-  polyfem::ShapeValues shape;
-  polyfem::wachspress(outline, x, shape);
-  return {block, shape.values};
 }
 
 double best_fit_rotation(const PointsRef& reference, const PointsRef& outline) {

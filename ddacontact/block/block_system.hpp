@@ -10,10 +10,10 @@
 
 namespace ddacontact {
 
-/// A point that travels with its block: x = sum_v weights[v] * (outline vertex v).
+/// A point that travels with its block: x = sum_p weights[p] * (place p of the block).
 struct MaterialPoint {
   int block = 0;
-  VectorXd weights;
+  VectorXd weights;  ///< see Block::place_weights
 };
 
 /// A force that travels with its point.
@@ -102,8 +102,8 @@ class BlockSystem {
   Points displacements(const BlockState& state) const;
   /// The outline of a block from the origin of another: no digits are lost to where they are.
   Points outline_from(const BlockState& state, int block, int origin_of) const;
-  /// A vector at a material point from those at the outline vertices of all blocks.
-  Vec2 interpolate(const MaterialPoint& point, const Points& vertices) const;
+  /// A vector at a material point from those at the places of all blocks.
+  Vec2 interpolate(const MaterialPoint& point, const Points& at_places) const;
   /// The displacement of a material point for unknowns d, or its velocity for velocities.
   Vec2 displacement(const MaterialPoint& point, const VectorXd& d) const;
 
@@ -124,10 +124,6 @@ class BlockSystem {
   std::vector<bool> free_;
   std::vector<bool> unchanging_;
 };
-
-/// The material point of a strictly convex block that is at x now. The weights are Wachspress functions at x:
-/// any weights with linear precision would do for an affine block.
-MaterialPoint make_material_point(int block, const PointsRef& outline, const Vec2& x);
 
 /// Best-fit rotation of a polygon against its reference, radians in (-pi, pi].
 double best_fit_rotation(const PointsRef& reference, const PointsRef& outline);

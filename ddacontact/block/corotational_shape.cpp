@@ -1,44 +1,129 @@
 #include <ddacontact/block/corotational_shape.hpp>
 
+#include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/b_bar.hpp>
 #include <polyfem/element/matrices.hpp>
+#include <polyfem/element/tolerance.hpp>
 
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ddacontact {
 
-CorotationalShape wachspress_shape(const BlockMaterial& material, const PointsRef& block_outline,
-                                   const Integration& integration) {
-  const Points outline = block_outline.colwise() - polyfem::area_moments(block_outline).centroid;
-  polyfem::TabulatedElement element;
-  tabulate(outline, *integration.triangle_rule, polyfem::wachspress, integration.correction, element);
-  MatrixXd K, M;
-  polyfem::stiffness(element, material.elasticity, K);
+namespace {
+
+/// Of K and M of the cells of a mesh and of a block of mean value functions: four points a triangle follow
+/// neither hexagons nor the gradients at concave corners.
+constexpr double fine = 1e-3;
+/// lambda over the shear modulus from which on displacements of polygons lock.
+constexpr double nearly_incompressible = 9;
+/// Entries of a basis below this are no more than round-off.
+constexpr double negligible = 1e-14;
+
+/// A matrix for x and y alike gives that of one axis.
+MatrixXd of_one_axis(const MatrixXd& M) {
+  return M(Eigen::seq(0, Eigen::last, 2), Eigen::seq(0, Eigen::last, 2));
+}
+
+struct CellMatrices {
+  MatrixXd K, mass;
+};
+
+CellMatrices matrices(const polyfem::TabulatedElement& element, const BlockMaterial& material,
+                      bool mean_dilatation) {
+  CellMatrices of;
+  MatrixXd M;
+  if (mean_dilatation)
+    polyfem::b_bar_stiffness(element, material.elasticity, of.K);
+  else
+    polyfem::stiffness(element, material.elasticity, of.K);
   polyfem::mass(element, M);
-  const Index n = outline.cols();
-  MatrixXd node_mass(n, n);
-  for (Index a = 0; a < n; ++a)
-    for (Index b = 0; b < n; ++b) node_mass(a, b) = material.density * M(2 * a, 2 * b);
-  return {outline,
-          element,
-          node_mass,
-          VectorXd::Ones(n),
-          MatrixXd::Identity(n, n),
-          MatrixXd::Identity(n, n),
-          {outline, polyfem::mean_gradient_weights(outline), K},
+  of.mass = material.density * of_one_axis(M);
+  return of;
+}
+
+ShapeCell polygon_cell(const BlockMaterial& material, const PointsRef& outline, const polyfem::Basis& basis,
+                       const Integration& integration, bool mean_dilatation, double tolerance) {
+  polyfem::TabulatedElement element;
+  tabulate(outline, *integration.triangle_rule, basis, integration.correction, element);
+  CellMatrices of;
+  if (tolerance > 0) {
+    polyfem::TabulatedElement exact;
+    tabulate_to_tolerance(outline, basis, tolerance, integration.correction, exact);
+    of = matrices(exact, material, mean_dilatation);
+  } else {
+    of = matrices(element, material, mean_dilatation);
+  }
+  return {{},
+          &basis,
+          std::move(element),
+          {outline, polyfem::mean_gradient_weights(outline), of.K},
+          std::move(of.mass),
+          mean_dilatation,
+          {},
           {}};
+}
+
+/// What moves the nodes of each cell.
+void find_unknowns(CorotationalShape& shape) {
+  using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  for (ShapeCell& cell : shape.cells) {
+    std::vector<int> nodes = cell.nodes;
+    if (nodes.empty()) {
+      nodes.resize(static_cast<std::size_t>(shape.nodes.cols()));
+      std::iota(nodes.begin(), nodes.end(), 0);
+    }
+    std::vector<int> rows;
+    for (int node : nodes) rows.insert(rows.end(), {2 * node, 2 * node + 1});
+    cell.unknowns = rows;
+    if (!shape.has_basis()) continue;
+    cell.unknowns.clear();
+    for (int row : rows)
+      for (Row::InnerIterator entry(shape.basis, row); entry; ++entry)
+        cell.unknowns.push_back(static_cast<int>(entry.col()));
+    std::sort(cell.unknowns.begin(), cell.unknowns.end());
+    cell.unknowns.erase(std::unique(cell.unknowns.begin(), cell.unknowns.end()), cell.unknowns.end());
+    cell.nodes_by_unknowns =
+        MatrixXd::Zero(static_cast<Index>(rows.size()), static_cast<Index>(cell.unknowns.size()));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (Row::InnerIterator entry(shape.basis, rows[k]); entry; ++entry) {
+        const auto place = std::lower_bound(cell.unknowns.begin(), cell.unknowns.end(), entry.col());
+        cell.nodes_by_unknowns(static_cast<Index>(k), place - cell.unknowns.begin()) = entry.value();
+      }
+  }
+}
+
+}  // namespace
+
+CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& block_outline,
+                                const polyfem::Basis& basis, const Integration& integration) {
+  CorotationalShape shape;
+  shape.nodes = block_outline.colwise() - polyfem::area_moments(block_outline).centroid;
+  const Index n = shape.nodes.cols();
+  shape.translation = VectorXd::Ones(n);
+  shape.cells.push_back(polygon_cell(material, shape.nodes, basis, integration, false,
+                                     &basis == &polyfem::wachspress ? 0 : fine));
+  shape.mean_gradient = polyfem::mean_gradient_weights(shape.nodes);
+  shape.n_outline = static_cast<int>(n);
+  find_unknowns(shape);
+  return shape;
 }
 
 CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& outline,
                                const std::optional<ControlVertices>& control) {
   const polyfem::AreaMoments moments = polyfem::area_moments(outline);
   const double size = std::sqrt(moments.area);
-  Points nodes(2, 3), weights(2, 3);
-  nodes << Vec2::Zero(), size * Mat2::Identity();
-  weights << Vec2::Zero(), Mat2::Identity() / size;
+  CorotationalShape shape;
+  shape.nodes.resize(2, 3);
+  shape.mean_gradient.resize(2, 3);
+  shape.nodes << Vec2::Zero(), size * Mat2::Identity();
+  shape.mean_gradient << Vec2::Zero(), Mat2::Identity() / size;
+  shape.translation = Vec3(1, 0, 0);
 
   polyfem::TabulatedElement element;
   element.area = moments.area;
@@ -52,25 +137,75 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   MatrixXd mass = MatrixXd::Zero(3, 3);
   mass(0, 0) = material.density * moments.area;
   mass.bottomRightCorner<2, 2>() = material.density / (size * size) * moments.second;
+  shape.cells.push_back({{},
+                         &polyfem::suitable_basis(outline),
+                         std::move(element),
+                         {shape.nodes, shape.mean_gradient, shape.translation, K},
+                         std::move(mass),
+                         false,
+                         {},
+                         {}});
 
   const Index n = outline.cols();
-  MatrixXd of_outline(n, 3);
-  of_outline << VectorXd::Ones(n), (outline.colwise() - moments.centroid).transpose() / size;
-  const MatrixXd nodes_of_outline = of_outline.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
+  shape.n_outline = static_cast<int>(n);
+  shape.places.resize(n, 3);
+  shape.places << VectorXd::Ones(n), (outline.colwise() - moments.centroid).transpose() / size;
+  shape.nodes_of_places = shape.places.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
 
-  MatrixXd basis;
   if (control) {
     MatrixXd displacements = MatrixXd::Zero(6, 6);  // of the control vertices, by the changes of the nodes
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 3; ++a) {
-        displacements(2 * k, 2 * a) = of_outline(control->x[k], a);
-        displacements(2 * k + 1, 2 * a + 1) = of_outline(control->y[k], a);
+        displacements(2 * k, 2 * a) = shape.places(control->x[k], a);
+        displacements(2 * k + 1, 2 * a + 1) = shape.places(control->y[k], a);
       }
-    basis = displacements.inverse();
+    shape.basis = MatrixXd(displacements.inverse()).sparseView(1, negligible);
+    shape.inverse_basis = displacements.sparseView();
   }
-  const VectorXd translation = Vec3(1, 0, 0);
-  return {nodes, element, mass, translation, of_outline, nodes_of_outline, {nodes, weights, translation, K},
-          basis};
+  find_unknowns(shape);
+  return shape;
+}
+
+CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mesh,
+                             polyfem::GradientCorrection correction) {
+  CorotationalShape shape;
+  const Points outline = mesh.places.leftCols(mesh.n_outline);
+  shape.nodes = mesh.places.colwise() - polyfem::area_moments(outline).centroid;
+  const Index n = shape.nodes.cols();
+  shape.n_outline = mesh.n_outline;
+  shape.translation = VectorXd::Ones(n);
+  shape.mean_gradient = Points::Zero(2, n);
+  shape.mean_gradient.leftCols(mesh.n_outline) = polyfem::mean_gradient_weights(outline);
+
+  const Mat3& D = material.elasticity;
+  const bool mean_dilatation = D(0, 1) > nearly_incompressible * D(2, 2);
+  for (const std::vector<int>& corners : mesh.cells) {
+    const Points polygon = shape.nodes(Eigen::all, corners);
+    const polyfem::Basis& basis = polyfem::suitable_basis(polygon);
+    shape.cells.push_back(polygon_cell(
+        material, polygon, basis, choose_integration(polygon, correction, basis), mean_dilatation, fine));
+    shape.cells.back().nodes = corners;
+  }
+
+  if (!mesh.on_straight_edges.empty()) {
+    const int independent = static_cast<int>(n) - static_cast<int>(mesh.on_straight_edges.size());
+    std::vector<Eigen::Triplet<double>> basis, inverse;
+    for (int u = 0; u < 2 * independent; ++u) {
+      basis.emplace_back(u, u, 1);
+      inverse.emplace_back(u, u, 1);
+    }
+    for (const BlockMesh::EdgePlace& on : mesh.on_straight_edges)
+      for (int axis = 0; axis < 2; ++axis) {
+        basis.emplace_back(2 * on.place + axis, 2 * on.start + axis, 1 - on.along);
+        basis.emplace_back(2 * on.place + axis, 2 * on.end + axis, on.along);
+      }
+    shape.basis.resize(2 * n, 2 * independent);
+    shape.basis.setFromTriplets(basis.begin(), basis.end());
+    shape.inverse_basis.resize(2 * independent, 2 * n);
+    shape.inverse_basis.setFromTriplets(inverse.begin(), inverse.end());
+  }
+  find_unknowns(shape);
+  return shape;
 }
 
 }  // namespace ddacontact

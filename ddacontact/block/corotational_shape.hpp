@@ -2,34 +2,58 @@
 #pragma once
 
 #include <ddacontact/block/affine_block.hpp>
+#include <ddacontact/block/block_mesh.hpp>
 #include <ddacontact/block/vertex_block.hpp>
 #include <polyfem/element/corotation.hpp>
 
+#include <Eigen/SparseCore>
+
 namespace ddacontact {
 
-/// A block's nodes are 2-vectors that turn with it; its unknowns are their changes in a step. For Wachspress
-/// functions they are the outline's vertices. For Shi's affine displacements they are the centroid and the
-/// two columns of F = dx/dX, times the block's size, which makes them lengths: six unknowns, linear in (1) at
-/// any rotation.
-struct CorotationalShape {
-  Points nodes;                       ///< at rest, 2 x m, from the centroid of the outline
-  polyfem::TabulatedElement element;  ///< functions of the m nodes at the integration points
-  MatrixXd mass;                      ///< density * integral of N_a N_b, m x m
-  VectorXd translation;               ///< of each node when the block is shifted by 1
-  MatrixXd outline;                   ///< n x m: vertex i is at sum_a outline(i, a) y_a
-  MatrixXd nodes_of_outline;  ///< m x n: the nodes of an outline, exact where the outline is one of theirs
+/// A part of a block with a frame and a stiffness of its own.
+struct ShapeCell {
+  std::vector<int> nodes;             ///< of the shape; empty: all of them
+  const polyfem::Basis* basis;        ///< of its functions on its corners; not owned
+  polyfem::TabulatedElement element;  ///< functions of its nodes where stresses are taken
   polyfem::CorotatedElement elastic;  ///< K of (17) and its frame
-  /// Changes of the nodes by the unknowns, 2m x 2m; empty: they are the unknowns.
-  MatrixXd basis;
+  MatrixXd mass;                      ///< density * integral of N_a N_b
+  bool mean_dilatation = false;       ///< K and stresses by polyfem/element/b_bar
+  std::vector<int> unknowns;          ///< of the block, that move its nodes
+  MatrixXd nodes_by_unknowns;         ///< changes of its nodes by these; empty: they are the same
 };
 
-/// Of a strictly convex, counter-clockwise outline.
-CorotationalShape wachspress_shape(const BlockMaterial& material, const PointsRef& outline,
-                                   const Integration& integration);
+/// A block's nodes are 2-vectors that turn with it; its unknowns are their changes in a step. For polygons
+/// and meshes they are its places. For Shi's affine displacements they are the centroid and the two columns
+/// of F = dx/dX, times the block's size, which makes them lengths: six unknowns, linear in (1) at any
+/// rotation.
+struct CorotationalShape {
+  Points nodes;          ///< at rest, 2 x m, from the centroid of the outline
+  VectorXd translation;  ///< of each node when the block is shifted by 1
+  std::vector<ShapeCell> cells;
+  Points mean_gradient;      ///< b of F = sum_a y_a b_a^T, the block's mean deformation gradient, 2 x m
+  int n_outline = 0;         ///< vertices of the outline, the first of the places
+  MatrixXd places;           ///< p x m: place i is at sum_a places(i, a) y_a; empty: the nodes are the places
+  MatrixXd nodes_of_places;  ///< m x p: exact for places of this shape
+  /// Changes of the nodes by the unknowns, 2m x u, and back; empty: they are the unknowns.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> basis, inverse_basis;
+
+  bool has_basis() const { return basis.size() > 0; }
+  Index n_unknowns() const { return has_basis() ? basis.cols() : 2 * nodes.cols(); }
+};
+
+/// One cell, the outline, by a basis that is suitable for it.
+CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& outline,
+                                const polyfem::Basis& basis, const Integration& integration);
 
 /// With control vertices their displacements are the unknowns (u v u v u v), so that holding one is leaving
 /// out its unknowns.
 CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& outline,
                                const std::optional<ControlVertices>& control = std::nullopt);
+
+/// Many cells, each by the basis that suits it; of mean dilatation where the material is nearly
+/// incompressible (lambda above nine times the shear modulus: nu above .45 in plane strain).
+/// \param[in] mesh  of the outline, in any coordinates
+CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mesh,
+                             polyfem::GradientCorrection correction);
 
 }  // namespace ddacontact

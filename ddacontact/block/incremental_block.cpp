@@ -22,9 +22,9 @@ void IncrementalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces& 
   forces.inertia = mass_ * (rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_);
 }
 
-void IncrementalBlock::tangent(const Eigen::Ref<const VectorXd>&, MatrixXd& A) const {
-  A = (1 + rule_.damping.stiffness / dt_) * stiffness_ +
-      (rule_.inertia() / (dt_ * dt_) + rule_.damping.mass / dt_) * mass_;
+void IncrementalBlock::tangent(const Eigen::Ref<const VectorXd>&, std::span<MatrixXd> parts) const {
+  parts[0] = (1 + rule_.damping.stiffness / dt_) * stiffness_ +
+             (rule_.inertia() / (dt_ * dt_) + rule_.damping.mass / dt_) * mass_;
 }
 
 void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>&, bool,

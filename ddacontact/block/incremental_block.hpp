@@ -11,7 +11,11 @@ class IncrementalBlock : public Block {
   void begin_step(const BlockState& state, const StepStart& start) override;
   VectorXd free_path() const override { return path_; }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
-  void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override;
+  using Block::tangent;
+  void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override;
+  MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override {
+    return mass_ * velocities;
+  }
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
@@ -27,11 +31,12 @@ class IncrementalBlock : public Block {
   virtual void add_stress(const VectorXd& d, Tensors& stress) const = 0;
 
  protected:
-  using Block::Block;
+  IncrementalBlock(const BlockMaterial& material, const PointsRef& outline)
+      : Block(material, outline, static_cast<int>(outline.cols())) {}
   /// The density scaled by reference over current area, so that a block that inflates makes no mass.
   double current_density() const { return material().density * reference_area() / moments().area; }
 
-  MatrixXd stiffness_;
+  MatrixXd stiffness_, mass_;
 
  private:
   StepRule rule_;

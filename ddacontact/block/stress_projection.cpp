@@ -1,7 +1,6 @@
 #include <ddacontact/block/stress_projection.hpp>
 
 #include <ddacontact/block/block.hpp>
-#include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>
 
 #include <Eigen/Cholesky>
@@ -13,7 +12,8 @@ constexpr double negligible_stiffness = 1e-13;  // of the mean diagonal entry
 }
 
 Points stress_projection(const polyfem::TabulatedElement& element, const MatrixXd& stiffness,
-                         const PointsRef& outline, const Eigen::Ref<const Tensors>& stress) {
+                         const PointsRef& outline, const Eigen::Ref<const Tensors>& stress,
+                         const polyfem::Basis& basis) {
   // K w = integral of B^T sigma. Rigid motions are made stiff, and so is, a little, whatever else an unsound
   // rule leaves without stiffness.
   const Index n = outline.cols();
@@ -34,7 +34,7 @@ Points stress_projection(const polyfem::TabulatedElement& element, const MatrixX
 
   // K was made with gradients corrected by a constant c_i each: their part is a uniform strain.
   polyfem::ShapeValues shape;
-  polyfem::wachspress(outline, element.rule.points.col(0), shape);
+  basis(outline, element.rule.points.col(0), shape);
   const VectorXd cx = element.dx.row(0).transpose() - shape.gradients.row(0).transpose(),
                  cy = element.dy.row(0).transpose() - shape.gradients.row(1).transpose();
   const Vec2 u_by_x = w * cx, u_by_y = w * cy;

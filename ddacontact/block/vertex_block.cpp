@@ -1,9 +1,11 @@
 #include <ddacontact/block/vertex_block.hpp>
 
 #include <ddacontact/block/stress_projection.hpp>
-#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/basis/mean_value.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/soundness.hpp>
+#include <polyfem/geometry/triangulation.hpp>
+#include <polyfem/geometry/validity.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
 #include <array>
@@ -14,15 +16,34 @@ using polyfem::GradientCorrection;
 using polyfem::TriangleRule;
 
 VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline,
-                         const Integration& integration)
-    : IncrementalBlock(material, outline), integration_(integration) {}
+                         const Integration& integration, const polyfem::Basis& basis)
+    : IncrementalBlock(material, outline), integration_(integration), basis_(&basis) {
+  if (!polyfem::is_star_shaped(outline, moments().centroid)) ears_ = polyfem::triangulate(outline);
+}
+
+const polyfem::Basis& VertexBlock::usable_basis(const PointsRef& outline) const {
+  if (basis_ != &polyfem::wachspress || !polyfem::find_non_convex_corner(outline)) return *basis_;
+  return polyfem::mean_value;
+}
+
+BlockCell VertexBlock::cell(int c) const {
+  BlockCell whole = Block::cell(c);
+  whole.basis = basis_;
+  return whole;
+}
 
 int VertexBlock::n_stress_points() const {
-  return n_vertices() * static_cast<int>(integration_.triangle_rule->weights.size());
+  return (ears_.cols() > 0 ? static_cast<int>(ears_.cols()) : n_vertices()) *
+         static_cast<int>(integration_.triangle_rule->weights.size());
 }
 
 void VertexBlock::prepare_shape(const PointsRef& outline) {
-  tabulate(outline, *integration_.triangle_rule, polyfem::wachspress, integration_.correction, element_);
+  polyfem::PolygonRule rule;
+  if (ears_.cols() == 0)
+    polyfem::make_fan_rule(outline, *integration_.triangle_rule, rule);
+  else
+    polyfem::make_ear_rule(outline, ears_, *integration_.triangle_rule, rule);
+  tabulate(outline, rule, usable_basis(outline), integration_.correction, element_);
   polyfem::stiffness(element_, material().elasticity, stiffness_);
   polyfem::mass(element_, mass_);
   mass_ *= current_density();
@@ -65,17 +86,19 @@ void VertexBlock::add_stress(const VectorXd& d, Tensors& stress) const {
 Points VertexBlock::strain_displacement(const BlockState& state) const {
   return stress_projection(element_, stiffness_,
                            state.position.middleCols(vertices().first, vertices().count),
-                           state.stress.middleCols(stress_points().first, stress_points().count));
+                           state.stress.middleCols(stress_points().first, stress_points().count),
+                           usable_basis(state.position.middleCols(vertices().first, vertices().count)));
 }
 
-Integration choose_integration(const PointsRef& outline, GradientCorrection correction) {
+Integration choose_integration(const PointsRef& outline, GradientCorrection correction,
+                               const polyfem::Basis& basis) {
   static const TriangleRule fine = polyfem::collapsed_gauss_rule(12, 12, 2);
   const std::array rules{&polyfem::hammer_rule(3), &polyfem::hammer_rule(5), &fine};
   const Mat3 elasticity = polyfem::elasticity_matrix(1, 0.3, polyfem::Plane::strain);
   polyfem::TabulatedElement element;
   MatrixXd K, M;
   for (const TriangleRule* rule : rules) {
-    tabulate(outline, *rule, polyfem::wachspress, correction, element);
+    tabulate(outline, *rule, basis, correction, element);
     polyfem::stiffness(element, elasticity, K);
     polyfem::mass(element, M);
     const bool sound = polyfem::judge(K, M).sound();

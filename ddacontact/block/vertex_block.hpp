@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/incremental_block.hpp>
+#include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/tabulated_element.hpp>
 
 namespace ddacontact {
@@ -14,15 +15,18 @@ struct Integration {
 };
 
 /// The paper's integration, or, with the correction on, the cheapest rule from there that is sound for this
-/// outline.
-Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction);
+/// outline and basis.
+Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction,
+                               const polyfem::Basis& basis = polyfem::wachspress);
 
-/// A convex block interpolated by (6) on its current shape, as stiff and as heavy as its integration makes
-/// it.
+/// A block interpolated by (6), or by mean value functions, on its current shape, as stiff and as heavy as
+/// its integration makes it. Where Wachspress functions cease to exist, as a corner has turned concave, mean
+/// value ones take their place for as long as it is.
 class VertexBlock final : public IncrementalBlock {
  public:
-  /// `outline`: strictly convex, counter-clockwise.
-  VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration);
+  /// `outline`: counter-clockwise, and such that the basis can be used.
+  VertexBlock(const BlockMaterial& material, const PointsRef& outline, const Integration& integration,
+              const polyfem::Basis& basis = polyfem::wachspress);
   VertexBlock(const BlockMaterial& material, const PointsRef& outline)
       : VertexBlock(material, outline, choose_integration(outline, polyfem::GradientCorrection::on)) {}
 
@@ -34,11 +38,16 @@ class VertexBlock final : public IncrementalBlock {
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void add_stress(const VectorXd& d, Tensors& stress) const override;
   Points strain_displacement(const BlockState& state) const override;
+  BlockCell cell(int c) const override;
 
  private:
   void prepare_shape(const PointsRef& outline) override;
 
+  const polyfem::Basis& usable_basis(const PointsRef& outline) const;
+
   Integration integration_;
+  const polyfem::Basis* basis_;
+  polyfem::Triangles ears_;  ///< that carry the integration points; none: the centroid fan does
   polyfem::TabulatedElement element_;
   VectorXd shape_integrals_;
 };

@@ -17,8 +17,8 @@ enum class Mode { dynamic, statics };
 /// The unknowns of a block: displacements of its vertices, by Wachspress functions or by mean value ones |
 /// the six of (1) | displacements of the vertices of polygons that fill it | whichever of these is enough.
 enum class BlockModel { wachspress, mean_value, affine, mesh, automatic };
-/// The cells of BlockModel::mesh.
-enum class CellKind { voronoi, quads };
+/// The cells of BlockModel::mesh; by_shape: quads in convex quadrilaterals, else Voronoi cells.
+enum class CellKind { by_shape, voronoi, quads };
 /// How displacements add up: totals from the reference shape in a frame that turns with the block |
 /// increments on the current shape, Eq. (12).
 enum class Kinematics { corotational, incremental };
@@ -42,10 +42,12 @@ struct RayleighDamping {
 
 /// How the inside of a block of the model `mesh` is divided.
 struct MeshOptions {
-  CellKind kind = CellKind::voronoi;
+  CellKind kind = CellKind::by_shape;
   int cells = 64;          ///< about how many
   double cell_size = 0;    ///< m; > 0: as many cells as are of this size, instead
   bool edge_nodes = true;  ///< false: the block's edges stay straight
+
+  bool operator==(const MeshOptions&) const = default;
 };
 
 /// Steps, laws of motion and defaults of the blocks.
@@ -57,8 +59,8 @@ struct AnalysisOptions {
   double max_displacement_ratio = 0.1;
   Vec2 gravity{0.0, -9.8};  ///< m/s2
   Plane plane = Plane::strain;
-  BlockModel block_model = BlockModel::wachspress;
-  MeshOptions mesh;  ///< of blocks that state none
+  BlockModel block_model = BlockModel::automatic;  ///< wachspress in the paper preset
+  MeshOptions mesh;                                ///< of blocks that state none
   Kinematics kinematics = Kinematics::corotational;
   Scheme scheme = Scheme::decaying;
   double beta = 0.25, gamma = 0.5;  ///< of Scheme::newmark

@@ -1,8 +1,7 @@
 #include <ddacontact/output/frame.hpp>
 
 #include <ddacontact/output/block_summary.hpp>
-
-#include <Eigen/LU>
+#include <polyfem/basis/wachspress.hpp>
 
 namespace ddacontact {
 
@@ -24,33 +23,89 @@ FrameContact describe(const Contact& contact, const Frame& frame) {
   return described;
 }
 
-/// Of a displacement u with the gradient du_a / dx_b.
-Vec3 strain_of(const Mat2& gradient) {
-  return {gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0)};
+/// The index of an elasticity among those of the frame, where it is put when it is new.
+int elasticity_index(const Mat3& elasticity, int material, Frame& frame) {
+  if (frame.elasticity[material] == elasticity) return material;
+  for (std::size_t k = frame.material_names.size(); k < frame.elasticity.size(); ++k)
+    if (frame.elasticity[k] == elasticity) return static_cast<int>(k);
+  frame.elasticity.push_back(elasticity);
+  return static_cast<int>(frame.elasticity.size()) - 1;
+}
+
+/// How many corners and cells the blocks have.
+struct Counts {
+  Index corners = 0, cells = 0;
+};
+
+Counts add_cells(const BlockSystem& system, Frame& frame) {
+  Counts counts;
+  for (int b = 0; b < system.n_blocks(); ++b) {
+    const Block& block = system.block(b);
+    for (int c = 0; c < block.n_cells(); ++c) {
+      const BlockCell cell = block.cell(c);
+      const int n_corners = static_cast<int>(cell.corners.size());
+      frame.cells.push_back(
+          {b, {static_cast<int>(counts.corners), n_corners}, frame.materials[b], cell.basis});
+      for (int place : cell.corners) frame.corner_places.push_back(block.places().first + place);
+      counts.corners += n_corners;
+      ++counts.cells;
+    }
+  }
+  return counts;
+}
+
+void set_stress(const BlockSystem& system, const BlockState& state, const Counts& counts, Frame& frame) {
+  frame.strain_displacement.resize(2, counts.corners);
+  frame.stress_offset.resize(3, counts.cells);
+  frame.mean_stress.resize(3, system.n_blocks());
+  Index c = 0;
+  for (int b = 0; b < system.n_blocks(); ++b) {
+    const Block& block = system.block(b);
+    frame.mean_stress.col(b) = mean_stress(block, state);
+    for (int k = 0; k < block.n_cells(); ++k, ++c) {
+      const CellStress stress = block.cell_stress(state, k);
+      FrameCell& cell = frame.cells[c];
+      cell.elasticity = elasticity_index(stress.elasticity, frame.materials[b], frame);
+      frame.strain_displacement.middleCols(cell.corners.first, cell.corners.count) =
+          stress.strain_displacement;
+      frame.stress_offset.col(c) = stress.offset;
+    }
+  }
 }
 
 }  // namespace
 
-Vec3 Frame::stress(int block, const polyfem::ShapeValues& shape) const {
-  const auto w = strain_displacement.middleCols(blocks[block].first, blocks[block].count);
-  return elasticity[materials[block]] * strain_of(w * shape.gradients.transpose());
+Range Frame::places(int block) const {
+  const int first = blocks[block].first;
+  const int end = block + 1 < n_blocks() ? blocks[block + 1].first : static_cast<int>(position.cols());
+  return {first, end - first};
 }
 
-Vec3 Frame::stress_at_vertex(int block, int vertex) const {
+void Frame::add_outline_cell(int block) {
   const auto [first, count] = blocks[block];
-  const int here = first + vertex, next = first + (vertex + 1) % count,
-            before = first + (vertex + count - 1) % count;
-  Mat2 edges, change;
-  edges << position.col(next) - position.col(here), position.col(before) - position.col(here);
-  change << strain_displacement.col(next) - strain_displacement.col(here),
-      strain_displacement.col(before) - strain_displacement.col(here);
-  return elasticity[materials[block]] * strain_of(change * edges.inverse());
+  cells.push_back(
+      {block, {static_cast<int>(corner_places.size()), count}, materials[block], &polyfem::wachspress});
+  for (int v = 0; v < count; ++v) corner_places.push_back(first + v);
+}
+
+bool Frame::has_outline_cells_only() const {
+  if (n_cells() != n_blocks() || !stress_offset.isZero(0)) return false;
+  for (int b = 0; b < n_blocks(); ++b) {
+    const auto [first, count] = blocks[b];
+    const FrameCell& cell = cells[b];
+    const std::span<const int> of_cell = corners(b);
+    if (cell.block != b || cell.basis != &polyfem::wachspress || cell.elasticity != materials[b] ||
+        cell.corners.first != first || cell.corners.count != count || places(b).count != count)
+      return false;
+    for (int v = 0; v < count; ++v)
+      if (of_cell[v] != first + v) return false;
+  }
+  return true;
 }
 
 Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFields& fields) {
   const BlockSystem& system = stepper.blocks();
   const BlockState& state = stepper.state();
-  const int n_blocks = system.n_blocks();
   Frame frame;
   frame.step = stepper.counts().steps;
   frame.time = state.time;
@@ -60,22 +115,15 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
   frame.position = system.positions(state).colwise() + labels.origin;
   if (fields.displacement) frame.displacement = system.displacements(state);
   if (fields.velocity) frame.velocity.resize(2, state.position.cols());
-  if (fields.stress) {
-    frame.strain_displacement.resize(2, state.position.cols());
-    frame.mean_stress.resize(3, n_blocks);
-  }
-  for (int b = 0; b < n_blocks; ++b) {
+  for (int b = 0; b < system.n_blocks(); ++b) {
     const Block& block = system.block(b);
-    const Range& vertices = block.vertices();
-    frame.blocks.push_back(vertices);
+    frame.blocks.push_back(block.vertices());
     frame.elasticity[labels.block_materials[b]] = block.material().elasticity;
-    for (int v = 0; fields.velocity && v < vertices.count; ++v)
-      frame.velocity.col(vertices.first + v) = block.vertex_map(v)(state.velocity);
-    if (fields.stress) {
-      frame.strain_displacement.middleCols(vertices.first, vertices.count) = block.strain_displacement(state);
-      frame.mean_stress.col(b) = mean_stress(block, state);
-    }
+    for (int p = 0; fields.velocity && p < block.n_places(); ++p)
+      frame.velocity.col(block.places().first + p) = block.vertex_map(p)(state.velocity);
   }
+  const Counts counts = add_cells(system, frame);
+  if (fields.stress) set_stress(system, state, counts, frame);
   for (const Contact& contact : stepper.contacts())
     if (contact.was_closed) frame.contacts.push_back(describe(contact, frame));
   return frame;

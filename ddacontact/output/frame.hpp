@@ -6,6 +6,7 @@
 #include <ddacontact/time/stepper.hpp>
 #include <polyfem/basis/basis.hpp>
 
+#include <span>
 #include <vector>
 
 namespace ddacontact {
@@ -23,31 +24,50 @@ struct FrameContact {
   Vec2 force() const { return normal_force * normal + shear_force * Vec2(-normal.y(), normal.x()); }
 };
 
+/// A polygon of a block in which the stress is smooth.
+struct FrameCell {
+  int block = 0;
+  Range corners;                          ///< of Frame::corner_places and Frame::strain_displacement
+  int elasticity = 0;                     ///< index into Frame::elasticity
+  const polyfem::Basis* basis = nullptr;  ///< its shape functions; not owned
+};
+
 /// What a frame holds beside outlines and contacts. What is not asked for is not computed.
 struct FrameFields {
   bool displacement = true, velocity = true, stress = true;
 };
 
-/// One moment of a run.
+/// One moment of a run. The places of the blocks are those of BlockState, one block after another: first the
+/// vertices of its outline.
 struct Frame {
   long step = 0;
   double time = 0;
-  std::vector<Range> blocks;   ///< of the columns below, one after another: outlines, counter-clockwise
+  std::vector<Range> blocks;   ///< columns of the places: outlines, counter-clockwise
   std::vector<int> materials;  ///< of each block
   std::vector<std::string> material_names;
-  std::vector<Mat3> elasticity;   ///< D of each material (9), Pa
-  Points position;                ///< of outline vertices, in the scene's coordinates
-  Points displacement, velocity;  ///< of outline vertices; no columns: not asked for
-  Points strain_displacement;     ///< Block::strain_displacement; no columns: stress not asked for
-  Tensors mean_stress;            ///< of each block, the area average; no columns: not asked for
+  std::vector<Mat3> elasticity;    ///< D of each material (9), Pa; then others that cells have
+  std::vector<FrameCell> cells;    ///< one block after another
+  std::vector<int> corner_places;  ///< of all cells: the place of each corner, counter-clockwise
+  Points position;                 ///< of places, in the scene's coordinates
+  Points displacement, velocity;   ///< of places; no columns: not asked for
+  Points strain_displacement;      ///< CellStress of each cell's corners; no columns: stress not asked for
+  Tensors stress_offset;           ///< CellStress of each cell; no columns: stress not asked for
+  Tensors mean_stress;             ///< of each block, the area average; no columns: not asked for
   std::vector<FrameContact> contacts;
 
   int n_blocks() const { return static_cast<int>(blocks.size()); }
+  int n_cells() const { return static_cast<int>(cells.size()); }
   auto outline(int block) const { return position.middleCols(blocks[block].first, blocks[block].count); }
-  /// Stress (xx, yy, xy) of a block by its shape functions at a point of its closed outline.
-  Vec3 stress(int block, const polyfem::ShapeValues& shape) const;
-  /// The same at a vertex, where the functions' gradients are those of the triangle with its neighbours.
-  Vec3 stress_at_vertex(int block, int vertex) const;
+  /// The places of a block; the outline's are the first.
+  Range places(int block) const;
+  /// The places of the corners of a cell.
+  std::span<const int> corners(int cell) const {
+    return std::span(corner_places).subspan(cells[cell].corners.first, cells[cell].corners.count);
+  }
+  /// Adds the cell that is a block's whole outline, by Wachspress functions and the block's material.
+  void add_outline_cell(int block);
+  /// Whether every block is such a cell, and has no other places and no offset.
+  bool has_outline_cells_only() const;
 };
 
 /// The present state of a run.

@@ -1,6 +1,7 @@
 #include <ddacontact/output/frame_file.hpp>
 
 #include <ddacontact/output/frame_mesh.hpp>
+#include <polyfem/basis/mean_value.hpp>
 
 #include <numeric>
 
@@ -43,6 +44,29 @@ void add_field_data(VtuFile& file, const Frame& frame, const FrameMesh& mesh) {
     file.add(VtuSection::field_data, "mean_stress", entries(frame.mean_stress), 3);
 }
 
+/// What makes the cells, where they are not the outlines.
+void add_cells(VtuFile& file, const Frame& frame, const FrameMesh& mesh) {
+  std::vector<std::int32_t> n_places, block, n_corners, elasticity, is_mean_value, corner_place;
+  for (int b = 0; b < frame.n_blocks(); ++b) n_places.push_back(frame.places(b).count);
+  for (const FrameCell& cell : frame.cells) {
+    block.push_back(cell.block);
+    n_corners.push_back(cell.corners.count);
+    elasticity.push_back(cell.elasticity);
+    is_mean_value.push_back(cell.basis == &polyfem::mean_value);
+    for (int k = 0; k < cell.corners.count; ++k)
+      corner_place.push_back(frame.corner_places[cell.corners.first + k] - frame.blocks[cell.block].first);
+  }
+  file.add(VtuSection::field_data, "n_places", n_places);
+  file.add(VtuSection::field_data, "cell_block", block);
+  file.add(VtuSection::field_data, "cell_n_corners", n_corners);
+  file.add(VtuSection::field_data, "cell_elasticity", elasticity);
+  file.add(VtuSection::field_data, "cell_is_mean_value", is_mean_value);
+  file.add(VtuSection::field_data, "corner_place", corner_place);
+  file.add(VtuSection::field_data, "corner_point", mesh.corner_point);
+  if (frame.stress_offset.cols() > 0)
+    file.add(VtuSection::field_data, "cell_stress_offset", entries(frame.stress_offset), 3);
+}
+
 void add_values(VtuFile& file, VtuSection section, const std::vector<int>& block_of,
                 const FrameValues& values, const Frame& frame, const FrameOptions& options) {
   std::vector<std::int32_t> material;
@@ -71,11 +95,11 @@ int state_number(ContactState state) {
 }  // namespace
 
 void write_blocks(const std::filesystem::path& path, const Frame& frame, const FrameOptions& options) {
-  const FrameMesh mesh =
-      options.refine == 0 ? draw_outlines(frame) : draw_sub_triangles(frame, options.refine);
+  const FrameMesh mesh = options.refine == 0 ? draw_cells(frame) : draw_sub_triangles(frame, options.refine);
   VtuFile file(options.n_threads);
   add_time(file, frame);
   add_field_data(file, frame, mesh);
+  if (!frame.has_outline_cells_only()) add_cells(file, frame, mesh);
   file.set_points(entries(mesh.points));
   file.set_cells(mesh.connectivity, mesh.ends, mesh.cell_types);
   add_values(file, VtuSection::point_data, mesh.block_of_point, mesh.at_points, frame, options);

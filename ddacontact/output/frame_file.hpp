@@ -7,9 +7,10 @@
 
 namespace ddacontact {
 
-/// Blocks as polygons or sub-triangles. Point and cell arrays: `block_id`, `material` and, as `options` ask,
-/// `displacement`, `velocity`, `sxx`, `syy`, `sxy`, `s1`, `s2`. Field data and the point array
-/// `strain_displacement` hold what else makes the frame. Throws OutputError.
+/// The cells of blocks as polygons or sub-triangles. Point and cell arrays: `block_id`, `material` and, as
+/// `options` ask, `displacement`, `velocity`, `sxx`, `syy`, `sxy`, `s1`, `s2`. Field data and the point array
+/// `strain_displacement` hold what else makes the frame; of blocks that are one cell of Wachspress functions
+/// nothing of cells. Throws OutputError.
 void write_blocks(const std::filesystem::path& path, const Frame& frame, const FrameOptions& options);
 
 /// Contacts as points at the vertex. Point arrays: `normal_force`, `shear_force` along the normal turned

@@ -8,22 +8,24 @@
 
 namespace ddacontact {
 
-/// Blocks share no points. Each block's outline vertices are the first of its points, in their order.
+/// Blocks share no points. Each block's places are the first of its points, in their order; they serve the
+/// first of its cells that has them as corners, other cells have points of their own there.
 struct FrameMesh {
   Eigen::Matrix3Xd points;                       ///< x, y, 0
   std::vector<std::int64_t> connectivity, ends;  ///< of cells, as .vtu files have them
   std::vector<polyfem::VtkCell> cell_types;
-  std::vector<int> first_point;  ///< of each block
+  std::vector<int> first_point;   ///< of each block
+  std::vector<int> corner_point;  ///< the point of each corner of Frame::cells
   std::vector<int> block_of_point, block_of_cell;
   FrameValues at_points, at_cells;
 };
 
-/// Each block a polygon; polygons sorted by their number of vertices, which some readers need. Values of a
-/// cell are those at the block's centroid, its stress the block's mean.
-FrameMesh draw_outlines(const Frame& frame);
+/// Each cell of the blocks a polygon; polygons sorted by their number of vertices, which some readers need.
+/// Values of a polygon are those at its centroid, its stress the average over it.
+FrameMesh draw_cells(const Frame& frame);
 
-/// Each block's fan of triangles about its centroid, each triangle split into n x n; values of a cell are
-/// those at its centroid.
+/// Each cell's fan of triangles about its centroid, or the fans of its pieces where it needs several, each
+/// triangle split into n x n; values of a triangle are those at its centroid.
 FrameMesh draw_sub_triangles(const Frame& frame, int n);
 
 }  // namespace ddacontact

@@ -1,5 +1,7 @@
 #include <ddacontact/output/frame_reader.hpp>
 
+#include <polyfem/basis/mean_value.hpp>
+#include <polyfem/basis/wachspress.hpp>
 #include <polyfem/io/pvd_file.hpp>
 #include <polyfem/io/vtu_reader.hpp>
 
@@ -20,67 +22,120 @@ T read_one(const VtuReader& file, const char* name) {
   return values[0];
 }
 
-/// The columns of `values` (`n_components` each) that are vertices of outlines, their first two rows.
-Points pick_vertices(const std::vector<double>& values, int n_components, const std::vector<int>& vertices) {
+/// The columns of `values` (`n_components` each) that belong to some points, their first two rows.
+Points pick(const std::vector<double>& values, int n_components, const std::vector<int>& points) {
   const Eigen::Map<const MatrixXd> all(values.data(), n_components,
                                        static_cast<Index>(values.size()) / n_components);
-  return all.topRows<2>()(Eigen::all, vertices);
+  return all.topRows<2>()(Eigen::all, points);
 }
 
-/// Sets the frame's blocks; returns which points are their vertices.
-std::vector<int> read_outlines(const VtuReader& file, Frame& frame) {
+/// Whether the file tells of cells: else each block is one, with Wachspress functions.
+bool has_cells(const VtuReader& file) {
+  return file.has(VtuSection::field_data, "n_places");
+}
+
+/// Sets the frame's blocks; returns which points are their places.
+std::vector<int> read_places(const VtuReader& file, Frame& frame) {
   const auto first_point = file.read<std::int32_t>(VtuSection::field_data, "first_point");
   const auto n_vertices = file.read<std::int32_t>(VtuSection::field_data, "n_vertices");
-  if (first_point.size() != n_vertices.size()) file.fail("its numbers of blocks do not agree");
+  const auto n_places =
+      has_cells(file) ? file.read<std::int32_t>(VtuSection::field_data, "n_places") : n_vertices;
+  if (first_point.size() != n_vertices.size() || n_places.size() != n_vertices.size())
+    file.fail("its numbers of blocks do not agree");
   const auto n_points = static_cast<std::int64_t>(file.n_points());
-  std::vector<int> vertices;
+  std::vector<int> places;
   for (std::size_t b = 0; b < first_point.size(); ++b) {
-    if (n_vertices[b] < 3 || first_point[b] < 0 || first_point[b] > n_points - n_vertices[b] ||
-        vertices.size() + static_cast<std::size_t>(n_vertices[b]) > file.n_points())
+    if (n_vertices[b] < 3 || n_places[b] < n_vertices[b] || first_point[b] < 0 ||
+        first_point[b] > n_points - n_places[b] ||
+        places.size() + static_cast<std::size_t>(n_places[b]) > file.n_points())
       file.fail("block " + std::to_string(b) + " has points that are not there");
-    frame.blocks.push_back({static_cast<int>(vertices.size()), n_vertices[b]});
-    for (int v = 0; v < n_vertices[b]; ++v) vertices.push_back(first_point[b] + v);
+    frame.blocks.push_back({static_cast<int>(places.size()), n_vertices[b]});
+    for (int p = 0; p < n_places[b]; ++p) places.push_back(first_point[b] + p);
   }
-  return vertices;
+  return places;
 }
 
-void read_materials(const VtuReader& file, const std::vector<int>& vertices, Frame& frame) {
+/// Sets the frame's cells; returns which points are their corners.
+std::vector<int> read_cells(const VtuReader& file, const std::vector<int>& places, Frame& frame) {
+  if (!has_cells(file)) {
+    for (int b = 0; b < frame.n_blocks(); ++b) frame.add_outline_cell(b);
+    return places;
+  }
+  const auto read = [&](const char* name) { return file.read<std::int32_t>(VtuSection::field_data, name); };
+  const auto n_places = read("n_places"), block = read("cell_block"), n_corners = read("cell_n_corners"),
+             elasticity = read("cell_elasticity"), is_mean_value = read("cell_is_mean_value"),
+             corner_place = read("corner_place"), corner_point = read("corner_point");
+  if (n_corners.size() != block.size() || elasticity.size() != block.size() ||
+      is_mean_value.size() != block.size() || corner_point.size() != corner_place.size())
+    file.fail("its numbers of cells do not agree");
+  std::size_t corner = 0;
+  for (std::size_t c = 0; c < block.size(); ++c) {
+    const int least_block = c == 0 ? 0 : block[c - 1];
+    if (block[c] < least_block || block[c] >= frame.n_blocks() || n_corners[c] < 3 ||
+        static_cast<std::size_t>(n_corners[c]) > corner_place.size() - corner || elasticity[c] < 0 ||
+        elasticity[c] >= static_cast<int>(frame.elasticity.size()))
+      file.fail("cell " + std::to_string(c) + " has parts that are not there");
+    const polyfem::Basis& basis =
+        is_mean_value[c] != 0 ? static_cast<const polyfem::Basis&>(polyfem::mean_value) : polyfem::wachspress;
+    frame.cells.push_back({block[c], {static_cast<int>(corner), n_corners[c]}, elasticity[c], &basis});
+    for (const std::size_t end = corner + static_cast<std::size_t>(n_corners[c]); corner < end; ++corner) {
+      if (corner_place[corner] < 0 || corner_place[corner] >= n_places[static_cast<std::size_t>(block[c])] ||
+          corner_point[corner] < 0 || static_cast<std::size_t>(corner_point[corner]) >= file.n_points())
+        file.fail("cell " + std::to_string(c) + " has corners that are not there");
+      frame.corner_places.push_back(frame.blocks[static_cast<std::size_t>(block[c])].first +
+                                    corner_place[corner]);
+    }
+  }
+  if (corner != corner_place.size()) file.fail("it has corners of no cell");
+  return corner_point;
+}
+
+void read_materials(const VtuReader& file, const std::vector<int>& places, Frame& frame) {
   const auto names = file.read<std::uint8_t>(VtuSection::field_data, "material_names");
   const auto lengths = file.read<std::int32_t>(VtuSection::field_data, "material_name_lengths");
   const auto elasticity = file.read<double>(VtuSection::field_data, "elasticity", 9);
   const auto material = file.read<std::int32_t>(VtuSection::point_data, "material");
-  if (elasticity.size() != 9 * lengths.size()) file.fail("its numbers of materials do not agree");
+  if (elasticity.size() < 9 * lengths.size() || elasticity.size() % 9 != 0)
+    file.fail("its numbers of materials do not agree");
   std::size_t at = 0;
   for (std::size_t m = 0; m < lengths.size(); ++m) {
     const auto length = static_cast<std::size_t>(std::max(lengths[m], 0));
     if (length > names.size() - at) file.fail("its names of materials are not whole");
     frame.material_names.emplace_back(names.begin() + static_cast<std::ptrdiff_t>(at),
                                       names.begin() + static_cast<std::ptrdiff_t>(at + length));
-    frame.elasticity.emplace_back(elasticity.data() + 9 * m);
     at += length;
   }
+  for (std::size_t k = 0; k < elasticity.size(); k += 9) frame.elasticity.emplace_back(elasticity.data() + k);
   for (const Range& block : frame.blocks) {
-    const int of_block = material[static_cast<std::size_t>(vertices[block.first])];
+    const int of_block = material[static_cast<std::size_t>(places[block.first])];
     if (of_block < 0 || of_block >= static_cast<int>(lengths.size())) file.fail("a block has no material");
     frame.materials.push_back(of_block);
   }
 }
 
-void read_fields(const VtuReader& file, const std::vector<int>& vertices, Frame& frame) {
-  frame.position = pick_vertices(file.points(), 3, vertices);
-  const auto read = [&](const char* name, int n_components) {
+void read_fields(const VtuReader& file, const std::vector<int>& places, Frame& frame) {
+  frame.position = pick(file.points(), 3, places);
+  const auto read = [&](const char* name) {
     return file.has(VtuSection::point_data, name)
-               ? pick_vertices(file.read<double>(VtuSection::point_data, name, n_components), n_components,
-                               vertices)
+               ? pick(file.read<double>(VtuSection::point_data, name, 3), 3, places)
                : Points();
   };
-  frame.displacement = read("displacement", 3);
-  frame.velocity = read("velocity", 3);
-  frame.strain_displacement = read("strain_displacement", 2);
-  if (frame.strain_displacement.cols() == 0) return;
+  frame.displacement = read("displacement");
+  frame.velocity = read("velocity");
+}
+
+void read_stress(const VtuReader& file, const std::vector<int>& corner_points, Frame& frame) {
+  if (!file.has(VtuSection::point_data, "strain_displacement")) return;
+  const auto w = file.read<double>(VtuSection::point_data, "strain_displacement", 2);
+  frame.strain_displacement = pick(w, 2, corner_points);
   const auto mean = file.read<double>(VtuSection::field_data, "mean_stress", 3);
   if (mean.size() != 3 * frame.blocks.size()) file.fail("its mean stresses are not one a block");
   frame.mean_stress = Eigen::Map<const Tensors>(mean.data(), 3, frame.n_blocks());
+  frame.stress_offset.setZero(3, frame.n_cells());
+  if (!has_cells(file)) return;
+  const auto offset = file.read<double>(VtuSection::field_data, "cell_stress_offset", 3);
+  if (offset.size() != 3 * frame.cells.size()) file.fail("its stress offsets are not one a cell");
+  frame.stress_offset = Eigen::Map<const Tensors>(offset.data(), 3, frame.n_cells());
 }
 
 ContactState state_of(const VtuReader& file, int state, int slip_sense) {
@@ -148,9 +203,10 @@ Frame read_frame(const FrameFile& files) {
   Frame frame;
   frame.time = read_one<double>(blocks, "TimeValue");
   frame.step = read_one<std::int64_t>(blocks, "step");
-  const std::vector<int> vertices = read_outlines(blocks, frame);
-  read_materials(blocks, vertices, frame);
-  read_fields(blocks, vertices, frame);
+  const std::vector<int> places = read_places(blocks, frame);
+  read_materials(blocks, places, frame);
+  read_fields(blocks, places, frame);
+  read_stress(blocks, read_cells(blocks, places, frame), frame);
   if (read_one<double>(contacts, "TimeValue") != frame.time) contacts.fail("it is of another moment");
   read_contacts(contacts, frame);
   return frame;

@@ -8,27 +8,26 @@ FrameValues::FrameValues(const Frame& frame, Index n) {
   const auto room_for = [n](Index columns) { return columns > 0 ? n : 0; };
   displacement.setZero(3, room_for(frame.displacement.cols()));
   velocity.setZero(3, room_for(frame.velocity.cols()));
-  strain_displacement.resize(2, room_for(frame.strain_displacement.cols()));
-  stress.resize(room_for(frame.strain_displacement.cols()), 3);
+  strain_displacement.setZero(2, room_for(frame.strain_displacement.cols()));
+  stress.setZero(room_for(frame.strain_displacement.cols()), 3);
 }
 
-void FrameValues::set(const Frame& frame, int block, const polyfem::ShapeValues& shape, Index k) {
-  const auto [first, count] = frame.blocks[block];
-  if (displacement.cols() > 0)
-    displacement.col(k).head<2>() = frame.displacement.middleCols(first, count) * shape.values;
-  if (velocity.cols() > 0) velocity.col(k).head<2>() = frame.velocity.middleCols(first, count) * shape.values;
+void FrameValues::set(const Frame& frame, const CellView& cell, const polyfem::ShapeValues& shape, Index k) {
+  if (displacement.cols() > 0) displacement.col(k).head<2>() = cell.interpolate(frame.displacement, shape);
+  if (velocity.cols() > 0) velocity.col(k).head<2>() = cell.interpolate(frame.velocity, shape);
   if (stress.rows() == 0) return;
+  const auto [first, count] = cell.cell().corners;
   strain_displacement.col(k) = frame.strain_displacement.middleCols(first, count) * shape.values;
-  stress.row(k) = frame.stress(block, shape);
+  stress.row(k) = cell.stress(shape);
 }
 
-void FrameValues::set_at_vertex(const Frame& frame, int block, int vertex, Index k) {
-  const Index column = frame.blocks[block].first + vertex;
-  if (displacement.cols() > 0) displacement.col(k).head<2>() = frame.displacement.col(column);
-  if (velocity.cols() > 0) velocity.col(k).head<2>() = frame.velocity.col(column);
+void FrameValues::set_at_corner(const Frame& frame, const CellView& cell, int corner, Index k) {
+  const int place = cell.place(corner);
+  if (displacement.cols() > 0) displacement.col(k).head<2>() = frame.displacement.col(place);
+  if (velocity.cols() > 0) velocity.col(k).head<2>() = frame.velocity.col(place);
   if (stress.rows() == 0) return;
-  strain_displacement.col(k) = frame.strain_displacement.col(column);
-  stress.row(k) = frame.stress_at_vertex(block, vertex);
+  strain_displacement.col(k) = frame.strain_displacement.col(cell.cell().corners.first + corner);
+  stress.row(k) = cell.stress_at_corner(corner);
 }
 
 Eigen::MatrixX2d FrameValues::principal_stresses() const {

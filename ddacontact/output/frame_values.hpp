@@ -1,7 +1,7 @@
 /// \file The fields of a frame at points inside its blocks.
 #pragma once
 
-#include <ddacontact/output/frame.hpp>
+#include <ddacontact/output/cell_view.hpp>
 
 namespace ddacontact {
 
@@ -10,10 +10,10 @@ struct FrameValues {
   /// Room for `n` points.
   FrameValues(const Frame& frame, Index n);
 
-  /// Sets the values of point `k`, from the shape functions of its block there.
-  void set(const Frame& frame, int block, const polyfem::ShapeValues& shape, Index k);
-  /// The same at a vertex of the outline.
-  void set_at_vertex(const Frame& frame, int block, int vertex, Index k);
+  /// Sets the values of point `k`, from the shape functions of its cell there.
+  void set(const Frame& frame, const CellView& cell, const polyfem::ShapeValues& shape, Index k);
+  /// The same at a corner of the cell.
+  void set_at_corner(const Frame& frame, const CellView& cell, int corner, Index k);
 
   /// s1 and s2 of every point, a column each.
   Eigen::MatrixX2d principal_stresses() const;

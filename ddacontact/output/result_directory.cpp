@@ -26,6 +26,42 @@ const char* state_name(ContactState state) {
   return "";
 }
 
+/// The vertices of a block's outline by their numbers in the scene.
+std::vector<int> in_scene_order(const OutlineLabels& labels) {
+  std::vector<int> order(labels.vertex.size());
+  for (std::size_t v = 0; v < labels.vertex.size(); ++v) order[labels.vertex[v]] = static_cast<int>(v);
+  return order;
+}
+
+/// The reactions of a block by the scene's vertices.
+struct SceneReactions {
+  std::vector<bool> held;  ///< the vertex or a node on one of its edges
+  Points force;
+};
+
+/// What holds a node on an edge counts at the ends of the edge, by the rule of the lever.
+SceneReactions at_scene_vertices(const OutlineLabels& labels, const Range& vertices,
+                                 const std::vector<int>& supported, const Points& reactions) {
+  const int n = labels.n_vertices;
+  SceneReactions result{std::vector<bool>(n, false), Points::Zero(2, n)};
+  const auto add = [&](int vertex, double share, const Vec2& force) {
+    result.held[vertex] = true;
+    result.force.col(vertex) += share * force;
+  };
+  for (int v = 0; v < vertices.count; ++v) {
+    const int column = vertices.first + v;
+    if (!std::binary_search(supported.begin(), supported.end(), column)) continue;
+    const Vec2 force = reactions.col(column);
+    if (labels.vertex[v] < n) {
+      add(labels.vertex[v], 1, force);
+    } else {
+      add(labels.edge[v], 1 - labels.along[v], force);
+      add((labels.edge[v] + 1) % n, labels.along[v], force);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::filesystem::path make_directory(std::filesystem::path directory) {
@@ -74,7 +110,7 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
   CsvFile csv(
       file("blocks.csv"),
       "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
-      "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega");
+      "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega,cells,unknowns,reason");
   const BlockState& state = stepper.state();
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     const Block& block = stepper.blocks().block(b);
@@ -82,10 +118,11 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
     const double area = block.moments().area;
     const RigidVelocity velocity = rigid_velocity(block, state.velocity);
     const StressRange s = stress_range(block, state);
-    csv.row(labels_.block_names[b], labels_.block_models[b], block.n_vertices(), x.x(), x.y(), area,
-            area / block.reference_area(), state.rotation[b] * 180 / std::numbers::pi, velocity.linear.x(),
-            velocity.linear.y(), s.mean[0], s.min[0], s.max[0], s.mean[1], s.min[1], s.max[1], s.mean[2],
-            s.min[2], s.max[2], s.s1_max, s.s2_min, velocity.angular);
+    csv.row(labels_.block_names[b], labels_.block_models[b], labels_.outlines[b].n_vertices, x.x(), x.y(),
+            area, area / block.reference_area(), state.rotation[b] * 180 / std::numbers::pi,
+            velocity.linear.x(), velocity.linear.y(), s.mean[0], s.min[0], s.max[0], s.mean[1], s.min[1],
+            s.max[1], s.mean[2], s.min[2], s.max[2], s.s1_max, s.s2_min, velocity.angular, block.n_cells(),
+            block.n_unknowns(), labels_.block_reasons[b]);
   }
   csv.close();
 }
@@ -97,8 +134,9 @@ void ResultDirectory::write_vertices(const Stepper& stepper) {
                displacements = stepper.blocks().displacements(state);
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     const Block& block = stepper.blocks().block(b);
+    const std::vector<int> order = in_scene_order(labels_.outlines[b]);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
-      const int v = labels_.scene_vertex(b, scene_v, block.n_vertices());
+      const int v = order[scene_v];
       const int column = block.vertices().first + v;
       const Vec2 x = positions.col(column) + labels_.origin;
       const Vec2 u = displacements.col(column);
@@ -114,13 +152,12 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
   for (const Contact& contact : stepper.contacts()) {
     if (!contact.was_closed) continue;
     const VertexEdge& pair = contact.pair;
-    const int n_a = stepper.blocks().block(pair.vertex_block).n_vertices();
-    const int n_b = stepper.blocks().block(pair.edge_block).n_vertices();
+    const OutlineLabels &a = labels_.outlines[pair.vertex_block], &b = labels_.outlines[pair.edge_block];
     // An edge of a block given clockwise runs the other way in the scene's order.
-    const double shear = labels_.turned[pair.edge_block] ? -contact.shear : contact.shear;
-    csv.row(labels_.block_names[pair.vertex_block], labels_.scene_vertex(pair.vertex_block, pair.vertex, n_a),
-            labels_.block_names[pair.edge_block], labels_.scene_edge(pair.edge_block, pair.edge, n_b),
-            state_name(contact.history.state), contact.end_gap, contact.normal, shear);
+    const double shear = b.turned ? -contact.shear : contact.shear;
+    csv.row(labels_.block_names[pair.vertex_block], a.vertex[pair.vertex],
+            labels_.block_names[pair.edge_block], b.edge[pair.edge], state_name(contact.history.state),
+            contact.end_gap, contact.normal, shear);
   }
   csv.close();
 }
@@ -128,15 +165,11 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
 void ResultDirectory::write_supports(const Stepper& stepper) {
   CsvFile csv(file("supports.csv"), "block,vertex,fx,fy");
   const BlockSystem& blocks = stepper.blocks();
-  const std::vector<int>& held = blocks.supported_vertices;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const Block& block = blocks.block(b);
-    for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
-      const int column = block.vertices().first + labels_.scene_vertex(b, scene_v, block.n_vertices());
-      if (std::binary_search(held.begin(), held.end(), column))
-        csv.row(labels_.block_names[b], scene_v, stepper.reactions()(0, column),
-                stepper.reactions()(1, column));
-    }
+    const SceneReactions reactions = at_scene_vertices(labels_.outlines[b], blocks.block(b).vertices(),
+                                                       blocks.supported_vertices, stepper.reactions());
+    for (int v = 0; v < labels_.outlines[b].n_vertices; ++v)
+      if (reactions.held[v]) csv.row(labels_.block_names[b], v, reactions.force(0, v), reactions.force(1, v));
   }
   csv.close();
 }

@@ -27,7 +27,7 @@ std::vector<Arrow> vertex_means(const Frame& frame, const Points& vectors) {
   std::vector<Arrow> arrows;
   for (int b = 0; b < frame.n_blocks(); ++b) {
     const Range& range = frame.blocks[static_cast<std::size_t>(b)];
-    arrows.push_back({centroid(frame, b), vectors.middleCols(range.first, range.count).rowwise().mean()});
+    arrows.push_back({middle(frame, b), vectors.middleCols(range.first, range.count).rowwise().mean()});
   }
   return arrows;
 }
@@ -38,8 +38,8 @@ std::vector<Arrow> principal_lines(const Frame& frame) {
     const auto principal = polyfem::principal_stresses(frame.mean_stress.col(b));
     const Vec2 first(std::cos(principal.angle), std::sin(principal.angle)), second(-first.y(), first.x());
     const auto look = [](double s) { return s > 0 ? Arrow::Look::tension : Arrow::Look::compression; };
-    arrows.push_back({centroid(frame, b), std::abs(principal.s1) * first, look(principal.s1)});
-    arrows.push_back({centroid(frame, b), std::abs(principal.s2) * second, look(principal.s2)});
+    arrows.push_back({middle(frame, b), std::abs(principal.s1) * first, look(principal.s1)});
+    arrows.push_back({middle(frame, b), std::abs(principal.s2) * second, look(principal.s2)});
   }
   return arrows;
 }

@@ -22,7 +22,7 @@ struct Arrow {
 };
 
 /// Contact forces on the vertex's block from the contact's place; displacement and velocity of the middle of
-/// each block from its centroid; principal mean stresses as lines through it.
+/// each block from there; principal mean stresses as lines through it.
 std::vector<Arrow> arrows_of(const Frame& frame, VectorKind kind);
 
 /// Whether the frame holds what the vectors are computed from.

@@ -1,10 +1,15 @@
 #include <ddacontact/picture/block_layer.hpp>
 
+#include <ddacontact/output/cell_pieces.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace ddacontact {
 
@@ -52,6 +57,28 @@ void draw_outlines(SvgPage& page, const View& view, const Frame& frame) {
             "fill=\"none\" stroke=\"#222\" stroke-linejoin=\"round\" " + stroke_width(width));
 }
 
+void draw_cell_edges(SvgPage& page, const View& view, const Frame& frame) {
+  constexpr double smallest = 8;  // pixels
+  PathData data;
+  for (int c = 0, end = 0; c < frame.n_cells(); c = end) {
+    const int b = frame.cells[static_cast<std::size_t>(c)].block;
+    while (end < frame.n_cells() && frame.cells[static_cast<std::size_t>(end)].block == b) ++end;
+    const double area = std::abs(polyfem::signed_area(frame.outline(b)));
+    if (end == c + 1 || view.scale * std::sqrt(area / (end - c)) < smallest) continue;
+    std::set<std::pair<int, int>> seen;
+    for (int cell = c; cell < end; ++cell) {
+      const std::span<const int> places = frame.corners(cell);
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        const int from = places[k], to = places[(k + 1) % places.size()];
+        if (!seen.insert({std::min(from, to), std::max(from, to)}).second) continue;
+        data.move_to(view(frame.position.col(from)));
+        data.line_to(view(frame.position.col(to)));
+      }
+    }
+  }
+  page.path(data, "fill=\"none\" stroke=\"#222\" stroke-opacity=\"0.25\" " + stroke_width(0.4));
+}
+
 void draw_reference(SvgPage& page, const View& view, const Frame& frame) {
   PathData data;
   for (int b = 0; b < frame.n_blocks(); ++b) {
@@ -74,13 +101,23 @@ void draw_names(SvgPage& page, const View& view, const Frame& frame, const std::
     const Vec2 extent = view.scale * (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff());
     const double size = std::min({largest, 0.8 * extent.x() / text_width(name, 1), 0.6 * extent.y()});
     if (size < smallest) continue;
-    const Vec2 middle = view(centroid(frame, b));
-    page.text(middle + Vec2(0, 0.35 * size), name, {.size = size, .anchor = Anchor::middle, .halo = true});
+    page.text(view(middle(frame, b)) + Vec2(0, 0.35 * size), name,
+              {.size = size, .anchor = Anchor::middle, .halo = true});
   }
 }
 
-Vec2 centroid(const Frame& frame, int block) {
-  return polyfem::area_moments(frame.outline(block)).centroid;
+Vec2 middle(const Frame& frame, int block) {
+  const auto outline = frame.outline(block);
+  const Vec2 centroid = polyfem::area_moments(outline).centroid;
+  double largest = 0;
+  Vec2 middle = centroid;
+  if (polyfem::contains(outline, centroid)) return centroid;
+  for (const CellPiece& piece : pieces_of(outline)) {
+    const auto moments = polyfem::area_moments(outline(Eigen::all, piece));
+    if (moments.area > largest) middle = moments.centroid;
+    largest = std::max(largest, moments.area);
+  }
+  return middle;
 }
 
 }  // namespace ddacontact

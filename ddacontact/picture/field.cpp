@@ -1,7 +1,6 @@
 #include <ddacontact/picture/field.hpp>
 
 #include <polyfem/basis/wachspress.hpp>
-#include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
@@ -52,22 +51,19 @@ std::optional<Field> field_named(std::string_view name) {
 
 bool holds(const Frame& frame, Field field) {
   const Index n = frame.position.cols();
-  if (description(field).kind == FieldKind::with_sign) return frame.strain_displacement.cols() == n;
+  if (description(field).kind == FieldKind::with_sign)
+    return frame.strain_displacement.cols() == static_cast<Index>(frame.corner_places.size());
   if (field == Field::displacement) return frame.displacement.cols() == n;
   if (field == Field::velocity) return frame.velocity.cols() == n;
   return true;
 }
 
-BlockField::BlockField(const Frame& frame, int block, Field field)
-    : frame_(frame), block_(block), field_(field) {
-  const auto outline = frame.outline(block);
-  outline_ = outline.colwise() - Vec2(outline.col(0));
-  centroid_ = polyfem::area_moments(outline_).centroid;
-  convex_ = !polyfem::find_non_convex_corner(outline_, 1e-9);
-  if (!centroid_.allFinite()) centroid_ = outline_.rowwise().mean();
+CellField::CellField(const Frame& frame, int cell, Field field)
+    : frame_(frame), field_(field), view_(frame, cell), corners_(view_.local_corners()) {
+  simple_ = &view_.basis() == &polyfem::wachspress || !polyfem::find_defect(corners_);
 }
 
-double BlockField::stress_value(const Vec3& stress) const {
+double CellField::stress_value(const Vec3& stress) const {
   switch (field_) {
     case Field::sxx:
       return stress[0];
@@ -82,19 +78,17 @@ double BlockField::stress_value(const Vec3& stress) const {
   }
 }
 
-double BlockField::operator()(const Vec2& point) {
+double CellField::operator()(const Vec2& point) {
   const bool of_stress = description(field_).kind == FieldKind::with_sign;
   Eigen::VectorXd tensor;
-  if (!convex_) {
-    tensor = mean(frame_, block_, field_);
+  if (!simple_) {
+    tensor = mean(frame_, view_.cell().block, field_);
   } else {
-    polyfem::wachspress(outline_, point, shape_);
-    const Range& range = frame_.blocks[static_cast<std::size_t>(block_)];
-    const Points& vectors = field_ == Field::velocity ? frame_.velocity : frame_.displacement;
+    view_.basis()(corners_, point, shape_);
     if (of_stress)
-      tensor = frame_.stress(block_, shape_);
+      tensor = view_.stress(shape_);
     else
-      tensor = vectors.middleCols(range.first, range.count) * shape_.values;
+      tensor = view_.interpolate(field_ == Field::velocity ? frame_.velocity : frame_.displacement, shape_);
   }
   const double value = of_stress ? stress_value(tensor) : tensor.norm();
   return std::isfinite(value) ? value : 0;

@@ -1,7 +1,7 @@
 /// \file What can be shown of a frame in colours.
 #pragma once
 
-#include <ddacontact/output/frame.hpp>
+#include <ddacontact/output/cell_view.hpp>
 #include <ddacontact/picture/svg.hpp>
 
 #include <optional>
@@ -40,29 +40,27 @@ std::optional<Field> field_named(std::string_view name);
 /// Whether the frame holds what the field is computed from.
 bool holds(const Frame& frame, Field field);
 
-/// A field inside one block, on its current outline, by its shape functions.
+/// A field inside one cell of a block, on its present corners, by its shape functions.
 ///
-/// Coordinates are relative to the outline's first vertex, so that they stay exact far from the origin.
-class BlockField {
+/// Coordinates are relative to the first corner, so that they stay exact far from the origin.
+class CellField {
  public:
   /// `field` is one of numbers (`magnitude` or `with_sign`) that the frame holds; the frame must outlive
   /// this.
-  BlockField(const Frame& frame, int block, Field field);
+  CellField(const Frame& frame, int cell, Field field);
 
-  const Points& outline() const { return outline_; }
-  const Vec2& centroid() const { return centroid_; }
-  /// The value at a point of the closed outline; 0 where it is not finite.
+  const Points& corners() const { return corners_; }
+  /// The value at a point of the closed cell; 0 where it is not finite.
   double operator()(const Vec2& point);
 
  private:
   double stress_value(const Vec3& stress) const;
 
   const Frame& frame_;
-  int block_;
   Field field_;
-  Points outline_;
-  Vec2 centroid_;
-  bool convex_;  ///< else the block's mean stands for the field
+  CellView view_;
+  Points corners_;
+  bool simple_;  ///< else the block's mean stands for the field
   polyfem::ShapeValues shape_;
 };
 

@@ -1,6 +1,7 @@
 #include <ddacontact/picture/field_layer.hpp>
 
 #include <ddacontact/picture/contour.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,44 +38,67 @@ std::vector<int> bands_above(int lowest, int highest, double pixels) {
 }  // namespace
 
 FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre) : frame_(frame) {
-  bool first = true;
-  for (int b = 0; b < frame.n_blocks(); ++b) {
-    BlockField value(frame, b, field);
-    const int n_corners = static_cast<int>(value.outline().cols());
-    const FanMesh& mesh = meshes_.emplace_back(n_corners, rings_for(value.outline(), pixels_per_metre));
-    const Points nodes = mesh.nodes(value.outline(), value.centroid());
-    centroids_.push_back(value.centroid());
-    VectorXd& values = values_.emplace_back(nodes.cols());
-    for (Index i = 0; i < nodes.cols(); ++i) values[i] = value(nodes.col(i));
-    range_.low = first ? values.minCoeff() : std::min(range_.low, values.minCoeff());
-    range_.high = first ? values.maxCoeff() : std::max(range_.high, values.maxCoeff());
-    first = false;
+  for (int c = 0; c < frame.n_cells(); ++c) {
+    CellField value(frame, c, field);
+    for (const CellPiece& corners : pieces_of(value.corners())) {
+      const Points outline = value.corners()(Eigen::all, corners);
+      Vec2 centroid = polyfem::area_moments(outline).centroid;
+      if (!centroid.allFinite()) centroid = outline.rowwise().mean();
+      const FanMesh mesh(static_cast<int>(corners.size()), rings_for(outline, pixels_per_metre));
+      Piece& piece = pieces_.emplace_back(Piece{c, corners, mesh, mesh.nodes(outline, centroid), {}});
+      piece.values.resize(piece.nodes.cols());
+      for (Index i = 0; i < piece.nodes.cols(); ++i) piece.values[i] = value(piece.nodes.col(i));
+      const double low = piece.values.minCoeff(), high = piece.values.maxCoeff();
+      const bool first = pieces_.size() == 1;
+      range_.low = first ? low : std::min(range_.low, low);
+      range_.high = first ? high : std::max(range_.high, high);
+    }
   }
+}
+
+/// The lowest band of each piece and its neighbours: painted under all of them, it closes the seams between
+/// them.
+std::vector<int> FieldSamples::grounds(const ColourScale& scale) const {
+  std::vector<int> at_place(static_cast<std::size_t>(frame_.position.cols()), scale.n_bands());
+  const auto for_each_corner = [&](auto&& visit) {
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      for (const int corner : pieces_[p].corners)
+        visit(p, static_cast<std::size_t>(frame_.corners(pieces_[p].cell)[static_cast<std::size_t>(corner)]));
+  };
+  std::vector<int> lowest;
+  for (const Piece& piece : pieces_) lowest.push_back(scale.band(piece.values.minCoeff()));
+  for_each_corner(
+      [&](std::size_t p, std::size_t place) { at_place[place] = std::min(at_place[place], lowest[p]); });
+  for_each_corner(
+      [&](std::size_t p, std::size_t place) { lowest[p] = std::min(lowest[p], at_place[place]); });
+  return lowest;
 }
 
 void FieldSamples::draw(SvgPage& page, const View& view, const ColourScale& scale) const {
   std::vector<PathData> bands(static_cast<std::size_t>(scale.n_bands()));
-  for (int b = 0; b < frame_.n_blocks(); ++b) add_block(b, view, scale, bands);
+  const std::vector<int> ground = grounds(scale);
+  for (std::size_t p = 0; p < pieces_.size(); ++p) add_piece(pieces_[p], ground[p], view, scale, bands);
   for (int k = 0; k < scale.n_bands(); ++k)
     page.path(bands[static_cast<std::size_t>(k)], "fill=\"" + hex(scale.colour(k)) + "\"");
 }
 
-void FieldSamples::add_block(int b, const View& view, const ColourScale& scale,
+void FieldSamples::add_piece(const Piece& piece, int ground, const View& view, const ColourScale& scale,
                              std::vector<PathData>& paths) const {
-  const auto block = static_cast<std::size_t>(b);
-  const auto outline = frame_.outline(b);
-  const Vec2 start = outline.col(0), start_on_page = view(start);
-  const int lowest = scale.band(values_[block].minCoeff()), highest = scale.band(values_[block].maxCoeff());
+  const std::span<const int> places = frame_.corners(piece.cell);
+  const Vec2 start_on_page = view(frame_.position.col(places[0]));
+  const int lowest = scale.band(piece.values.minCoeff()), highest = scale.band(piece.values.maxCoeff());
   std::vector<Vec2> corners;
-  for (Index i = 0; i < outline.cols(); ++i) corners.push_back(view(outline.col(i)));
-  paths[static_cast<std::size_t>(lowest)].polygon(corners);
+  const Window box{piece.nodes.rowwise().minCoeff(), piece.nodes.rowwise().maxCoeff()};
+  for (const int corner : piece.corners)
+    corners.push_back(view(frame_.position.col(places[static_cast<std::size_t>(corner)])));
+  paths[static_cast<std::size_t>(ground)].polygon(corners);
+  if (lowest > ground) paths[static_cast<std::size_t>(lowest)].polygon(corners);
 
-  const double pixels = (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff()).norm() * view.scale;
+  const double pixels = (box.high - box.low).norm() * view.scale;
   const std::vector<int> bands = bands_above(lowest, highest, pixels);
   std::vector<double> levels;
   for (const int band : bands) levels.push_back(scale.bounds()[static_cast<std::size_t>(band)]);
-  const Points nodes = meshes_[block].nodes(outline.colwise() - start, centroids_[block]);
-  const std::vector<Region> regions = superlevel_regions(meshes_[block], nodes, values_[block], levels);
+  const std::vector<Region> regions = superlevel_regions(piece.mesh, piece.nodes, piece.values, levels);
   for (std::size_t k = 0; k < regions.size(); ++k)
     for (const std::vector<Vec2>& polygon : regions[k]) {
       corners.clear();

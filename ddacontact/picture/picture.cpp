@@ -173,6 +173,7 @@ class Picture {
     else
       draw_kinds(page_, view, frame, panel.field);
     if (options_.reference) draw_reference(page_, view, frame);
+    draw_cell_edges(page_, view, frame);
     draw_outlines(page_, view, frame);
     for (std::size_t k = 0; k < vectors_.size(); ++k)
       draw_arrows(page_, view, content.arrows[k], vectors_[k].kind, vectors_[k].pixels_per_unit);

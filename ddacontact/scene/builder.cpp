@@ -1,6 +1,8 @@
 #include <ddacontact/scene/builder.hpp>
 
 #include <ddacontact/block/corotational_block.hpp>
+#include <polyfem/basis/mean_value.hpp>
+#include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
@@ -11,6 +13,19 @@ namespace ddacontact {
 
 namespace {
 
+const char* model_name(BlockModel model) {
+  switch (model) {
+    case BlockModel::mean_value:
+      return "mean_value";
+    case BlockModel::affine:
+      return "affine";
+    case BlockModel::mesh:
+      return "mesh";
+    default:
+      return "wachspress";
+  }
+}
+
 /// Where each vertex of a block is held, by axis; no entry: free.
 using VertexHolds = std::vector<std::array<std::optional<TimeFunction>, 2>>;
 
@@ -18,9 +33,14 @@ using VertexHolds = std::vector<std::array<std::optional<TimeFunction>, 2>>;
 struct Placed {
   Points outline;
   bool turned;
+  std::optional<BlockMesh> mesh;
+
+  /// Of the scene's vertex, counted counter-clockwise.
   int ours(int scene_vertex) const {
     return turned ? static_cast<int>(outline.cols()) - 1 - scene_vertex : scene_vertex;
   }
+  /// The number among the block's places of a vertex so counted.
+  int place(int vertex) const { return mesh ? mesh->vertex[vertex] : vertex; }
 };
 
 Vec2 low_corner(const Scene& scene) {
@@ -30,9 +50,23 @@ Vec2 low_corner(const Scene& scene) {
 }
 
 Placed place(const BlockDescription& block, const Vec2& origin) {
-  Placed placed{block.vertices.colwise() - origin, polyfem::signed_area(block.vertices) < 0};
+  Placed placed{block.vertices.colwise() - origin, polyfem::signed_area(block.vertices) < 0, {}};
   if (placed.turned) placed.outline = placed.outline.rowwise().reverse().eval();
+  if (block.model == BlockModel::mesh) placed.mesh = divide(placed.outline, block.mesh);
   return placed;
+}
+
+/// The motion at a part `along` of the way from one held vertex to the next.
+TimeFunction between(const TimeFunction& a, const TimeFunction& b, double along) {
+  if (a.kind == b.kind && a.kind != TimeFunction::Kind::history)
+    return {a.kind, (1 - along) * a.value + along * b.value, {}};
+  const auto same = [](const Vec3& p, const Vec3& q) { return p == q; };
+  if (a.kind == b.kind &&
+      std::equal(a.history.begin(), a.history.end(), b.history.begin(), b.history.end(), same))
+    return a;
+  throw Error(
+      "the vertices at the ends of an edge of a meshed block are moved in different ways (give both "
+      "the same kind of motion)");
 }
 
 std::vector<VertexHolds> collect_holds(const Scene& scene, const std::vector<Placed>& placed) {
@@ -111,13 +145,13 @@ class Builder {
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));
       system.names[b] = scene_.block_name(static_cast<int>(b));
-      built_.labels.block_models.push_back(scene_.blocks[b].model == BlockModel::affine ? "affine"
-                                                                                        : "wachspress");
+      built_.labels.block_models.push_back(model_name(scene_.blocks[b].model));
       built_.labels.block_materials.push_back(scene_.blocks[b].material);
-      built_.labels.turned.push_back(placed_[b].turned);
+      built_.labels.block_reasons.emplace_back();
+      built_.labels.outlines.push_back(label_outline(placed_[b].outline, placed_[b].turned));
     }
     for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
-    for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor));
+    for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));
 
     BlockState initial = system.initial_state();
     set_initial(system, initial);
@@ -135,7 +169,12 @@ class Builder {
     const Points& outline = placed_[b].outline;
     if (description.model == BlockModel::affine) return make_affine_block(b, material);
 
-    const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction);
+    if (description.model == BlockModel::mesh) return make_mesh_block(b, material);
+
+    const polyfem::Basis& basis = description.model == BlockModel::mean_value
+                                      ? static_cast<const polyfem::Basis&>(polyfem::mean_value)
+                                      : polyfem::wachspress;
+    const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction, basis);
     const std::string name = "block \"" + scene_.block_name(b) + "\": ";
     if (!integration.sound)
       built_.notes.push_back(name + "its integration rule gives an unsound stiffness or mass matrix");
@@ -145,13 +184,41 @@ class Builder {
     if (corotational())
       block = std::make_unique<CorotationalBlock>(
           material, outline,
-          std::make_shared<CorotationalShape>(wachspress_shape(material, outline, integration)));
+          std::make_shared<CorotationalShape>(polygon_shape(material, outline, basis, integration)));
     else
-      block = std::make_unique<VertexBlock>(material, outline, integration);
+      block = std::make_unique<VertexBlock>(material, outline, integration, basis);
     for (int v = 0; v < outline.cols(); ++v)
       for (int axis = 0; axis < 2; ++axis)
         if (holds_[b][v][axis]) local_holds_[b].push_back({2 * v + axis, v, axis, *holds_[b][v][axis]});
     return block;
+  }
+
+  /// An edge is held where both its ends are, and so is all of a fixed block.
+  std::unique_ptr<Block> make_mesh_block(int b, const BlockMaterial& material) {
+    const BlockMesh& mesh = *placed_[b].mesh;
+    const int n_free_places = static_cast<int>(mesh.places.cols() - mesh.on_straight_edges.size());
+    const auto hold = [&](int place, int axis, const TimeFunction& motion) {
+      local_holds_[b].push_back({2 * place + axis, place, axis, motion});
+    };
+    const int n = static_cast<int>(mesh.vertex.size());
+    for (int axis = 0; axis < 2; ++axis) {
+      for (int place = 0; scene_.blocks[b].fixed && place < n_free_places; ++place) hold(place, axis, {});
+      for (int v = 0; !scene_.blocks[b].fixed && v < n; ++v) {
+        const std::optional<TimeFunction>&at = holds_[b][v][axis], &next = holds_[b][(v + 1) % n][axis];
+        if (!at) continue;
+        hold(mesh.vertex[v], axis, *at);
+        if (!next) continue;
+        const int end = v + 1 < n ? mesh.vertex[v + 1] : mesh.n_outline;
+        const Vec2 start = mesh.places.col(mesh.vertex[v]),
+                   edge = mesh.places.col(mesh.vertex[(v + 1) % n]) - start;
+        for (int place = mesh.vertex[v] + 1; place < end; ++place)
+          hold(place, axis,
+               between(*at, *next, edge.dot(mesh.places.col(place) - start) / edge.squaredNorm()));
+      }
+    }
+    return std::make_unique<CorotationalBlock>(
+        material, mesh.places,
+        std::make_shared<CorotationalShape>(mesh_shape(material, mesh, scene_.analysis.gradient_correction)));
   }
 
   std::unique_ptr<Block> make_affine_block(int b, const BlockMaterial& material) {
@@ -199,9 +266,10 @@ class Builder {
     system.set_held_unknowns(std::move(held));
     system.held_vertices = springs_;
     for (int b = 0; b < system.n_blocks(); ++b)
-      for (int v = 0; v < system.block(b).n_vertices(); ++v)
+      for (std::size_t v = 0; v < holds_[b].size(); ++v)
         if (holds_[b][v][0] || holds_[b][v][1])
-          system.supported_vertices.push_back(system.block(b).vertices().first + v);
+          system.supported_vertices.push_back(system.block(b).places().first +
+                                              placed_[b].place(static_cast<int>(v)));
   }
 
   void note_idle_velocities(const BlockSystem& system) {
@@ -216,16 +284,19 @@ class Builder {
   void add_loads(BlockSystem& system) const {
     for (const Load& load : scene_.loads) {
       const Placed& on = placed_[load.block];
+      const Block& block = system.block(load.block);
       const int n = static_cast<int>(on.outline.cols());
       switch (load.kind) {
         case Load::Kind::point:
-          system.point_loads.push_back(
-              {make_material_point(load.block, on.outline, load.at - origin_), load.force});
+          system.point_loads.push_back({{load.block, block.place_weights(load.at - origin_)}, load.force});
           break;
-        case Load::Kind::pressure:
-          system.pressure_loads.push_back(
-              {load.block, on.turned ? (2 * n - 2 - load.edge) % n : load.edge, load.pressure});
+        case Load::Kind::pressure: {
+          const int edge = on.turned ? (2 * n - 2 - load.edge) % n : load.edge;
+          const int end = edge + 1 < n ? on.place(edge + 1) : block.n_vertices();
+          for (int part = on.place(edge); part < end; ++part)
+            system.pressure_loads.push_back({load.block, part, load.pressure});
           break;
+        }
         case Load::Kind::body:
           system.body_loads.push_back({load.block, load.force});
           break;
@@ -233,14 +304,15 @@ class Builder {
     }
   }
 
-  Probe make_probe(const Monitor& monitor) const {
+  Probe make_probe(const Monitor& monitor, const BlockSystem& system) const {
     const Placed& on = placed_[monitor.block];
+    const Block& block = system.block(monitor.block);
     switch (monitor.kind) {
       case Monitor::Kind::point:
-        return {monitor.name, make_material_point(monitor.block, on.outline, monitor.at - origin_)};
+        return {monitor.name, MaterialPoint{monitor.block, block.place_weights(monitor.at - origin_)}};
       case Monitor::Kind::vertex: {
-        VectorXd weights = VectorXd::Zero(on.outline.cols());
-        weights[on.ours(monitor.vertex)] = 1;
+        VectorXd weights = VectorXd::Zero(block.n_places());
+        weights[on.place(on.ours(monitor.vertex))] = 1;
         return {monitor.name, MaterialPoint{monitor.block, weights}};
       }
       case Monitor::Kind::centroid:

@@ -15,9 +15,22 @@ Reference reference_to(int index, const std::vector<Named>& all) {
   return name.empty() ? Reference{"", index} : Reference{name, std::nullopt};
 }
 
+MeshRecord record_of(const MeshOptions& mesh) {
+  MeshRecord record;
+  record.kind = mesh.kind;
+  record.edge_nodes = mesh.edge_nodes;
+  if (mesh.cell_size > 0)
+    record.cell_size = mesh.cell_size;
+  else
+    record.cells = mesh.cells;
+  return record;
+}
+
 AnalysisRecord record_of(const AnalysisOptions& analysis) {
   AnalysisRecord record;
   record.options = analysis;
+  record.block_model = analysis.block_model;
+  record.mesh = record_of(analysis.mesh);
   record.kinematics = analysis.kinematics;
   record.scheme = analysis.scheme;
   if (analysis.scheme == Scheme::newmark) {
@@ -55,6 +68,7 @@ BlockRecord record_of(const BlockDescription& block, const Scene& scene) {
   record.material = reference_to(block.material, scene.materials);
   record.vertices.points = block.vertices;
   record.model = block.model;
+  if (block.mesh != scene.analysis.mesh) record.mesh = record_of(block.mesh);
   record.fixed = {block.fixed, block.fixed_vertices};
   record.velocity = block.velocity;
   record.angular_velocity = block.angular_velocity;

@@ -13,7 +13,7 @@ namespace ddacontact::scene_format {
 namespace {
 
 constexpr std::array<const char*, 4> keys{"name", "material", "model", "fixed"};
-constexpr std::array<std::string_view, 4> keys_of_tables{"vertices", "velocity", "angular_velocity",
+constexpr std::array<std::string_view, 5> keys_of_tables{"vertices", "mesh", "velocity", "angular_velocity",
                                                          "stress"};
 
 /// A number that counts something from 0.
@@ -50,10 +50,8 @@ class PropertyReader {
     const std::string& text = value_.text();
     std::vector<std::string_view> known;
     for (const Word<BlockModel>& word : words) {
-      if (text == word.text && !word.choice)
-        return refuse(" is " + std::string(not_available_text), "available: " + list_of(words));
       if (text == word.text) model = word.choice;
-      if (word.choice) known.emplace_back(word.text);
+      known.emplace_back(word.text);
     }
     return model || refuse(" is not known", suggestion(text, "word", known));
   }

@@ -1,5 +1,6 @@
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/outline_check.hpp>
+#include <ddacontact/scene/outline_distance.hpp>
 #include <ddacontact/scene/text.hpp>
 
 #include <polyfem/geometry/area_moments.hpp>
@@ -8,18 +9,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact::scene_format {
 
 namespace {
 
 using polyfem::DefectiveVertex;
-using polyfem::Index;
 using polyfem::PolygonDefect;
 
-/// Sine of the turning angle below which a corner is straight.
-constexpr double straight_turn = 1e-9;
 /// Two successive vertices nearer than this times the size of the block are one.
 constexpr double repeated_distance = 1e-13;
 
@@ -32,23 +29,103 @@ std::string number(Index k) {
   return std::to_string(k);
 }
 
-Complaint complaint_about(const DefectiveVertex& found, Index n) {
+/// The vertices of a polygon, counted around as often as one likes.
+class Around {
+ public:
+  explicit Around(const Points& polygon) : polygon_(polygon) {}
+  int n() const { return static_cast<int>(polygon_.cols()); }
+  int index(int k) const { return (k + n()) % n(); }
+  Vec2 operator()(int k) const { return polygon_.col(index(k)); }
+  double length(int edge) const { return ((*this)(edge + 1) - (*this)(edge)).norm(); }
+
+ private:
+  const Points& polygon_;
+};
+
+/// The first vertex at which an edge runs back along the one before.
+std::optional<Complaint> find_fold(const Around& vertex) {
+  for (int k = 0; k < vertex.n(); ++k) {
+    const Vec2 in = vertex(k) - vertex(k - 1), out = vertex(k + 1) - vertex(k);
+    if (in.dot(out) < 0 && polyfem::orientation(vertex(k - 1), vertex(k), vertex(k + 1)) == 0)
+      return Complaint{k,
+                       "runs back on itself at vertex " + number(k) + " over " +
+                           rounded(std::min(in.norm(), out.norm())) + " m",
+                       "leave that vertex out"};
+  }
+  return std::nullopt;
+}
+
+/// The first of the four ends of two edges that lies on the other edge.
+std::optional<Complaint> find_touch(const Around& vertex, int edge, int other) {
+  const auto on = [&](int k, int e) -> std::optional<Complaint> {
+    if (!polyfem::on_segment(vertex(e), vertex(e + 1), vertex(k))) return std::nullopt;
+    return Complaint{vertex.index(k),
+                     "touches itself: vertex " + number(vertex.index(k)) + " lies on edge " + number(e),
+                     "move the vertex off that edge, or split the block there"};
+  };
+  for (const int k : {other, other + 1})
+    if (const auto found = on(k, edge)) return found;
+  for (const int k : {edge, edge + 1})
+    if (const auto found = on(k, other)) return found;
+  return std::nullopt;
+}
+
+Complaint complaint_about_crossing(const Around& vertex, int edge, int other) {
+  if (const auto fold = find_fold(vertex)) return *fold;
+  if (const auto touch = find_touch(vertex, edge, other)) return *touch;
+  const Vec2 along = vertex(edge + 1) - vertex(edge), across = vertex(other + 1) - vertex(other);
+  const Vec2 at = vertex(edge) + polyfem::cross(vertex(other) - vertex(edge), across) /
+                                     polyfem::cross(along, across) * along;
+  return {other,
+          "intersects itself: edges " + number(edge) + " and " + number(other) + " cross at (" +
+              rounded(at.x()) + ", " + rounded(at.y()) + ")",
+          "list the vertices in the order of the outline"};
+}
+
+Complaint complaint_about(const DefectiveVertex& found, const Points& polygon) {
+  const int n = static_cast<int>(polygon.cols()), first = found.vertex, second = found.other;
   switch (found.defect) {
     case PolygonDefect::too_few_vertices:
       return {-1, "has " + number(n) + " vertices", "a polygon has at least three"};
     case PolygonDefect::not_finite:
-      return {found.vertex, "has a vertex that is not finite", "write a finite number"};
+      return {first, "has a vertex that is not finite", "write a finite number"};
     case PolygonDefect::repeated_vertex:
-      return {found.other, "repeats vertex " + number(found.vertex) + " as vertex " + number(found.other),
-              "write each vertex once; the polygon closes itself"};
+      if (second == first + 1 || (first == 0 && second == n - 1))
+        return {second, "repeats vertex " + number(first) + " as vertex " + number(second),
+                "write each vertex once; the polygon closes itself"};
+      return {second,
+              "touches itself: vertex " + number(second) + " is at the place of vertex " + number(first),
+              "move one of them, or split the block there"};
     case PolygonDefect::zero_area:
       return {-1, "has zero area: all its vertices lie on one line", "move a vertex"};
     case PolygonDefect::self_intersection:
       break;
   }
-  return {found.other,
-          "intersects itself: edges " + number(found.vertex) + " and " + number(found.other) + " meet",
-          "list the vertices in the order of the outline"};
+  return complaint_about_crossing(Around(polygon), first, second);
+}
+
+/// The nearest that a vertex comes to an edge which is not its own, unless that is far enough.
+std::optional<Complaint> find_narrow_place(const Points& polygon, double size) {
+  const Around vertex(polygon);
+  const int n = vertex.n();
+  const double limit = narrowest * size;
+  double nearest = limit;
+  int at = -1, of = -1;
+  for (int k = 0; k < n; ++k) {
+    const int past = vertex.length(k) > limit ? k + 1 : k + 2;
+    const int before = vertex.length(vertex.index(k - 1)) > limit ? k - 1 : k - 2;
+    for (int e = past; e < before + n; ++e) {
+      const double distance = distance_to_edge(vertex(k), vertex(e), vertex(e + 1));
+      if (distance >= nearest) continue;
+      nearest = distance;
+      at = k;
+      of = vertex.index(e);
+    }
+  }
+  if (at < 0) return std::nullopt;
+  return Complaint{
+      at, "passes at vertex " + number(at) + " within " + rounded(nearest) + " m of edge " + number(of),
+      "widen it beyond " + rounded(limit) + " m, 1e-9 of the size, or leave the vertex out"};
 }
 
 std::optional<Complaint> find_short_edge(const Points& polygon, double size) {
@@ -63,18 +140,14 @@ std::optional<Complaint> find_short_edge(const Points& polygon, double size) {
 
 /// `vertex` counts along the counter-clockwise polygon, `name` as in the file.
 Complaint corner_complaint(const Points& polygon, int vertex, int name) {
-  const Index n = polygon.cols();
-  const Vec2 before = polygon.col((vertex + n - 1) % n), corner = polygon.col(vertex),
-             after = polygon.col((vertex + 1) % n);
-  const Vec2 in = corner - before, out = after - corner;
+  const Around around(polygon);
+  const Vec2 in = around(vertex) - around(vertex - 1), out = around(vertex + 1) - around(vertex);
   const bool straight = std::abs(polyfem::cross(in, out)) <= straight_turn * in.norm() * out.norm();
-  if (straight)
-    return {name, "has a straight corner at vertex " + number(name),
-            "leave that vertex out: vertices on an edge need the model \"mean_value\", which is not "
-            "available in this version"};
-  return {name, "has a concave corner at vertex " + number(name),
-          "split the block into convex ones: concave blocks need the model \"mean_value\", which is not "
-          "available in this version"};
+  return {name,
+          std::string("has a ") + (straight ? "straight" : "concave") + " corner at vertex " + number(name) +
+              ", which the model \"wachspress\" cannot have",
+          straight ? "write model = \"mean_value\" or \"mesh\", or leave that vertex out"
+                   : "write model = \"mean_value\" or \"mesh\", or split the block with dda cut --convex"};
 }
 
 /// The vertex's place, but the setting's where one changed any vertex.
@@ -88,18 +161,11 @@ const Place& place_of_vertex(const Outline& outline, int vertex, const Places& p
 }  // namespace
 
 double CheckedOutline::distance_outside(const Vec2& point) const {
-  if (polyfem::contains(polygon, point)) return 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (Index k = 0; k < polygon.cols(); ++k) {
-    const Vec2 start = polygon.col(k), edge = polygon.col((k + 1) % polygon.cols()) - start;
-    const double along = std::clamp(edge.dot(point - start) / edge.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (start + along * edge - point).norm());
-  }
-  return nearest;
+  return polyfem::contains(polygon, point) ? 0 : distance_to_outline(point, polygon);
 }
 
-CheckedOutline check_outline(const Outline& outline, const Places& places, const std::string& title,
-                             ProblemList& problems) {
+CheckedOutline check_outline(const Outline& outline, BlockModel model, const Places& places,
+                             const std::string& title, ProblemList& problems) {
   const Index n = outline.points.cols();
   const auto refuse = [&](const Complaint& complaint) {
     problems.error(place_of_vertex(outline, complaint.vertex, places), title + ' ' + complaint.what,
@@ -109,7 +175,8 @@ CheckedOutline check_outline(const Outline& outline, const Places& places, const
   if (n > most_vertices)
     return refuse(
         {-1, "has " + number(n) + " vertices", "at most " + number(most_vertices) + " are possible"});
-  if (const auto defect = polyfem::find_defect(outline.points)) return refuse(complaint_about(*defect, n));
+  if (const auto defect = polyfem::find_defect(outline.points))
+    return refuse(complaint_about(*defect, outline.points));
 
   CheckedOutline checked;
   const double area = polyfem::signed_area(outline.points);
@@ -121,9 +188,13 @@ CheckedOutline check_outline(const Outline& outline, const Places& places, const
   const bool clockwise = area < 0;
   checked.polygon = outline.points;
   if (clockwise) checked.polygon = outline.points.rowwise().reverse();
-  if (const auto corner = polyfem::find_non_convex_corner(checked.polygon, straight_turn))
+  const auto corner = model == BlockModel::wachspress
+                          ? polyfem::find_non_convex_corner(checked.polygon, straight_turn)
+                          : std::nullopt;
+  if (corner)
     return refuse(
         corner_complaint(checked.polygon, *corner, clockwise ? static_cast<int>(n) - 1 - *corner : *corner));
+  if (const auto complaint = find_narrow_place(outline.points, checked.size)) return refuse(*complaint);
   checked.turned = clockwise;
   return checked;
 }

@@ -1,4 +1,4 @@
-/// \file Whether the vertices of a block make a polygon that this version can compute with.
+/// \file Whether the vertices of a block make a polygon that can be computed with.
 #pragma once
 
 #include <ddacontact/scene/records.hpp>
@@ -20,9 +20,17 @@ struct CheckedOutline {
 /// At most this many vertices: the checks are quadratic in them.
 inline constexpr int most_vertices = 1000;
 
-/// Strictly convex (each corner turns by more than 1e-9 as a sine), simple, with an area; a clockwise one is
-/// turned around. `title` names the block in messages.
-CheckedOutline check_outline(const Outline& outline, const Places& places, const std::string& title,
-                             ProblemList& problems);
+/// Sine of the turning angle up to which a corner is straight.
+inline constexpr double straight_turn = 1e-9;
+
+/// Necks, spikes and slits narrower than this times the size of the block are lost in round-off.
+inline constexpr double narrowest = 1e-9;
+
+/// Simple, with an area, and nowhere narrower than `narrowest`: no vertex is that near to an edge, but to
+/// those at the other end of an edge shorter than that. A clockwise outline is turned around. The model
+/// wachspress wants strictly convex ones: every corner turns by more than `straight_turn`. `title` names the
+/// block in messages.
+CheckedOutline check_outline(const Outline& outline, BlockModel model, const Places& places,
+                             const std::string& title, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

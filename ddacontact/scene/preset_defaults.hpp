@@ -14,12 +14,15 @@ struct PresetDefaults {
   GradientCorrection gradient_correction;
   double cutting_factor;
   ContactMethod method;
+  BlockModel block_model;
 };
 
 inline constexpr PresetDefaults standard_defaults{Kinematics::corotational, Scheme::decaying,
-                                                  GradientCorrection::on, 0.5, ContactMethod::staged};
-inline constexpr PresetDefaults paper_defaults{Kinematics::incremental, Scheme::dda, GradientCorrection::off,
-                                               0.3, ContactMethod::classic};
+                                                  GradientCorrection::on,   0.5,
+                                                  ContactMethod::staged,    BlockModel::automatic};
+inline constexpr PresetDefaults paper_defaults{Kinematics::incremental, Scheme::dda,
+                                               GradientCorrection::off, 0.3,
+                                               ContactMethod::classic,  BlockModel::wachspress};
 
 constexpr const PresetDefaults& defaults_of(Preset preset) {
   return preset == Preset::paper ? paper_defaults : standard_defaults;

@@ -75,11 +75,25 @@ struct Location {
   std::optional<Vec2> point;
 };
 
+/// `mesh`: the keys that are written; those of a block go before those of the analysis.
+struct MeshRecord {
+  std::optional<CellKind> kind;
+  std::optional<int> cells;
+  std::optional<double> cell_size;  ///< m; at most one of the two
+  std::optional<bool> edge_nodes;
+  Places places;  ///< of the keys
+};
+
+/// A block has at most as many cells.
+inline constexpr int most_cells = 1'000'000;
+
 enum class Axes { xy, x, y };
 
 /// Keys whose default depends on others are kept here, not in the options.
 struct AnalysisRecord {
   AnalysisOptions options;
+  std::optional<BlockModel> block_model;
+  MeshRecord mesh;
   std::optional<Kinematics> kinematics;
   std::optional<Scheme> scheme;
   std::optional<double> beta, gamma;
@@ -114,6 +128,7 @@ struct BlockRecord {
   Reference material;  ///< a geometry file may leave it out: the first
   Outline vertices;
   std::optional<BlockModel> model;
+  std::optional<MeshRecord> mesh;
   FixedVertices fixed;
   Vec2 velocity{0, 0};
   double angular_velocity = 0;

@@ -120,7 +120,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
       resolve_contact(document.contact, document.analysis.options.preset, scene.materials, problems);
   scene.joints = resolve_joints(document, materials, scene.contact.method, problems);
 
-  BlockTable blocks = resolve_blocks(document, materials, problems);
+  BlockTable blocks = resolve_blocks(document, scene.analysis, materials, problems);
   scene.blocks = std::move(blocks.descriptions);
   scene.supports = resolve_supports(document, blocks, problems);
   scene.loads = resolve_loads(document, blocks, problems);

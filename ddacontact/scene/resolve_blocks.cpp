@@ -1,3 +1,4 @@
+#include <ddacontact/scene/mesh_check.hpp>
 #include <ddacontact/scene/resolve_blocks.hpp>
 
 #include <algorithm>
@@ -51,9 +52,20 @@ void warn_of_clockwise_blocks(const Document& document, const BlockTable& table,
       "vertices keep their numbers");
 }
 
+/// The cells of a mesh each turn with a frame of their own.
+void check_kinematics(const BlockRecord& block, const AnalysisRecord& analysis, Kinematics kinematics,
+                      const std::string& title, ProblemList& problems) {
+  if (kinematics == Kinematics::corotational || !analysis.places.usable("kinematics")) return;
+  const bool own = block.places.written("model");
+  problems.error(own ? block.places.of("model") : analysis.places.of("block_model"),
+                 "the model \"mesh\" of " + title + " needs kinematics = \"corotational\"",
+                 "write that, or model = \"mean_value\"");
+}
+
 }  // namespace
 
-BlockTable resolve_blocks(const Document& document, const NameTable& materials, ProblemList& problems) {
+BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analysis,
+                          const NameTable& materials, ProblemList& problems) {
   BlockTable table;
   table.descriptions.reserve(document.blocks.size());
   table.outlines.reserve(document.blocks.size());
@@ -68,14 +80,24 @@ BlockTable resolve_blocks(const Document& document, const NameTable& materials, 
     if (places.good("material"))
       block.material = materials.find(record.material, places.of("material"), problems, record.origin);
     block.vertices = record.vertices.points;
-    block.model = record.model.value_or(document.analysis.options.block_model);
+    block.model = record.model.value_or(analysis.block_model);
+    block.mesh = record.mesh ? with_record(analysis.mesh, *record.mesh) : analysis.mesh;
     block.velocity = record.velocity;
     block.angular_velocity = record.angular_velocity;
     block.stress = record.stress;
 
     PlacedOutline& placed = table.outlines.emplace_back();
     placed.place = places.of("vertices");
-    if (places.good("vertices")) placed.outline = check_outline(record.vertices, places, title, problems);
+    const bool model_is_known =
+        places.written("model") ? places.good("model") : document.analysis.places.usable("block_model");
+    if (places.good("vertices"))
+      placed.outline = check_outline(record.vertices, model_is_known ? block.model : BlockModel::automatic,
+                                     places, title, problems);
+    if (model_is_known && block.model == BlockModel::mesh) {
+      check_kinematics(record, document.analysis, analysis.kinematics, title, problems);
+      if (placed.outline.sound())
+        check_mesh(placed.outline, block.mesh, record, document.analysis.mesh, title, problems);
+    }
 
     const int n = static_cast<int>(block.vertices.cols());
     table.holds.add_block(n);

@@ -33,7 +33,9 @@ struct BlockTable {
   Holds holds;
 };
 
-BlockTable resolve_blocks(const Document& document, const NameTable& materials, ProblemList& problems);
+/// `analysis` is that of the scene, resolved.
+BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analysis,
+                          const NameTable& materials, ProblemList& problems);
 
 /// Complains about indices that are no vertex of a block of `n_vertices` or stand twice; the good ones
 /// remain.

@@ -1,6 +1,7 @@
 #include <ddacontact/scene/resolve_options.hpp>
 
 #include <ddacontact/scene/key.hpp>
+#include <ddacontact/scene/mesh_check.hpp>
 #include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/text.hpp>
 
@@ -79,6 +80,8 @@ double resolve_tolerance(const ContactRecord& record, ContactMethod method, Prob
 AnalysisOptions resolve_analysis(const AnalysisRecord& record, ProblemList& problems) {
   AnalysisOptions options = record.options;
   const PresetDefaults& preset = defaults_of(options.preset);
+  options.block_model = record.block_model.value_or(preset.block_model);
+  options.mesh = with_record({}, record.mesh);
   resolve_scheme(record, options, problems);
   resolve_newmark(record, options, problems);
   options.gradient_correction = record.gradient_correction.value_or(preset.gradient_correction);

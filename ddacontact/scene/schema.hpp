@@ -16,7 +16,8 @@ void describe(AnalysisRecord& r, Visit&& visit) {
   static const std::string kinematics = preset_text(&PresetDefaults::kinematics),
                            scheme = preset_text(&PresetDefaults::scheme),
                            correction = preset_text(&PresetDefaults::gradient_correction),
-                           cutting = preset_text(&PresetDefaults::cutting_factor);
+                           cutting = preset_text(&PresetDefaults::cutting_factor),
+                           model = preset_text(&PresetDefaults::block_model);
   AnalysisOptions& o = r.options;
   visit(Key{.name = "preset", .what = "Chooses the defaults of keys left out."}, o.preset);
   visit(Key{.name = "mode", .what = "Velocities carry over, or every step starts at rest."}, o.mode);
@@ -38,8 +39,15 @@ void describe(AnalysisRecord& r, Visit&& visit) {
         o.max_displacement_ratio);
   visit(Key{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"}, o.gravity);
   visit(Key{.name = "plane", .what = "Plane strain or plane stress."}, o.plane);
-  visit(Key{.name = "block_model", .what = "Model of every block that names none; \"auto\" is Wachspress."},
-        o.block_model);
+  visit(Key{.name = "block_model",
+            .what = "Model of every block that names none.",
+            .default_text = model.c_str()},
+        r.block_model);
+  visit(Key{.name = "mesh",
+            .what = "How blocks of the model \"mesh\" are divided: about `cells` cells, or as many as are of "
+                    "`cell_size` metres.",
+            .default_text = "`{ kind = \"voronoi\", cells = 64, edge_nodes = true }`"},
+        r.mesh);
   visit(Key{.name = "kinematics",
             .what = "Displacements from the reference shape in a frame that turns with the block, or "
                     "increments on the current shape.",
@@ -173,12 +181,15 @@ void describe(BlockRecord& r, Visit&& visit) {
         r.name);
   visit(Key{.name = "material", .what = "Name of its material.", .required = true}, r.material);
   visit(Key{.name = "vertices",
-            .what = "Corners of a strictly convex polygon in either orientation; edge k runs from vertex k "
-                    "to vertex k + 1.",
+            .what = "Corners of a polygon in either orientation; edge k runs from vertex k to vertex k + 1.",
             .unit = "m",
             .required = true},
         r.vertices);
   visit(Key{.name = "model", .what = "How it deforms.", .default_text = "`analysis.block_model`"}, r.model);
+  visit(Key{.name = "mesh",
+            .what = "How it is divided when its model is \"mesh\".",
+            .default_text = "`analysis.mesh`, key by key"},
+        r.mesh);
   visit(Key{.name = "fixed", .what = "Vertices held in x and y."}, r.fixed);
   visit(Key{.name = "velocity", .what = "At the start.", .unit = "m/s"}, r.velocity);
   visit(Key{.name = "angular_velocity",

@@ -1,7 +1,7 @@
+#include <ddacontact/scene/outline_distance.hpp>
 #include <ddacontact/scene/static_check.hpp>
 
 #include <ddacontact/detection/broad_phase.hpp>
-#include <ddacontact/detection/separation.hpp>
 
 #include <numeric>
 
@@ -18,7 +18,7 @@ std::vector<std::vector<int>> find_neighbours(const std::vector<PlacedOutline>& 
     boxes.push_back(bounding_box(block.outline.polygon, nearly_touching * block.outline.size));
   std::vector<std::vector<int>> neighbours(blocks.size());
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
-    const double gap = separation(blocks[a].outline.polygon, blocks[b].outline.polygon);
+    const double gap = distance_between(blocks[a].outline.polygon, blocks[b].outline.polygon);
     if (gap > nearly_touching * size_of_pair(blocks[a], blocks[b])) continue;
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);

@@ -8,6 +8,12 @@
 
 namespace ddacontact::scene_format {
 
+namespace {
+
+constexpr Bounds number_of_cells{.low = 1, .high = most_cells};
+
+}  // namespace
+
 std::string ValueReader::element_name(int row, int column) const {
   std::string name = key_.name;
   if (row >= 0) name += '[' + std::to_string(row) + ']';
@@ -19,14 +25,6 @@ bool ValueReader::wrong_type(const toml::node& node, const std::string& name,
                              const std::string& expected) const {
   problems_.error(place_of(node, problems_), "'" + name + "' is " + description_of(node),
                   "expected " + expected);
-  return false;
-}
-
-bool ValueReader::word_not_available(const toml::node& node, const std::string& available) const {
-  problems_.error(
-      place_of(node, problems_),
-      "'" + std::string(key_.name) + "' = '" + node.as_string()->get() + "' is " + not_available_text,
-      "available: " + available);
   return false;
 }
 
@@ -137,6 +135,43 @@ bool ValueReader::operator()(const toml::node& node, RayleighDamping& value) con
     }
   }
   return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
+  const toml::table* table = node.as_table();
+  if (!table) return wrong_type(node, key_.name, expected_text(key_, value));
+  const auto read = [&](const Key& key, const toml::node& part, const char* name, auto& target) {
+    target.emplace();
+    const bool good = ValueReader(key, problems_)(part, *target);
+    value.places.add(name, place_of(part, problems_), good);
+    return good;
+  };
+  bool good = true;
+  for (const auto& [name, part] : *table) {
+    if (name == "kind") {
+      good &= read({.name = "mesh.kind", .what = ""}, part, "kind", value.kind);
+    } else if (name == "cells") {
+      good &= read({.name = "mesh.cells", .what = "", .bounds = number_of_cells}, part, "cells", value.cells);
+    } else if (name == "cell_size") {
+      good &= read({.name = "mesh.cell_size", .what = "", .unit = "m", .bounds = positive}, part, "cell_size",
+                   value.cell_size);
+    } else if (name == "edge_nodes") {
+      const auto* flag = part.as_boolean();
+      if (flag)
+        value.edge_nodes = flag->get();
+      else
+        good = wrong_type(part, "mesh.edge_nodes", "true or false");
+    } else {
+      problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'mesh'",
+                      suggestion(name.str(), "key", {"kind", "cells", "cell_size", "edge_nodes"}));
+      good = false;
+    }
+  }
+  if (!value.cells || !value.cell_size) return good;
+  const Place &cells = value.places.of("cells"), &size = value.places.of("cell_size");
+  problems_.error(cells.source ? cells : size, "both 'cells' and 'cell_size' are given in 'mesh'",
+                  "leave one of them out");
+  return false;
 }
 
 bool ValueReader::operator()(const toml::node& node, Vec2& value) const {

@@ -22,6 +22,7 @@ class ValueReader {
   bool operator()(const toml::node& node, double& value) const;
   bool operator()(const toml::node& node, std::string& value) const;
   bool operator()(const toml::node& node, RayleighDamping& value) const;
+  bool operator()(const toml::node& node, MeshRecord& value) const;
   bool operator()(const toml::node& node, Vec2& value) const;
   bool operator()(const toml::node& node, Vec3& value) const;
   bool operator()(const toml::node& node, Reference& value) const;
@@ -45,13 +46,11 @@ class ValueReader {
     if (!text) return wrong_type(node, key_.name, list_of(words));
     for (const Word<T>& word : words) {
       if (text->get() != word.text) continue;
-      if (!word.choice) return word_not_available(node, list_of(words));
-      value = *word.choice;
+      value = word.choice;
       return true;
     }
     std::vector<std::string_view> known;
-    for (const Word<T>& word : words)
-      if (word.choice) known.push_back(word.text);
+    for (const Word<T>& word : words) known.push_back(word.text);
     return unknown_word(node, known);
   }
 
@@ -64,7 +63,6 @@ class ValueReader {
   std::string element_name(int row, int column) const;
 
   bool wrong_type(const toml::node& node, const std::string& name, const std::string& expected) const;
-  bool word_not_available(const toml::node& node, const std::string& available) const;
   bool unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const;
 
   const Key& key_;

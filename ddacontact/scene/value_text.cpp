@@ -30,6 +30,17 @@ std::string value_text(const std::string& value) {
 std::string value_text(const RayleighDamping& value) {
   return "{ mass = " + value_text(value.mass) + ", stiffness = " + value_text(value.stiffness) + " }";
 }
+std::string value_text(const MeshRecord& value) {
+  std::string text;
+  const auto add = [&](const char* key, const std::string& of_key) {
+    text += std::string(text.empty() ? "{ " : ", ") + key + " = " + of_key;
+  };
+  if (value.kind) add("kind", value_text(*value.kind));
+  if (value.cells) add("cells", value_text(*value.cells));
+  if (value.cell_size) add("cell_size", value_text(*value.cell_size));
+  if (value.edge_nodes) add("edge_nodes", *value.edge_nodes ? "true" : "false");
+  return text.empty() ? "{}" : text + " }";
+}
 std::string value_text(const Vec2& value) {
   return array_text(value);
 }
@@ -82,6 +93,9 @@ std::string type_text(const std::string&) {
 }
 std::string type_text(const RayleighDamping&) {
   return "{ mass, stiffness }";
+}
+std::string type_text(const MeshRecord&) {
+  return "{ kind, cells or cell_size, edge_nodes }";
 }
 std::string type_text(const Vec2&) {
   return "[x, y]";

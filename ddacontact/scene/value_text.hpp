@@ -15,6 +15,7 @@ std::string value_text(int value);
 std::string value_text(double value);
 std::string value_text(const std::string& value);
 std::string value_text(const RayleighDamping& value);
+std::string value_text(const MeshRecord& value);
 std::string value_text(const Vec2& value);
 std::string value_text(const Vec3& value);
 std::string value_text(const Reference& value);
@@ -39,6 +40,7 @@ std::string type_text(int);
 std::string type_text(double);
 std::string type_text(const std::string&);
 std::string type_text(const RayleighDamping&);
+std::string type_text(const MeshRecord&);
 std::string type_text(const Vec2&);
 std::string type_text(const Vec3&);
 std::string type_text(const Reference&);
@@ -50,12 +52,11 @@ std::string type_text(const std::vector<Vec3>&);
 std::string type_text(const std::vector<std::string>&);
 std::string type_text(const std::vector<Reference>&);
 
-/// The words that are available, quoted: `"dynamic" | "static"`.
+/// The words, quoted: `"dynamic" | "static"`.
 template <class T>
 std::string list_of(const std::vector<Word<T>>& words) {
   std::string list;
-  for (const Word<T>& word : words)
-    if (word.choice) list += (list.empty() ? "" : " | ") + value_text(std::string(word.text));
+  for (const Word<T>& word : words) list += (list.empty() ? "" : " | ") + value_text(std::string(word.text));
   return list;
 }
 

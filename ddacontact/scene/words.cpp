@@ -18,11 +18,16 @@ const std::vector<Word<Plane>>& words_of(Plane) {
 }
 
 const std::vector<Word<BlockModel>>& words_of(BlockModel) {
-  static const std::vector<Word<BlockModel>> words{{"wachspress", BlockModel::wachspress},
+  static const std::vector<Word<BlockModel>> words{{"auto", BlockModel::automatic},
+                                                   {"wachspress", BlockModel::wachspress},
+                                                   {"mean_value", BlockModel::mean_value},
                                                    {"affine", BlockModel::affine},
-                                                   {"auto", BlockModel::wachspress},
-                                                   {"mean_value", std::nullopt},
-                                                   {"mesh", std::nullopt}};
+                                                   {"mesh", BlockModel::mesh}};
+  return words;
+}
+
+const std::vector<Word<CellKind>>& words_of(CellKind) {
+  static const std::vector<Word<CellKind>> words{{"voronoi", CellKind::voronoi}, {"quads", CellKind::quads}};
   return words;
 }
 

@@ -3,24 +3,24 @@
 
 #include <ddacontact/scene/records.hpp>
 
-#include <optional>
 #include <type_traits>
 #include <vector>
 
 namespace ddacontact::scene_format {
 
-/// A word and what it chooses; nothing where the format has the word but this version has not the thing.
+/// A word and what it chooses.
 template <class Choice>
 struct Word {
   const char* text;
-  std::optional<Choice> choice;
+  Choice choice;
 };
 
-/// The words of each choice. A choice is written as the first word that stands for it.
+/// The words of each choice.
 const std::vector<Word<Preset>>& words_of(Preset);
 const std::vector<Word<Mode>>& words_of(Mode);
 const std::vector<Word<Plane>>& words_of(Plane);
 const std::vector<Word<BlockModel>>& words_of(BlockModel);
+const std::vector<Word<CellKind>>& words_of(CellKind);
 const std::vector<Word<Kinematics>>& words_of(Kinematics);
 const std::vector<Word<Scheme>>& words_of(Scheme);
 const std::vector<Word<ContactMethod>>& words_of(ContactMethod);

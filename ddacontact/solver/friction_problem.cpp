@@ -53,17 +53,18 @@ constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
 FrictionProblem::FrictionProblem(std::vector<int> equation, int n_equations)
     : equation_(std::move(equation)), n_equations_(n_equations) {}
 
-void FrictionProblem::set_pattern(const std::vector<Range>& elements,
+void FrictionProblem::set_pattern(const polyfem::Connectivity& elements,
                                   const std::vector<ContactTerm>& contacts) {
   polyfem::Connectivity connectivity;
   elements_ = elements;
-  matrices_.resize(elements.size());
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    const auto [first, count] = elements[e];
-    matrices_[e].resize(count, count);
-    connectivity.append({equation_.data() + first, static_cast<std::size_t>(count)});
-  }
+  matrices_.resize(static_cast<std::size_t>(elements.n_elements()));
   std::vector<int> rows;
+  for (int e = 0; e < elements.n_elements(); ++e) {
+    rows.clear();
+    for (int u : elements.rows_of(e)) rows.push_back(equation_[u]);
+    matrices_[e].resize(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
+    connectivity.append(rows);
+  }
   for (const ContactTerm& contact : contacts) {
     assert(!contact.sheared || over_the_same_unknowns(contact.gap, contact.slip));
     rows.clear();
@@ -81,7 +82,7 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
     return true;
   factored_springs_.clear();
   matrix_.set_zero();
-  const int n_elements = static_cast<int>(elements_.size());
+  const int n_elements = elements_.n_elements();
   for (int e = 0; e < n_elements; ++e) matrix_.add(e, matrices_[e]);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const int e = n_elements + static_cast<int>(c);
@@ -107,11 +108,7 @@ void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
 void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
                                        const VectorXd& g0, const VectorXd& d, VectorXd& residual) const {
   residual = g0;
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    const auto [first, count] = elements_[e];
-    residual.segment(first, count).noalias() +=
-        matrices_[e] * (d.segment(first, count) - d0.segment(first, count));
-  }
+  for_elements([&](int e, std::span<const int> u) { residual(u) += matrices_[e] * (d(u) - d0(u)); });
   for (const ContactTerm& contact : contacts) {
     const ContactForce force = contact_force(contact, d);
     if (force.normal != 0) contact.gap.add_gradient(-force.normal, residual);
@@ -133,11 +130,9 @@ double FrictionProblem::largest_over_lengths(const VectorXd& r, const VectorXd& 
 bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
                                    const VectorXd& g0, const VectorXd& d) {
   magnitudes_ = g0.cwiseAbs();
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    const auto [first, count] = elements_[e];
-    magnitudes_.segment(first, count).noalias() +=
-        matrices_[e].cwiseAbs() * (d.segment(first, count) - d0.segment(first, count)).cwiseAbs();
-  }
+  for_elements([&](int e, std::span<const int> u) {
+    magnitudes_(u) += matrices_[e].cwiseAbs() * (d(u) - d0(u)).cwiseAbs();
+  });
   for (const ContactTerm& c : contacts) {
     if (c.normal == ContactTerm::Normal::absent) continue;
     add_magnitude(c.gap, magnitude(c.gap, c.normal_stiffness, c.normal_multiplier, d), magnitudes_);
@@ -153,10 +148,10 @@ bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, con
 /// The t at which the potential of d + t step_ is least; residual_ is that at d.
 double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d) {
   double slope = step_.dot(residual_), curvature = 0;
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    const auto change = step_.segment(elements_[e].first, elements_[e].count);
+  for_elements([&](int e, std::span<const int> u) {
+    const VectorXd change = step_(u);
     curvature += change.dot(matrices_[e] * change);
-  }
+  });
   line_search_.clear();
   const auto add = [&](const ClippedSpring& spring, double rate) {
     if (rate == 0 || (spring.low == 0 && spring.high == 0)) return;

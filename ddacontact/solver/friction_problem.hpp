@@ -5,6 +5,7 @@
 #include <ddacontact/solver/line_search.hpp>
 #include <polyfem/assembly/pattern_matrix.hpp>
 
+#include <span>
 #include <vector>
 
 namespace ddacontact {
@@ -29,18 +30,17 @@ struct MinimizeReport {
 /// The potential
 ///   g0 . (d - d0) + (d - d0) . A (d - d0) / 2 + sum of the contacts'
 /// of unknowns d, some of them held: strictly convex when A is positive definite on the free ones, once
-/// differentiable and piecewise quadratic. A is a sum of dense matrices, one for each range of unknowns.
+/// differentiable and piecewise quadratic. A is a sum of dense matrices, each over some of the unknowns.
 class FrictionProblem {
  public:
   /// \param[in] equation  row of every unknown, 0 .. n_equations - 1, or -1 where it is held
   FrictionProblem(std::vector<int> equation, int n_equations);
 
-  /// Makes room for the matrices of A, elements[e].count square, and for the contacts' springs. The analysis
-  /// of the factor is kept when the unknowns that meet are the same.
-  void set_pattern(const std::vector<Range>& elements, const std::vector<ContactTerm>& contacts);
-  /// The part of A of a range of unknowns, to be filled.
-  MatrixXd& element(int e) { return matrices_[e]; }
-  const MatrixXd& element(int e) const { return matrices_[e]; }
+  /// Makes room for the matrices of A, each over the unknowns that `elements` lists as its rows, and for the
+  /// contacts' springs. The analysis of the factor is kept when the unknowns that meet are the same.
+  void set_pattern(const polyfem::Connectivity& elements, const std::vector<ContactTerm>& contacts);
+  /// The matrices of A, to be filled.
+  std::span<MatrixXd> elements() { return matrices_; }
   /// Must be called after A, or coefficients or stiffnesses of the contacts have changed: the last factor is
   /// another matrix's then.
   void matrices_changed() { factored_springs_.clear(); }
@@ -73,7 +73,13 @@ class FrictionProblem {
 
   std::vector<int> equation_;
   int n_equations_;
-  std::vector<Range> elements_;
+  /// Calls visit(e, unknowns of e) for every matrix of A.
+  template <class Visit>
+  void for_elements(Visit&& visit) const {
+    for (int e = 0; e < elements_.n_elements(); ++e) visit(e, elements_.rows_of(e));
+  }
+
+  polyfem::Connectivity elements_;
   std::vector<MatrixXd> matrices_;
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;

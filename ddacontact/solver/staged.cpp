@@ -13,8 +13,8 @@ namespace ddacontact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a tenth,
-/// and at most, for its round-off to stay below the forces that the softer side bears.
+/// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
+/// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 constexpr int anderson_depth = 8, bounds_depth = 5;
 /// Stage 0 gives up after so many changes of the states, and may be returned to so often.
@@ -110,8 +110,8 @@ class Staged {
     const double ratio = law.tangential_stiffness / law.normal_stiffness,
                  softer = std::min(of_vertex, of_edge);
     if (std::isfinite(softer))
-      law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * softer,
-                                        largest_stiffness_ratio * softer);
+      law.normal_stiffness =
+          std::clamp(law.normal_stiffness, least_stiffness_ratio * softer, largest_stiffness_ratio * softer);
     law.tangential_stiffness = ratio * law.normal_stiffness;
     if (!contact.closed()) return;
     multiplier.normal = history.normal;

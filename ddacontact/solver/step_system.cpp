@@ -15,16 +15,19 @@ constexpr double floor_factor = 64 * std::numeric_limits<double>::epsilon();
 
 StepSystem::StepSystem(BlockSystem& blocks)
     : blocks_(blocks),
-      element_of_block_(blocks.n_blocks(), -1),
       unknown_lengths_(blocks.n_unknowns()),
       problem_(blocks.equation(), blocks.n_equations()) {
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
     unknown_lengths_.segment(u.first, u.count) = blocks.block(b).unknown_lengths();
     if (blocks.is_unchanging(b)) continue;
-    element_of_block_[b] = static_cast<int>(active_.size());
     active_.push_back(b);
-    elements_.push_back(u);
+    first_element_.push_back(elements_.n_elements());
+    for (int p = 0; p < blocks.block(b).n_parts(); ++p) {
+      std::vector<int> of_part = blocks.block(b).part_unknowns(p);
+      for (int& k : of_part) k += u.first;
+      elements_.append(of_part);
+    }
   }
   set_contacts({});
 }
@@ -149,18 +152,24 @@ VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
 }
 
 void StepSystem::linearize(const VectorXd& d) {
-  for (std::size_t e = 0; e < active_.size(); ++e) {
-    const Range& u = blocks_.block(active_[e]).unknowns();
-    blocks_.block(active_[e]).tangent(d.segment(u.first, u.count), problem_.element(static_cast<int>(e)));
+  diagonal_ = VectorXd::Zero(blocks_.n_unknowns());
+  for (std::size_t a = 0; a < active_.size(); ++a) {
+    const Block& block = blocks_.block(active_[a]);
+    const Range& u = block.unknowns();
+    block.tangent(d.segment(u.first, u.count),
+                  problem_.elements().subspan(first_element_[a], block.n_parts()));
   }
   for (const HeldSpring& spring : held_springs_) {
     const int b = blocks_.held_vertices[spring.held_vertex].block;
+    const auto active = std::lower_bound(active_.begin(), active_.end(), b);
     const Range& u = blocks_.block(b).unknowns();
     VectorXd a = VectorXd::Zero(u.end());
     spring.form.add_gradient(1, a);
-    problem_.element(element_of_block_[b]) +=
+    problem_.elements()[first_element_[active - active_.begin()]] +=
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
+  for (int e = 0; e < elements_.n_elements(); ++e)
+    diagonal_(elements_.rows_of(e)) += problem_.elements()[e].diagonal();
   problem_.matrices_changed();
 }
 
@@ -186,19 +195,16 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {
-  if (element_of_block_[b] < 0) return std::numeric_limits<double>::infinity();
-  const Block& block = blocks_.block(b);
-  const Range& u = block.unknowns();
+  if (blocks_.is_unchanging(b)) return std::numeric_limits<double>::infinity();
   AffineForm form;
-  block.vertex_map(vertex).add_to(form, normal);
-  const MatrixXd& A = problem_.element(element_of_block_[b]);
+  blocks_.block(b).vertex_map(vertex).add_to(form, normal);
   // Of the unknowns that move the vertex those with the least stiffness for their lever give the estimate.
   double softness = 0;
   for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
     const int unknown = form.unknowns()[k];
     if (blocks_.equation()[unknown] < 0) continue;
     const double c = form.coefficients()[k];
-    softness += c * c / A(unknown - u.first, unknown - u.first);
+    softness += c * c / diagonal_[unknown];
   }
   return softness > 0 ? 1 / softness : std::numeric_limits<double>::infinity();
 }

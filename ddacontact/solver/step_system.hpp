@@ -75,11 +75,12 @@ class StepSystem {
 
  private:
   BlockSystem& blocks_;
-  std::vector<int> active_;  ///< blocks that may change; element e of the matrix is block active_[e]
-  std::vector<int> element_of_block_;
+  std::vector<int> active_;         ///< blocks that may change
+  std::vector<int> first_element_;  ///< of the matrix, of each of them; and their number
   VectorXd unknown_lengths_;
   FrictionProblem problem_;
-  std::vector<Range> elements_;
+  polyfem::Connectivity elements_;  ///< the parts of the active blocks, one after another
+  VectorXd diagonal_;               ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
   double held_stiffness_ = 0;
   double dt_ = 0, inertia_ = 0;

@@ -19,9 +19,9 @@ void account_block(const Block& block, const AcceptedStep& step, Energy& energy)
              v1 = step.end_velocity.segment(u.first, u.count);
   BlockForces forces;
   block.forces(d, forces);
-  const MatrixXd& M = block.mass();
   energy.numerical_dissipated +=
-      block.elastic_loss(d, forces.elastic) + d.dot(forces.inertia) - (v1.dot(M * v1) - v0.dot(M * v0)) / 2;
+      block.elastic_loss(d, forces.elastic) + d.dot(forces.inertia) -
+      (v1.dot(block.times_mass(v1).col(0)) - v0.dot(block.times_mass(v0).col(0))) / 2;
   energy.damping_dissipated += d.dot(forces.damping);
 }
 
@@ -54,7 +54,7 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
     if (blocks.is_unchanging(b)) continue;
     const Range& u = blocks.block(b).unknowns();
     const auto v = velocity.segment(u.first, u.count);
-    energy += v.dot(blocks.block(b).mass() * v) / 2;
+    energy += v.dot(blocks.block(b).times_mass(v).col(0)) / 2;
   }
   return energy;
 }

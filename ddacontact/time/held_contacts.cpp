@@ -52,7 +52,7 @@ void push(const BlockSystem& blocks, const VectorXd& impulses, VectorXd& velocit
     const Block& block = blocks.block(b);
     const Range& u = block.unknowns();
     const auto& modes = block.rigid_modes();
-    const Vec3 inertia = (modes.transpose() * block.mass() * modes).diagonal();
+    const Vec3 inertia = (modes.transpose() * block.times_mass(modes)).diagonal();
     velocity.segment(u.first, u.count) +=
         modes * (modes.transpose() * impulses.segment(u.first, u.count)).cwiseQuotient(inertia);
   }

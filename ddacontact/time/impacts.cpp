@@ -36,8 +36,8 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear,
                centre = block.moments().centroid;
     const Mat2 R = Eigen::Rotation2Dd(times[b] * v.angular).toRotationMatrix();
-    auto outline = later.position.middleCols(block.vertices().first, block.vertices().count);
-    outline = ((R * (outline.colwise() - centre)).colwise() + (centre + shift)).eval();
+    auto places = later.position.middleCols(block.places().first, block.places().count);
+    places = ((R * (places.colwise() - centre)).colwise() + (centre + shift)).eval();
   }
   return later;
 }

@@ -46,10 +46,10 @@ ImpulseProblem::ImpulseProblem(const RigidMotions& motions, std::vector<ContactT
     for (const AffineForm* rate : {&term.gap, &term.slip})
       for (double c : rate->coefficients()) steepest_ = std::max(steepest_, std::abs(c));
   }
-  std::vector<Range> elements;
-  for (int k = 0; k < n_; ++k) elements.push_back({k, 1});
+  polyfem::Connectivity elements;
+  for (int k = 0; k < n_; ++k) elements.append({&k, 1});
   problem_.set_pattern(elements, terms_);
-  for (int k = 0; k < n_; ++k) problem_.element(k)(0, 0) = 1;
+  for (MatrixXd& element : problem_.elements()) element(0, 0) = 1;
   problem_.matrices_changed();
 }
 

@@ -36,7 +36,7 @@ RigidMotions::RigidMotions(const BlockSystem& blocks, std::span<const int> of_bl
     const Block& block = blocks.block(b);
     MatrixXd modes = allowed_modes(blocks, block);
     if (modes.cols() == 0) continue;
-    const Eigen::LLT<MatrixXd> mass(modes.transpose() * block.mass() * modes);
+    const Eigen::LLT<MatrixXd> mass(modes.transpose() * block.times_mass(modes));
     const MatrixXd normalized = mass.matrixL().solve(modes.transpose());
     std::fill_n(part_of_unknown_.begin() + block.unknowns().first, block.unknowns().count,
                 static_cast<int>(parts_.size()));
@@ -50,7 +50,7 @@ VectorXd RigidMotions::coefficients(const VectorXd& velocity) const {
   for (const Part& part : parts_) {
     const auto [first, count] = part.block->unknowns();
     q.segment(part.first, part.modes.cols()) =
-        part.modes.transpose() * (part.block->mass() * velocity.segment(first, count));
+        part.modes.transpose() * part.block->times_mass(velocity.segment(first, count)).col(0);
   }
   return q;
 }

@@ -44,6 +44,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       reactions_(Points::Zero(2, state_.position.cols())),
       substep_(analysis.time_step) {
   blocks_.prepare(state_, true);
+  for (int b = 0; b < blocks_.n_blocks(); ++b)
+    convex_.push_back(!polyfem::find_non_convex_corner(
+        blocks_.reference().middleCols(blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
   contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis.time_step, 1));
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
@@ -259,8 +262,21 @@ VectorXd Stepper::start_velocity() const {
   return is_static() ? VectorXd::Zero(state_.velocity.size()) : state_.velocity;
 }
 
+bool Stepper::check_outline(int b, const BlockState& next) {
+  const Range& v = blocks_.block(b).vertices();
+  const auto outline = next.position.middleCols(v.first, v.count);
+  if (!polyfem::find_non_convex_corner(outline)) return true;
+  if (polyfem::find_defect(outline)) {
+    rejection_ = "the outline of block " + quoted(blocks_.names[b]) + " crosses itself";
+    return false;
+  }
+  if (convex_[b]) turned_concave_.push_back(b);
+  return true;
+}
+
 bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
+  turned_concave_.clear();
   const VectorXd& d = solution.d;
   blocks_.end_step(d, solution.residual.external, next);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
@@ -268,10 +284,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     const Block& block = blocks_.block(b);
     const Range& v = block.vertices();
     const auto outline = next.position.middleCols(v.first, v.count);
-    if (polyfem::find_non_convex_corner(outline)) {
-      rejection_ = "a corner of block " + quoted(blocks_.names[b]) + " turns concave";
-      return false;
-    }
+    if (!check_outline(b, next)) return false;
     const double angle = best_fit_rotation(blocks_.reference().middleCols(v.first, v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
   }
@@ -301,6 +314,14 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   if (solution.impact.limited) ++counts_.limited_impacts;
   if (!solution.impact.settled) ++counts_.unsettled_impacts;
   if (!held_.settled) ++counts_.frictionless_holds;
+  for (int b : turned_concave_) {
+    convex_[b] = false;
+    notes_.push_back("block " + quoted(blocks_.names[b]) + " is no longer convex at time " +
+                     std::to_string(next.time) + " s: it goes on with " +
+                     (analysis_.kinematics == Kinematics::corotational
+                          ? "the functions of its starting shape"
+                          : "mean value functions while a corner is concave"));
+  }
   contacts_ = tried_;
   state_ = std::move(next);
   prepare_and_keep_momentum();

@@ -75,6 +75,8 @@ class Stepper {
   const std::string& stop_reason() const { return stop_reason_; }
   /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
   const std::string& last_unsettled() const { return last_unsettled_; }
+  /// What happened that a user should know, in the order of time: convex blocks that turned concave.
+  const std::vector<std::string>& notes() const { return notes_; }
   /// The length of the last accepted substep, s.
   double last_dt() const { return last_dt_; }
 
@@ -100,6 +102,8 @@ class Stepper {
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(Solution& solution);
   std::string between(int contact) const;
+  /// Whether outlines are still simple; notes convex ones that are no longer convex in `turned_concave_`.
+  bool check_outline(int block, const BlockState& next);
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
   bool advance(double dt, const Solution& solution, BlockState& next);
   void accept(double dt, const Solution& solution, BlockState next);
@@ -140,6 +144,9 @@ class Stepper {
   StepCounts counts_;
   StepTimes times_;
   std::string stop_reason_, rejection_, last_unsettled_;
+  std::vector<bool> convex_;         ///< outlines that have been so to this moment
+  std::vector<int> turned_concave_;  ///< blocks, in the present try
+  std::vector<std::string> notes_;
 };
 
 }  // namespace ddacontact

@@ -27,9 +27,9 @@ Run run_scene(const std::string& name, const std::string& model, int steps,
 }
 
 std::vector<Sample> samples(const Frame& frame, int block) {
-  BlockField s1(frame, block, Field::s1), s2(frame, block, Field::s2);
-  const FanMesh mesh(static_cast<int>(s1.outline().cols()), rings);
-  const Points nodes = mesh.nodes(s1.outline(), s1.centroid());
+  CellField s1(frame, block, Field::s1), s2(frame, block, Field::s2);  // each block is one cell
+  const FanMesh mesh(static_cast<int>(s1.corners().cols()), rings);
+  const Points nodes = mesh.nodes(s1.corners(), polyfem::area_moments(s1.corners()).centroid);
   std::vector<Sample> found;
   for (Index k = 0; k < nodes.cols(); ++k)
     found.push_back({nodes.col(k) + frame.outline(block).col(0), s1(nodes.col(k)), s2(nodes.col(k))});
@@ -63,7 +63,11 @@ Frame alone(const Frame& frame, int block) {
   one.displacement = of_block(frame.displacement);
   one.velocity = of_block(frame.velocity);
   one.strain_displacement = of_block(frame.strain_displacement);
+  one.stress_offset = frame.stress_offset.col(block);
   one.mean_stress = frame.mean_stress.col(block);
+  one.cells.clear();
+  one.corner_places.clear();
+  one.add_outline_cell(0);
   one.contacts.clear();
   return one;
 }

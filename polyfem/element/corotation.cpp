@@ -21,16 +21,16 @@ Mat2 rotation_of(double cosine, double sine) {
 }
 
 /// exp(D J / 2) for the turn D from start to end, in (-pi, pi].
-Mat2 half_turn(const CorotatedFrame& start, const CorotatedFrame& end) {
-  const Vec2 from = start.rotation.col(0), to = end.rotation.col(0);
+Mat2 half_turn(const Mat2& start, const Mat2& end) {
+  const Vec2 from = start.col(0), to = end.col(0);
   const double half = std::atan2(cross(from, to), from.dot(to)) / 2;
   return rotation_of(std::cos(half), std::sin(half));
 }
 
 }  // namespace
 
-Mat2 mid_rotation(const CorotatedFrame& start, const CorotatedFrame& end) {
-  return half_turn(start, end) * start.rotation;
+Mat2 mid_rotation(const Mat2& start, const Mat2& end) {
+  return half_turn(start, end) * start;
 }
 
 CorotatedElement::CorotatedElement(const PointsRef& reference, const PointsRef& weights,
@@ -100,7 +100,7 @@ void CorotatedElement::mean_force(const CorotatedFrame& start, const CorotatedFr
   f = initial_force;
   f.noalias() += K_ * u_w;
 
-  const Mat2 half = half_turn(start, end), R_m = half * start.rotation;
+  const Mat2 half = half_turn(start.rotation, end.rotation), R_m = half * start.rotation;
   double moment = 0;  // about y_m
   for (Index a = 0; a < n_nodes(); ++a) {
     const Vec2 y_m = (half * end.local.col(a) + half.transpose() * start.local.col(a)) / 2;

@@ -26,7 +26,7 @@ struct CorotatedFrame {
 };
 
 /// The rotation exp(D J / 2) R_start half way to the end, where D in (-pi, pi] is the turn between them.
-Mat2 mid_rotation(const CorotatedFrame& start, const CorotatedFrame& end);
+Mat2 mid_rotation(const Mat2& start, const Mat2& end);
 
 /// The stiffness of one element and the frame that it is carried in. Forces are 2m entries as u is, along the
 /// fixed axes; they have no resultant, and no moment about the shape that they act on.

@@ -3,6 +3,9 @@
 #include <polyfem/geometry/predicates.hpp>
 #include <polyfem/geometry/validity.hpp>
 
+#include <algorithm>
+#include <limits>
+
 namespace polyfem {
 namespace {
 
@@ -94,6 +97,17 @@ bool contains(const PointsRef& polygon, const Vec2& x) {
     if ((upward && side > 0) || (downward && side < 0)) inside = !inside;
   }
   return inside;
+}
+
+double distance_outside(const PointsRef& polygon, const Vec2& x) {
+  if (contains(polygon, x)) return 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Index k = 0; k < polygon.cols(); ++k) {
+    const Vec2 start = polygon.col(k), edge = polygon.col((k + 1) % polygon.cols()) - start;
+    const double along = std::clamp(edge.dot(x - start) / edge.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (start + along * edge - x).norm());
+  }
+  return nearest;
 }
 
 }  // namespace polyfem

@@ -34,4 +34,7 @@ std::optional<int> find_non_convex_corner(const PointsRef& polygon, double min_t
 /// Whether x lies in the closed polygon (either orientation, any simple polygon). Exact.
 bool contains(const PointsRef& polygon, const Vec2& x);
 
+/// How far x lies outside the closed polygon; 0 inside and on it.
+double distance_outside(const PointsRef& polygon, const Vec2& x);
+
 }  // namespace polyfem

@@ -1,10 +1,7 @@
 #include <polyfem/mesh/convex_cuts.hpp>
 
-#include <polyfem/geometry/predicates.hpp>
-#include <polyfem/mesh/corner_turn.hpp>
-
-#include <algorithm>
-#include <cmath>
+#include <polyfem/geometry/corner_turn.hpp>
+#include <polyfem/geometry/diagonals.hpp>
 
 namespace polyfem {
 
@@ -26,10 +23,8 @@ class CellCutter {
       result_.add_cell(cell);
       return;
     }
-    const auto [first, second] = std::minmax(worst, end);
-    cut(Corners(cell.begin() + first, cell.begin() + second + 1));
-    Corners rest(cell.begin() + second, cell.end());
-    rest.insert(rest.end(), cell.begin(), cell.begin() + first + 1);
+    const auto [part, rest] = split_at(cell, worst, end);
+    cut(part);
     cut(rest);
   }
 
@@ -47,41 +42,13 @@ class CellCutter {
     double best_sine = -1;
     for (int step = 2; step + 1 < size(cell); ++step) {
       const int end = (start + step) % size(cell);
-      const double sine = std::min(least_sine(cell, start, end), least_sine(cell, end, start));
-      if (sine > best_sine && is_inside(cell, start, end)) {
+      const double sine = least_diagonal_sine(vertices_, cell, start, end);
+      if (sine > best_sine && is_diagonal(vertices_, cell, start, end)) {
         best_sine = sine;
         best = end;
       }
     }
     return best;
-  }
-
-  /// Of the two angles into which the corner `at` is divided by the diagonal to `end`; negative for an angle
-  /// beyond half a turn.
-  double least_sine(const Corners& cell, int at, int end) const {
-    const Vec2 corner = vertex(cell, at);
-    const Vec2 diagonal = (vertex(cell, end) - corner).normalized();
-    const Vec2 out = (vertex(cell, at + 1) - corner).normalized();
-    const Vec2 back = (vertex(cell, at - 1) - corner).normalized();
-    return std::min(cross(out, diagonal), cross(diagonal, back));
-  }
-
-  /// Whether the diagonal leaves both its ends into the cell and meets no other edge.
-  bool is_inside(const Corners& cell, int start, int end) const {
-    if (!points_inward(cell, start, end) || !points_inward(cell, end, start)) return false;
-    const Vec2 a = vertex(cell, start), b = vertex(cell, end);
-    for (int k = 0; k < size(cell); ++k) {
-      const int next = (k + 1) % size(cell);
-      if (k == start || k == end || next == start || next == end) continue;
-      if (segments_intersect(a, b, vertex(cell, k), vertex(cell, next))) return false;
-    }
-    return true;
-  }
-  bool points_inward(const Corners& cell, int at, int end) const {
-    const Vec2 before = vertex(cell, at - 1), corner = vertex(cell, at), after = vertex(cell, at + 1);
-    const bool left_of_out = orientation(corner, after, vertex(cell, end)) > 0;
-    const bool left_of_in = orientation(before, corner, vertex(cell, end)) > 0;
-    return orientation(before, corner, after) > 0 ? left_of_out && left_of_in : left_of_out || left_of_in;
   }
 
   const Points& vertices_;

@@ -1,6 +1,6 @@
 #include <polyfem/mesh/mesh_editor.hpp>
 
-#include <polyfem/mesh/corner_turn.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -6,7 +6,7 @@
 #include <polyfem/mesh/boundary_places.hpp>
 #include <polyfem/mesh/clipped_diagram.hpp>
 #include <polyfem/mesh/convex_cuts.hpp>
-#include <polyfem/mesh/corner_turn.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/mesh/local_frame.hpp>
 #include <polyfem/mesh/mesh_editor.hpp>
 #include <polyfem/mesh/short_edges.hpp>

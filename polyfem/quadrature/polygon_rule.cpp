@@ -1,5 +1,4 @@
 #include <polyfem/geometry/area_moments.hpp>
-#include <polyfem/geometry/triangulation.hpp>
 #include <polyfem/quadrature/gauss_rule.hpp>
 #include <polyfem/quadrature/polygon_rule.hpp>
 
@@ -46,7 +45,11 @@ void make_fan_rule(const PointsRef& polygon, const TriangleRule& triangle_rule, 
 }
 
 void make_ear_rule(const PointsRef& polygon, const TriangleRule& triangle_rule, PolygonRule& rule) {
-  const Triangles ears = triangulate(polygon);
+  make_ear_rule(polygon, triangulate(polygon), triangle_rule, rule);
+}
+
+void make_ear_rule(const PointsRef& polygon, const Triangles& ears, const TriangleRule& triangle_rule,
+                   PolygonRule& rule) {
   resize(ears.cols(), triangle_rule, rule);
   for (Index k = 0; k < ears.cols(); ++k)
     place(polygon.col(ears(0, k)), polygon.col(ears(1, k)), polygon.col(ears(2, k)), triangle_rule, k, rule);

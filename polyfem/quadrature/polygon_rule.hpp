@@ -2,6 +2,7 @@
 #pragma once
 
 #include <polyfem/core/types.hpp>
+#include <polyfem/geometry/triangulation.hpp>
 #include <polyfem/quadrature/gauss_rule.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
 
@@ -22,6 +23,10 @@ void make_fan_rule(const PointsRef& polygon, const TriangleRule& triangle_rule, 
 
 /// The n - 2 triangles of `triangulate`: any simple polygon. Throws Error when it is not simple.
 void make_ear_rule(const PointsRef& polygon, const TriangleRule& triangle_rule, PolygonRule& rule);
+
+/// The same on triangles found before, of this polygon or of one that it has been deformed from.
+void make_ear_rule(const PointsRef& polygon, const Triangles& ears, const TriangleRule& triangle_rule,
+                   PolygonRule& rule);
 
 /// The fan where the polygon is star-shaped about its centroid, its ears otherwise.
 void make_polygon_rule(const PointsRef& polygon, const TriangleRule& triangle_rule, PolygonRule& rule);

@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(All, BlockModels,
 
 TEST_P(BlockModels, StiffnessAndMassAreSymmetricAndStiffnessHasJustTheRigidModesInItsKernel) {
   for_each_block([&](const OneBlock& one) {
-    const MatrixXd &K = one.block().stiffness(), &M = one.block().mass();
+    const MatrixXd K = one.block().stiffness(), M = one.block().mass();
     EXPECT_LE((K - K.transpose()).norm(), 1e-14 * K.norm());
     EXPECT_LE((M - M.transpose()).norm(), 1e-14 * M.norm());
     EXPECT_LE((K * one.block().rigid_modes()).norm(), 1e-11 * K.norm());
@@ -235,8 +235,8 @@ TEST_P(BlockModels, LoadsHaveTheirResultantsAndMoments) {
     };
     const Vec2 x = support::random_point_in(one.outline(), random), force(3, -5);
     one.system.end_time = 1;
-    one.system.point_loads = {
-        {make_material_point(1, one.outline(), x), {TimeFunction::Kind::ramp, 2 * force, {}}}};
+    one.system.point_loads = {{{1, one.block().place_weights(x + Vec2(one.state.origin.col(1)))},
+                               {TimeFunction::Kind::ramp, 2 * force, {}}}};
     EXPECT_LE((applied() - Vec3(3, -5, cross(x - c, force))).norm(), 1e-11);
 
     // A pressure follows its edge as it is now, here of a block twice its size.
@@ -261,7 +261,8 @@ TEST_P(BlockModels, LoadsHaveTheirResultantsAndMoments) {
 TEST_P(BlockModels, AMaterialPointTravelsWithAffineMotions) {
   for_each_block([&](const OneBlock& one) {
     const Vec2 x = support::random_point_in(one.outline(), random);
-    const MaterialPoint point = make_material_point(1, one.outline(), x);
+    const MaterialPoint point =
+        MaterialPoint{1, one.block().place_weights(x + Vec2(one.state.origin.col(1)))};
     EXPECT_LE((one.system.interpolate(point, one.state.position) - x).norm(), 1e-12);
     const Mat2 G = Mat2::Random();
     const Vec2 expected = Vec2(1, 2) + G * (x - one.block().moments().centroid);

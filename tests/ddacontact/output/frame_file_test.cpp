@@ -3,8 +3,9 @@
 #include <ddacontact/output/frame_reader.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/geometry/validity.hpp>
 #include <polyfem/io/vtu_reader.hpp>
-#include <tests/ddacontact/output/random_frame.hpp>
+#include <tests/ddacontact/output/cell_frames.hpp>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,15 @@ void expect_same(const Frame& a, const Frame& b) {
   EXPECT_TRUE(same(a.displacement, b.displacement));
   EXPECT_TRUE(same(a.velocity, b.velocity));
   EXPECT_TRUE(same(a.strain_displacement, b.strain_displacement));
+  EXPECT_TRUE(same(a.stress_offset, b.stress_offset));
   EXPECT_TRUE(same(a.mean_stress, b.mean_stress));
+  EXPECT_EQ(a.corner_places, b.corner_places);
+  ASSERT_EQ(a.n_cells(), b.n_cells());
+  for (std::size_t c = 0; c < a.cells.size(); ++c) {
+    const FrameCell &p = a.cells[c], &q = b.cells[c];
+    EXPECT_TRUE(p.block == q.block && p.elasticity == q.elasticity && p.basis == q.basis);
+    EXPECT_TRUE(p.corners.first == q.corners.first && p.corners.count == q.corners.count);
+  }
   ASSERT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t k = 0; k < a.contacts.size(); ++k) {
     const FrameContact &p = a.contacts[k], &q = b.contacts[k];
@@ -67,6 +76,30 @@ TEST_F(FrameFileTest, AFrameIsReadBackBitForBit) {
     }
 }
 
+TEST_F(FrameFileTest, CellsAreReadBackBitForBit) {
+  for (int refine : {0, 1, 3})
+    for (unsigned seed : {1u, 2u}) {
+      const Frame frame = random_cell_frame(seed);
+      write(frame, {.refine = refine});
+      expect_same(read_frame(files), frame);
+      Frame moving = frame;
+      moving.strain_displacement.resize(2, 0);
+      moving.stress_offset.resize(3, 0);
+      moving.mean_stress.resize(3, 0);
+      for (FrameCell& cell : moving.cells) cell.elasticity = moving.materials[cell.block];
+      write(moving, {.stress = false, .principal = false, .refine = refine});
+      expect_same(read_frame(files), moving);
+    }
+}
+
+/// Files of blocks that are one Wachspress cell hold nothing of cells.
+TEST_F(FrameFileTest, OutlinesAreNotToldOfAsCells) {
+  write(random_frame(5, 11), {});
+  EXPECT_FALSE(VtuReader(files.blocks).has(VtuSection::field_data, "n_places"));
+  write(cell_frame(), {.displacement = false, .velocity = false, .stress = false, .principal = false});
+  EXPECT_TRUE(VtuReader(files.blocks).has(VtuSection::field_data, "n_places"));
+}
+
 TEST_F(FrameFileTest, FieldsNotAskedForAreAbsentFromFileAndFrame) {
   for (int mask = 0; mask < 16; ++mask)
     for (int refine : {0, 2}) {
@@ -80,6 +113,7 @@ TEST_F(FrameFileTest, FieldsNotAskedForAreAbsentFromFileAndFrame) {
       if (!options.velocity) frame.velocity.resize(2, 0);
       if (!options.fields().stress) {
         frame.strain_displacement.resize(2, 0);
+        frame.stress_offset.resize(3, 0);
         frame.mean_stress.resize(3, 0);
       }
       write(frame, options);
@@ -102,14 +136,15 @@ TEST(FrameStress, AtAVertexTheShortFormIsThatOfTheShapeFunctions) {
   for (int b = 0; b < frame.n_blocks(); ++b)
     for (int v = 0; v < frame.blocks[b].count; ++v) {
       polyfem::wachspress(frame.outline(b), frame.outline(b).col(v), shape);
-      const Vec3 expected = frame.stress(b, shape);
-      EXPECT_LE((frame.stress_at_vertex(b, v) - expected).norm(), 1e-8 * expected.norm());
+      const CellView view(frame, b);
+      const Vec3 expected = view.stress(shape);
+      EXPECT_LE((view.stress_at_corner(v) - expected).norm(), 1e-8 * expected.norm());
     }
 }
 
 TEST(FrameMesh, PolygonsAreSortedByTheirVerticesAndKnowTheirBlocks) {
   const Frame frame = random_frame(50, 6);
-  const FrameMesh mesh = draw_outlines(frame);
+  const FrameMesh mesh = draw_cells(frame);
   std::int64_t begin = 0, last_count = 0;
   std::vector<bool> seen(50, false);
   for (std::size_t cell = 0; cell < mesh.ends.size(); ++cell) {
@@ -137,7 +172,7 @@ TEST(FrameMesh, SubTrianglesCoverEachBlockAndCarryItsFields) {
       const int b = mesh.block_of_point[k];
       polyfem::wachspress(frame.outline(b), mesh.points.col(k).head<2>(), shape);
       const auto columns = Eigen::seqN(frame.blocks[b].first, frame.blocks[b].count);
-      const Vec3 stress = frame.stress(b, shape);
+      const Vec3 stress = CellView(frame, b).stress(shape);
       EXPECT_LE((mesh.at_points.stress.row(k).transpose() - stress).norm(), 1e-8 * stress.norm());
       const Vec2 u = frame.displacement(Eigen::all, columns) * shape.values,
                  v = frame.velocity(Eigen::all, columns) * shape.values;
@@ -155,7 +190,7 @@ TEST(FrameMesh, SubTrianglesCoverEachBlockAndCarryItsFields) {
       const int b = mesh.block_of_cell[cell];
       area[b] += polyfem::signed_area(corners);
       polyfem::wachspress(frame.outline(b), corners.rowwise().mean(), shape);
-      const Vec3 stress = frame.stress(b, shape);
+      const Vec3 stress = CellView(frame, b).stress(shape);
       EXPECT_LE((mesh.at_cells.stress.row(static_cast<Index>(cell)).transpose() - stress).norm(),
                 1e-6 * stress.norm());
     }
@@ -164,8 +199,113 @@ TEST(FrameMesh, SubTrianglesCoverEachBlockAndCarryItsFields) {
   }
 }
 
+/// What is drawn of a frame: points and cells with the corners of each.
+void expect_linear(const Frame& frame, const FrameMesh& mesh, const Mat2& gradient, const Vec3& offset) {
+  const Vec3 strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+  const auto stress = [&](int c) -> Vec3 {
+    return frame.elasticity[frame.cells[c].elasticity] * strain + c * offset;
+  };
+  const auto expect_of_a_cell = [&](int block, const Vec3& found) {
+    double nearest = 1e300;
+    for (int c = 0; c < frame.n_cells(); ++c)
+      if (frame.cells[c].block == block)
+        nearest = std::min(nearest, (found - stress(c)).norm() / stress(c).norm());
+    EXPECT_LE(nearest, 1e-11);
+  };
+  for (Index k = 0; k < mesh.points.cols(); ++k) {
+    const Vec2 u = gradient * mesh.points.col(k).head<2>();
+    EXPECT_LE((mesh.at_points.displacement.col(k).head<2>() - u).norm(), 1e-16);
+    EXPECT_LE((mesh.at_points.velocity.col(k).head<2>() - u).norm(), 1e-16);
+    EXPECT_LE((mesh.at_points.strain_displacement.col(k) - u).norm(), 1e-16);
+    expect_of_a_cell(mesh.block_of_point[k], mesh.at_points.stress.row(k));
+  }
+  for (std::size_t k = 0; k < mesh.ends.size(); ++k)
+    expect_of_a_cell(mesh.block_of_cell[k], mesh.at_cells.stress.row(static_cast<Index>(k)));
+  for (int c = 0; c < frame.n_cells(); ++c)
+    for (int k = 0; k < frame.cells[c].corners.count; ++k) {
+      const int corner = frame.cells[c].corners.first + k, point = mesh.corner_point[corner];
+      EXPECT_EQ(mesh.points.col(point).head<2>(), frame.position.col(frame.corner_places[corner]));
+      const Vec3 found = mesh.at_points.stress.row(point);
+      EXPECT_LE((found - stress(c)).norm(), 1e-11 * stress(c).norm());
+    }
+}
+
+/// The areas of the drawn cells by blocks; none is turned over.
+VectorXd drawn_areas(const FrameMesh& mesh, int n_blocks) {
+  VectorXd areas = VectorXd::Zero(n_blocks);
+  std::int64_t begin = 0;
+  for (std::size_t cell = 0; cell < mesh.ends.size(); ++cell) {
+    Points corners(2, mesh.ends[cell] - begin);
+    for (Index k = 0; k < corners.cols(); ++k) {
+      corners.col(k) = mesh.points.col(mesh.connectivity[begin + k]).head<2>();
+      EXPECT_EQ(mesh.block_of_point[mesh.connectivity[begin + k]], mesh.block_of_cell[cell]);
+    }
+    EXPECT_GT(polyfem::signed_area(corners), 0);
+    areas[mesh.block_of_cell[cell]] += polyfem::signed_area(corners);
+    begin = mesh.ends[cell];
+  }
+  return areas;
+}
+
+TEST(FrameMesh, ConcaveAndDividedBlocksAreFilledByTheirCellsWithLinearFieldsExact) {
+  const Mat2 gradient = (Mat2() << 1e-3, -3e-4, 2e-4, -5e-4).finished();
+  const Vec3 offset(3e5, -1e5, 2e5);
+  const Frame frame = linear_cell_frame(gradient, offset);
+  for (int n : {0, 1, 2, 5}) {
+    const FrameMesh mesh = n == 0 ? draw_cells(frame) : draw_sub_triangles(frame, n);
+    expect_linear(frame, mesh, gradient, offset);
+    const VectorXd areas = drawn_areas(mesh, frame.n_blocks());
+    for (int b = 0; b < frame.n_blocks(); ++b)
+      EXPECT_NEAR(areas[b], polyfem::signed_area(frame.outline(b)), 1e-12);
+  }
+}
+
+TEST(FrameMesh, PolygonsOfADividedBlockHaveTheirMeanStress) {
+  const Frame frame = random_cell_frame(12);
+  const FrameMesh polygons = draw_cells(frame), triangles = draw_sub_triangles(frame, 60);
+  // Averages of fine triangles by the polygons of cells: in the block of several cells.
+  for (std::size_t k = 0; k < polygons.ends.size(); ++k) {
+    if (polygons.block_of_cell[k] != 3) continue;
+    const std::int64_t begin = k == 0 ? 0 : polygons.ends[k - 1];
+    Points cell(2, polygons.ends[k] - begin);
+    for (Index i = 0; i < cell.cols(); ++i)
+      cell.col(i) = polygons.points.col(polygons.connectivity[begin + i]).head<2>();
+    Vec3 sum = Vec3::Zero();
+    double area = 0;
+    for (std::size_t t = 0; t < triangles.ends.size(); ++t) {
+      Points corners(2, 3);
+      for (int i = 0; i < 3; ++i)
+        corners.col(i) = triangles.points.col(triangles.connectivity[3 * t + i]).head<2>();
+      if (!polyfem::contains(cell, corners.rowwise().mean())) continue;
+      area += polyfem::signed_area(corners);
+      sum += polyfem::signed_area(corners) * triangles.at_cells.stress.row(static_cast<Index>(t)).transpose();
+    }
+    EXPECT_NEAR(area, polyfem::signed_area(cell), 1e-9);
+    const Vec3 mean = polygons.at_cells.stress.row(static_cast<Index>(k));
+    EXPECT_LE((sum / area - mean).norm(), 1e-3 * mean.norm());
+  }
+}
+
+TEST(CellView, AWachspressCellThatTurnedConcaveIsDrawnAllTheSame) {
+  const Mat2 gradient = (Mat2() << 1e-3, -3e-4, 2e-4, -5e-4).finished();
+  Frame frame = linear_cell_frame(gradient, Vec3::Zero());
+  for (const Vec2& corner : {Vec2(0.4, 0.4), Vec2(0.5, 0.5)}) {  // concave, straight
+    frame.position.col(2) = corner;
+    frame.strain_displacement.col(2) = gradient * corner;
+    const CellView view(frame, 0);
+    EXPECT_EQ(&view.basis(), &polyfem::mean_value);
+    const Vec3 expected = frame.elasticity[0] * Vec3(1e-3, -5e-4, -1e-4);
+    polyfem::ShapeValues shape;
+    view.basis()(view.corners(), Vec2(0.2, 0.3), shape);
+    EXPECT_LE((view.stress(shape) - expected).norm(), 1e-11 * expected.norm());
+    for (int k = 0; k < 4; ++k)
+      EXPECT_LE((view.stress_at_corner(k) - expected).norm(), 1e-11 * expected.norm());
+    EXPECT_LE((view.mean_stress() - expected).norm(), 1e-11 * expected.norm());
+  }
+}
+
 TEST_F(FrameFileTest, DamagedFilesAreErrorsThatNameThem) {
-  const Frame frame = random_frame(12, 8);
+  const Frame frame = random_cell_frame(8);
   write(frame, {});
   const auto bytes_of = [](const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);

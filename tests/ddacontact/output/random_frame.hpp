@@ -32,10 +32,12 @@ inline Frame random_frame(int n_blocks, unsigned seed) {
     frame.position.conservativeResize(2, first + outline.cols());
     frame.position.rightCols(outline.cols()) = outline.colwise() + Vec2(3.4e6 + 2 * b, -1e3);
   }
+  for (int b = 0; b < n_blocks; ++b) frame.add_outline_cell(b);
   const Index n = frame.position.cols();
   frame.displacement = random_points(n, random);
   frame.velocity = random_points(n, random);
   frame.strain_displacement = random_points(n, random);
+  frame.stress_offset.setZero(3, n_blocks);
   frame.mean_stress = Tensors::NullaryExpr(3, n_blocks, [&] { return uniform(-1e5, 1e5, random); });
   frame.velocity.col(0) << -0.0, 5e-324;
   for (int k = 0; k < 2 * n_blocks; ++k) {

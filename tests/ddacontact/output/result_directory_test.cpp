@@ -1,9 +1,11 @@
 #include <ddacontact/output/block_summary.hpp>
+#include <ddacontact/output/csv_table.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
 #include <ddacontact/output/summary_reader.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <random>
@@ -30,6 +32,7 @@ std::vector<Row> read_csv(const std::filesystem::path& path) {
     std::vector<std::string> result;
     std::stringstream stream(line);
     for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+    if (line.ends_with(',')) result.emplace_back();
     return result;
   };
   std::string line;
@@ -113,20 +116,104 @@ TEST(CsvFile, WhatCannotBeWrittenIsAnError) {
   EXPECT_THROW(make_directory("/proc/nothing/can/be/made/here"), OutputError);
 }
 
-TEST(Labels, VertexAndEdgeMapsOfATurnedOutlineAreTheirOwnInverseAndAgree) {
-  Labels labels;
-  labels.turned = {false, true};
-  for (int n = 3; n < 8; ++n)
+/// A regular polygon with `nodes` more vertices on each edge, unevenly, and which vertices are its own.
+struct Noded {
+  Points outline;
+  std::vector<int> corners;
+  Noded(int n, int nodes) : outline(2, n * (nodes + 1)) {
+    const auto corner = [n](int k) -> Vec2 {
+      const double angle = 2 * std::numbers::pi * k / n;
+      return {std::cos(angle), std::sin(angle)};
+    };
     for (int k = 0; k < n; ++k) {
-      EXPECT_EQ(labels.scene_vertex(0, k, n), k);
-      EXPECT_EQ(labels.scene_edge(0, k, n), k);
-      EXPECT_EQ(labels.scene_vertex(1, labels.scene_vertex(1, k, n), n), k);
-      EXPECT_EQ(labels.scene_edge(1, labels.scene_edge(1, k, n), n), k);
-      // Our edge from k to k + 1 is the scene's from the image of k + 1 to that of k.
-      const int edge = labels.scene_edge(1, k, n);
-      EXPECT_EQ(edge, labels.scene_vertex(1, (k + 1) % n, n));
-      EXPECT_EQ((edge + 1) % n, labels.scene_vertex(1, k, n));
+      corners.push_back(k * (nodes + 1));
+      for (int i = 0; i <= nodes; ++i)
+        outline.col(k * (nodes + 1) + i) =
+            corner(k) + std::pow(i / (nodes + 1.), 2) * (corner(k + 1) - corner(k));
     }
+  }
+};
+
+TEST(OutlineLabels, EdgesRunBetweenTheScenesVerticesInItsDirection) {
+  for (bool turned : {false, true})
+    for (int nodes : {0, 1, 3})
+      for (int n = 3; n < 8; ++n) {
+        const Noded polygon(n, nodes);
+        const OutlineLabels labels = label_outline(polygon.outline, polygon.corners, turned);
+        const int n_outline = static_cast<int>(polygon.outline.cols());
+        ASSERT_EQ(labels.n_vertices, n);
+        // The outline in the scene's direction, from the scene's first vertex on.
+        std::vector<int> order;
+        const auto first = std::find(labels.vertex.begin(), labels.vertex.end(), 0) - labels.vertex.begin();
+        for (int k = 0; k < n_outline; ++k)
+          order.push_back(static_cast<int>(first + (turned ? n_outline - k : k)) % n_outline);
+        int vertex = 0, node = n;
+        Points scene(2, n);
+        for (int v : order) {
+          const bool is_node = v % (nodes + 1) != 0;
+          EXPECT_EQ(labels.vertex[v], is_node ? node++ : vertex++);
+          if (!is_node) scene.col(labels.vertex[v]) = polygon.outline.col(v);
+        }
+        for (int v = 0; v < n_outline; ++v) {
+          const int edge = labels.edge[v];
+          const Vec2 from = scene.col(edge), to = scene.col((edge + 1) % n);
+          const Vec2 middle = (polygon.outline.col(v) + polygon.outline.col((v + 1) % n_outline)) / 2;
+          EXPECT_NEAR((middle - from).norm() + (middle - to).norm(), (to - from).norm(), 1e-12);
+          const Vec2 x = labels.vertex[v] < n ? Vec2(scene.col(labels.vertex[v]))
+                                              : Vec2((1 - labels.along[v]) * from + labels.along[v] * to);
+          EXPECT_LE((x - polygon.outline.col(v)).norm(), 1e-12);
+        }
+      }
+}
+
+/// What holds a node on an edge is told of the edge's ends, with the same resultant and moment.
+TEST(ResultDirectory, ReactionsAtNodesOnEdgesGoToTheScenesVertices) {
+  for (bool turned : {false, true}) {
+    Scene scene = rock_scene(0.01, 1);
+    Points outline(2, 4);
+    outline << 0, 0.5, 2, 1,  //
+        0, -0.05, 0, 1.5;     // the second nearly on an edge: Wachspress blocks have no other nodes
+    scene.blocks = {block(outline, true)};
+    BuiltScene built = build(scene);
+    run(*built.stepper, 1);
+    built.labels.outlines[0] = label_outline(outline, {0, 2, 3}, turned);
+    built.labels.block_reasons[0] = "held, so one cell";
+    const Directory directory;
+    ResultDirectory results(directory.path, built.labels);
+    results.finish(*built.stepper, {});
+
+    Points scene_outline(2, 4);
+    scene_outline << outline.col(0), outline.col(2), outline.col(3), outline.col(1);
+    if (turned) scene_outline.col(0).swap(scene_outline.col(2));
+    const Points& expected = built.stepper->reactions();
+    Vec2 force = expected.rowwise().sum();
+    double moment = 0;
+    for (int v = 0; v < 4; ++v) moment += cross(Vec2(outline.col(v)), Vec2(expected.col(v)));
+    const double on_node = expected.col(1).norm();
+    EXPECT_GT(on_node, 1e3);
+    const std::vector<Row> rows = read_csv(directory.path / "supports.csv");
+    ASSERT_EQ(rows.size(), 3u);
+    for (const Row& row : rows) {
+      const Vec2 f(number(row, "fx"), number(row, "fy")), x = scene_outline.col(std::stoi(row.at("vertex")));
+      force -= f;
+      moment -= cross(x, f);
+    }
+    EXPECT_LE(force.norm(), 1e-9 * 30e3);
+    EXPECT_NEAR(moment, 0, 0.1 * on_node);  // on the wrong side of the edge's middle it were 1 m off
+
+    const std::vector<Row> vertices = read_csv(directory.path / "vertices.csv");
+    ASSERT_EQ(vertices.size(), 4u);
+    for (int v = 0; v < 4; ++v) {
+      EXPECT_EQ(vertices[v].at("vertex"), std::to_string(v));
+      EXPECT_NEAR(number(vertices[v], "x"), scene_outline(0, v), 1e-12);
+      EXPECT_NEAR(number(vertices[v], "y"), scene_outline(1, v), 1e-12);
+    }
+    const CsvTable blocks(directory.path / "blocks.csv");
+    EXPECT_EQ(blocks.numbers("vertices"), std::vector<double>{3});
+    EXPECT_EQ(blocks.numbers("cells"), std::vector<double>{1});
+    EXPECT_EQ(blocks.numbers("unknowns"), std::vector<double>{8});
+    EXPECT_EQ(blocks.texts("reason"), std::vector<std::string>{"held, so one cell"});
+  }
 }
 
 /// The files speak of the scene's own coordinates and vertex order, whichever way its outlines run.

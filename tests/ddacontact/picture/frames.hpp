@@ -28,6 +28,8 @@ inline void add_block(Frame& frame, const Points& outline, const Mat2& gradient,
     columns->conservativeResize(2, first + n);
     columns->rightCols(n) = columns == &frame.position ? outline : moved;
   }
+  frame.add_outline_cell(frame.n_blocks() - 1);
+  frame.stress_offset.setZero(3, frame.n_cells());
   const Vec3 strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
   frame.mean_stress.conservativeResize(3, frame.n_blocks());
   frame.mean_stress.rightCols(1) = frame.elasticity[0] * strain;

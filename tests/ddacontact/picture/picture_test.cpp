@@ -3,10 +3,13 @@
 #include "frames.hpp"
 
 #include "../../support/run_scene.hpp"
+#include "../output/cell_frames.hpp"
 
+#include <ddacontact/picture/block_layer.hpp>
 #include <ddacontact/picture/field_layer.hpp>
 #include <ddacontact/picture/number_text.hpp>
 #include <ddacontact/picture/picture.hpp>
+#include <polyfem/geometry/validity.hpp>
 
 #include <limits>
 #include <map>
@@ -122,11 +125,62 @@ TEST(Picture, HigherColoursLieOnLowerOnesAndShrink) {
 
 TEST(Picture, ValuesAtVerticesAndInsideAreThoseOfTheShapeFunctions) {
   Frame frame = two_blocks();
-  BlockField stress(frame, 1, Field::s2), displacement(frame, 1, Field::displacement);
+  CellField stress(frame, 1, Field::s2), displacement(frame, 1, Field::displacement);
   for (const Vec2& x : {Vec2(0, 0), Vec2(1, 1), Vec2(0.5, 0), Vec2(0.3, 0.6)}) {  // from the first vertex
     EXPECT_NEAR(stress(x), -2e6, 1e-6);
     EXPECT_NEAR(displacement(x), 2e-3 * (2 + x.x()), 1e-15);
   }
+}
+
+/// Concave blocks are cut to be drawn, divided ones are drawn cell by cell: nothing is missing or doubled.
+TEST(Picture, BlocksOfAnyShapeAreFilled) {
+  const Mat2 gradient = (Mat2() << 1e-3, -3e-4, 2e-4, -5e-4).finished();
+  Frame frame = linear_cell_frame(gradient, Vec3::Zero());
+  for (FrameCell& cell : frame.cells) cell.elasticity = 0;
+  const FieldSamples samples(frame, Field::sxx, 100);
+  const double sxx = (frame.elasticity[0] * Vec3(1e-3, -5e-4, -1e-4))[0];
+  EXPECT_NEAR(samples.range().low, sxx, 1e-9 * sxx);
+  EXPECT_NEAR(samples.range().high, sxx, 1e-9 * sxx);
+  SvgPage page;
+  samples.draw(page, {{{0, 0}, {11, 3}}, {0, 0}, 100}, ColourScale(Field::sxx, {sxx, sxx}));
+  const pugi::xml_document document = parsed(page.finish(1100, 300));
+  double painted = 0, expected = 0;
+  for (const pugi::xml_node& path : paths(document))
+    for (const auto& polygon : polygons(path.attribute("d").value())) painted -= area(polygon);
+  for (int b = 0; b < frame.n_blocks(); ++b) expected += polyfem::signed_area(frame.outline(b));
+  EXPECT_NEAR(painted, 1e4 * expected, 1e-3 * painted);
+}
+
+TEST(Picture, ConcaveCellsHaveTheirOwnFunctions) {
+  const Frame frame = random_cell_frame(4);
+  const int u_shape = 2;
+  CellField field(frame, u_shape, Field::sxy);
+  polyfem::ShapeValues shape;
+  for (const Vec2& x : {Vec2(0.2, 2.7), Vec2(1.5, 0.2), Vec2(2.9, 2.9), Vec2(1, 1)}) {
+    polyfem::mean_value(frame.outline(u_shape), x + Vec2(5, 0), shape);
+    const Vec3 stress = CellView(frame, u_shape).stress(shape);
+    EXPECT_NEAR(field(x), stress[2], 1e-9 * stress.norm());
+  }
+}
+
+TEST(Picture, CellsAreOutlinedOnceWhereTheyAreLargeEnough) {
+  const Frame frame = linear_cell_frame(Mat2::Identity(), Vec3::Zero());
+  const auto edges = [&](double width) {
+    PictureOptions options;
+    options.width = width;
+    const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));
+    const auto path = document.select_node("//*[name()='path'][@stroke-opacity]").node();
+    return polygons(path.attribute("d").value()).size();
+  };
+  EXPECT_EQ(edges(800), 11u);
+  EXPECT_EQ(edges(60), 0u);
+}
+
+TEST(Picture, NamesStandInsideConcaveBlocks) {
+  const Frame frame = cell_frame();
+  for (int b = 0; b < frame.n_blocks(); ++b)
+    EXPECT_TRUE(polyfem::contains(frame.outline(b), middle(frame, b))) << b;
+  EXPECT_FALSE(polyfem::contains(frame.outline(2), polyfem::area_moments(frame.outline(2)).centroid));
 }
 
 TEST(Picture, IsTheSameFarFromTheOrigin) {
@@ -160,6 +214,10 @@ TEST(Picture, IsSoundWhateverTheFrameHolds) {
   broken.strain_displacement(0, 1) = std::numeric_limits<double>::quiet_NaN();
   broken.velocity(0, 2) = std::numeric_limits<double>::infinity();
   zoo.push_back(broken);
+  zoo.push_back(random_cell_frame(7));
+  Frame crossed = two_blocks();
+  crossed.position.col(1).swap(crossed.position.col(2));
+  zoo.push_back(crossed);
   for (Frame& frame : zoo)
     for (const ContactState state : {ContactState::stick, ContactState::slip_forward})
       frame.contacts.push_back({0, 0, frame.position.col(1), {0, 1}, -1e-9, 5e3, -1e3, state});

@@ -12,7 +12,11 @@ TEST(Defaults, OfTheDefaultPreset) {
   EXPECT_EQ(analysis.mode, Mode::dynamic);
   EXPECT_EQ(analysis.gravity, Vec2(0, -9.8));
   EXPECT_EQ(analysis.plane, Plane::strain);
-  EXPECT_EQ(analysis.block_model, BlockModel::wachspress);
+  EXPECT_EQ(analysis.block_model, BlockModel::automatic);
+  EXPECT_EQ(analysis.mesh, MeshOptions{});
+  EXPECT_EQ(analysis.mesh.cells, 64);
+  EXPECT_EQ(analysis.mesh.kind, CellKind::voronoi);
+  EXPECT_TRUE(analysis.mesh.edge_nodes);
   EXPECT_EQ(analysis.kinematics, Kinematics::corotational);
   EXPECT_EQ(analysis.scheme, Scheme::decaying);
   EXPECT_EQ(analysis.damping.mass, 0);
@@ -32,7 +36,8 @@ TEST(Defaults, OfTheDefaultPreset) {
   EXPECT_EQ(scene.joints[0].restitution, 0);
   EXPECT_EQ(scene.joints[0].dashpot, 0);
   EXPECT_FALSE(scene.joints[0].between);
-  EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
+  EXPECT_EQ(scene.blocks[0].model, BlockModel::automatic);
+  EXPECT_EQ(scene.blocks[0].mesh, MeshOptions{});
   EXPECT_FALSE(scene.blocks[0].fixed);
   EXPECT_EQ(scene.output.every, 1);
   EXPECT_EQ(scene.output.checkpoint_every, 0);
@@ -47,6 +52,7 @@ TEST(Defaults, OfThePaperPreset) {
   EXPECT_EQ(scene.analysis.scheme, Scheme::dda);
   EXPECT_EQ(scene.analysis.gradient_correction, GradientCorrection::off);
   EXPECT_EQ(scene.analysis.block_model, BlockModel::wachspress);
+  EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
   EXPECT_EQ(scene.analysis.cutting_factor, 0.3);
   EXPECT_EQ(scene.contact.method, ContactMethod::classic);
   EXPECT_EQ(scene.contact.penetration_tolerance, 0);
@@ -119,10 +125,42 @@ TEST(Reading, TheClassicMethodTakesWhatTheSpringsGive) {
   EXPECT_EQ(scene_of(complete, settings).joints[0].dashpot, 0.5);
 }
 
-TEST(Defaults, AutoIsWachspress) {
-  const Scene scene = scene_of(minimal, {"analysis.block_model=affine", "block.0.model=auto"});
-  EXPECT_EQ(scene.analysis.block_model, BlockModel::affine);
-  EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
+TEST(Reading, EveryModelHasItsWord) {
+  for (const auto& [word, model] :
+       {std::pair{"auto", BlockModel::automatic}, std::pair{"wachspress", BlockModel::wachspress},
+        std::pair{"mean_value", BlockModel::mean_value}, std::pair{"affine", BlockModel::affine},
+        std::pair{"mesh", BlockModel::mesh}}) {
+    const Scene scene = scene_of(
+        std::string(minimal) + "[[block]]\nmaterial = \"rock\"\nvertices = [[2, 0], [3, 0], [3, 1]]\n",
+        {"analysis.block_model=affine", std::string("block.0.model=") + word});
+    EXPECT_EQ(scene.blocks[0].model, model);
+    EXPECT_EQ(scene.blocks[1].model, BlockModel::affine);
+    EXPECT_EQ(scene_of(minimal, {std::string("analysis.block_model=") + word}).blocks[0].model, model);
+  }
+}
+
+TEST(Reading, AMeshIsTheBlocksOwnKeyByKey) {
+  const std::string text = std::string(minimal) +
+                           "[[block]]\nmaterial = \"rock\"\nvertices = [[2, 0], [3, 0], [3, 1]]\n"
+                           "mesh = { cells = 7 }\n";
+  const Scene scene =
+      scene_of(text, {"analysis.mesh={ cell_size = \"20 cm\", kind = \"quads\", edge_nodes = false }"});
+  EXPECT_EQ(scene.analysis.mesh, (MeshOptions{CellKind::quads, 64, 0.2, false}));
+  EXPECT_EQ(scene.blocks[0].mesh, scene.analysis.mesh);
+  EXPECT_EQ(scene.blocks[1].mesh, (MeshOptions{CellKind::quads, 7, 0, false})) << "cells instead of a size";
+
+  const Scene other = scene_of(text, {"analysis.mesh.cells=9", "block.0.mesh.cell_size=0.5"});
+  EXPECT_EQ(other.blocks[0].mesh, (MeshOptions{CellKind::voronoi, 9, 0.5, true})) << "a size instead";
+  EXPECT_EQ(other.blocks[1].mesh, (MeshOptions{CellKind::voronoi, 7, 0, true}));
+}
+
+TEST(Reading, MeshOptionsOfOtherModelsWait) {
+  // Quads would not fit into the triangle: but it is not meshed.
+  const std::string text = replaced(minimal, "[1, 1], [0, 1]]", "[1, 1]]\nmesh = { kind = \"quads\" }");
+  EXPECT_TRUE(read(text).scene);
+  EXPECT_TRUE(read(text, {"block.0.model=affine"}).scene);
+  EXPECT_FALSE(read(text, {"block.0.model=mesh"}).scene);
+  EXPECT_TRUE(read(minimal, {"block.0.model=mesh", "block.0.mesh.kind=quads"}).scene);
 }
 
 TEST(Defaults, TangentialStiffnessFollowsTheNormalOne) {

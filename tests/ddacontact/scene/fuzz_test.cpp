@@ -36,6 +36,44 @@ block = "one"
 vertex = 0
 )";
 
+constexpr std::string_view shapes = R"(
+[analysis]
+steps = 2
+time_step = 0.01
+block_model = "mean_value"
+mesh = { cell_size = "20 cm", edge_nodes = false }
+[[material]]
+name = "a"
+density = 1
+young = 1
+poisson = 0
+[[block]]
+name = "L"
+material = "a"
+vertices = [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]
+model = "mesh"
+[[block]]
+name = "square with a middle"
+material = "a"
+vertices = [[1, 1], [2, 1], [2, 1.5], [2, 2], [1, 2]]
+mesh = { cells = 16 }
+[[block]]
+material = "a"
+vertices = [[3, 0], [5, 0], [5, 2], [3, 2]]
+model = "mesh"
+mesh = { kind = "quads", cells = 9, edge_nodes = true }
+[[block]]
+material = "a"
+vertices = [[0, -1], [0, -2], [2, -2], [0.5, -1.5]]
+model = "auto"
+fixed = [3]
+[[load]]
+type = "point"
+block = "L"
+at = [0.5, 1.5]
+force = [1, 0]
+)";
+
 const char* const tokens[] = {"nan",
                               "inf",
                               "-inf",
@@ -68,6 +106,11 @@ const char* const tokens[] = {"nan",
                               "\"nan Pa\"",
                               "\"auto\"",
                               "\"mean_value\"",
+                              "\"mesh\"",
+                              "\"wachspress\"",
+                              "\"quads\"",
+                              "{ cells = 1000000 }",
+                              "{ cell_size = 1e-30 }",
                               "1979-05-27",
                               "12:00:00",
                               "[0, 0]",
@@ -212,8 +255,15 @@ void expect_sound(const Scene& scene, const std::string& text) {
     scene_format::Outline outline;
     outline.points = block.vertices;
     outline.places.resize(block.vertices.cols());
-    EXPECT_TRUE(scene_format::check_outline(outline, {}, "block", problems).sound()) << text;
+    EXPECT_TRUE(scene_format::check_outline(outline, block.model, {}, "block", problems).sound()) << text;
     EXPECT_TRUE(block.material >= 0 && block.material < n_materials) << text;
+    EXPECT_TRUE(block.mesh.cells >= 1 && block.mesh.cells <= scene_format::most_cells) << text;
+    EXPECT_GE(block.mesh.cell_size, 0) << text;
+    finite(block.mesh.cell_size);
+    if (block.model == BlockModel::mesh) {
+      EXPECT_EQ(scene.analysis.kinematics, Kinematics::corotational) << text;
+      EXPECT_TRUE(block.mesh.kind == CellKind::voronoi || block.vertices.cols() == 4) << text;
+    }
     for (const int k : block.fixed_vertices) EXPECT_TRUE(k >= 0 && k < block.vertices.cols()) << text;
     finite(block.velocity.norm());
     finite(block.angular_velocity);
@@ -267,7 +317,7 @@ bool expect_read_or_refused(const SceneReading& reading, const std::string& muta
 
 TEST(Fuzz, MutatedScenesAreReadOrRefused) {
   unsigned accepted = 0, total = 0;
-  for (const std::string_view text : {complete, minimal, moving}) {
+  for (const std::string_view text : {complete, minimal, moving, shapes}) {
     ASSERT_TRUE(scene_of(text).blocks.size() > 0);
     for (unsigned seed = 0; seed < n_mutants(); ++seed, ++total) {
       const std::string mutant = Mutator(seed)(std::string(text));
@@ -318,9 +368,14 @@ TEST_F(FuzzGeometry, MutatedFilesAreReadOrRefused) {
 }
 
 TEST(Fuzz, MutatedSettingsAreAppliedOrRefused) {
-  static const char* const settings[] = {
-      "analysis.time_step=0.01",   "analysis.damping.mass=0.01",          "block.slider.vertices.2.1=3",
-      "joint.0.friction_angle=15", "contact.normal_stiffness=\"1 MN/m\"", "load.0.force=[0, 1]"};
+  static const char* const settings[] = {"analysis.time_step=0.01",
+                                         "analysis.damping.mass=0.01",
+                                         "block.slider.mesh.cells=16",
+                                         "analysis.mesh.cell_size=1 cm",
+                                         "block.slider.vertices.2.1=3",
+                                         "joint.0.friction_angle=15",
+                                         "contact.normal_stiffness=\"1 MN/m\"",
+                                         "load.0.force=[0, 1]"};
   for (unsigned seed = 0; seed < n_mutants(); ++seed) {
     Mutator mutate(seed);
     const SceneReading reading = read(complete, {mutate(settings[mutate.below(std::size(settings))])});

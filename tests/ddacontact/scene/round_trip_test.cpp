@@ -19,6 +19,8 @@ void expect_same(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.blocks.size(), b.blocks.size());
   for (std::size_t i = 0; i < a.blocks.size(); ++i) {
     EXPECT_EQ(a.blocks[i].vertices, b.blocks[i].vertices);
+    EXPECT_EQ(a.blocks[i].model, b.blocks[i].model);
+    EXPECT_EQ(a.blocks[i].mesh, b.blocks[i].mesh);
     EXPECT_EQ(a.blocks[i].fixed, b.blocks[i].fixed);
     EXPECT_EQ(a.blocks[i].fixed_vertices, b.blocks[i].fixed_vertices);
     EXPECT_EQ(a.blocks[i].angular_velocity, b.blocks[i].angular_velocity);
@@ -67,8 +69,9 @@ TEST(RoundTrip, StatesEveryDefault) {
   const std::string text = written(scene_of(minimal));
   for (const char* line : {"format = 1",
                            "preset = \"default\"",
-                           "block_model = \"wachspress\"",
-                           "model = \"wachspress\"",
+                           "block_model = \"auto\"",
+                           "model = \"auto\"",
+                           "mesh = { kind = \"voronoi\", cells = 64, edge_nodes = true }",
                            "gradient_correction = true",
                            "cutting_factor = 0.5",
                            "normal_stiffness = 4e+10",
@@ -87,6 +90,7 @@ TEST(RoundTrip, StatesEveryDefault) {
                            "dashpot = 0.0"})
     EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
   EXPECT_EQ(text.find("beta ="), std::string::npos) << "a key of another scheme is no default";
+  EXPECT_EQ(text.find("mesh ="), text.rfind("mesh =")) << "a block says what differs from the analysis";
 }
 
 TEST(RoundTrip, KeepsTheMechanics) {
@@ -109,6 +113,21 @@ TEST(RoundTrip, KeepsTheMechanics) {
     EXPECT_EQ(again.contact.method, scene.contact.method);
     EXPECT_EQ(again.contact.penetration_tolerance, scene.contact.penetration_tolerance);
     EXPECT_EQ(again.joints[0].restitution, scene.joints[0].restitution);
+  }
+}
+
+TEST(RoundTrip, KeepsModelsAndMeshes) {
+  const std::vector<std::string> all[] = {
+      {"analysis.mesh.cell_size=0.25", "block.slider.mesh.cells=5", "block.slider.model=mesh"},
+      {"analysis.mesh.cells=5", "block.slider.mesh.cell_size=25 cm", "block.base.model=mean_value"},
+      {"analysis.mesh={ kind = \"quads\", edge_nodes = false }", "block.base.mesh.kind=voronoi",
+       "analysis.block_model=mesh", "block.2.model=auto"},
+      {"block.base.mesh.edge_nodes=false", "block.base.mesh.kind=quads", "block.base.mesh.cells=1000000"}};
+  for (const std::vector<std::string>& settings : all) {
+    const Scene scene = scene_of(complete, settings), again = scene_of(written(scene));
+    expect_same(scene, again);
+    EXPECT_EQ(again.analysis.block_model, scene.analysis.block_model);
+    EXPECT_EQ(again.analysis.mesh, scene.analysis.mesh);
   }
 }
 

@@ -44,6 +44,29 @@ TEST(Settings, ReachIntoDamping) {
   EXPECT_EQ(scene_of(text, {"analysis.damping={ mass = 1 }"}).analysis.damping.stiffness, 0);
 }
 
+TEST(Settings, ReachIntoMeshes) {
+  const Scene added = scene_of(complete, {"analysis.mesh.cells=16", "block.slider.mesh.cells=8",
+                                          "block.slider.mesh.edge_nodes=false", "block.2.mesh.kind=quads"});
+  EXPECT_EQ(added.analysis.mesh.cells, 16);
+  EXPECT_EQ(added.blocks[1].mesh.cells, 8);
+  EXPECT_FALSE(added.blocks[1].mesh.edge_nodes);
+  EXPECT_EQ(added.blocks[2].mesh.cells, 16);
+  EXPECT_EQ(added.blocks[2].mesh.kind, ddacontact::CellKind::quads);
+  const std::string text =
+      replaced(minimal, "steps = 1", "steps = 1\nmesh = { cells = 3, kind = \"quads\" }");
+  EXPECT_EQ(scene_of(text, {"analysis.mesh.cells=5"}).analysis.mesh.cells, 5);
+  EXPECT_EQ(scene_of(text, {"analysis.mesh.cells=5"}).analysis.mesh.kind, ddacontact::CellKind::quads);
+}
+
+TEST(Settings, AConcaveBlockIsRefusedWhereItIsMadeOne) {
+  const char* setting = "block.0.vertices.2=[0.25, 0.25]";
+  EXPECT_TRUE(read(minimal, {setting}).scene);
+  const SceneReading reading = read(minimal, {"block.0.model=wachspress", setting});
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_EQ(reading.problems[0].file, std::string("--set ") + setting);
+  EXPECT_NE(reading.problems[0].text().find("concave"), std::string::npos);
+}
+
 TEST(Settings, ChooseTheMechanics) {
   const Scene scene =
       scene_of(complete, {"analysis.kinematics=corotational", "analysis.scheme=newmark", "analysis.gamma=0.6",
@@ -120,7 +143,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"EmptyValue", "analysis.steps=", {"'steps'", "whole number"}},
         Case{"OutOfRange", "joint.0.friction_angle=95", {"'95'", "< 90"}},
         Case{"WrongUnit", "material.rock.young=35 mm", {"'mm'", "Pa"}},
-        Case{"NotAvailable", "analysis.block_model=mesh", {"not available in this version"}},
+        Case{"NotAvailable", "output.checkpoint_every=3", {"not available in this version"}},
+        Case{"CellsOfNothing", "analysis.mesh.0=3", {"'mesh' is not in the scene"}},
+        Case{"UnknownPartOfMesh", "block.slider.mesh.cell=3", {"unknown key 'cell' in 'mesh'", "'cells'"}},
+        Case{"TooManyCells", "block.slider.mesh.cells=1000001", {"'mesh.cells' = '1000001'", "<= 1e+06"}},
         Case{"PartOfANumber", "analysis.cutting_factor.x=3", {"'cutting_factor' is a table", "a number"}},
         Case{"ElementOfATable", "analysis.damping.0=3", {"'damping' is not in the scene"}},
         Case{"UnknownPart", "analysis.damping.mas=3", {"unknown key 'mas' in 'damping'", "'mass'"}},
@@ -130,8 +156,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NoGeometryFile", "blocks=no/wall.geojson", {"'no/wall.geojson'", "cannot be read"}},
         Case{"NoGeometryFormat", "blocks=wall.shp", {"'.shp'", ".geojson"}},
         Case{"ValueForTable", "analysis=3", {"'analysis'", "table"}},
-        Case{"Concave", "block.slider.vertices.2=[2, 1]", {"concave"}},
-        Case{"ConcaveByNeighbour", "block.slider.vertices.1.0=-9", {"block 'slider'"}},
+        Case{"Crossing", "block.slider.vertices.2=[3, -1]", {"block 'slider'", "intersects itself"}},
+        Case{"CrossingByNeighbour", "block.slider.vertices.1.0=-9", {"block 'slider'"}},
         Case{"NotUtf8", "title=\xff", {"utf-8"}}));
 
 TEST(Settings, NeedWhatTheyName) {

@@ -71,6 +71,16 @@ TEST(StaticCheck, WhatFallsOntoSomethingHeldIsHeld) {
   EXPECT_EQ(loose_blocks(scene_with({"3, -5"})), Blocks{1}) << "hanging in the air below";
 }
 
+TEST(StaticCheck, WhatStandsInANotchIsHeldAndWhatHangsThereIsNot) {
+  const auto with_trough = [](const std::string& corner) {
+    return replaced(scene_with({corner}, "[0, 0]"), "[8, -1], [8, 0], [0, 0]]",
+                    "[8, -1], [8, 3], [6, 3], [6, 0], [2, 0], [2, 3], [0, 3]]");
+  };
+  EXPECT_EQ(loose_blocks(with_trough("3, 0")), Blocks{});
+  EXPECT_EQ(loose_blocks(with_trough("2.005, 1.5")), Blocks{});
+  EXPECT_EQ(loose_blocks(with_trough("3.5, 1")), Blocks{1});
+}
+
 TEST(StaticCheck, OneErrorForEachLooseBlock) {
   EXPECT_EQ(loose_blocks(scene_with({"20, 0", "3, 0", "20, 1", "-5, 0"})), (Blocks{1, 3, 4}));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <tuple>
 
@@ -12,6 +13,16 @@ using namespace ddacontact;
 using Normal = ContactTerm::Normal;
 
 namespace {
+
+polyfem::Connectivity listed(const std::vector<Range>& ranges) {
+  polyfem::Connectivity elements;
+  for (const Range& range : ranges) {
+    std::vector<int> unknowns(static_cast<std::size_t>(range.count));
+    std::iota(unknowns.begin(), unknowns.end(), range.first);
+    elements.append(unknowns);
+  }
+  return elements;
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -71,8 +82,8 @@ struct RandomProblem {
   FrictionProblem problem() const {
     const auto n_equations = std::count_if(equation.begin(), equation.end(), [](int e) { return e >= 0; });
     FrictionProblem made(equation, static_cast<int>(n_equations));
-    made.set_pattern(elements, contacts);
-    for (std::size_t e = 0; e < elements.size(); ++e) made.element(static_cast<int>(e)) = matrices[e];
+    made.set_pattern(listed(elements), contacts);
+    for (std::size_t e = 0; e < elements.size(); ++e) made.elements()[e] = matrices[e];
     made.matrices_changed();
     return made;
   }
@@ -183,8 +194,8 @@ TEST(FrictionProblem, AMassAgainstAWallIsPushedBackByItsSpringAndMultiplier) {
       wall.normal_stiffness = 9;
       wall.normal_multiplier = multiplier;
       FrictionProblem problem({0}, 1);
-      problem.set_pattern({{0, 1}}, {wall});
-      problem.element(0)(0, 0) = 1;
+      problem.set_pattern(listed({{0, 1}}), {wall});
+      problem.elements()[0](0, 0) = 1;
       problem.matrices_changed();
       VectorXd x = VectorXd::Constant(1, 7);
       const VectorXd zero = VectorXd::Zero(1), g0 = VectorXd::Constant(1, -force);
@@ -237,7 +248,7 @@ TEST(FrictionProblem, FactorizesOnlyWhatHasChanged) {
   EXPECT_EQ(factorizations(), 2);
   problem.matrices_changed();
   EXPECT_EQ(factorizations(), 3);
-  problem.set_pattern(p.elements, p.contacts);
+  problem.set_pattern(listed(p.elements), p.contacts);
   EXPECT_EQ(factorizations(), 4);
   EXPECT_EQ(problem.cholesky().n_analyses(), 1);
 }
@@ -250,8 +261,8 @@ TEST(FrictionProblem, SaysWhenNothingHoldsAnUnknown) {
   wall.normal_stiffness = 1;
   wall.sheared = false;
   FrictionProblem problem({0}, 1);
-  problem.set_pattern({{0, 1}}, {wall});
-  problem.element(0)(0, 0) = 0;
+  problem.set_pattern(listed({{0, 1}}), {wall});
+  problem.elements()[0](0, 0) = 0;
   problem.matrices_changed();
   VectorXd x = VectorXd::Zero(1);
   EXPECT_EQ(problem.minimize({wall}, x, VectorXd::Ones(1), {VectorXd::Ones(1), 0}, x).status,
@@ -279,8 +290,8 @@ TEST(FrictionProblem, ManyContactsMayChangeAtOnce) {
   wall.normal_stiffness = 1;
   const std::vector<ContactTerm> walls(50, wall);
   FrictionProblem problem({0}, 1);
-  problem.set_pattern({{0, 1}}, walls);
-  problem.element(0)(0, 0) = 1;
+  problem.set_pattern(listed({{0, 1}}), walls);
+  problem.elements()[0](0, 0) = 1;
   problem.matrices_changed();
   for (double start : {-1., 0., 1.}) {
     VectorXd x = VectorXd::Constant(1, start);

@@ -11,13 +11,13 @@ namespace {
 class MisjudgedBlock final : public Block {
  public:
   MisjudgedBlock(const BlockMaterial& material, const PointsRef& outline, double factor)
-      : Block(material, outline),
+      : Block(material, outline, static_cast<int>(outline.cols())),
         right_(material, outline,
                std::make_shared<CorotationalShape>(
-                   wachspress_shape(material, outline, choose_integration(outline, GradientCorrection::on)))),
+                   polygon_shape(material, outline, polyfem::wachspress,
+                                 choose_integration(outline, GradientCorrection::on)))),
         factor_(factor) {
     right_.place(0, 0, 0, 0);
-    mass_ = right_.mass();
     integration_weights_ = right_.integration_weights();
   }
 
@@ -34,7 +34,10 @@ class MisjudgedBlock final : public Block {
     right_.forces(d, forces);
     forces.elastic *= factor_;
   }
-  void tangent(const Eigen::Ref<const VectorXd>& d, MatrixXd& A) const override { right_.tangent(d, A); }
+  void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override {
+    right_.tangent(d, parts);
+  }
+  MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& v) const override { return right_.times_mass(v); }
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override {
     right_.end_step(d, external, is_free, next);

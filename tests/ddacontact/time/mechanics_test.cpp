@@ -75,17 +75,19 @@ Scene spinning(BlockModel model, Scheme scheme, int turns, double young = 35e9) 
 /// Of the area that turns steadily, K u = w^2 M (X + u), over that at rest, less 1.
 double centrifugal_stretch(const Block& block, BlockModel model, double w) {
   const Points outline = block.reference().colwise() - polyfem::area_moments(block.reference()).centroid;
-  const CorotationalShape shape =
-      model == BlockModel::affine
-          ? affine_shape(block.material(), outline)
-          : wachspress_shape(block.material(), outline, choose_integration(outline, GradientCorrection::on));
-  MatrixXd A = shape.elastic.stiffness();
+  const CorotationalShape shape = model == BlockModel::affine
+                                      ? affine_shape(block.material(), outline)
+                                      : polygon_shape(block.material(), outline, polyfem::wachspress,
+                                                      choose_integration(outline, GradientCorrection::on));
+  const ShapeCell& cell = shape.cells.front();
+  MatrixXd A = cell.elastic.stiffness();
   const Index m = shape.nodes.cols();
   for (Index a = 0; a < m; ++a)
-    for (Index b = 0; b < m; ++b) A.block<2, 2>(2 * a, 2 * b) -= w * w * shape.mass(a, b) * Mat2::Identity();
-  const Points load = w * w * shape.nodes * shape.mass;
+    for (Index b = 0; b < m; ++b) A.block<2, 2>(2 * a, 2 * b) -= w * w * cell.mass(a, b) * Mat2::Identity();
+  const Points load = w * w * shape.nodes * cell.mass;
   const VectorXd u = A.fullPivLu().solve(VectorXd(load.reshaped()));
-  const Points stretched = (shape.nodes + u.reshaped(2, m)) * shape.outline.transpose();
+  Points stretched = shape.nodes + u.reshaped(2, m);
+  if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
   return polyfem::area_moments(stretched).area / polyfem::area_moments(outline).area - 1;
 }
 

@@ -1,6 +1,6 @@
 // Values and gradients against 50 digits, over everything that makes them hard.
 #include <polyfem/basis/wachspress.hpp>
-#include <polyfem/mesh/corner_turn.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 #include <tests/support/exact_shape_functions.hpp>
 #include <tests/support/random_polygon.hpp>
 

@@ -1,6 +1,6 @@
 #include <polyfem/dealii/triangulation_mesh.hpp>
 #include <polyfem/geometry/area_moments.hpp>
-#include <polyfem/mesh/corner_turn.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 #include <tests/polyfem/dealii/refined_triangulation.hpp>
 
 #include <deal.II/dofs/dof_handler.h>

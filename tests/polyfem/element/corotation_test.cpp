@@ -206,7 +206,7 @@ TEST_P(Corotation, TurnedStiffnessIsTheTangentOfTheMeanForceButForTermsOfStrainA
     block.element.mean_force(start, frame_of(block.element, y1 + h), chi, none, after);
     block.element.mean_force(start, frame_of(block.element, y1 - h), chi, none, before);
     MatrixXd T;
-    rotate((0.5 + chi) * block.element.stiffness(), mid_rotation(start, end), T);
+    rotate((0.5 + chi) * block.element.stiffness(), mid_rotation(start.rotation, end.rotation), T);
     worst = std::max(worst, ((after - before) / 2 - T * stacked(h)).norm() / (T.norm() * h.norm()));
   });
   EXPECT_LT(worst, 5e-3);
@@ -408,7 +408,7 @@ TEST_P(Corotation, MidRotationIsHalfWayTheShorterWay) {
     const double angle = any_angle(), D = support::uniform(-3, 3, random_);
     block.element.frame(place(block, angle, 0), start_);
     block.element.frame(place(block, angle + D, 0), end_);
-    EXPECT_LT((mid_rotation(start_, end_) - turn(angle + D / 2)).norm(), 1e-13);
+    EXPECT_LT((mid_rotation(start_.rotation, end_.rotation) - turn(angle + D / 2)).norm(), 1e-13);
   });
 }
 

@@ -2,7 +2,7 @@
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/predicates.hpp>
 #include <polyfem/geometry/validity.hpp>
-#include <polyfem/mesh/corner_turn.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 #include <tests/support/domains.hpp>
 

@@ -1,0 +1,45 @@
+/// \file One cell of a frame as it lies, and what is inside it.
+#pragma once
+
+#include <ddacontact/output/frame.hpp>
+
+namespace ddacontact {
+
+/// The functions of the cell on its present corners. Where a corner has turned so far that Wachspress
+/// functions cannot be used, mean value functions draw the cell.
+class CellView {
+ public:
+  /// The frame must outlive this.
+  CellView(const Frame& frame, int cell);
+
+  const FrameCell& cell() const { return frame_.cells[cell_]; }
+  const Points& corners() const { return corners_; }  ///< in the scene's coordinates
+  /// The same relative to the first corner: exact far from the origin.
+  Points local_corners() const { return corners_.colwise() - Vec2(corners_.col(0)); }
+  const polyfem::Basis& basis() const { return *basis_; }
+
+  /// The place of a corner: a column of what the frame has at places.
+  int place(int corner) const { return frame_.corners(cell_)[corner]; }
+  /// From vectors at all places, that at a point.
+  Vec2 interpolate(const Points& of_places, const polyfem::ShapeValues& shape) const;
+  /// The stress (xx, yy, xy) at a point, from the functions there.
+  Vec3 stress(const polyfem::ShapeValues& shape) const;
+  /// The same at a corner. Gradients of Wachspress functions are there those of the triangle with its
+  /// neighbours.
+  Vec3 stress_at_corner(int corner) const;
+  /// The area average, whatever the functions: they are linear on edges.
+  Vec3 mean_stress() const;
+
+ private:
+  auto strain_displacement() const {
+    return frame_.strain_displacement.middleCols(cell().corners.first, cell().corners.count);
+  }
+  Vec3 stress_of(const Mat2& gradient) const;
+
+  const Frame& frame_;
+  int cell_;
+  Points corners_;
+  const polyfem::Basis* basis_;
+};
+
+}  // namespace ddacontact

@@ -1,0 +1,48 @@
+#include <ddacontact/scene/mesh_check.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <polyfem/geometry/validity.hpp>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// Of a key that the block's mesh, or else that of the analysis, states.
+const Place& place_of_key(const char* key, const BlockRecord& block, const MeshRecord& of_all) {
+  if (block.mesh && block.mesh->places.written(key)) return block.mesh->places.of(key);
+  return of_all.places.written(key) ? of_all.places.of(key) : block.places.of("vertices");
+}
+
+}  // namespace
+
+MeshOptions with_record(MeshOptions options, const MeshRecord& record) {
+  if (record.places.usable("kind")) options.kind = record.kind.value_or(options.kind);
+  if (record.cells && record.places.usable("cells")) {
+    options.cells = *record.cells;
+    options.cell_size = 0;
+  }
+  if (record.cell_size && record.places.usable("cell_size")) options.cell_size = *record.cell_size;
+  options.edge_nodes = record.edge_nodes.value_or(options.edge_nodes);
+  return options;
+}
+
+void check_mesh(const CheckedOutline& outline, const MeshOptions& options, const BlockRecord& block,
+                const MeshRecord& of_all, const std::string& title, ProblemList& problems) {
+  const double per_side = options.cell_size > 0 ? outline.size / options.cell_size : 0;
+  if (per_side * per_side > most_cells)
+    problems.error(place_of_key("cell_size", block, of_all),
+                   "cells of " + rounded(options.cell_size) + " m in " + title + ", which is " +
+                       rounded(outline.size) + " m large, are " + rounded(per_side * per_side) +
+                       ", more than can be resolved",
+                   "at most 1e6 are possible: write at least " + rounded(1.001e-3 * outline.size) + " m");
+  if (options.kind != CellKind::quads) return;
+  const Place& place = place_of_key("kind", block, of_all);
+  if (const auto n = outline.polygon.cols(); n != 4)
+    problems.error(place, "quads do not fit into " + title + ", which has " + std::to_string(n) + " vertices",
+                   "quads fill convex blocks of four corners: write kind = \"voronoi\"");
+  else if (polyfem::find_non_convex_corner(outline.polygon, straight_turn))
+    problems.error(place, "quads do not fit into " + title + ", whose four corners are not convex",
+                   "write kind = \"voronoi\"");
+}
+
+}  // namespace ddacontact::scene_format
