@@ -100,6 +100,39 @@ bool is_over(const PolygonPair& pair, const VertexEdge& c) {
          at <= length + 1e-9 + straight_beyond_end(polygon, c.edge);
 }
 
+double smaller_size(const PolygonPair& pair) {
+  return std::sqrt(std::min(polyfem::signed_area(pair.a), polyfem::signed_area(pair.b)));
+}
+
+/// Counts what polygons meet first with and whether it is among the contacts found.
+struct Meetings {
+  int met = 0;
+  int others = 0;        ///< not found itself
+  int missed_sides = 0;  ///< of these, met away from the ends of the edge
+  int unstopped = 0;     ///< of these, when no other contact was closed by then
+
+  /// Moves each by up to half the reach.
+  void add(const PolygonPair& pair, double reach, std::mt19937& random) {
+    const PolygonPair to{moved_at_random(pair.a, reach / 2, random),
+                         moved_at_random(pair.b, reach / 2, random)};
+    const Meeting first = first_meeting(pair, to);
+    if (first.time == never) return;
+    ++met;
+    const auto found = pair.contact_set(reach);
+    if (found.contains(first.contact)) return;
+    ++others;
+    const PolygonPair then = between(pair, to, first.time);
+    const Vec2 x = then.vertex(first.contact);
+    const double from_ends =
+        std::min((x - then.start(first.contact)).norm(), (x - then.end(first.contact)).norm());
+    const bool stopped = std::any_of(found.begin(), found.end(), [&](const VertexEdge& c) {
+      return then.gap(c) <= 1e-9 && (is_over(pair, c) || is_over(then, c));
+    });
+    missed_sides += from_ends >= reach;
+    unstopped += !stopped;
+  }
+};
+
 /// The contacts of two polygons whose vertices were numbered from others on, in the numbers before.
 std::set<VertexEdge> numbered_back(const std::set<VertexEdge>& contacts, const PolygonPair& pair, int by_a,
                                    int by_b) {
@@ -133,30 +166,37 @@ Points notched() {
 /// corner, nearly always one that is closed by then.
 TEST(AnyPolygon, WhatMeetsFirstIsFound) {
   std::mt19937 random(21);
-  int meetings = 0, others = 0, unstopped = 0;
+  Meetings count;
   for (int trial = 0; trial < 5000; ++trial) {
     const PolygonPair pair = nearly_touching_pair(std::pow(10, uniform(-6, -1, random)), random);
-    const double size = std::sqrt(std::min(polyfem::signed_area(pair.a), polyfem::signed_area(pair.b)));
-    const double reach = size * std::pow(10, uniform(-2, -0.6, random));
-    const PolygonPair to{moved_at_random(pair.a, reach / 2, random),
-                         moved_at_random(pair.b, reach / 2, random)};
-    const Meeting met = first_meeting(pair, to);
-    if (met.time == never) continue;
-    ++meetings;
-    const auto found = pair.contact_set(reach);
-    if (found.contains(met.contact)) continue;
-    const PolygonPair then = between(pair, to, met.time);
-    const bool at_corner = (then.vertex(met.contact) - then.start(met.contact)).norm() < reach ||
-                           (then.vertex(met.contact) - then.end(met.contact)).norm() < reach;
-    EXPECT_TRUE(at_corner) << "trial " << trial;
-    ++others;
-    unstopped += std::none_of(found.begin(), found.end(), [&](const VertexEdge& c) {
-      return then.gap(c) <= 1e-9 && (is_over(pair, c) || is_over(then, c));
-    });
+    count.add(pair, smaller_size(pair) * std::pow(10, uniform(-2, -0.6, random)), random);
   }
-  EXPECT_GT(meetings, 1500);
-  EXPECT_LE(others, meetings / 500);
-  EXPECT_LE(unstopped, meetings / 1500);
+  EXPECT_GT(count.met, 1500);
+  EXPECT_EQ(count.missed_sides, 0);
+  EXPECT_LE(count.others, count.met / 500);
+  EXPECT_LE(count.unstopped, count.met / 1500);
+}
+
+/// Blocks that go by many times the thickness of what is in their way: as far as any may in a step.
+TEST(AnyPolygon, FastSmallPolygonsMeetThinOnes) {
+  std::mt19937 random(27);
+  Meetings count;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const double thin = std::pow(10, uniform(-2.5, -1, random));
+    const Points plate =
+        trial % 2 ? box(-3, -thin, 6, thin)
+                  : points({{-2, -thin}, {2, -thin}, {2, 0}, {thin, 0}, {thin, 1}, {0, 1}, {0, 0}, {-2, 0}});
+    Points small = std::pow(10, -uniform(0.3, 1.3, random)) * random_simple_polygon(random);
+    const double side = trial % 3 == 0 ? -1 : 1, gap = std::pow(10, uniform(-4, -1.5, random));
+    const double low = side > 0 ? gap - small.row(1).minCoeff() : -thin - gap - small.row(1).maxCoeff();
+    small.colwise() += Vec2(uniform(-1.8, 1.8, random), low);
+    const PolygonPair pair{plate, small};
+    if (separation(plate, small) < 0) continue;
+    count.add(pair, 0.25 * smaller_size(pair), random);
+  }
+  EXPECT_GT(count.met, 500);
+  EXPECT_EQ(count.missed_sides, 0);
+  EXPECT_LE(count.unstopped, count.met / 500);
 }
 
 /// A little later, when nothing stopped them, the vertex that came in is inside through that edge.
@@ -165,7 +205,7 @@ TEST(AnyPolygon, AShallowOverlapIsFoundAtItsEdge) {
   int overlaps = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const PolygonPair pair = nearly_touching_pair(1e-3, random);
-    const double size = std::sqrt(std::min(polyfem::signed_area(pair.a), polyfem::signed_area(pair.b)));
+    const double size = smaller_size(pair);
     const PolygonPair to{moved_at_random(pair.a, 0.02 * size, random),
                          moved_at_random(pair.b, 0.02 * size, random)};
     const Meeting met = first_meeting(pair, to);
@@ -183,8 +223,7 @@ TEST(AnyPolygon, WhatIsFoundDoesNotDependOnPlaceOrderNumbersOrMirror) {
   std::size_t n_found = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const PolygonPair pair = nearly_touching_pair(std::pow(10, uniform(-5, -1, random)), random);
-    const double reach =
-        0.2 * std::sqrt(std::min(polyfem::signed_area(pair.a), polyfem::signed_area(pair.b)));
+    const double reach = 0.2 * smaller_size(pair);
     const auto found = pair.contact_set(reach);
     n_found += found.size();
     EXPECT_EQ(found, pair.contact_set(reach, {}, true)) << "trial " << trial;
@@ -204,8 +243,7 @@ TEST(AnyPolygon, SeparatedPolygonsHaveNoPenetratedContact) {
   std::mt19937 random(24);
   for (int trial = 0; trial < 2000; ++trial) {
     const PolygonPair pair = nearly_touching_pair(std::pow(10, uniform(-5, -1, random)), random);
-    const double reach =
-        0.2 * std::sqrt(std::min(polyfem::signed_area(pair.a), polyfem::signed_area(pair.b)));
+    const double reach = 0.2 * smaller_size(pair);
     for (const VertexEdge& c : pair.contacts(reach)) {
       if (pair.inset(c) < -coincidence) continue;
       EXPECT_GE(pair.gap(c), -1e-12) << "trial " << trial;
