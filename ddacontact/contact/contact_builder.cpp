@@ -1,7 +1,6 @@
 #include <ddacontact/contact/contact_builder.hpp>
 
 #include <ddacontact/contact/kinematics.hpp>
-#include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
 
@@ -56,31 +55,38 @@ double ContactBuilder::pair_size(int a, int b) const {
   return std::min(size_a, size_b);
 }
 
-std::vector<VertexEdge> ContactBuilder::detect(const BlockState& state, const std::vector<double>& reach,
-                                               const std::vector<Contact>& previous) const {
-  std::vector<Box> boxes;
+const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
+                                                      const std::vector<double>& reach,
+                                                      const std::vector<Contact>& previous) {
+  boxes_.clear();
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     const Range& v = blocks_.block(b).vertices();
     Box box = bounding_box(state.position.middleCols(v.first, v.count), reach[b]);
     box.low += state.origin.col(b);
     box.high += state.origin.col(b);
-    boxes.push_back(box);
+    boxes_.push_back(box);
   }
-  std::vector<VertexEdge> found, kept;
-  for (const Pair& pair : overlapping_pairs(boxes)) {
+  found_.clear();
+  auto old = previous.begin();
+  for (const Pair& pair : broad_phase_.overlapping_pairs(boxes_)) {
     const auto [a, b] = pair;
     if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
-    kept.clear();
-    for (const Contact& contact : contacts_of_pair(previous, pair))
-      if (contact.closed()) kept.push_back(contact.pair);
+    kept_.clear();
+    while (old != previous.end() && block_pair(old->pair) < pair) ++old;
+    for (; old != previous.end() && block_pair(old->pair) == pair; ++old)
+      if (old->closed()) kept_.push_back(old->pair);
     const PairLimits limits{.reach = reach[a] + reach[b],
                             .max_depth = std::min(half_width_[a], half_width_[b]),
                             .coincidence = coincidence * pair_size(a, b)};
     // The origin of either block serves, as long as it is always that of the smaller index.
-    const Points outline_a = blocks_.outline_from(state, a, a), outline_b = blocks_.outline_from(state, b, a);
-    find_contacts({a, outline_a}, {b, outline_b}, limits, kept, found);
+    const Range &of_a = blocks_.block(a).vertices(), &of_b = blocks_.block(b).vertices();
+    if (shifted_.cols() < of_b.count) shifted_.resize(2, of_b.count);
+    const Vec2 shift = state.origin.col(b) - state.origin.col(a);
+    shifted_.leftCols(of_b.count) = state.position.middleCols(of_b.first, of_b.count).colwise() + shift;
+    find_contacts({a, state.position.middleCols(of_a.first, of_a.count)}, {b, shifted_.leftCols(of_b.count)},
+                  limits, kept_, found_);
   }
-  return found;
+  return found_;
 }
 
 MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdge& pair) const {
@@ -132,8 +138,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   return contact;
 }
 
-std::vector<Contact> ContactBuilder::build_first(const BlockState& state,
-                                                 const std::vector<double>& reach) const {
+std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
   std::vector<Contact> contacts;
   for (const VertexEdge& pair : detect(state, reach, {})) {
     Contact contact = make_contact(state, pair);
@@ -192,7 +197,7 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
 }
 
 std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
-                                           const std::vector<Contact>& previous) const {
+                                           const std::vector<Contact>& previous) {
   std::vector<Contact> contacts;
   for (const VertexEdge& pair : detect(state, reach, previous)) {
     Contact contact = make_contact(state, pair);

@@ -5,6 +5,7 @@
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/contact/joint_table.hpp>
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/detection/broad_phase.hpp>
 
 #include <span>
 #include <vector>
@@ -29,19 +30,21 @@ class ContactBuilder {
 
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
   /// an overlap is taken as stress-free.
-  std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach) const;
+  std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach);
   /// The contacts that may close while no vertex of block b moves further than reach[b]. Those also in
   /// `previous` carry on its history; so does a vertex that slid straight on onto the next edge, or across a
   /// corner onto the neighbour's vertex.
   std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
-                             const std::vector<Contact>& previous) const;
+                             const std::vector<Contact>& previous);
 
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
 
  private:
-  std::vector<VertexEdge> detect(const BlockState& state, const std::vector<double>& reach,
-                                 const std::vector<Contact>& previous) const;
+  /// The vertices and edges that may meet while no vertex of block b moves further than reach[b], ordered by
+  /// the pairs of blocks; of `previous` those that are closed win ties. Valid until the next call.
+  const std::vector<VertexEdge>& detect(const BlockState& state, const std::vector<double>& reach,
+                                        const std::vector<Contact>& previous);
   /// The closed contact of the step before whose history this one carries on: the same, or that of the same
   /// vertex with an edge that goes straight on into this one, or, where vertex meets vertex, the one that the
   /// other vertex made with this vertex's edge.
@@ -54,6 +57,12 @@ class ContactBuilder {
   const BlockSystem& blocks_;
   ContactProperties properties_;
   std::vector<double> half_width_;  ///< of each block
+
+  // Working arrays of `detect`.
+  BroadPhase broad_phase_;
+  std::vector<Box> boxes_;
+  std::vector<VertexEdge> found_, kept_;
+  Points shifted_;
 };
 
 }  // namespace ddacontact

@@ -309,7 +309,10 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
   } else {
     const Vec2 distance = a.vertices.col(p.contact.vertex) - b.vertices.col(q.contact.vertex);
     const bool one_place = std::abs(cross(p.normal, distance)) <= limits.coincidence;
-    if (!p.inside() || (one_place && !p.kept)) q.dropped = true;
+    if (!p.inside())
+      (p.gap >= q.gap ? q : p).dropped = true;
+    else if (one_place && !p.kept)
+      q.dropped = true;
   }
 }
 

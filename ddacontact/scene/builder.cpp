@@ -142,7 +142,7 @@ class Builder {
     BlockSystem system = make_system();
     BlockState initial = system.initial_state();
     set_initial(system, initial);
-    const ContactBuilder contacts(system, contact_properties());
+    ContactBuilder contacts(system, contact_properties());
     const FirstLoading loading = load_once(system, initial, contacts);
     if (!loading.settled) return std::vector<double>(scene_.blocks.size(), -1);
     return missing_bending(system, initial, loading);

@@ -60,7 +60,7 @@ void add_stresses(BlockSystem& blocks, const BlockState& initial, const StepStar
 
 }  // namespace
 
-FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, const ContactBuilder& builder) {
+FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBuilder& builder) {
   FirstLoading result;
   const auto n_blocks = static_cast<std::size_t>(blocks.n_blocks());
   result.forces.resize(n_blocks);

@@ -20,6 +20,6 @@ struct FirstLoading {
 
 /// Contacts that touch at the start are closed where they press, with what friction these forces bear; what
 /// nothing holds goes its way.
-FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, const ContactBuilder& contacts);
+FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBuilder& contacts);
 
 }  // namespace ddacontact

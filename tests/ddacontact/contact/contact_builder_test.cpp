@@ -32,7 +32,7 @@ struct BlockOnPlate {
     return {1e9, 4e8, one_joint({friction, 7e3, 5e3}), {0, 0}};
   }
   void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }
-  std::vector<Contact> first() const { return builder.build_first(state, reach); }
+  std::vector<Contact> first() { return builder.build_first(state, reach); }
 };
 
 }  // namespace
@@ -117,6 +117,33 @@ TEST(ContactBuilder, AContactHandedOverAtACornerKeepsItsSlip) {
     }
     EXPECT_EQ(handed_over, 1);
   }
+}
+
+/// A sticking corner that slides past a vertex on a straight side keeps its slip and its bond.
+TEST(ContactBuilder, AContactGoesStraightOnToTheNextEdge) {
+  Scene scene = rock_scene(0.1, 1);
+  Points plate(2, 5);
+  plate << 0, 3, 3, 1.05, 0, -1, -1, 0, 0, 0;
+  scene.blocks = {block(plate, true), block(rectangle(1, 0, 1, 1))};
+  scene.blocks[0].model = scene.blocks[1].model = BlockModel::affine;
+  const BuiltScene built = build(scene);
+  ContactBuilder builder(built.stepper->blocks(), BlockOnPlate::properties(0.5));
+  BlockState state = built.stepper->state();
+  std::vector<Contact> contacts = builder.build_first(state, {0.1, 0.1});
+  const auto corner = [](const std::vector<Contact>& of) {
+    return *std::find_if(of.begin(), of.end(),
+                         [](const Contact& c) { return c.pair.vertex_block == 1 && c.pair.vertex == 0; });
+  };
+  ASSERT_EQ(corner(contacts).pair.edge, 3);
+  ASSERT_TRUE(corner(contacts).history.bonded);
+  for (Contact& c : contacts) c.end_slip = 0.1;
+  state.position.rightCols<4>().row(0).array() += 0.1;
+  const Contact moved = corner(builder.build(state, {0.1, 0.1}, contacts));
+  EXPECT_EQ(moved.pair.edge, 2);
+  EXPECT_EQ(moved.history.state, corner(contacts).history.state);
+  EXPECT_TRUE(moved.history.bonded);
+  EXPECT_EQ(moved.history.length, corner(contacts).history.length);
+  EXPECT_NEAR(moved.slip.constant, corner(contacts).end_slip, 1e-12);
 }
 
 TEST(ContactBuilder, HeldBlocksDoNotCountForTheSizeOfAPair) {

@@ -1,5 +1,5 @@
-#include <ddacontact/detection/narrow_phase.hpp>
 #include <ddacontact/detection/separation.hpp>
+#include <tests/ddacontact/detection/polygon_pair.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
@@ -10,89 +10,9 @@
 #include <set>
 
 using namespace ddacontact;
-using support::uniform;
+using namespace support;
 
 namespace {
-
-constexpr double coincidence = 1e-6;
-
-Points box(double x, double y, double width, double height) {
-  Points p(2, 4);
-  p << x, x + width, x + width, x,  //
-      y, y, y + height, y + height;
-  return p;
-}
-
-double perimeter(const Points& p) {
-  double sum = 0;
-  for (Index k = 0; k < p.cols(); ++k) sum += (p.col((k + 1) % p.cols()) - p.col(k)).norm();
-  return sum;
-}
-
-/// Twice the inradius of a slab, as the contacts of a scene are looked for.
-double half_width(const Points& p) {
-  return polyfem::signed_area(p) / perimeter(p);
-}
-
-/// Two polygons, blocks 0 and 1.
-struct PolygonPair {
-  Points a, b;
-
-  const Points& of(int block) const { return block == 0 ? a : b; }
-  Vec2 vertex(const VertexEdge& c) const { return of(c.vertex_block).col(c.vertex); }
-  Vec2 start(const VertexEdge& c) const { return of(c.edge_block).col(c.edge); }
-  Vec2 end(const VertexEdge& c) const { return of(c.edge_block).col((c.edge + 1) % of(c.edge_block).cols()); }
-  double gap(const VertexEdge& c) const {
-    const Vec2 along = end(c) - start(c);
-    return cross(vertex(c) - start(c), along) / along.norm();
-  }
-  /// How far the vertex's projection lies within the edge, in m from the nearer end; < 0 outside.
-  double inset(const VertexEdge& c) const {
-    const Vec2 along = end(c) - start(c);
-    const double s = along.dot(vertex(c) - start(c)) / along.norm();
-    return std::min(s, along.norm() - s);
-  }
-
-  std::vector<VertexEdge> contacts(double reach, const std::vector<VertexEdge>& kept = {},
-                                   bool swapped = false) const {
-    const PairLimits limits{reach, std::min(half_width(a), half_width(b)), coincidence};
-    std::vector<VertexEdge> found;
-    if (swapped)
-      find_contacts({1, b}, {0, a}, limits, kept, found);
-    else
-      find_contacts({0, a}, {1, b}, limits, kept, found);
-    return found;
-  }
-  std::set<VertexEdge> contact_set(double reach, const std::vector<VertexEdge>& kept = {},
-                                   bool swapped = false) const {
-    const auto found = contacts(reach, kept, swapped);
-    const std::set<VertexEdge> set(found.begin(), found.end());
-    EXPECT_EQ(set.size(), found.size()) << "a contact was found twice";
-    return set;
-  }
-
-  PolygonPair moved(double angle, const Vec2& by) const {
-    const Mat2 R = Eigen::Rotation2Dd(angle).toRotationMatrix();
-    return {(R * a).colwise() + by, (R * b).colwise() + by};
-  }
-  PolygonPair mirrored() const {
-    const auto flip = [](const Points& p) -> Points {
-      Points q = p.rowwise().reverse();
-      q.row(0) *= -1;
-      return q;
-    };
-    return {flip(a), flip(b)};
-  }
-  /// The polygons with their numbering started at other vertices.
-  PolygonPair renumbered(int by_a, int by_b) const {
-    const auto shift = [](const Points& p, int by) -> Points {
-      Points q(2, p.cols());
-      for (Index k = 0; k < p.cols(); ++k) q.col(k) = p.col((k + by) % p.cols());
-      return q;
-    };
-    return {shift(a, by_a), shift(b, by_b)};
-  }
-};
 
 /// Two random polygons at the given separation: b is pushed along a random line past a, till it is there.
 PolygonPair random_pair(double separation, std::mt19937& random) {

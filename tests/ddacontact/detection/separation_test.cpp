@@ -1,5 +1,6 @@
 #include <ddacontact/detection/separation.hpp>
-#include <tests/support/random_polygon.hpp>
+#include <tests/support/overlap_area.hpp>
+#include <tests/support/random_shapes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -54,4 +55,57 @@ TEST(Separation, OfTwoBoxesIsTheirGapOrTheirLeastOverlap) {
   EXPECT_DOUBLE_EQ(ddacontact::separation(unit, at(1, 0.5)), 0);
   EXPECT_DOUBLE_EQ(ddacontact::separation(unit, at(0.75, 0.5)), -0.25);
   EXPECT_DOUBLE_EQ(ddacontact::separation(unit, at(3, -5)), 4);
+}
+
+TEST(Separation, OfAnyPolygonsIsNegativeWhereTheyHaveAreaInCommon) {
+  std::mt19937 random(4);
+  int apart = 0, overlapping = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Points a = random_shape(random);
+    const Points b = (std::pow(30, -uniform(0, 1, random)) * random_shape(random)).colwise() +
+                     uniform(0, 2, random) * random_direction(random);
+    const double s = ddacontact::separation(a, b), area = overlap_area(a, b);
+    EXPECT_DOUBLE_EQ(s, ddacontact::separation(b, a));
+    if (std::abs(s) < 1e-9) continue;
+    EXPECT_EQ(s<0, area> 1e-14) << "trial " << trial << ": " << s << ", " << area;
+    ++(s > 0 ? apart : overlapping);
+  }
+  EXPECT_GT(apart, 500);
+  EXPECT_GT(overlapping, 500);
+}
+
+/// Exact coordinates, whatever lies along or in a corner: no overlap, and one as soon as they move together.
+TEST(Separation, OfPolygonsThatFitTogetherIsNothing) {
+  const Points l = points({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+  const Points rest = points({{2, 1}, {2, 2}, {1, 2}, {1, 1}});
+  const Points comb = points({{0, 3}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 3}});
+  for (const Points& other : {rest, comb}) {
+    EXPECT_EQ(ddacontact::separation(l, other), 0);
+    EXPECT_EQ(ddacontact::separation(other, l), 0);
+    for (const Vec2& by : {Vec2(-1e-15, 0), Vec2(0, -1e-15), Vec2(-1e-9, 1e-9)})
+      EXPECT_LT(ddacontact::separation(l, other.colwise() + by), 0) << by.transpose();
+    EXPECT_NEAR(ddacontact::separation(l, other.colwise() + Vec2(-0.01, 0)), -0.01, 1e-12);
+  }
+  // In the notch, in touch with neither side.
+  EXPECT_NEAR(ddacontact::separation(l, rest.colwise() + Vec2(0.1, 0.2)), 0.1, 0.1);
+  EXPECT_GT(ddacontact::separation(l, rest.colwise() + Vec2(0.1, 0.2)), 0);
+}
+
+/// A plate pushed into a side by so much overlaps by so much.
+TEST(Separation, OfAPlateInASideOfAnyPolygonIsItsDepth) {
+  std::mt19937 random(5);
+  for (const NamedPolygon& named : concave_polygons()) {
+    const Points& polygon = named.points;
+    for (Index e = 0; e < polygon.cols(); ++e) {
+      const Vec2 from = polygon.col(e), along = polygon.col((e + 1) % polygon.cols()) - from;
+      const Vec2 tangent = along.normalized(), outward(tangent.y(), -tangent.x());
+      const double depth = 1e-2 * along.norm(), width = 0.2 * along.norm();
+      const Vec2 low = from + 0.4 * along - depth * outward;
+      const Points plate = points({low, low + depth * 1.5 * outward,
+                                   low + width * tangent + depth * 1.5 * outward, low + width * tangent});
+      const Points turned = plate.rowwise().reverse();
+      const Points& ccw = polyfem::signed_area(plate) > 0 ? plate : turned;
+      EXPECT_NEAR(ddacontact::separation(polygon, ccw), -depth, 0.01 * depth) << named.name << " " << e;
+    }
+  }
 }

@@ -1,0 +1,90 @@
+/// \file Two polygons and the contacts found between them.
+#pragma once
+
+#include <ddacontact/detection/half_width.hpp>
+#include <ddacontact/detection/narrow_phase.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace support {
+
+using ddacontact::VertexEdge;
+
+inline constexpr double coincidence = 1e-6;
+
+inline Points box(double x, double y, double width, double height) {
+  Points p(2, 4);
+  p << x, x + width, x + width, x,  //
+      y, y, y + height, y + height;
+  return p;
+}
+
+/// Two polygons, blocks 0 and 1.
+struct PolygonPair {
+  Points a, b;
+
+  const Points& of(int block) const { return block == 0 ? a : b; }
+  Vec2 vertex(const VertexEdge& c) const { return of(c.vertex_block).col(c.vertex); }
+  Vec2 start(const VertexEdge& c) const { return of(c.edge_block).col(c.edge); }
+  Vec2 end(const VertexEdge& c) const { return of(c.edge_block).col((c.edge + 1) % of(c.edge_block).cols()); }
+  double gap(const VertexEdge& c) const {
+    const Vec2 along = end(c) - start(c);
+    return polyfem::cross(vertex(c) - start(c), along) / along.norm();
+  }
+  /// How far the vertex's projection lies within the edge, in m from the nearer end; < 0 outside.
+  double inset(const VertexEdge& c) const {
+    const Vec2 along = end(c) - start(c);
+    const double s = along.dot(vertex(c) - start(c)) / along.norm();
+    return std::min(s, along.norm() - s);
+  }
+
+  std::vector<VertexEdge> contacts(double reach, const std::vector<VertexEdge>& kept = {},
+                                   bool swapped = false) const {
+    const ddacontact::PairLimits limits{reach, std::min(ddacontact::half_width(a), ddacontact::half_width(b)),
+                                        coincidence};
+    std::vector<VertexEdge> found;
+    if (swapped)
+      ddacontact::find_contacts({1, b}, {0, a}, limits, kept, found);
+    else
+      ddacontact::find_contacts({0, a}, {1, b}, limits, kept, found);
+    return found;
+  }
+  std::set<VertexEdge> contact_set(double reach, const std::vector<VertexEdge>& kept = {},
+                                   bool swapped = false) const {
+    const auto found = contacts(reach, kept, swapped);
+    const std::set<VertexEdge> set(found.begin(), found.end());
+    EXPECT_EQ(set.size(), found.size()) << "a contact was found twice";
+    return set;
+  }
+
+  PolygonPair moved(double angle, const Vec2& by) const {
+    const polyfem::Mat2 R = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    return {(R * a).colwise() + by, (R * b).colwise() + by};
+  }
+  PolygonPair mirrored() const {
+    const auto flip = [](const Points& p) -> Points {
+      Points q = p.rowwise().reverse();
+      q.row(0) *= -1;
+      return q;
+    };
+    return {flip(a), flip(b)};
+  }
+  /// The polygons with their numbering started at other vertices.
+  PolygonPair renumbered(int by_a, int by_b) const {
+    const auto shift = [](const Points& p, int by) -> Points {
+      Points q(2, p.cols());
+      for (Index k = 0; k < p.cols(); ++k) q.col(k) = p.col((k + by) % p.cols());
+      return q;
+    };
+    return {shift(a, by_a), shift(b, by_b)};
+  }
+};
+
+}  // namespace support
