@@ -113,14 +113,8 @@ void CorotationalBlock::add_of_cell(const VectorXd& f, int c, Points& on_nodes) 
 }
 
 Points CorotationalBlock::weighted(const Points& v) const {
-  if (n_cells() == 1) return v * shape_->cells[0].mass;
-  Points result = Points::Zero(2, v.cols());
-  for (const ShapeCell& cell : shape_->cells) {
-    const Points part = v(Eigen::all, cell.nodes) * cell.mass;
-    for (std::size_t k = 0; k < cell.nodes.size(); ++k)
-      result.col(cell.nodes[k]) += part.col(static_cast<Index>(k));
-  }
-  return result;
+  if (is_one_cell()) return v * shape_->cells[0].mass;
+  return v * shape_->mass;
 }
 
 MatrixXd CorotationalBlock::times_mass(const Eigen::Ref<const MatrixXd>& velocities) const {
@@ -152,7 +146,7 @@ CorotationalBlock::Frame CorotationalBlock::cell_frame(const Points& y, int c) c
 CorotationalBlock::Frames CorotationalBlock::frames(const Points& y) const {
   Frames frames;
   for (int c = 0; c < n_cells(); ++c) frames.cells.push_back(cell_frame(y, c));
-  if (n_cells() == 1) {
+  if (is_one_cell()) {
     frames.rotation = frames.cells[0].rotation;
     return frames;
   }
@@ -213,7 +207,7 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
     MatrixXd& A = reference_tangent_[c];
     A = (end_share + rule_.damping.stiffness / dt_) * cell.elastic.stiffness() +
         (rule_.inertia() / (dt_ * dt_) + rule_.damping.mass / dt_) * both_axes(cell.mass);
-    if (rule_.scheme == Scheme::decaying && n_cells() == 1)
+    if (rule_.scheme == Scheme::decaying && is_one_cell())
       A += (rigid_mass() - both_axes(cell.mass)) / (dt_ * dt_);
   }
 }
@@ -431,7 +425,7 @@ BlockCell CorotationalBlock::cell(int c) const {
 }
 
 CellStress CorotationalBlock::cell_stress(const BlockState& state, int c) const {
-  if (n_cells() == 1) return Block::cell_stress(state, c);
+  if (is_one_cell()) return Block::cell_stress(state, c);
   const ShapeCell& cell = shape_->cells[c];
   const Frame frame = cell_frame(nodes(state), c);
   CellStress stress{frame.rotation * frame.u.reshaped(2, cell.elastic.n_nodes()), material().elasticity,
@@ -446,7 +440,7 @@ CellStress CorotationalBlock::cell_stress(const BlockState& state, int c) const 
 }
 
 Points CorotationalBlock::strain_displacement(const BlockState& state) const {
-  assert(n_cells() == 1);
+  assert(is_one_cell());
   const ShapeCell& cell = shape_->cells[0];
   const Frame frame = cell_frame(nodes(state), 0);
   const Points u = frame.u.reshaped(2, shape_->nodes.cols());

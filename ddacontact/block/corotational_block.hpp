@@ -50,6 +50,8 @@ class CorotationalBlock final : public Block {
     Mat2 rotation;
   };
 
+  /// Whether the only cell has all nodes in their order.
+  bool is_one_cell() const { return shape_->cells[0].nodes.empty(); }
   void prepare_shape(const PointsRef& places) override;
   Points nodes(const PointsRef& places) const;
   Points nodes(const BlockState& state) const;

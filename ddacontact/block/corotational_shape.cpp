@@ -178,6 +178,15 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
     shape.cells.back().nodes = corners;
   }
 
+  std::vector<Eigen::Triplet<double>> mass;
+  for (const ShapeCell& cell : shape.cells)
+    for (std::size_t a = 0; a < cell.nodes.size(); ++a)
+      for (std::size_t b = 0; b < cell.nodes.size(); ++b)
+        mass.emplace_back(cell.nodes[a], cell.nodes[b],
+                          cell.mass(static_cast<Index>(a), static_cast<Index>(b)));
+  shape.mass.resize(n, n);
+  shape.mass.setFromTriplets(mass.begin(), mass.end());
+
   if (!mesh.on_straight_edges.empty()) {
     const int independent = static_cast<int>(n) - static_cast<int>(mesh.on_straight_edges.size());
     std::vector<Eigen::Triplet<double>> basis, inverse;

@@ -30,6 +30,7 @@ struct CorotationalShape {
   Points nodes;          ///< at rest, 2 x m, from the centroid of the outline
   VectorXd translation;  ///< of each node when the block is shifted by 1
   std::vector<ShapeCell> cells;
+  Eigen::SparseMatrix<double> mass;  ///< of all nodes, the sum over the cells; empty: that of the only one
   Points mean_gradient;      ///< b of F = sum_a y_a b_a^T, the block's mean deformation gradient, 2 x m
   int n_outline = 0;         ///< vertices of the outline, the first of the places
   MatrixXd places;           ///< p x m: place i is at sum_a places(i, a) y_a; empty: the nodes are the places

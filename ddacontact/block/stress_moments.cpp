@@ -1,5 +1,6 @@
 #include <ddacontact/block/stress_moments.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace ddacontact {
@@ -56,6 +57,15 @@ double energy_of_moments(const polyfem::PolygonRule& rule, const Mat3& complianc
   // sigma = a x, a J = moments
   const StressMoments a = moments * second_moments(rule).inverse();
   return (a.transpose() * compliance * moments).trace() / 2;
+}
+
+double energy_of_bending(const polyfem::PolygonRule& rule, const Mat3& compliance,
+                         const StressMoments& moments) {
+  const Eigen::SelfAdjointEigenSolver<Mat2> axes(second_moments(rule));  // across first
+  const Vec2 across = axes.eigenvectors().col(0), along = axes.eigenvectors().col(1);
+  const Vec3 of_axial(along.x() * along.x(), along.y() * along.y(), 2 * along.x() * along.y());
+  const double moment = of_axial.dot(moments * across);
+  return compliance(0, 0) * moment * moment / axes.eigenvalues()[0] / 2;
 }
 
 }  // namespace ddacontact

@@ -30,4 +30,9 @@ StressMoments moments_of_stresses(const polyfem::PolygonRule& rule, const Tensor
 double energy_of_moments(const polyfem::PolygonRule& rule, const Mat3& compliance,
                          const StressMoments& moments);
 
+/// The energy of the part of it that bends the block: stress along its long axis, linear across it. The
+/// compliance must be that of an isotropic material.
+double energy_of_bending(const polyfem::PolygonRule& rule, const Mat3& compliance,
+                         const StressMoments& moments);
+
 }  // namespace ddacontact

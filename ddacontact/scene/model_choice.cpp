@@ -120,7 +120,7 @@ std::vector<double> missing_bending(const BlockSystem& blocks, const BlockState&
     const Mat3 compliance = block.material().elasticity.inverse();
     const StressMoments asked = moments_of_forces(
         rule, loading.forces[b], block.mass_total() / block.reference_area() * blocks.gravity);
-    absent[b] = energy_of_moments(rule, compliance, asked - loading.moments[b]);
+    absent[b] = energy_of_bending(rule, compliance, asked - loading.moments[b]);
     const Vec3& mean = loading.mean[b];
     total[b] =
         block.reference_area() * mean.dot(compliance * mean) / 2 + energy_of_moments(rule, compliance, asked);

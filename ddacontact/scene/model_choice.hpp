@@ -6,8 +6,8 @@
 ///    polygon cannot bend: a rectangle of 4:1 has 15 % of the compliance of a beam.
 /// 3. A slender block is divided into cells, four across, where bending matters: where more than a tenth of
 ///    the stress (in the energy norm, of that block or of a tenth of the largest energy density in the scene,
-///    whichever is larger) is a part linear in x that its forces ask for and the polygon does not carry. The
-///    forces are those of a first look at the scene at rest. Where that finds none on a block (it falls, or
+///    whichever is larger) is bending, stress along the block and linear across it, that its forces ask for
+///    and the polygon does not carry. The forces are those of a first look at the scene at rest. Where that finds none on a block (it falls, or
 ///    waits for others), slenderness alone decides.
 /// 4. These meshes have 200 000 unknowns at most in all; blocks beyond, in the order of the scene, stay
 /// single.

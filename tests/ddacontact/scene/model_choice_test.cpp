@@ -1,0 +1,103 @@
+#include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/model_choice.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace ddacontact;
+
+namespace {
+
+Points outline(std::initializer_list<Vec2> vertices) {
+  Points polygon(2, static_cast<Index>(vertices.size()));
+  Index k = 0;
+  for (const Vec2& v : vertices) polygon.col(k++) = v;
+  return polygon;
+}
+Points box(double x, double y, double width, double height) {
+  return outline({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}});
+}
+
+/// Blocks of the model "auto" on a held floor, y = 0.
+Scene scene_of(std::initializer_list<Points> outlines) {
+  Scene scene;
+  scene.analysis.steps = 1;
+  scene.analysis.time_step = 1e-3;
+  scene.materials = {{"rock", 2500, 1e9, 0.3}};
+  scene.joints = {{"joint", 30, 0, 0, std::nullopt, 0, 0}};
+  scene.contact.normal_stiffness = 4e10;
+  scene.contact.tangential_stiffness = 1.6e10;
+  for (const Points& of : outlines) {
+    BlockDescription& block = scene.blocks.emplace_back();
+    block.vertices = of;
+    block.model = BlockModel::automatic;
+  }
+  BlockDescription& floor = scene.blocks.emplace_back();
+  floor.vertices = box(-50, -1, 100, 1);
+  floor.fixed = true;
+  floor.model = BlockModel::automatic;
+  return scene;
+}
+
+struct Chosen {
+  std::string model, reason;
+};
+Chosen first(const Scene& scene, std::size_t block = 0) {
+  const BuiltScene built = build(scene);
+  return {built.labels.block_models[block], built.labels.block_reasons[block]};
+}
+
+TEST(ModelChoice, GoesByShapeWhereNothingBends) {
+  EXPECT_EQ(first(scene_of({box(0, 0, 1, 1)})).model, "wachspress");
+  const Chosen L = first(scene_of({outline({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})}));
+  EXPECT_EQ(L.model, "mean_value");
+  EXPECT_EQ(L.reason, "concave");
+  const Chosen middle = first(scene_of({outline({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})}));
+  EXPECT_EQ(middle.model, "mean_value");
+  EXPECT_EQ(middle.reason, "a corner is next to straight");
+  const Points clockwise = box(0, 0, 1, 1).rowwise().reverse();
+  EXPECT_EQ(first(scene_of({clockwise})).model, "wachspress");
+}
+
+TEST(ModelChoice, ABeamIsDividedAndAColumnIsNot) {
+  const Scene portal = scene_of({box(0, 2, 6, 0.5), box(0, 0, 1, 2), box(5, 0, 1, 2)});
+  const Chosen beam = first(portal);
+  EXPECT_EQ(beam.model, "mesh");
+  EXPECT_NE(beam.reason.find("slender (12:1) and bent"), std::string::npos) << beam.reason;
+  const Chosen column = first(scene_of({box(0, 0, 1, 6)}));
+  EXPECT_EQ(column.model, "wachspress");
+  EXPECT_NE(column.reason.find("hardly bent"), std::string::npos) << column.reason;
+}
+
+TEST(ModelChoice, AColumnPushedAsideBends) {
+  Scene scene = scene_of({box(0, 0, 1, 6)});
+  Load push;
+  push.kind = Load::Kind::point;
+  push.at = {0, 5};
+  push.force = {TimeFunction::Kind::constant, {5e3, 0}, {}};
+  scene.loads = {push};
+  EXPECT_EQ(first(scene).model, "mesh");
+}
+
+TEST(ModelChoice, WhatIsNotLoadedYetGoesByItsSlenderness) {
+  const Chosen falling = first(scene_of({box(0, 5, 6, 1)}));
+  EXPECT_EQ(falling.model, "mesh");
+  EXPECT_NE(falling.reason.find("not known"), std::string::npos) << falling.reason;
+}
+
+TEST(ModelChoice, LeavesWhatIsStatedAndWhatIsHeld) {
+  Scene scene = scene_of({box(0, 5, 6, 1)});
+  EXPECT_EQ(first(scene, 1).reason, "held, convex");
+  scene.blocks[0].model = BlockModel::affine;
+  EXPECT_EQ(first(scene).model, "affine");
+  EXPECT_EQ(first(scene).reason, "");
+  scene.blocks[0].model = BlockModel::automatic;
+  scene.analysis.kinematics = Kinematics::incremental;
+  EXPECT_EQ(first(scene).model, "wachspress") << "meshes need corotational kinematics";
+}
+
+TEST(ModelChoice, SlendernessIsTheRatioOfTheSidesOfARectangle) {
+  EXPECT_NEAR(slenderness(box(3, 4, 8, 2)), 4, 1e-12);
+  EXPECT_NEAR(slenderness(box(3, 4, 2, 8)), 4, 1e-12);
+}
+
+}  // namespace
