@@ -20,6 +20,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 
 namespace dda {
@@ -144,6 +145,22 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// A line for each model that "auto" chose, by reason.
+void log_choices(const Labels& labels, spdlog::logger& log) {
+  struct Blocks {
+    std::size_t count = 0, first = 0;
+  };
+  std::map<std::pair<std::string, std::string>, Blocks> chosen;
+  for (std::size_t b = 0; b < labels.block_names.size(); ++b) {
+    if (labels.block_reasons[b].empty()) continue;
+    Blocks& blocks = chosen[{labels.block_models[b], labels.block_reasons[b]}];
+    if (blocks.count++ == 0) blocks.first = b;
+  }
+  for (const auto& [choice, blocks] : chosen)
+    log.info("auto: {} for \"{}\"{}: {}", choice.first, labels.block_names[blocks.first],
+             blocks.count > 1 ? fmt::format(" and {} more", blocks.count - 1) : "", choice.second);
+}
+
 int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_point start) {
   const std::string blas = polyfem::pin_blas_to_one_thread();
   BuiltScene built = build(scene);
@@ -161,6 +178,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
   log->info("{}: {} blocks, {} unknowns, {} steps of {} s", arguments.scene, scene.blocks.size(),
             built.stepper->blocks().n_equations(), steps, scene.analysis.time_step);
+  log_choices(built.labels, *log);
   for (const std::string& note : built.notes) {
     log->warn("{}", note);
     if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
