@@ -15,10 +15,10 @@ namespace {
 
 constexpr double least_turn = 0.035;  ///< the sine of two degrees
 constexpr double least_slenderness = 2.5;
-constexpr double largest_missing = 0.1;
-constexpr int cells_across = 4;
-/// Of meshes: two vertices a cell, and what is allowed in all.
-constexpr long unknowns_per_cell = 4, most_unknowns = 200'000;
+constexpr double largest_missing = 0.03;
+constexpr int cells_across = 2, cells_across_slender = 4;
+/// Two vertices a cell; and what is allowed in all.
+constexpr long unknowns_per_cell = 4, most_unknowns_of_squat = 4'000, most_unknowns_of_slender = 200'000;
 /// Forces below this part of a block's weight are none.
 constexpr double least_load = 1e-3;
 /// Stress counts at least as this part of the largest in the scene, by energy density.
@@ -53,7 +53,7 @@ ChosenModels choose_models(
     const Scene& scene,
     const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing) {
   ChosenModels chosen{scene, std::vector<std::string>(scene.blocks.size())};
-  std::vector<std::size_t> slender;
+  std::vector<std::size_t> may_bend;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     BlockDescription& block = chosen.scene.blocks[b];
     if (block.model != BlockModel::automatic) continue;
@@ -64,40 +64,46 @@ ChosenModels choose_models(
     chosen.reasons[b] = by_shape.reason;
     if (block.fixed)
       chosen.reasons[b] = "held, " + chosen.reasons[b];
-    else if (scene.analysis.kinematics == Kinematics::corotational &&
-             slenderness(outline) > least_slenderness)
-      slender.push_back(b);
+    else if (scene.analysis.kinematics == Kinematics::corotational)
+      may_bend.push_back(b);
   }
-  if (slender.empty()) return chosen;
+  if (may_bend.empty()) return chosen;
 
   const std::vector<double> share = missing(chosen.scene, chosen.reasons);
-  long unknowns = 0;
-  for (std::size_t b : slender) {
-    BlockDescription& block = chosen.scene.blocks[b];
-    const double ratio = slenderness(block.vertices);
-    const std::string length = "slender (" + scene_format::rounded(ratio) + ":1)";
-    std::string& reason = chosen.reasons[b];
-    if (share[b] >= 0 && share[b] <= largest_missing) {
-      reason +=
-          ", " + length + " but hardly bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)";
-      continue;
-    }
-    MeshOptions mesh = block.mesh;
-    mesh.kind = CellKind::by_shape;
-    mesh.cell_size = 0;
-    mesh.edge_nodes = true;
-    mesh.cells = static_cast<int>(std::lround(cells_across * cells_across * ratio));
-    unknowns += unknowns_per_cell * mesh.cells;
-    if (unknowns > most_unknowns) {
-      reason += ", " + length + ", but the meshes of others have used up what is allowed";
-      continue;
-    }
-    block.model = BlockModel::mesh;
-    block.mesh = mesh;
-    reason =
-        length + (share[b] < 0 ? std::string(", its load is not known")
-                               : " and bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)");
+  struct Division {
+    std::size_t block;
+    MeshOptions mesh;
+    std::string reason;
+  };
+  std::vector<Division> squat, slender;
+  long unknowns_of_squat = 0, unknowns_of_slender = 0;
+  for (std::size_t b : may_bend) {
+    const double ratio = slenderness(chosen.scene.blocks[b].vertices);
+    const bool is_slender = ratio > least_slenderness, known = share[b] >= 0;
+    if (known ? share[b] <= largest_missing : !is_slender) continue;
+    Division division{b, {}, {}};
+    const int across = is_slender ? cells_across_slender : cells_across;
+    division.mesh.cells = static_cast<int>(std::lround(across * across * ratio));
+    division.reason = known ? "bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)"
+                            : "slender (" + scene_format::rounded(ratio) + ":1), its load not known";
+    (is_slender ? unknowns_of_slender : unknowns_of_squat) += unknowns_per_cell * division.mesh.cells;
+    (is_slender ? slender : squat).push_back(std::move(division));
   }
+  const auto divide = [&](const std::vector<Division>& divisions, bool affordable) {
+    for (const Division& division : divisions) {
+      BlockDescription& block = chosen.scene.blocks[division.block];
+      std::string& reason = chosen.reasons[division.block];
+      if (!affordable) {
+        reason += ", bent, but there are too many such blocks to divide them";
+        continue;
+      }
+      block.model = BlockModel::mesh;
+      block.mesh = division.mesh;
+      reason = division.reason;
+    }
+  };
+  divide(squat, unknowns_of_squat <= most_unknowns_of_squat);
+  divide(slender, unknowns_of_slender <= most_unknowns_of_slender);
   return chosen;
 }
 

@@ -2,15 +2,17 @@
 ///
 /// 1. By shape: Wachspress functions where every corner turns left by more than two degrees, else mean value
 ///    functions.
-/// 2. A block is slender when its principal radii of gyration differ by a factor of more than 2.5. Then one
-///    polygon cannot bend: a rectangle of 4:1 has 15 % of the compliance of a beam.
-/// 3. A slender block is divided into cells, four across, where bending matters: where more than a tenth of
-///    the stress (in the energy norm, of that block or of a tenth of the largest energy density in the scene,
-///    whichever is larger) is bending, stress along the block and linear across it, that its forces ask for
-///    and the polygon does not carry. The forces are those of a first look at the scene at rest. Where that finds none on a block (it falls, or
-///    waits for others), slenderness alone decides.
-/// 4. These meshes have 200 000 unknowns at most in all; blocks beyond, in the order of the scene, stay
-/// single.
+/// 2. A block is divided into cells where bending matters: where more than 3 % of the stress (in the energy
+///    norm, of that block or of a tenth of the largest energy density in the scene, whichever is larger) is
+///    bending, stress along the block and linear across it, that its forces ask for and the polygon does not
+///    carry. The forces are those of a first look at the scene at rest.
+/// 3. A block is slender when its principal radii of gyration differ by a factor of more than 2.5. One
+/// polygon
+///    cannot bend then: a rectangle of 4:1 has 15 % of the compliance of a beam. It gets four cells across,
+///    others two. Where the first look finds no forces on a block (it falls, or waits for others), a slender
+///    one is divided and another is not.
+/// 4. Meshes of slender blocks have 200 000 unknowns at most in all and those of others 4 000: where that is
+///    not enough none of them is divided. What many blocks carry together depends little on how each bends.
 #pragma once
 
 #include <ddacontact/scene/scene.hpp>
