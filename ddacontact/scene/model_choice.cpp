@@ -81,6 +81,7 @@ ChosenModels choose_models(
     const double ratio = slenderness(chosen.scene.blocks[b].vertices);
     const bool is_slender = ratio > least_slenderness, known = share[b] >= 0;
     if (known ? share[b] <= largest_missing : !is_slender) continue;
+    if (!is_slender && chosen.scene.blocks[b].model == BlockModel::mean_value) continue;
     Division division{b, {}, {}};
     const int across = is_slender ? cells_across_slender : cells_across;
     division.mesh.cells = static_cast<int>(std::lround(across * across * ratio));
