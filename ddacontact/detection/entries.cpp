@@ -2,6 +2,10 @@
 
 #include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/corner.hpp>
+#include <polyfem/geometry/validity.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace ddacontact {
 
@@ -42,6 +46,16 @@ bool goes_through(const Path& x, const Path& from, const Path& to, double tolera
   return place(outside).is_over(tolerance);
 }
 
+bool is_deep_in(const PointsRef& polygon, const Vec2& x, double tolerance) {
+  if (!polyfem::contains(polygon, x)) return false;
+  for (int e = 0; e < polygon.cols(); ++e) {
+    const Place place(x, polygon.col(e), polygon.col(next(e, polygon)));
+    const double aside = std::max({-place.along, place.along - place.length, 0.0});
+    if (std::hypot(place.gap, aside) <= tolerance) return false;
+  }
+  return true;
+}
+
 Box swept_box(const MovingOutline& outline) {
   const Box start = bounding_box(outline.start), end = bounding_box(outline.end);
   return {start.low.cwiseMin(end.low), start.high.cwiseMax(end.high)};
@@ -60,7 +74,8 @@ void find_entries_of(const MovingOutline& a, const MovingOutline& b, const Box& 
     const Path x = path(a, i);
     if (is_apart(x, x, common) || corner_at(a.start, i) == Corner::reflex) continue;
     for (int e = 0; e < b.start.cols(); ++e)
-      if (goes_through(x, path(b, e), path(b, next(e, b.start)), tolerance))
+      if (goes_through(x, path(b, e), path(b, next(e, b.start)), tolerance) &&
+          is_deep_in(b.end, x.end, tolerance))
         entries.push_back({a.block, i, b.block, e});
   }
 }

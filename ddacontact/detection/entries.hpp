@@ -13,9 +13,9 @@ struct MovingOutline {
   PointsRef start, end;  ///< simple, counter-clockwise
 };
 
-/// Appends the vertices of `a` that went through an edge of `b`, then those of `b` through `a`: not reflex
-/// ones, at first no more than `tolerance` (m) behind the edge, at last more than that behind it, over it and
-/// in between through it.
+/// Appends the vertices of `a` that went into `b`, with the edges they went through, then those of `b`: not
+/// reflex ones, at last in the other polygon further than `tolerance` (m) from its outline. Of the edge they
+/// were at first in front, or no more than that behind.
 void find_entries(const MovingOutline& a, const MovingOutline& b, double tolerance,
                   std::vector<VertexEdge>& entries);
 
