@@ -2,6 +2,7 @@
 
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/detection/corner.hpp>
+#include <ddacontact/detection/entries.hpp>
 #include <ddacontact/detection/half_width.hpp>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace {
 constexpr double coincidence = 1e-6;
 /// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
 constexpr double near_corner = 1e-2;
+/// A vertex this times the block size inside another block went into it.
+constexpr double entered_depth = 1e-5;
 /// Gaps below this times the block size are round-off.
 constexpr double length_tolerance = 1e-12;
 
@@ -67,10 +70,12 @@ const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
     boxes_.push_back(box);
   }
   found_.clear();
+  pairs_.clear();
   auto old = previous.begin();
   for (const Pair& pair : broad_phase_.overlapping_pairs(boxes_)) {
     const auto [a, b] = pair;
     if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
+    pairs_.push_back(pair);
     kept_.clear();
     while (old != previous.end() && block_pair(old->pair) < pair) ++old;
     for (; old != previous.end() && block_pair(old->pair) == pair; ++old)
@@ -224,6 +229,34 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
     contacts.push_back(contact);
   }
   return contacts;
+}
+
+bool ContactBuilder::add_entered(const BlockState& start, const BlockState& end,
+                                 std::vector<Contact>& contacts) {
+  found_.clear();
+  for (const auto& [a, b] : pairs_) {
+    const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
+      const Range& v = blocks_.block(block).vertices();
+      const Vec2 shift = state.origin.col(block) - origin;
+      return Points(state.position.middleCols(v.first, v.count).colwise() + shift);
+    };
+    const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
+                 start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
+    find_entries({a, start_a, end_a}, {b, start_b, end_b}, entered_depth * pair_size(a, b), found_);
+  }
+  bool added = false;
+  for (const VertexEdge& entry : found_) {
+    const auto after = std::upper_bound(
+        contacts.begin(), contacts.end(), block_pair(entry),
+        [](const Pair& pair, const Contact& contact) { return pair < block_pair(contact.pair); });
+    const auto known = [&](const Contact& contact) { return contact.pair == entry; };
+    if (std::any_of(contacts.begin(), after, known)) continue;
+    Contact contact = make_contact(start, entry);
+    make_forms(contact);
+    contacts.insert(after, contact);
+    added = true;
+  }
+  return added;
 }
 
 }  // namespace ddacontact

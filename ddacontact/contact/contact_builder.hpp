@@ -36,6 +36,10 @@ class ContactBuilder {
   /// corner onto the neighbour's vertex.
   std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
                              const std::vector<Contact>& previous);
+  /// Adds to the contacts of `start`, the last ones built, those of vertices that went into another block
+  /// through an edge on the way to `end`, deeper than 1e-5 of the block size, and had no contact with it.
+  /// False: there are none.
+  bool add_entered(const BlockState& start, const BlockState& end, std::vector<Contact>& contacts);
 
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
@@ -61,6 +65,7 @@ class ContactBuilder {
   // Working arrays of `detect`.
   BroadPhase broad_phase_;
   std::vector<Box> boxes_;
+  std::vector<Pair> pairs_;  ///< of blocks that may meet
   std::vector<VertexEdge> found_, kept_;
   Points shifted_;
 };

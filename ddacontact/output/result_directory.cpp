@@ -201,6 +201,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"limited_impacts", counts.limited_impacts},
                                        {"unsettled_impacts", counts.unsettled_impacts},
                                        {"max_residual", counts.max_residual},
+                                       {"overlap_rejections", counts.overlap_rejections},
                                        {"frictionless_holds", counts.frictionless_holds},
                                        {"energy",
                                         {{"kinetic", e.kinetic},

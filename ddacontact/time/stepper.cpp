@@ -90,6 +90,10 @@ bool Stepper::step() {
       return true;
     }
     ++counts_.rejected;
+    if (result == Try::missed_contacts) {
+      ++counts_.overlap_rejections;
+      continue;
+    }
     if (result == Try::outran_detection) {
       reach_scale_ *= reach_growth;
       detected_ = false;
@@ -136,6 +140,9 @@ Stepper::Try Stepper::try_step(double dt) {
 
   BlockState next = state_;
   if (!advance(dt, solution, next)) return Try::rejected;
+  // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
+  if (analysis_.preset != Preset::paper && contact_builder_.add_entered(state_, next, trial_contacts_))
+    return Try::missed_contacts;
   if (solution.friction_unsettled) {
     ++counts_.unconverged;
     last_unsettled_ = rejection_ + ", at time " + std::to_string(next.time) + " s";

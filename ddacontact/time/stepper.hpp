@@ -19,7 +19,8 @@ namespace ddacontact {
 struct StepCounts {
   long steps = 0;                  ///< whole steps of the length the scene states
   long substeps = 0;               ///< accepted tries
-  long rejected = 0;               ///< tries given up and cut
+  long rejected = 0;               ///< tries given up and made again, most of them shorter
+  long overlap_rejections = 0;     ///< of these, because a vertex went into a block without a contact
   long unconverged = 0;            ///< accepted although stick and slip had not settled
   long open_close_iterations = 0;  ///< solutions of (13), in all tries
   long minimizations = 0;          ///< problems with frozen bounds that the staged method had to solve
@@ -81,7 +82,7 @@ class Stepper {
   double last_dt() const { return last_dt_; }
 
  private:
-  enum class Try { accepted, rejected, outran_detection };
+  enum class Try { accepted, rejected, outran_detection, missed_contacts };
 
   Try try_step(double dt);
   void detect(double dt);

@@ -13,6 +13,9 @@
 namespace polyfem {
 namespace {
 
+/// Nearer singularities are at the end of the line.
+constexpr double shortest_reach = 1e-9;
+
 struct WeightedPoint {
   double x, y, weight;
 };
@@ -80,7 +83,8 @@ class VertexSingularities {
       reach = nearer(reach, {(vertex - p).norm() / length, (vertex - q).norm() / length});
     }
     reach.before *= layer_;
-    return reach;
+    // An ear's side may have a straight vertex just at its middle.
+    return {std::max(reach.before, shortest_reach), std::max(reach.behind, shortest_reach)};
   }
   double axis(const Vec2& p, const Vec2& q, const Reach& reach, const GradedMap& map) const {
     using Complex = std::complex<double>;

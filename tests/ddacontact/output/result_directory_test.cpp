@@ -299,6 +299,7 @@ TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
                                                    {"impacts", counts.impacts},
                                                    {"limited_impacts", counts.limited_impacts},
                                                    {"unsettled_impacts", counts.unsettled_impacts},
+                                                   {"overlap_rejections", counts.overlap_rejections},
                                                    {"frictionless_holds", counts.frictionless_holds}};
   for (const auto& [key, count] : expected) EXPECT_EQ(summary.number(key), count) << key;
   EXPECT_EQ(summary.number("max_residual"), counts.max_residual);

@@ -121,4 +121,19 @@ TEST(VertexRule, IsFiniteHoweverShortAnEdge) {
   }
 }
 
+/// Straight corners turned by an angle are so up to round-off: an ear of no area may lie across one, with the
+/// straight vertex at the middle of its side.
+TEST(VertexRule, IsFiniteAtStraightCornersHoweverTurned) {
+  PolygonRule rule;
+  const Points U = support::concave_polygons()[6].points;
+  for (double angle = 0; angle < 6.2; angle += 0.05) {
+    Mat2 R;
+    R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    const Points turned = R * U;
+    make_vertex_rule(turned, 6, rule);
+    ASSERT_TRUE(rule.points.allFinite() && rule.weights.allFinite()) << angle;
+    EXPECT_NEAR(rule.weights.sum() / signed_area(turned), 1, 1e-3) << angle;
+  }
+}
+
 }  // namespace

@@ -1,0 +1,94 @@
+#include <ddacontact/detection/entries.hpp>
+
+#include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/corner.hpp>
+#include <polyfem/geometry/validity.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+/// Halvings of the time of a passage.
+constexpr int n_halvings = 50;
+
+struct Path {
+  Vec2 start, end;
+
+  Vec2 at(double t) const { return start + t * (end - start); }
+};
+
+/// Where a vertex is seen from an edge, m: < 0 is behind it; along it from its start.
+struct Place {
+  double gap, along, length;
+
+  Place(const Vec2& x, const Vec2& from, const Vec2& to) {
+    const Vec2 edge = to - from;
+    length = edge.norm();
+    gap = -cross(edge, x - from) / length;
+    along = edge.dot(x - from) / length;
+  }
+  bool is_over(double tolerance) const { return along >= -tolerance && along <= length + tolerance; }
+};
+
+bool goes_through(const Path& x, const Path& from, const Path& to, double tolerance) {
+  const Place last(x.end, from.end, to.end);
+  if (last.gap >= -tolerance || !last.is_over(0)) return false;
+  const auto place = [&](double t) { return Place(x.at(t), from.at(t), to.at(t)); };
+  double outside = 0, behind = 1;
+  if (place(outside).gap < -tolerance) return false;
+  for (int k = 0; k < n_halvings; ++k) {
+    const double middle = (outside + behind) / 2;
+    (place(middle).gap >= -tolerance ? outside : behind) = middle;
+  }
+  return place(outside).is_over(tolerance);
+}
+
+bool is_deep_in(const PointsRef& polygon, const Vec2& x, double tolerance) {
+  if (!polyfem::contains(polygon, x)) return false;
+  for (int e = 0; e < polygon.cols(); ++e) {
+    const Place place(x, polygon.col(e), polygon.col(next(e, polygon)));
+    const double aside = std::max({-place.along, place.along - place.length, 0.0});
+    if (std::hypot(place.gap, aside) <= tolerance) return false;
+  }
+  return true;
+}
+
+Box swept_box(const MovingOutline& outline) {
+  const Box start = bounding_box(outline.start), end = bounding_box(outline.end);
+  return {start.low.cwiseMin(end.low), start.high.cwiseMax(end.high)};
+}
+
+bool is_apart(const Path& p, const Path& q, const Box& box) {
+  const Vec2 low = p.start.cwiseMin(p.end).cwiseMin(q.start).cwiseMin(q.end),
+             high = p.start.cwiseMax(p.end).cwiseMax(q.start).cwiseMax(q.end);
+  return (low.array() > box.high.array()).any() || (high.array() < box.low.array()).any();
+}
+
+void find_entries_of(const MovingOutline& a, const MovingOutline& b, const Box& common, double tolerance,
+                     std::vector<VertexEdge>& entries) {
+  const auto path = [](const MovingOutline& of, int k) -> Path { return {of.start.col(k), of.end.col(k)}; };
+  for (int i = 0; i < a.start.cols(); ++i) {
+    const Path x = path(a, i);
+    if (is_apart(x, x, common) || corner_at(a.start, i) == Corner::reflex) continue;
+    for (int e = 0; e < b.start.cols(); ++e)
+      if (goes_through(x, path(b, e), path(b, next(e, b.start)), tolerance) &&
+          is_deep_in(b.end, x.end, tolerance))
+        entries.push_back({a.block, i, b.block, e});
+  }
+}
+
+}  // namespace
+
+void find_entries(const MovingOutline& a, const MovingOutline& b, double tolerance,
+                  std::vector<VertexEdge>& entries) {
+  const Box of_a = swept_box(a), of_b = swept_box(b);
+  const Box common{of_a.low.cwiseMax(of_b.low), of_a.high.cwiseMin(of_b.high)};
+  if ((common.low.array() > common.high.array()).any()) return;
+  find_entries_of(a, b, common, tolerance, entries);
+  find_entries_of(b, a, common, tolerance, entries);
+}
+
+}  // namespace ddacontact

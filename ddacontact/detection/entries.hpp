@@ -1,0 +1,22 @@
+/// \file Which vertices went into another polygon through one of its edges, by their paths.
+#pragma once
+
+#include <ddacontact/detection/narrow_phase.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// A polygon before and after a motion; each vertex goes straight at constant speed.
+struct MovingOutline {
+  int block;
+  PointsRef start, end;  ///< simple, counter-clockwise
+};
+
+/// Appends the vertices of `a` that went into `b`, with the edges they went through, then those of `b`: not
+/// reflex ones, at last in the other polygon further than `tolerance` (m) from its outline. Of the edge they
+/// were at first in front, or no more than that behind.
+void find_entries(const MovingOutline& a, const MovingOutline& b, double tolerance,
+                  std::vector<VertexEdge>& entries);
+
+}  // namespace ddacontact

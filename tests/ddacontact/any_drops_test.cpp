@@ -1,0 +1,43 @@
+// Polygons of any shape that fall, collide, slide and come to rest: nothing passes through anything.
+#include <tests/support/any_drops.hpp>
+#include <tests/support/hard_steps.hpp>
+#include <tests/support/random_scenes.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace ddacontact;
+using namespace support;
+
+TEST(AnyDrops, StayApartAndRunToTheirEnd) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const AnyDrop drop = run_any_drop(seed);
+    SCOPED_TRACE(name_of(ground_of(seed)) + ' ' + std::to_string(seed) + ": " + drop.failure);
+    EXPECT_EQ(drop.stopped_by, "");
+    EXPECT_LE(drop.overlap, overlap_limit);
+    EXPECT_FALSE(drop.passed);
+    EXPECT_GE(drop.blocks, 1);
+    EXPECT_LE(drop.rise, 1e-4);
+  }
+}
+
+/// Corners that meet corners other than foreseen: these overlapped before tries were made again for that.
+TEST(AnyDrops, CornersThatPassCornersDoNotGoIn) {
+  const AnyDrop vessel = run_any_drop(287);
+  EXPECT_LE(vessel.overlap, overlap_limit);
+  EXPECT_GE(vessel.overlap_rejections, 1);
+
+  const Scene pile = random_drop(591);
+  const BuiltScene built = build(pile);
+  Stepper& stepper = *built.stepper;
+  for (int k = 0; k < pile.analysis.steps; ++k) {
+    ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
+    EXPECT_LE(largest_overlap(stepper), overlap_limit) << "step " << k;
+  }
+  EXPECT_GE(stepper.counts().overlap_rejections, 1);
+}
+
+/// A drop whose U has a straight vertex at the middle of a side of an ear.
+TEST(AnyDrops, AnUWithStraightCornersMoves) {
+  const AnyDrop drop = run_any_drop(47);
+  EXPECT_EQ(drop.stopped_by, "");
+}
