@@ -127,8 +127,11 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     report.friction_loss -= shear[static_cast<Index>(c)] * rates / 2;
     if (is_slipping(contact.history.state)) rubbed -= contact.shear * contact.slip.change(d);
   }
-  if (!report.settled || report.friction_loss + rubbed < 0 ||
-      kinetic_energy(blocks, next.velocity) > kinetic_energy(blocks, moving) + std::max(rubbed, 0.0)) {
+  // Written so that what is not a number is refused.
+  const bool sound =
+      report.friction_loss + rubbed >= 0 &&
+      kinetic_energy(blocks, next.velocity) <= kinetic_energy(blocks, moving) + std::max(rubbed, 0.0);
+  if (!report.settled || !sound) {
     next.velocity = without_friction;
     report = {0, false};
   }
