@@ -40,20 +40,21 @@ Scene spin_scene(BlockModel model, Scheme scheme, Kinematics kinematics, int ste
 /// Area over that at rest, less 1, of the block that turns steadily: K u = w^2 M (X + u).
 double steady_stretch(const Block& block, BlockModel model, double angular_velocity) {
   const Points outline = block.reference().colwise() - polyfem::area_moments(block.reference()).centroid;
-  const CorotationalShape shape =
-      model == BlockModel::affine
-          ? affine_shape(block.material(), outline)
-          : wachspress_shape(block.material(), outline, choose_integration(outline, GradientCorrection::on));
+  const CorotationalShape shape = model == BlockModel::affine
+                                      ? affine_shape(block.material(), outline)
+                                      : polygon_shape(block.material(), outline, polyfem::wachspress,
+                                                      choose_integration(outline, GradientCorrection::on));
   const Index m = shape.nodes.cols();
-  MatrixXd A = shape.elastic.stiffness();
+  const ShapeCell& cell = shape.cells.front();
+  MatrixXd A = cell.elastic.stiffness();
   for (Index a = 0; a < m; ++a)
     for (Index b = 0; b < m; ++b)
-      A.block<2, 2>(2 * a, 2 * b) -=
-          angular_velocity * angular_velocity * shape.mass(a, b) * Mat2::Identity();
-  const Points centrifugal = angular_velocity * angular_velocity * shape.nodes * shape.mass;
+      A.block<2, 2>(2 * a, 2 * b) -= angular_velocity * angular_velocity * cell.mass(a, b) * Mat2::Identity();
+  const Points centrifugal = angular_velocity * angular_velocity * shape.nodes * cell.mass;
   // Translations carry no force here; they do not change the area either.
   const VectorXd u = A.fullPivLu().solve(VectorXd(centrifugal.reshaped()));
-  const Points stretched = (shape.nodes + u.reshaped(2, m)) * shape.outline.transpose();
+  Points stretched = shape.nodes + u.reshaped(2, m);
+  if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
   return polyfem::area_moments(stretched).area / polyfem::area_moments(outline).area - 1;
 }
 
