@@ -103,11 +103,13 @@ void draw_stress(const PolygonMesh& mesh, const VectorXd& u) {
   frame.materials.assign(static_cast<std::size_t>(mesh.n_cells()), 0);
   frame.position.resize(2, static_cast<Index>(mesh.indices.size()));
   frame.strain_displacement.resize(2, frame.position.cols());
+  frame.stress_offset.setZero(3, mesh.n_cells());
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const int first = mesh.offsets[c], count = mesh.offsets[c + 1] - first;
     frame.blocks.push_back({first, count});
     frame.strain_displacement.middleCols(first, count) = of_cell(mesh, c, u);
     frame.position.middleCols(first, count) = mesh.outline(c);
+    frame.add_outline_cell(c);
   }
   const ddacontact::Panel panel{.frame = &frame, .field = ddacontact::Field::sxx};
   std::ofstream("cantilever_polygons.svg") << ddacontact::draw({panel}, {.title = "Cantilever, 200 cells"});

@@ -10,20 +10,23 @@ using polyfem::PointsRef;
 /// Sine of 3 degrees: edges that turn by no more count as one straight line.
 inline constexpr double sin_parallel = 0.0523;
 
+/// How an outline turns at a vertex.
 enum class Corner {
   convex,    ///< turns left
   straight,  ///< turns by no more than 3 degrees, either way
   reflex     ///< turns right: nothing can be touched with it first
 };
 
-/// The vertex after k, and the one before.
+/// The vertex after k.
 inline int next(int k, const PointsRef& polygon) {
   return k + 1 == polygon.cols() ? 0 : k + 1;
 }
+/// The vertex before k.
 inline int previous(int k, const PointsRef& polygon) {
   return (k == 0 ? static_cast<int>(polygon.cols()) : k) - 1;
 }
 
+/// Of a vertex.
 Corner corner_at(const PointsRef& polygon, int vertex);
 
 /// Whether the outline goes straight on from edge `from` to edge `to`, both included: straight corners, and
@@ -34,9 +37,9 @@ bool goes_straight_on(const PointsRef& polygon, int from, int to);
 /// turn: a point beyond both edges can enter through one of them only.
 bool turns_left(const PointsRef& polygon, int from, int to);
 
-/// How far the outline goes straight on beyond an end of an edge, m: with the end of the edge, or against it
-/// from its start.
+/// How far the outline goes straight on beyond the end of an edge, m.
 double straight_beyond_end(const PointsRef& polygon, int edge);
+/// How far it came straight on to the start of an edge, m.
 double straight_before_start(const PointsRef& polygon, int edge);
 
 }  // namespace ddacontact
