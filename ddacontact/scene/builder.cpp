@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace ddacontact {
 
@@ -61,34 +62,45 @@ Placed place(const BlockDescription& block, const Vec2& origin) {
   return placed;
 }
 
-/// The motion at a part `along` of the way from one held vertex to the next.
-TimeFunction between(const TimeFunction& a, const TimeFunction& b, double along) {
-  if (a.kind == b.kind && a.kind != TimeFunction::Kind::history)
-    return {a.kind, (1 - along) * a.value + along * b.value, {}};
-  const auto same = [](const Vec3& p, const Vec3& q) { return p == q; };
-  if (a.kind == b.kind &&
-      std::equal(a.history.begin(), a.history.end(), b.history.begin(), b.history.end(), same))
-    return a;
-  throw Error(
-      "the vertices at the ends of an edge of a meshed block are moved in different ways (give both "
-      "the same kind of motion)");
-}
+/// How a block is held: its vertices, and the edges (by their first vertex) both ends of which are held at
+/// once, by one support or by the block itself. What two supports hold are points: the edge between them is
+/// free.
+struct Holds {
+  VertexHolds vertices, edges;
 
-std::vector<VertexHolds> collect_holds(const Scene& scene, const std::vector<Placed>& placed) {
-  std::vector<VertexHolds> holds;
-  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+  explicit Holds(Index n) : vertices(n), edges(n) {}
+
+  void hold(const std::vector<int>& held, int axis, const TimeFunction& motion) {
+    std::vector<bool> is_held(vertices.size());
+    for (int v : held) is_held[v] = true;
+    for (std::size_t v = 0; v < is_held.size(); ++v) {
+      if (!is_held[v]) continue;
+      vertices[v][axis] = motion;
+      if (is_held[(v + 1) % is_held.size()]) edges[v][axis] = motion;
+    }
+  }
+};
+
+std::vector<Holds> collect_holds(const Scene& scene, const std::vector<Placed>& placed) {
+  std::vector<Holds> holds;
+  const auto ours = [&](int block, std::vector<int> vertices) {
+    for (int& v : vertices) v = placed[block].ours(v);
+    return vertices;
+  };
+  for (int b = 0; b < static_cast<int>(scene.blocks.size()); ++b) {
     const BlockDescription& block = scene.blocks[b];
-    VertexHolds& of_block = holds.emplace_back(block.vertices.cols());
-    const TimeFunction still;
-    if (block.fixed) std::fill(of_block.begin(), of_block.end(), VertexHolds::value_type{still, still});
-    for (int v : block.fixed_vertices) of_block[placed[b].ours(v)] = {still, still};
+    Holds& of_block = holds.emplace_back(block.vertices.cols());
+    std::vector<int> fixed = ours(b, block.fixed_vertices);
+    if (block.fixed) {
+      fixed.resize(block.vertices.cols());
+      std::iota(fixed.begin(), fixed.end(), 0);
+    }
+    for (int axis = 0; axis < 2; ++axis) of_block.hold(fixed, axis, {});
   }
   for (const Support& support : scene.supports) {
-    for (int v : support.vertices) {
-      auto& of_vertex = holds[support.block][placed[support.block].ours(v)];
-      if (support.hold_x) of_vertex[0] = support.displacement;
-      if (support.hold_y) of_vertex[1] = support.displacement;
-    }
+    const std::vector<int> held = ours(support.block, support.vertices);
+    if (support.hold_x) holds[support.block].hold(held, 0, support.displacement);
+    if (support.hold_y) holds[support.block].hold(held, 1, support.displacement);
   }
   return holds;
 }
@@ -210,11 +222,12 @@ class Builder {
       block = std::make_unique<VertexBlock>(material, outline, integration, basis);
     for (int v = 0; v < outline.cols(); ++v)
       for (int axis = 0; axis < 2; ++axis)
-        if (holds_[b][v][axis]) local_holds_[b].push_back({2 * v + axis, v, axis, *holds_[b][v][axis]});
+        if (holds_[b].vertices[v][axis])
+          local_holds_[b].push_back({2 * v + axis, v, axis, *holds_[b].vertices[v][axis]});
     return block;
   }
 
-  /// An edge is held where both its ends are, and so is all of a fixed block.
+  /// All of a fixed block is held.
   std::unique_ptr<Block> make_mesh_block(int b, const BlockMaterial& material) {
     const BlockMesh& mesh = *placed_[b].mesh;
     const int n_free_places = static_cast<int>(mesh.places.cols() - mesh.on_straight_edges.size());
@@ -225,16 +238,11 @@ class Builder {
     for (int axis = 0; axis < 2; ++axis) {
       for (int place = 0; scene_.blocks[b].fixed && place < n_free_places; ++place) hold(place, axis, {});
       for (int v = 0; !scene_.blocks[b].fixed && v < n; ++v) {
-        const std::optional<TimeFunction>&at = holds_[b][v][axis], &next = holds_[b][(v + 1) % n][axis];
-        if (!at) continue;
-        hold(mesh.vertex[v], axis, *at);
-        if (!next) continue;
+        if (const auto& motion = holds_[b].vertices[v][axis]) hold(mesh.vertex[v], axis, *motion);
+        const auto& motion = holds_[b].edges[v][axis];
+        if (!motion) continue;
         const int end = v + 1 < n ? mesh.vertex[v + 1] : mesh.n_outline;
-        const Vec2 start = mesh.places.col(mesh.vertex[v]),
-                   edge = mesh.places.col(mesh.vertex[(v + 1) % n]) - start;
-        for (int place = mesh.vertex[v] + 1; place < end; ++place)
-          hold(place, axis,
-               between(*at, *next, edge.dot(mesh.places.col(place) - start) / edge.squaredNorm()));
+        for (int place = mesh.vertex[v] + 1; place < end; ++place) hold(place, axis, *motion);
       }
     }
     return std::make_unique<CorotationalBlock>(
@@ -244,7 +252,8 @@ class Builder {
 
   std::unique_ptr<Block> make_affine_block(int b, const BlockMaterial& material) {
     const Points& outline = placed_[b].outline;
-    const std::vector<bool> held_x = held_along(holds_[b], 0), held_y = held_along(holds_[b], 1);
+    const std::vector<bool> held_x = held_along(holds_[b].vertices, 0),
+                            held_y = held_along(holds_[b].vertices, 1);
     const auto n_x = std::count(held_x.begin(), held_x.end(), true),
                n_y = std::count(held_y.begin(), held_y.end(), true);
     if (n_x + n_y == 0) return affine_block(material, outline, std::nullopt);
@@ -253,15 +262,16 @@ class Builder {
     if (scene_.analysis.preset == Preset::paper && !wholly_held) {
       for (int v = 0; v < outline.cols(); ++v)
         for (int axis = 0; axis < 2; ++axis)
-          if (holds_[b][v][axis]) springs_.push_back({b, v, axis == 0, axis == 1, *holds_[b][v][axis]});
+          if (holds_[b].vertices[v][axis])
+            springs_.push_back({b, v, axis == 0, axis == 1, *holds_[b].vertices[v][axis]});
       return affine_block(material, outline, std::nullopt);
     }
     const ControlVertices control = choose_control_vertices(outline, held_x, held_y);
     for (int axis = 0; axis < 2; ++axis) {
       const std::array<int, 3>& vertices = axis == 0 ? control.x : control.y;
-      if ((axis == 0 ? n_x : n_y) > 3) check_followed(holds_[b], outline, vertices, axis, scene_, b);
+      if ((axis == 0 ? n_x : n_y) > 3) check_followed(holds_[b].vertices, outline, vertices, axis, scene_, b);
       for (int k = 0; k < 3; ++k)
-        if (const auto& motion = holds_[b][vertices[k]][axis])
+        if (const auto& motion = holds_[b].vertices[vertices[k]][axis])
           local_holds_[b].push_back({2 * k + axis, vertices[k], axis, *motion});
     }
     return affine_block(material, outline, control);
@@ -287,8 +297,8 @@ class Builder {
     system.set_held_unknowns(std::move(held));
     system.held_vertices = springs_;
     for (int b = 0; b < system.n_blocks(); ++b)
-      for (std::size_t v = 0; v < holds_[b].size(); ++v)
-        if (holds_[b][v][0] || holds_[b][v][1])
+      for (std::size_t v = 0; v < holds_[b].vertices.size(); ++v)
+        if (holds_[b].vertices[v][0] || holds_[b].vertices[v][1])
           system.supported_vertices.push_back(system.block(b).places().first +
                                               placed_[b].place(static_cast<int>(v)));
   }
@@ -377,7 +387,7 @@ class Builder {
   const std::vector<std::string>& reasons_;
   Vec2 origin_;
   std::vector<Placed> placed_;
-  std::vector<VertexHolds> holds_;
+  std::vector<Holds> holds_;
   std::vector<std::vector<LocalHold>> local_holds_ =
       std::vector<std::vector<LocalHold>>(scene_.blocks.size());
   std::vector<HeldVertex> springs_;

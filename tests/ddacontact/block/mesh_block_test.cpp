@@ -178,7 +178,7 @@ TEST(MeshBlock, BendsAsABeamDoes) {
   EXPECT_NEAR(compliance(BlockModel::mesh, mesh, 0.3), 1, 0.01);
 }
 
-/// Holding both ends of an edge holds all of it; reactions carry the weight.
+/// One list that has both ends of an edge holds all of it; reactions carry the weight.
 TEST(MeshBlock, AnEdgeIsHeldWhereItsEndsAre) {
   Scene scene = one_block({"", BlockModel::mesh, CellKind::quads, true, bar()});
   scene.analysis.gravity = {0, -10};
@@ -198,6 +198,32 @@ TEST(MeshBlock, AnEdgeIsHeldWhereItsEndsAre) {
   // A cantilever with shear: w L^4 / (8 E' I) + w L^2 / (2 G A 5/6), held against contraction at the wall.
   const double E = 1e9 / 0.91, tip = 25e3 * 256 / (8 * E / 12) + 25e3 * 16 / (2 * 1e9 / 2.6 * 5 / 6);
   EXPECT_NEAR(-moved.row(1).minCoeff(), tip, 0.05 * tip);
+}
+
+/// Corners held by supports of their own are points: the edge between them bends.
+TEST(MeshBlock, AnEdgeBetweenTwoSupportsIsFree) {
+  Scene scene = one_block({"", BlockModel::mesh, CellKind::quads, true, rectangle(0, 0, 8, 1)});
+  scene.analysis.gravity = {0, -10};
+  scene.analysis.mode = Mode::statics;
+  scene.analysis.time_step = 1;
+  scene.analysis.steps = 5;
+  scene.blocks[0].mesh.cells = 256;
+  for (int corner = 0; corner < 2; ++corner) {
+    Support support;
+    support.block = 0;
+    support.vertices = {corner};
+    support.hold_x = corner == 0;
+    support.hold_y = true;
+    scene.supports.push_back(support);
+  }
+  const BuiltScene beam = run(scene);
+  const Stepper& stepper = *beam.stepper;
+  EXPECT_NEAR(stepper.reactions()(1, 0), 4 * 25e3, 1e-6 * 1e5);
+  EXPECT_NEAR(stepper.reactions().row(1).sum(), 8 * 25e3, 1e-6 * 1e5);
+  // Simply supported: 5 w L^4 / (384 E' I) + w L^2 / (8 G A 5/6).
+  const double E = 1e9 / 0.91, sag = 5 * 25e3 * 4096 / (384 * E / 12) + 25e3 * 64 / (8 * 1e9 / 2.6 * 5 / 6);
+  const double lowest = -stepper.blocks().displacements(stepper.state()).row(1).minCoeff();
+  EXPECT_NEAR(lowest, sag, 0.06 * sag);
 }
 
 /// On a floor under its weight, with nodes on its edges or without.
