@@ -16,13 +16,29 @@ namespace {
 constexpr double least_turn = 0.035;  ///< the sine of two degrees
 constexpr double least_slenderness = 2.5;
 constexpr double largest_missing = 0.03;
-constexpr int cells_across = 2, cells_across_slender = 4;
+constexpr int cells_across = 2, cells_across_slender = 4, most_cells_of_a_block = 400;
 /// Two vertices a cell; and what is allowed in all.
 constexpr long unknowns_per_cell = 4, most_unknowns_of_squat = 4'000, most_unknowns_of_slender = 200'000;
 /// Forces below this part of a block's weight are none.
 constexpr double least_load = 1e-3;
 /// Stress counts at least as this part of the largest in the scene, by energy density.
 constexpr double least_density = 0.1;
+
+/// Meshes bend, and load others in another way than polygons that do not: looked at again, so often at most.
+constexpr int most_rounds = 3;
+
+/// Unknowns of the meshes of a kind of block.
+struct Budget {
+  long most, asked = 0;
+};
+
+/// What a block is to be.
+struct Division {
+  std::size_t block;
+  MeshOptions mesh;
+  std::string reason;
+  Budget* budget;
+};
 
 struct ChoiceByShape {
   BlockModel model;
@@ -67,34 +83,30 @@ ChosenModels choose_models(
     else if (scene.analysis.kinematics == Kinematics::corotational)
       may_bend.push_back(b);
   }
-  if (may_bend.empty()) return chosen;
-
-  const std::vector<double> share = missing(chosen.scene, chosen.reasons);
-  struct Division {
-    std::size_t block;
-    MeshOptions mesh;
-    std::string reason;
-  };
-  std::vector<Division> squat, slender;
-  long unknowns_of_squat = 0, unknowns_of_slender = 0;
-  for (std::size_t b : may_bend) {
-    const double ratio = slenderness(chosen.scene.blocks[b].vertices);
-    const bool is_slender = ratio > least_slenderness, known = share[b] >= 0;
-    if (known ? share[b] <= largest_missing : !is_slender) continue;
-    if (!is_slender && chosen.scene.blocks[b].model == BlockModel::mean_value) continue;
-    Division division{b, {}, {}};
-    const int across = is_slender ? cells_across_slender : cells_across;
-    division.mesh.cells = static_cast<int>(std::lround(across * across * ratio));
-    division.reason = known ? "bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)"
-                            : "slender (" + scene_format::rounded(ratio) + ":1), its load not known";
-    (is_slender ? unknowns_of_slender : unknowns_of_squat) += unknowns_per_cell * division.mesh.cells;
-    (is_slender ? slender : squat).push_back(std::move(division));
-  }
-  const auto divide = [&](const std::vector<Division>& divisions, bool affordable) {
+  Budget squat{most_unknowns_of_squat}, slender{most_unknowns_of_slender};
+  for (int round = 0; round < most_rounds && !may_bend.empty(); ++round) {
+    const std::vector<double> share = missing(chosen.scene, chosen.reasons);
+    std::vector<Division> divisions;
+    for (std::size_t b : may_bend) {
+      const double ratio = slenderness(chosen.scene.blocks[b].vertices);
+      const bool is_slender = ratio > least_slenderness, known = share[b] >= 0;
+      if (known ? share[b] <= largest_missing : !is_slender) continue;
+      if (!is_slender && chosen.scene.blocks[b].model == BlockModel::mean_value) continue;
+      Division division{b, {}, {}, is_slender ? &slender : &squat};
+      const int across = is_slender ? cells_across_slender : cells_across;
+      division.mesh.cells =
+          static_cast<int>(std::lround(std::min<double>(across * across * ratio, most_cells_of_a_block)));
+      division.reason = known ? "bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)"
+                              : "slender (" + scene_format::rounded(ratio) + ":1), its load not known";
+      division.budget->asked += unknowns_per_cell * division.mesh.cells;
+      divisions.push_back(std::move(division));
+    }
+    if (divisions.empty()) break;
     for (const Division& division : divisions) {
       BlockDescription& block = chosen.scene.blocks[division.block];
       std::string& reason = chosen.reasons[division.block];
-      if (!affordable) {
+      std::erase(may_bend, division.block);
+      if (division.budget->asked > division.budget->most) {
         reason += ", bent, but there are too many such blocks to divide them";
         continue;
       }
@@ -102,9 +114,7 @@ ChosenModels choose_models(
       block.mesh = division.mesh;
       reason = division.reason;
     }
-  };
-  divide(squat, unknowns_of_squat <= most_unknowns_of_squat);
-  divide(slender, unknowns_of_slender <= most_unknowns_of_slender);
+  }
   return chosen;
 }
 

@@ -5,12 +5,13 @@
 /// 2. A block is divided into cells where bending matters: where more than 3 % of the stress (in the energy
 ///    norm, of that block or of a tenth of the largest energy density in the scene, whichever is larger) is
 ///    bending, stress along the block and linear across it, that its forces ask for and the polygon does not
-///    carry. The forces are those of a first look at the scene at rest.
+///    carry. The forces are those of a first look at the scene at rest, and of another one with the meshes
+///    chosen, at most three.
 /// 3. A block is slender when its principal radii of gyration differ by a factor of more than 2.5. One
 /// polygon
-///    cannot bend then: a rectangle of 4:1 has 15 % of the compliance of a beam. It gets four cells across,
-///    others two. Where the first look finds no forces on a block (it falls, or waits for others), a slender
-///    one is divided and another is not.
+///    cannot bend then: a rectangle of 4:1 has 15 % of the compliance of a beam. It gets four cells across
+///    (400 cells at most), others two. Where the first look finds no forces on a block (it falls, or waits
+///    for others), a slender one is divided and another is not.
 /// 4. Meshes of slender blocks have 200 000 unknowns at most in all and those of others 4 000: where that is
 ///    not enough none of them is divided. What many blocks carry together depends little on how each bends.
 #pragma once
@@ -31,7 +32,7 @@ struct ChosenModels {
 };
 
 /// Puts models in the place of "auto". `missing` finds what `missing_bending` says of a scene that states
-/// every model; it is asked at most once, and only where a slender block is free to bend.
+/// every model; it is asked at most three times.
 ChosenModels choose_models(
     const Scene& scene,
     const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing);
