@@ -105,10 +105,10 @@ Complaint complaint_about(const DefectiveVertex& found, const Points& polygon) {
 }
 
 /// The nearest that a vertex comes to an edge which is not its own, unless that is far enough.
-std::optional<Complaint> find_narrow_place(const Points& polygon, double size) {
+std::optional<Complaint> find_narrow_place(const Points& polygon, double size, BlockModel model) {
   const Around vertex(polygon);
   const int n = vertex.n();
-  const double limit = narrowest * size;
+  const double part = model == BlockModel::mesh ? narrowest_of_mesh : narrowest, limit = part * size;
   double nearest = limit;
   int at = -1, of = -1;
   for (int k = 0; k < n; ++k) {
@@ -125,7 +125,9 @@ std::optional<Complaint> find_narrow_place(const Points& polygon, double size) {
   if (at < 0) return std::nullopt;
   return Complaint{
       at, "passes at vertex " + number(at) + " within " + rounded(nearest) + " m of edge " + number(of),
-      "widen it beyond " + rounded(limit) + " m, 1e-9 of the size, or leave the vertex out"};
+      "widen it beyond " + rounded(limit) + " m, " + (model == BlockModel::mesh ? "1e-6" : "1e-9") +
+          " of the size" + (model == BlockModel::mesh ? ", as cells need" : "") +
+          ", or leave the vertex out"};
 }
 
 std::optional<Complaint> find_short_edge(const Points& polygon, double size) {
@@ -194,7 +196,8 @@ CheckedOutline check_outline(const Outline& outline, BlockModel model, const Pla
   if (corner)
     return refuse(
         corner_complaint(checked.polygon, *corner, clockwise ? static_cast<int>(n) - 1 - *corner : *corner));
-  if (const auto complaint = find_narrow_place(outline.points, checked.size)) return refuse(*complaint);
+  if (const auto complaint = find_narrow_place(outline.points, checked.size, model))
+    return refuse(*complaint);
   checked.turned = clockwise;
   return checked;
 }

@@ -25,6 +25,8 @@ inline constexpr double straight_turn = 1e-9;
 
 /// Necks, spikes and slits narrower than this times the size of the block are lost in round-off.
 inline constexpr double narrowest = 1e-9;
+/// Cells of a mesh around a place narrower than this cannot be resolved.
+inline constexpr double narrowest_of_mesh = 1e-6;
 
 /// Simple, with an area, and nowhere narrower than `narrowest`: no vertex is that near to an edge, but to
 /// those at the other end of an edge shorter than that. A clockwise outline is turned around. The model

@@ -4,6 +4,7 @@
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/stopwatch.hpp>
+#include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
@@ -45,8 +46,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       substep_(analysis.time_step) {
   blocks_.prepare(state_, true);
   for (int b = 0; b < blocks_.n_blocks(); ++b)
-    convex_.push_back(!polyfem::find_non_convex_corner(
-        blocks_.reference().middleCols(blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
+    convex_.push_back(blocks_.block(b).cell(0).basis == &polyfem::wachspress &&
+                      !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
+                          blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
   contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis.time_step, 1));
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
