@@ -89,15 +89,15 @@ void bending(Report& report) {
       percent(one_polygon)));
   const BuiltScene coarse = run_beam(single, 0.3, bent),
                    chosen = run_beam(meshed(beam(), CellKind::by_shape, 64), 0.3, bent),
-                   fine = run_beam(meshed(beam(), CellKind::by_shape, 400), 0.3, bent);
+                   fine = run_beam(meshed(beam(), CellKind::by_shape, 256), 0.3, bent);
   const Frame frames[] = {frame_of(coarse), frame_of(chosen), frame_of(fine)};
   report.picture(
       "blocks_bending",
       draw({{.frame = &frames[0], .field = Field::sxx, .caption = "one Wachspress polygon"},
             {.frame = &frames[1], .field = Field::sxx, .caption = "64 cells"},
-            {.frame = &frames[2], .field = Field::sxx, .caption = "400 cells"}},
+            {.frame = &frames[2], .field = Field::sxx, .caption = "256 cells"}},
            {.title = "Bending: the beam has ±6 kPa at its long sides", .width = 900, .columns = 2}),
-      "σxx of a bent block as one polygon, with 64 cells and with 400.");
+      "σxx of a bent block as one polygon, with 64 cells and with 256.");
   report.claims(
       {{"A single Wachspress polygon has 14.7 % of the beam's compliance.",
         std::abs(one_polygon - 0.147) <= 0.001, percent(one_polygon)},
@@ -166,17 +166,17 @@ void stress_inside(Report& report) {
   report.picture("blocks_stress_rate", draw({chart}, {.title = "Stress inside a block", .plot_height = 260}),
                  "Error of the stress in the energy norm against the number of cells across the block.");
   const BuiltScene coarse = run_beam(meshed(beam(), CellKind::voronoi, 64), 0.3, sheared),
-                   fine = run_beam(meshed(beam(), CellKind::quads, 400), 0.3, sheared);
+                   fine = run_beam(meshed(beam(), CellKind::quads, 256), 0.3, sheared);
   const Frame frames[] = {frame_of(coarse), frame_of(fine)};
   std::vector<Panel> panels;
   for (const Field field : {Field::sxx, Field::sxy})
     for (int k = 0; k < 2; ++k)
       panels.push_back(
-          {.frame = &frames[k], .field = field, .caption = k == 0 ? "64 Voronoi cells" : "400 squares"});
+          {.frame = &frames[k], .field = field, .caption = k == 0 ? "64 Voronoi cells" : "256 squares"});
   report.picture(
       "blocks_stress",
       draw(panels, {.title = "Cantilever", .width = 900, .columns = 2, .sharing = RangeSharing::rows}),
-      "σxx and σxy of the cantilever, 64 Voronoi cells beside 400 squares.");
+      "σxx and σxy of the cantilever, 64 Voronoi cells beside 256 squares.");
   report.claims(
       {{"The error falls with the size of the cells at rate 1 (0.9 or more from 16 to 1024 cells), "
         "bent and sheared, quads and Voronoi cells.",

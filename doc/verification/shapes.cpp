@@ -140,7 +140,6 @@ void shapes(Report& report) {
     for (const BlockModel model : {BlockModel::automatic, BlockModel::mesh})
       for (const char* motion : {"rest", "slide", "tumble", "collide"}) {
         const std::string kind = motion;
-        if (model == BlockModel::mesh && kind != "rest" && kind != "tumble") continue;
         const Points low = at(of.outline, {-5, 0});
         Scene scene = kind == "collide" ? yard(model, {low, at(of.outline, {3, 0})}) : yard(model, {low});
         if (kind == "slide") scene.blocks[0].velocity = {5, 0};
@@ -153,16 +152,24 @@ void shapes(Report& report) {
           scene.blocks[0].velocity = {3, 0};
           scene.blocks[0].angular_velocity = 4;
         }
-        if (model == BlockModel::mesh) scene.analysis.steps = 1500;
         const Seen seen = watch(scene);
         worst_reaction = std::max(worst_reaction, seen.reaction);
         worst_rise = std::max(worst_rise, seen.rise);
         deepest = std::max(deepest, seen.penetration);
-        rows.push_back({of.name, model == BlockModel::mesh ? "mesh, 1500 steps" : "auto", motion,
-                        text(seen.reaction), text(seen.rise), text(seen.penetration), text(seen.speed),
+        rows.push_back({of.name, model == BlockModel::mesh ? "mesh" : "auto", motion, text(seen.reaction),
+                        text(seen.rise), text(seen.penetration), text(seen.speed),
                         fmt::format("{}", seen.rejected)});
       }
   report.table(rows);
+
+  const double rise_of_square =
+      watch(yard(BlockModel::wachspress, {at(rectangle(0, 0, 2, 2), {-5, 0})})).rise;
+  report.paragraph(fmt::format(
+      "The rises of blocks at rest are in the first tenth of a second, while they vibrate under gravity that "
+      "acts suddenly; a plain square, set down in the same way, has {}. They are what the decaying scheme "
+      "gives back in single steps of what it took: the balance of energies stays closed, and nothing of it "
+      "has to do with shape.",
+      text(rise_of_square)));
 
   const Points plain = rectangle(0, 0, 2, 1);
   const Points added = points({{0, 0}, {0.7, 0}, {2, 0}, {2, 1}, {0, 1}});
