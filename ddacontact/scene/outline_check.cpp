@@ -163,7 +163,7 @@ const Place& place_of_vertex(const Outline& outline, int vertex, const Places& p
 }  // namespace
 
 double CheckedOutline::distance_outside(const Vec2& point) const {
-  return polyfem::contains(polygon, point) ? 0 : distance_to_outline(point, polygon);
+  return polyfem::distance_outside(polygon, point);
 }
 
 CheckedOutline check_outline(const Outline& outline, BlockModel model, const Places& places,

@@ -346,12 +346,14 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
 }
 
 void Stepper::prepare_and_keep_momentum() {
+  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static()) {
+    blocks_.prepare(state_);
+    return;
+  }
   Points before(2, blocks_.n_blocks());
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
   blocks_.prepare(state_);
-  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static())
-    return;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);
