@@ -77,6 +77,15 @@ struct Monitor {
   int vertex = 0;
 };
 
+/// A part of a run.
+struct StageDescription {
+  std::string name;                  ///< may be empty
+  AnalysisOptions analysis;          ///< while it lasts; `steps` are its own
+  std::vector<Joint> joints;         ///< those of the scene, in their order, as they are while it lasts
+  bool reset_displacements = false;  ///< at its end displacements are counted anew; stresses stay
+  std::vector<int> removed;          ///< blocks taken out at its start
+};
+
 /// How much is written.
 struct OutputOptions {
   int every = 1;  ///< a frame every k steps; 0: only the last
@@ -96,11 +105,18 @@ struct Scene {
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::vector<Monitor> monitors;
+  std::vector<StageDescription> stages;  ///< run in sequence; none: one part of analysis.steps
   OutputOptions output;
 
   /// The name of a block in every result: its own, else its index.
   std::string block_name(int block) const;
-  double end_time() const { return analysis.steps * analysis.time_step; }
+  /// A stage that changes nothing yet.
+  StageDescription stage(std::string of_name) const {
+    return {std::move(of_name), analysis, joints, false, {}};
+  }
+  /// Over all stages.
+  int n_steps() const;
+  double end_time() const;  ///< s
 };
 
 }  // namespace ddacontact

@@ -1,9 +1,10 @@
 # Makes the verification anew and compares its verdicts with those of the committed text; figures may differ in their last
 # digits from machine to machine, what is seen may not.
-#   cmake -DPROGRAM=... -DCOMMITTED=.../NAME.md -DDIRECTORY=... -P check.cmake
+#   cmake -DPROGRAM=... -DCOMMITTED=.../NAME.md -DDIRECTORY=... [-DCHAPTER=...] -P check.cmake
+# With CHAPTER the program makes that chapter alone.
 file(REMOVE_RECURSE ${DIRECTORY})
 file(MAKE_DIRECTORY ${DIRECTORY})
-execute_process(COMMAND ${PROGRAM} ${DIRECTORY} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${PROGRAM} ${DIRECTORY} ${CHAPTER} COMMAND_ERROR_IS_FATAL ANY)
 get_filename_component(page ${COMMITTED} NAME)
 foreach(text ${COMMITTED} ${DIRECTORY}/${page})
   file(READ ${text} content)
@@ -14,7 +15,10 @@ foreach(text ${COMMITTED} ${DIRECTORY}/${page})
   endif()
   if(NOT DEFINED expected)
     set(expected "${verdicts}")
-  elseif(NOT expected STREQUAL verdicts)
+    continue()
+  endif()
+  string(FIND "${expected}" "${verdicts}" place)
+  if(place EQUAL -1 OR (NOT CHAPTER AND NOT expected STREQUAL verdicts))
     message(FATAL_ERROR "other verdicts than in ${COMMITTED}; make it anew with doc/verification/make.sh:${verdicts}")
   endif()
 endforeach()

@@ -71,7 +71,7 @@ void run(Stepper& stepper, int steps) {
 
 BuiltScene run(const Scene& scene) {
   BuiltScene built = build(scene);
-  run(*built.stepper, scene.analysis.steps);
+  run(*built.stepper, scene.n_steps());
   return built;
 }
 

@@ -1,0 +1,8 @@
+/// \file A rocking block.
+#include "chapters.hpp"
+
+namespace validation {
+
+void rocking(Report&) {}
+
+}  // namespace validation
