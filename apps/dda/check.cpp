@@ -20,7 +20,7 @@ int check_one(const std::string& path, const std::vector<std::string>& settings)
     const ddacontact::BuiltScene built = ddacontact::build(*reading.scene);
     for (const std::string& note : built.notes) fmt::print(stderr, "{}: note: {}\n", path, note);
     fmt::print("{}: {} blocks, {} unknowns, {} steps: ok\n", path, reading.scene->blocks.size(),
-               built.stepper->blocks().n_equations(), reading.scene->analysis.steps);
+               built.stepper->blocks().n_equations(), reading.scene->n_steps());
   } catch (const ddacontact::Error& error) {
     fmt::print(stderr, "{}:1:1: error: {}\n", path, error.what());
     return wrong_input;

@@ -167,7 +167,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   RunSummary summary;
   summary.seconds_setup = seconds_since(start);
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
-  const int steps = arguments.steps.value_or(scene.analysis.steps);
+  const int steps = arguments.steps.value_or(scene.n_steps());
 
   const std::filesystem::path directory = arguments.directory.empty()
                                               ? default_directory(arguments.scene)

@@ -26,13 +26,36 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   for (const auto& block : blocks_)
     reference_.middleCols(block->places().first, block->places().count) = block->reference();
   for (int b = 0; b < n_blocks(); ++b) block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
-  start_ = initial_state();
-  set_held_unknowns({});
+  start_ = zero_ = initial_state();
+  present_.assign(blocks_.size(), true);
+  number_equations();
 }
 
 void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
   held_unknowns_ = std::move(held);
+  number_equations();
+}
+
+void BlockSystem::remove(int b) {
+  present_[b] = false;
+  std::erase_if(point_loads, [&](const PointLoad& load) { return load.point.block == b; });
+  std::erase_if(pressure_loads, [&](const PressureLoad& load) { return load.block == b; });
+  std::erase_if(body_loads, [&](const BodyLoad& load) { return load.block == b; });
+  std::erase_if(held_vertices, [&](const HeldVertex& held) { return held.block == b; });
+  std::erase_if(held_unknowns_, [&](const HeldUnknown& held) { return block_of_place_[held.vertex] == b; });
+  std::erase_if(supported_vertices, [&](int place) { return block_of_place_[place] == b; });
+  number_equations();
+}
+
+int BlockSystem::n_present() const {
+  return static_cast<int>(std::count(present_.begin(), present_.end(), true));
+}
+
+void BlockSystem::number_equations() {
   equation_.assign(n_unknowns_, 0);
+  for (int b = 0; b < n_blocks(); ++b)
+    if (!present_[b])
+      std::fill_n(equation_.begin() + block(b).unknowns().first, block(b).unknowns().count, -1);
   for (const HeldUnknown& h : held_unknowns_) equation_[h.unknown] = -1;
   n_equations_ = 0;
   for (int& e : equation_)
@@ -45,6 +68,10 @@ void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
   for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
   for (int b = 0; b < n_blocks(); ++b) {
     const Range& u = block(b).unknowns();
+    if (!present_[b]) {
+      free_[b] = false;
+      continue;
+    }
     for (int k = u.first; k < u.end(); ++k) {
       if (equation_[k] >= 0) movable_[b] = true;
       if (equation_[k] < 0) free_[b] = false;
@@ -74,8 +101,8 @@ void BlockSystem::prepare(const BlockState& state, bool first_time) {
 }
 
 void BlockSystem::add_gravity(VectorXd& F) const {
-  for (const auto& block : blocks_)
-    block->add_body_force(block->mass_total() / block->reference_area() * gravity, F);
+  for (int b = 0; b < n_blocks(); ++b)
+    if (present_[b]) block(b).add_body_force(block(b).mass_total() / block(b).reference_area() * gravity, F);
 }
 
 void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) const {
@@ -99,10 +126,7 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
   VectorXd d = VectorXd::Zero(n_unknowns_);
   for (const HeldUnknown& h : held_unknowns_) {
-    const int b = block_of_place_[h.vertex];
-    const double now = (state.position(h.axis, h.vertex) - start_.position(h.axis, h.vertex)) +
-                       (state.origin(h.axis, b) - start_.origin(h.axis, b));
-    d[h.unknown] = h.motion.at(time, end_time)[h.axis] - now;
+    d[h.unknown] = h.motion.at(time, end_time)[h.axis] - total_displacement(state, h.vertex, h.axis);
   }
   return d;
 }
@@ -114,10 +138,21 @@ Points BlockSystem::positions(const BlockState& state) const {
 }
 
 Points BlockSystem::displacements(const BlockState& state) const {
-  Points u = state.position - start_.position;
+  Points u = state.position - zero_.position;
   for (Index v = 0; v < u.cols(); ++v)
-    u.col(v) += state.origin.col(block_of_place_[v]) - start_.origin.col(block_of_place_[v]);
+    u.col(v) += state.origin.col(block_of_place_[v]) - zero_.origin.col(block_of_place_[v]);
   return u;
+}
+
+double BlockSystem::total_displacement(const BlockState& state, int place, int axis) const {
+  const int b = block_of_place_[place];
+  return (state.position(axis, place) - start_.position(axis, place)) +
+         (state.origin(axis, b) - start_.origin(axis, b));
+}
+
+void BlockSystem::count_displacements_from(const BlockState& zero) {
+  zero_.position = zero.position;
+  zero_.origin = zero.origin;
 }
 
 Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) const {

@@ -87,6 +87,11 @@ class BlockSystem {
 
   /// All blocks at rest and free of stress in their reference places; held points at their start.
   BlockState initial_state() const;
+  /// Takes a block out with its loads and supports: nothing of it counts any more. Its places stay in the
+  /// arrays of the state.
+  void remove(int b);
+  bool is_present(int b) const { return present_[b]; }
+  int n_present() const;
   /// Prepares the blocks for a state; `first_time` includes those that can never change.
   void prepare(const BlockState& state, bool first_time = false);
 
@@ -99,8 +104,14 @@ class BlockSystem {
 
   /// All places, relative to the model's origin.
   Points positions(const BlockState& state) const;
-  /// Of all places since the start.
+  /// Of all places since displacements are counted: from the start, or from the last call of
+  /// count_displacements_from.
   Points displacements(const BlockState& state) const;
+  /// Of one place since the start, along an axis.
+  double total_displacement(const BlockState& state, int place, int axis) const;
+  void count_displacements_from(const BlockState& zero);
+  /// The places that displacements are counted from, with their blocks' origins.
+  const BlockState& displacement_zero() const { return zero_; }
   /// The outline of a block from the origin of another: no digits are lost to where they are.
   Points outline_from(const BlockState& state, int block, int origin_of) const;
   /// A vector at a material point from those at the places of all blocks.
@@ -114,13 +125,16 @@ class BlockSystem {
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
 
  private:
+  void number_equations();
+
   std::vector<std::unique_ptr<Block>> blocks_;
   Points reference_;
-  BlockState start_;
+  BlockState start_, zero_;
   std::vector<int> block_of_place_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;
+  std::vector<bool> present_;
   std::vector<bool> movable_;
   std::vector<bool> free_;
   std::vector<bool> unchanging_;

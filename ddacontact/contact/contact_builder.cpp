@@ -75,6 +75,7 @@ const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
   for (const Pair& pair : broad_phase_.overlapping_pairs(boxes_)) {
     const auto [a, b] = pair;
     if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
+    if (!blocks_.is_present(a) || !blocks_.is_present(b)) continue;
     pairs_.push_back(pair);
     kept_.clear();
     while (old != previous.end() && block_pair(old->pair) < pair) ++old;
@@ -114,20 +115,23 @@ void ContactBuilder::make_forms(Contact& contact) const {
   contact.slip = slip_form(i, j, k, contact.history.lock);
 }
 
+void ContactBuilder::set_law(Contact& contact) const {
+  const JointStrength& joint = strength(contact.pair);
+  contact.law.normal_stiffness = properties_.normal_stiffness;
+  contact.law.tangential_stiffness = properties_.tangential_stiffness;
+  contact.law.friction = joint.friction;
+  contact.law.friction_law = joint.friction_law ? &joint.friction_law : nullptr;
+  contact.law.restitution = joint.restitution;
+  double lighter = std::numeric_limits<double>::infinity();
+  for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+    if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
+  contact.law.dashpot = 2 * joint.dashpot * std::sqrt(properties_.normal_stiffness * lighter);
+}
+
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
   Contact contact;
   contact.pair = pair;
-  const JointStrength& strength = properties_.joints.between(properties_.materials[pair.vertex_block],
-                                                             properties_.materials[pair.edge_block]);
-  contact.law.normal_stiffness = properties_.normal_stiffness;
-  contact.law.tangential_stiffness = properties_.tangential_stiffness;
-  contact.law.friction = strength.friction;
-  if (strength.friction_law) contact.law.friction_law = &strength.friction_law;
-  contact.law.restitution = strength.restitution;
-  double lighter = std::numeric_limits<double>::infinity();
-  for (int b : {pair.vertex_block, pair.edge_block})
-    if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
-  contact.law.dashpot = 2 * strength.dashpot * std::sqrt(properties_.normal_stiffness * lighter);
+  set_law(contact);
   contact.motion = motion(state, pair);
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
@@ -141,6 +145,20 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.end_tolerance = coincidence * contact.size;
   contact.length_tolerance = length_tolerance * contact.size;
   return contact;
+}
+
+void ContactBuilder::set_bond_strength(Contact& contact) const {
+  const JointStrength& joint = strength(contact.pair);
+  contact.law.cohesion = joint.cohesion * contact.history.length;
+  contact.law.tension = joint.tensile_strength * contact.history.length;
+}
+
+void ContactBuilder::set_joints(JointTable joints, std::vector<Contact>& contacts) {
+  properties_.joints = std::move(joints);
+  for (Contact& contact : contacts) {
+    set_law(contact);
+    if (contact.history.bonded) set_bond_strength(contact);
+  }
 }
 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
@@ -157,10 +175,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
       const int origin = pair.edge_block;
       history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                                       blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
-      const JointStrength& strength = properties_.joints.between(properties_.materials[pair.vertex_block],
-                                                                 properties_.materials[pair.edge_block]);
-      contact.law.cohesion = strength.cohesion * history.length;
-      contact.law.tension = strength.tensile_strength * history.length;
+      set_bond_strength(contact);
       history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     }
     contacts.push_back(contact);

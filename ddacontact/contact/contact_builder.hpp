@@ -41,6 +41,9 @@ class ContactBuilder {
   /// False: there are none.
   bool add_entered(const BlockState& start, const BlockState& end, std::vector<Contact>& contacts);
 
+  /// From now on contacts follow these joints, the bonds of `contacts` too.
+  void set_joints(JointTable joints, std::vector<Contact>& contacts);
+
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
 
@@ -55,6 +58,14 @@ class ContactBuilder {
   const Contact* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                   std::span<const Contact> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
+  /// Everything but the bond.
+  void set_law(Contact& contact) const;
+  /// Of a bonded contact, over its length.
+  void set_bond_strength(Contact& contact) const;
+  const JointStrength& strength(const VertexEdge& pair) const {
+    return properties_.joints.between(properties_.materials[pair.vertex_block],
+                                      properties_.materials[pair.edge_block]);
+  }
   void make_forms(Contact& contact) const;
   MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;
 

@@ -40,6 +40,7 @@ struct Counts {
 Counts add_cells(const BlockSystem& system, Frame& frame) {
   Counts counts;
   for (int b = 0; b < system.n_blocks(); ++b) {
+    if (!system.is_present(b)) continue;
     const Block& block = system.block(b);
     for (int c = 0; c < block.n_cells(); ++c) {
       const BlockCell cell = block.cell(c);
@@ -60,6 +61,10 @@ void set_stress(const BlockSystem& system, const BlockState& state, const Counts
   frame.mean_stress.resize(3, system.n_blocks());
   Index c = 0;
   for (int b = 0; b < system.n_blocks(); ++b) {
+    if (!system.is_present(b)) {
+      frame.mean_stress.col(b).setZero();
+      continue;
+    }
     const Block& block = system.block(b);
     frame.mean_stress.col(b) = mean_stress(block, state);
     for (int k = 0; k < block.n_cells(); ++k, ++c) {

@@ -77,6 +77,7 @@ void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe
   const long step = stepper.counts().steps;
   const double time = stepper.state().time;
   for (const Probe& probe : probes) {
+    if (!stepper.blocks().is_present(probe.block())) continue;
     const Motion motion = observe(probe, stepper);
     const Vec2 x = motion.position + labels_.origin;
     monitors_.row(step, time, probe.name, x.x(), x.y(), motion.displacement.x(), motion.displacement.y(),
@@ -105,6 +106,7 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
       "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega,cells,unknowns,reason");
   const BlockState& state = stepper.state();
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
+    if (!stepper.blocks().is_present(b)) continue;
     const Block& block = stepper.blocks().block(b);
     const Vec2 x = block.centroid() + labels_.origin;
     const double area = block.moments().area;
@@ -125,6 +127,7 @@ void ResultDirectory::write_vertices(const Stepper& stepper) {
   const Points positions = stepper.blocks().positions(state),
                displacements = stepper.blocks().displacements(state);
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
+    if (!stepper.blocks().is_present(b)) continue;
     const Block& block = stepper.blocks().block(b);
     const std::vector<int> order = in_scene_order(labels_.outlines[b]);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
@@ -186,13 +189,13 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"rejected_steps", counts.rejected},
                                        {"unconverged_steps", counts.unconverged},
                                        {"time", stepper.state().time},
-                                       {"blocks", stepper.blocks().n_blocks()},
+                                       {"blocks", stepper.blocks().n_present()},
                                        {"dofs", stepper.blocks().n_equations()},
                                        {"contacts_max", counts.contacts_max},
                                        {"contacts_end", counts.contacts},
                                        {"open_close_iterations", counts.open_close_iterations},
-                                       {"linear_solves", stepper.cholesky().n_solves()},
-                                       {"factorizations", stepper.cholesky().n_factorizations()},
+                                       {"linear_solves", counts.linear_solves},
+                                       {"factorizations", counts.factorizations},
                                        {"max_penetration", counts.max_penetration},
                                        {"minimizations", counts.minimizations},
                                        {"augmentations", counts.augmentations},

@@ -126,8 +126,9 @@ void check_followed(const VertexHolds& holds, const PointsRef& outline, const st
     if (!holds[v][axis] || std::find(control.begin(), control.end(), v) != control.end()) continue;
     const Vec2 r = outline.col(static_cast<Index>(v)) - origin;
     const double a = cross(r, q) / cross(p, q), b = cross(p, r) / cross(p, q);
-    for (int step = 0; step <= scene.analysis.steps; ++step) {
-      const double time = step * scene.analysis.time_step;
+    const int n_steps = scene.n_steps();
+    for (int step = 0; step <= n_steps; ++step) {
+      const double time = step * scene.end_time() / n_steps;
       const auto at = [&](int vertex) { return (*holds[vertex][axis]).at(time, scene.end_time())[axis]; };
       const double told = (1 - a - b) * at(control[0]) + a * at(control[1]) + b * at(control[2]);
       const double asked = at(static_cast<int>(v));
@@ -177,8 +178,8 @@ class Builder {
 
     BlockState initial = system.initial_state();
     set_initial(system, initial);
-    built_.stepper = std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(),
-                                               scene_.analysis);
+    built_.stepper =
+        std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(), stages());
     return std::move(built_);
   }
 
@@ -359,28 +360,49 @@ class Builder {
       const Block& block = system.block(b);
       initial.stress.middleCols(block.stress_points().first, block.stress_points().count).colwise() =
           description.stress;
-      if (scene_.analysis.mode == Mode::statics) continue;
+      if (first_stage().analysis.mode == Mode::statics) continue;
       const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
       initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;
     }
     for (const HeldUnknown& held : system.held_unknowns()) initial.velocity[held.unknown] = 0;
   }
 
+  static JointTable joint_table(const std::vector<Joint>& joints) {
+    std::vector<JointTable::Entry> entries;
+    for (const Joint& joint : joints)
+      entries.push_back({{std::tan(joint.friction_angle * std::numbers::pi / 180),
+                          joint.cohesion,
+                          joint.tensile_strength,
+                          {},
+                          joint.restitution,
+                          joint.dashpot},
+                         joint.between});
+    return JointTable(std::move(entries));
+  }
+
   ContactProperties contact_properties() const {
-    std::vector<JointTable::Entry> joints;
-    for (const Joint& joint : scene_.joints)
-      joints.push_back({{std::tan(joint.friction_angle * std::numbers::pi / 180),
-                         joint.cohesion,
-                         joint.tensile_strength,
-                         {},
-                         joint.restitution,
-                         joint.dashpot},
-                        joint.between});
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);
-    return {scene_.contact.normal_stiffness, scene_.contact.tangential_stiffness,
-            JointTable(std::move(joints)),   std::move(materials),
-            scene_.contact.method,           scene_.contact.penetration_tolerance};
+    return {scene_.contact.normal_stiffness,
+            scene_.contact.tangential_stiffness,
+            joint_table(first_stage().joints),
+            std::move(materials),
+            scene_.contact.method,
+            scene_.contact.penetration_tolerance};
+  }
+
+  StageDescription first_stage() const {
+    return scene_.stages.empty() ? scene_.stage("") : scene_.stages.front();
+  }
+
+  std::vector<Stage> stages() const {
+    std::vector<Stage> stages;
+    const auto add = [&](const StageDescription& stage) {
+      stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements});
+    };
+    if (scene_.stages.empty()) add(scene_.stage(""));
+    for (const StageDescription& stage : scene_.stages) add(stage);
+    return stages;
   }
 
   const Scene& scene_;

@@ -44,18 +44,16 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   const double time = state.time + dt_, load_time = state.time + start.rule.load_time() * dt_;
   prescribed_ = blocks_.prescribed(state, time);
   held_springs_.clear();
-  const Points displacements = blocks_.held_vertices.empty() ? Points() : blocks_.displacements(state);
   for (std::size_t h = 0; h < blocks_.held_vertices.size(); ++h) {
     const HeldVertex& held = blocks_.held_vertices[h];
     const int v = blocks_.block(held.block).vertices().first + held.vertex;
-    const Vec2 gone = displacements.col(v);
     for (int axis = 0; axis < 2; ++axis) {
       if (!(axis == 0 ? held.x : held.y)) continue;
       HeldSpring spring{static_cast<int>(h), axis, {}, 0};
       blocks_.block(held.block).vertex_map(held.vertex).add_to(spring.form, Vec2::Unit(axis));
       const double target = held.motion.at(time, blocks_.end_time)[axis];
       spring.target_change = target - held.motion.at(state.time, blocks_.end_time)[axis];
-      spring.form.constant = gone[axis] - target;
+      spring.form.constant = blocks_.total_displacement(state, v, axis) - target;
       held_springs_.push_back(spring);
     }
   }

@@ -62,18 +62,18 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<Contact>& contacts, double held_stiffness) {
   double energy = 0;
-  for (int b = 0; b < blocks.n_blocks(); ++b) energy += blocks.block(b).elastic_energy(state);
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    if (blocks.is_present(b)) energy += blocks.block(b).elastic_energy(state);
   for (const Contact& contact : contacts) {
     energy += stored_normal(contact, contact.end_gap) + stored_shear(contact, contact.end_slip);
   }
-  if (blocks.held_vertices.empty()) return energy;
-  const Points displacements = blocks.displacements(state);
   for (const HeldVertex& held : blocks.held_vertices) {
     const int v = blocks.block(held.block).vertices().first + held.vertex;
     const Vec2 target = held.motion.at(state.time, blocks.end_time);
-    const Vec2 stretch = displacements.col(v) - target;
-    if (held.x) energy += held_stiffness * stretch.x() * stretch.x() / 2;
-    if (held.y) energy += held_stiffness * stretch.y() * stretch.y() / 2;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double stretch = blocks.total_displacement(state, v, axis) - target[axis];
+      if (axis == 0 ? held.x : held.y) energy += held_stiffness * stretch * stretch / 2;
+    }
   }
   return energy;
 }

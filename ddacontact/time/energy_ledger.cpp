@@ -6,9 +6,7 @@
 namespace ddacontact {
 
 void EnergyLedger::close_step() {
-  for (double Energy::*entry :
-       {&Energy::kinetic, &Energy::elastic, &Energy::gravity, &Energy::friction_dissipated,
-        &Energy::numerical_dissipated, &Energy::external, &Energy::damping_dissipated}) {
+  for (double Energy::*entry : entries) {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
     largest_ = std::max(largest_, std::abs(now.*entry));
   }

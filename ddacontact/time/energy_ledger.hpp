@@ -32,7 +32,24 @@ class EnergyLedger {
   /// residuals of steps make of the largest energy.
   double balance_error() const;
 
+  /// Calls visit with every number of the ledger.
+  template <class Ledger, class Visit>
+  static void visit_numbers(Ledger& ledger, Visit&& visit) {
+    for (auto* energy : {&ledger.now, &ledger.start_})
+      for (double Energy::*entry : entries) visit(energy->*entry);
+    visit(ledger.exchanged_);
+    visit(ledger.largest_);
+  }
+
  private:
+  static constexpr double Energy::*entries[] = {&Energy::kinetic,
+                                                &Energy::elastic,
+                                                &Energy::gravity,
+                                                &Energy::friction_dissipated,
+                                                &Energy::numerical_dissipated,
+                                                &Energy::external,
+                                                &Energy::damping_dissipated};
+
   Energy start_;
   double exchanged_ = 0, largest_ = 0;
 };

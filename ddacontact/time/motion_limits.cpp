@@ -15,9 +15,9 @@ constexpr double foreseen_part = 0.9;
 
 }  // namespace
 
-MotionLimits::MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis)
-    : blocks_(blocks), analysis_(analysis) {
-  const Points& x = blocks.reference();
+void MotionLimits::set_analysis(const AnalysisOptions& analysis) {
+  analysis_ = analysis;
+  const Points& x = blocks_.reference();
   const double larger_side = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
   largest_displacement_ = analysis.max_displacement_ratio * larger_side / 2;
 }

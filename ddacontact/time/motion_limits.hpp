@@ -14,7 +14,11 @@ namespace ddacontact {
 /// size in the default preset, as far as Shi's limit in the paper preset.
 class MotionLimits {
  public:
-  MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis);
+  MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis) : blocks_(blocks) {
+    set_analysis(analysis);
+  }
+  /// From now on steps are made like this.
+  void set_analysis(const AnalysisOptions& analysis);
 
   /// How far from each block to look for contacts in a step of length dt: twice the motion expected from its
   /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
@@ -36,7 +40,7 @@ class MotionLimits {
 
   const BlockSystem& blocks_;
   AnalysisOptions analysis_;
-  double largest_displacement_;
+  double largest_displacement_ = 0;
 };
 
 }  // namespace ddacontact

@@ -12,11 +12,13 @@ Motion observe_place(const MaterialPoint& point, const Stepper& stepper) {
 }
 
 Motion observe_place(const Centroid& centroid, const Stepper& stepper) {
-  const Block& block = stepper.blocks().block(centroid.block);
+  const BlockSystem& blocks = stepper.blocks();
+  const Block& block = blocks.block(centroid.block);
   const Range& v = block.vertices();
   const Vec2 x = block.centroid();
-  const Vec2 start =
-      polyfem::area_moments(stepper.blocks().reference().middleCols(v.first, v.count)).centroid;
+  const BlockState& zero = blocks.displacement_zero();
+  const Vec2 start = zero.origin.col(centroid.block) +
+                     polyfem::area_moments(zero.position.middleCols(v.first, v.count)).centroid;
   return {x, x - start, rigid_velocity(block, stepper.state().velocity).linear};
 }
 

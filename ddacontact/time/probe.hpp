@@ -18,6 +18,11 @@ struct Centroid {
 struct Probe {
   std::string name;
   std::variant<MaterialPoint, Centroid> place;
+
+  int block() const {
+    const auto* point = std::get_if<MaterialPoint>(&place);
+    return point ? point->block : std::get<Centroid>(place).block;
+  }
 };
 
 /// Where a place is and how it moves.

@@ -106,6 +106,7 @@ StepRecord read_record(std::istream& in) {
   numbers(n_contacts);
   record.contacts.resize(n_contacts);
   for (Contact& contact : record.contacts) contact_numbers(numbers, contact);
+  record.progress.steps = record.steps;
   return record;
 }
 

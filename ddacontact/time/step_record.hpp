@@ -9,17 +9,25 @@
 
 namespace ddacontact {
 
+/// Where a run is among its stages.
+struct StageProgress {
+  int stage = 0;
+  long steps = 0;         ///< made in this stage
+  double start_time = 0;  ///< of this stage, s
+};
+
 /// Where a run stands. Of the contacts only what one step hands to the next is kept: which they are, their
 /// history, the strength of their bonds and their slip at the end.
 struct StepRecord {
   long steps = 0;      ///< whole steps made
   bool begun = false;  ///< a substep has been made: contacts carry on those of the record
   double substep = 0;  ///< the length to try next, s
+  StageProgress progress;
   BlockState state;
   std::vector<Contact> contacts;  ///< of the last substep
 };
 
-/// Text, with numbers in hexadecimal: read_record returns the same bits.
+/// Text, with numbers in hexadecimal: read_record returns the same bits. For runs of one stage.
 void write_record(std::ostream& out, const StepRecord& record);
 /// Throws Error for what write_record has not written.
 StepRecord read_record(std::istream& in);

@@ -31,51 +31,133 @@ std::string quoted(const std::string& name) {
 }  // namespace
 
 Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
-                 const AnalysisOptions& analysis)
+                 std::vector<Stage> stages)
     : blocks_(std::move(blocks)),
-      analysis_(analysis),
-      limits_(blocks_, analysis),
+      stages_(std::move(stages)),
+      limits_(blocks_, stages_.front().analysis),
       contact_builder_(blocks_, contacts),
-      system_(blocks_),
       method_(contacts.method),
-      staged_{.penetration_tolerance = contacts.penetration_tolerance,
-              .mean_forces = step_rule(analysis).mean_forces()},
+      staged_{.penetration_tolerance = contacts.penetration_tolerance},
       held_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
-      reactions_(Points::Zero(2, state_.position.cols())),
-      substep_(analysis.time_step) {
+      reactions_(Points::Zero(2, state_.position.cols())) {
+  apply(stages_.front());
+  substep_ = analysis_.time_step;
   blocks_.prepare(state_, true);
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     convex_.push_back(blocks_.block(b).cell(0).basis == &polyfem::wachspress &&
                       !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
                           blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
-  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis.time_step, 1));
-  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
-  energy_.start();
+  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
+  start_accounts();
 }
 
-StepRecord Stepper::record() const {
-  return {counts_.steps, begun_, substep_, state_, contacts_};
+void Stepper::apply(const Stage& stage) {
+  analysis_ = stage.analysis;
+  staged_.mean_forces = step_rule(analysis_).mean_forces();
+  blocks_.gravity = analysis_.gravity;
+  limits_.set_analysis(analysis_);
+  for (int b : stage.removed) blocks_.remove(b);
+  if (!system_ || !stage.removed.empty()) system_.emplace(blocks_);
+  std::erase_if(contacts_, [&](const Contact& contact) {
+    return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
+  });
+  contact_builder_.set_joints(stage.joints, contacts_);
 }
 
-void Stepper::restore(StepRecord record) {
-  counts_.steps = record.steps;
-  begun_ = record.begun;
-  substep_ = record.substep;
-  state_ = std::move(record.state);
-  contacts_ = std::move(record.contacts);
-  blocks_.prepare(state_, true);
+void Stepper::enter_stage(int stage) {
+  const Scheme scheme = analysis_.scheme;
+  apply(stages_[stage]);
+  progress_ = {stage, 0, state_.time};
+  substep_ = analysis_.time_step;
   detected_ = false;
-  reach_scale_ = 1;
+  for (int b : stages_[stage].removed) {
+    const Range& u = blocks_.block(b).unknowns();
+    state_.velocity.segment(u.first, u.count).setZero();
+  }
+  if (analysis_.scheme != scheme) state_.acceleration.setZero();
+  Energy& e = energy_.now;
+  // What goes with the blocks that are taken out is work done on them.
+  const double kinetic = kinetic_energy(blocks_, state_.velocity),
+               elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
+  e.kinetic = kinetic;
+  e.elastic = elastic;
+  if (is_static()) {
+    state_.velocity.setZero();
+    state_.acceleration.setZero();
+    e.numerical_dissipated += kinetic;
+    e.kinetic = 0;
+  }
+}
+
+void Stepper::leave_stage() {
+  if (stages_[progress_.stage].reset_displacements) blocks_.count_displacements_from(state_);
+}
+
+void Stepper::start_accounts() {
   energy_ = {};
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
   energy_.start();
 }
 
+StepRecord Stepper::record() const {
+  return {counts_.steps, begun_, substep_, progress_, state_, contacts_};
+}
+
+void Stepper::restore(StepRecord record) {
+  if (record.progress.stage < progress_.stage)
+    throw Error("the record is of stage " + std::to_string(record.progress.stage) +
+                ", which is over (restore it to a new stepper)");
+  while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);
+  counts_.steps = record.steps;
+  begun_ = record.begun;
+  substep_ = record.substep;
+  progress_ = record.progress;
+  state_ = std::move(record.state);
+  contacts_ = std::move(record.contacts);
+  blocks_.prepare(state_, true);
+  detected_ = false;
+  reach_scale_ = 1;
+  start_accounts();
+}
+
+RunRecord Stepper::run_record() const {
+  const BlockState& zero = blocks_.displacement_zero();
+  return {.step = record(),
+          .counts = counts_,
+          .energy = energy_,
+          .last_dt = last_dt_,
+          .end_time = blocks_.end_time,
+          .zero_position = zero.position,
+          .zero_origin = zero.origin,
+          .reactions = reactions_,
+          .convex = convex_,
+          .notes = notes_,
+          .last_unsettled = last_unsettled_};
+}
+
+void Stepper::restore(RunRecord record) {
+  restore(std::move(record.step));
+  counts_ = record.counts;
+  energy_ = record.energy;
+  last_dt_ = record.last_dt;
+  blocks_.end_time = record.end_time;
+  BlockState zero;
+  zero.position = std::move(record.zero_position);
+  zero.origin = std::move(record.zero_origin);
+  blocks_.count_displacements_from(zero);
+  reactions_ = std::move(record.reactions);
+  convex_ = std::move(record.convex);
+  notes_ = std::move(record.notes);
+  last_unsettled_ = std::move(record.last_unsettled);
+}
+
 bool Stepper::step() {
-  const double end = static_cast<double>(counts_.steps + 1) * analysis_.time_step;
+  const bool more_stages = progress_.stage + 1 < static_cast<int>(stages_.size());
+  if (more_stages && progress_.steps == analysis_.steps) enter_stage(progress_.stage + 1);
+  const double end = progress_.start_time + static_cast<double>(progress_.steps + 1) * analysis_.time_step;
   while (true) {
     const double remaining = end - state_.time;
     const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
@@ -89,6 +171,7 @@ bool Stepper::step() {
       if (pieces > 1) continue;
       state_.time = end;
       ++counts_.steps;
+      if (++progress_.steps == analysis_.steps) leave_stage();
       return true;
     }
     ++counts_.rejected;
@@ -200,21 +283,25 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
                         .jump_path = impact.jump_path};
   {
     const Stopwatch watch(times_.assembly);
-    system_.set_step(state_, start, held_stiffness_);
+    system_->set_step(state_, start, held_stiffness_);
   }
   const Stopwatch watch(times_.solver);
   tried_ = trial_contacts_;
   for (Contact& contact : tried_) contact.damping = contact.law.dashpot / dt;
   Solution solution;
+  const polyfem::Cholesky& cholesky = system_->problem().cholesky();
+  const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations();
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
     solve_by_stages(solution);
+  counts_.linear_solves += cholesky.n_solves() - solves;
+  counts_.factorizations += cholesky.n_factorizations() - factorizations;
   return solution;
 }
 
 void Stepper::solve_by_open_close(Solution& solution) {
-  OpenCloseReport report = iterate_open_close(system_, open_close_, tried_, solution.d);
+  OpenCloseReport report = iterate_open_close(*system_, open_close_, tried_, solution.d);
   counts_.open_close_iterations += report.iterations;
   solution.residual = std::move(report.residual);
   switch (report.status) {
@@ -236,8 +323,8 @@ void Stepper::solve_by_open_close(Solution& solution) {
 }
 
 void Stepper::solve_by_stages(Solution& solution) {
-  solution.d = system_.free_path();
-  StagedReport report = solve_staged(system_, staged_, tried_, solution.d);
+  solution.d = system_->free_path();
+  StagedReport report = solve_staged(*system_, staged_, tried_, solution.d);
   counts_.open_close_iterations += report.iterations;
   counts_.minimizations += report.minimizations;
   counts_.augmentations += report.augmentations;
@@ -286,6 +373,7 @@ bool Stepper::check_outline(int b, const BlockState& next) {
 bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
   turned_concave_.clear();
+  held_ = {};
   const VectorXd& d = solution.d;
   blocks_.end_step(d, solution.residual.external, next);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
@@ -303,7 +391,6 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     return true;
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
-  held_ = HeldReport{};
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
     held_ = hold_closed_contacts(blocks_, tried_, d, dt, next);
   return true;
@@ -312,7 +399,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   record_reactions(solution.d, solution.residual);
   record_contacts(solution.d);
-  account_step(blocks_, system_,
+  account_step(blocks_, *system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
                energy_.now);
   const double friction_loss = solution.impact.friction_loss + held_.friction_loss;
@@ -367,10 +454,10 @@ void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
   reactions_.setZero();
   for (const HeldUnknown& held : blocks_.held_unknowns())
     reactions_(held.axis, held.vertex) += residual.force[held.unknown];
-  for (const StepSystem::HeldSpring& spring : system_.held_springs()) {
+  for (const StepSystem::HeldSpring& spring : system_->held_springs()) {
     const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
     reactions_(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
-        system_.held_stiffness() * spring.form(d);
+        system_->held_stiffness() * spring.form(d);
   }
 }
 

@@ -9,33 +9,13 @@
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
-#include <ddacontact/time/step_record.hpp>
+#include <ddacontact/time/run_record.hpp>
+#include <ddacontact/time/stage.hpp>
 
+#include <optional>
 #include <string>
 
 namespace ddacontact {
-
-/// What a run has done so far.
-struct StepCounts {
-  long steps = 0;                  ///< whole steps of the length the scene states
-  long substeps = 0;               ///< accepted tries
-  long rejected = 0;               ///< tries given up and made again, most of them shorter
-  long overlap_rejections = 0;     ///< of these, because a vertex went into a block without a contact
-  long unconverged = 0;            ///< accepted although stick and slip had not settled
-  long open_close_iterations = 0;  ///< solutions of (13), in all tries
-  long minimizations = 0;          ///< problems with frozen bounds that the staged method had to solve
-  long augmentations = 0;
-  long broken_bonds = 0;
-  long impacts = 0;          ///< contacts that met with a speed that counts
-  long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose
-  long unsettled_impacts =
-      0;  ///< impacts whose friction did not agree with their normal impulses to the last
-  long frictionless_holds = 0;  ///< steps whose closed contacts were held without the friction of that
-  long contacts_max = 0;        ///< closed at the end of a substep, at most
-  long contacts = 0;            ///< closed at the end of the last one
-  double max_penetration = 0;   ///< m, at the end of any substep
-  double max_residual = 0;      ///< Residual::own of any accepted substep, at most
-};
 
 /// Seconds spent, by phase.
 struct StepTimes {
@@ -45,19 +25,26 @@ struct StepTimes {
 /// Owns the blocks, their state and their contacts, and carries them through time.
 class Stepper {
  public:
-  /// \param[in] initial  the state at the start, with velocities and stresses
+  /// \param[in] initial   the state at the start, with velocities and stresses
+  /// \param[in] contacts  their joints are those of the stages
+  /// \param[in] stages    at least one; the last one goes on when all its steps are made
   Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
-          const AnalysisOptions& analysis);
+          std::vector<Stage> stages);
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// Carries the state over one time_step, in as many substeps as it takes. False when it has to stop: the
-  /// state is then that of the last accepted substep and `stop_reason` says why.
+  /// Carries the state over one time_step, in as many substeps as it takes; first goes on to the next stage
+  /// when the last one has made its steps. False when it has to stop: the state is then that of the last
+  /// accepted substep and `stop_reason` says why.
   [[nodiscard]] bool step();
 
   /// Where the run stands, and going on from there: a stepper of the same scene makes the same steps then.
+  /// Accounts begin anew. Throws Error for a record of an earlier stage than the present one.
   StepRecord record() const;
   void restore(StepRecord record);
+  /// The same with all accounts.
+  RunRecord run_record() const;
+  void restore(RunRecord record);
 
   /// How hard the staged method tries, for those who measure it.
   StagedOptions& staged_options() { return staged_; }
@@ -72,7 +59,8 @@ class Stepper {
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
-  const polyfem::Cholesky& cholesky() const { return system_.problem().cholesky(); }
+  /// The present stage, or the one whose steps have all been made.
+  int stage() const { return progress_.stage; }
   const std::string& stop_reason() const { return stop_reason_; }
   /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
   const std::string& last_unsettled() const { return last_unsettled_; }
@@ -84,6 +72,11 @@ class Stepper {
  private:
   enum class Try { accepted, rejected, outran_detection, missed_contacts };
 
+  void enter_stage(int stage);
+  /// What changes of the blocks and of the way of stepping, but not the state.
+  void apply(const Stage& stage);
+  void leave_stage();
+  void start_accounts();
   Try try_step(double dt);
   void detect(double dt);
   /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
@@ -118,10 +111,12 @@ class Stepper {
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
   BlockSystem blocks_;
-  AnalysisOptions analysis_;
+  std::vector<Stage> stages_;
+  StageProgress progress_;
+  AnalysisOptions analysis_;  ///< of the present stage
   MotionLimits limits_;
   ContactBuilder contact_builder_;
-  StepSystem system_;
+  std::optional<StepSystem> system_;  ///< of the blocks that are present
   OpenCloseOptions open_close_;
   ContactMethod method_;
   StagedOptions staged_;
@@ -140,12 +135,12 @@ class Stepper {
   bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;  ///< trial_contacts_ are those of state_
 
-  double substep_;  ///< the length to try next, s
+  double substep_ = 0;  ///< the length to try next, s
   double last_dt_ = 0;
   StepCounts counts_;
   StepTimes times_;
   std::string stop_reason_, rejection_, last_unsettled_;
-  std::vector<bool> convex_;         ///< outlines that have been so to this moment
+  std::vector<char> convex_;         ///< outlines that have been so to this moment
   std::vector<int> turned_concave_;  ///< blocks, in the present try
   std::vector<std::string> notes_;
 };

@@ -83,7 +83,7 @@ inline void run(Stepper& stepper, int steps) {
 
 inline BuiltScene run(const Scene& scene) {
   BuiltScene built = build(scene);
-  run(*built.stepper, scene.analysis.steps);
+  run(*built.stepper, scene.n_steps());
   return built;
 }
 

@@ -55,7 +55,7 @@ Outcome try_steps(const Method& method, const std::vector<HardStep>& steps) {
     outcome.solved += made && !(method.all_agree && counts.unconverged > 0);
     outcome.solutions += counts.open_close_iterations;
     outcome.most = std::max(outcome.most, counts.open_close_iterations);
-    outcome.factorizations += stepper.cholesky().n_factorizations();
+    outcome.factorizations += stepper.counts().factorizations;
     outcome.residual = std::max(outcome.residual, counts.max_residual);
   }
   return outcome;

@@ -1,0 +1,33 @@
+/// \file All that a run has done and where it stands: what it takes to go on as if it had never stopped.
+#pragma once
+
+#include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/step_counts.hpp>
+#include <ddacontact/time/step_record.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ddacontact {
+
+/// A step record with the accounts of the run; its contacts have their results too.
+struct RunRecord {
+  StepRecord step;
+  StepCounts counts;
+  EnergyLedger energy;
+  double last_dt = 0;                 ///< of the last accepted substep, s
+  double end_time = 0;                ///< of ramps, s
+  Points zero_position, zero_origin;  ///< what displacements are counted from; empty: from the start
+  Points reactions;                   ///< see Stepper::reactions
+  std::vector<char> convex;           ///< outlines that have been so to this moment
+  std::vector<std::string> notes;
+  std::string last_unsettled;
+};
+
+/// The bits of a record, in the order of bytes of the machine.
+std::string to_bytes(const RunRecord& record);
+/// Throws Error for what to_bytes has not made.
+RunRecord run_record_from(std::string_view bytes);
+
+}  // namespace ddacontact

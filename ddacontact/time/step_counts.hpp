@@ -1,0 +1,29 @@
+/// \file What a run has done so far, in numbers.
+#pragma once
+
+namespace ddacontact {
+
+/// What a run has done so far.
+struct StepCounts {
+  long steps = 0;                  ///< whole steps of the length the scene states
+  long substeps = 0;               ///< accepted tries
+  long rejected = 0;               ///< tries given up and made again, most of them shorter
+  long overlap_rejections = 0;     ///< of these, because a vertex went into a block without a contact
+  long unconverged = 0;            ///< accepted although stick and slip had not settled
+  long open_close_iterations = 0;  ///< solutions of (13), in all tries
+  long linear_solves = 0, factorizations = 0;
+  long minimizations = 0;  ///< problems with frozen bounds that the staged method had to solve
+  long augmentations = 0;
+  long broken_bonds = 0;
+  long impacts = 0;          ///< contacts that met with a speed that counts
+  long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose
+  long unsettled_impacts =
+      0;  ///< impacts whose friction did not agree with their normal impulses to the last
+  long frictionless_holds = 0;  ///< steps whose closed contacts were held without the friction of that
+  long contacts_max = 0;        ///< closed at the end of a substep, at most
+  long contacts = 0;            ///< closed at the end of the last one
+  double max_penetration = 0;   ///< m, at the end of any substep
+  double max_residual = 0;      ///< Residual::own of any accepted substep, at most
+};
+
+}  // namespace ddacontact

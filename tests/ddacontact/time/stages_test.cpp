@@ -1,0 +1,206 @@
+#include "../simple_scenes.hpp"
+
+#include <ddacontact/time/run_record.hpp>
+
+using namespace support;
+
+namespace {
+
+/// Default mechanics; a slider, 2 m x 1 m, on a fixed slope that rises to the left.
+Scene slope_scene(double degrees, double friction_degrees) {
+  Scene scene;
+  scene.analysis.time_step = 0.01;
+  scene.analysis.steps = 50;
+  scene.analysis.max_displacement_ratio = 1;
+  scene.materials = {{"rock", 2500, 35e9, 0.3}};
+  scene.joints = {{"interface", friction_degrees, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 40 * 35e9;
+  scene.contact.tangential_stiffness = 16 * 35e9;
+  const double angle = -radians(degrees);
+  scene.blocks = {block(turned(rectangle(-2, -1, 20, 1), angle), true),
+                  block(turned(rectangle(0, 0, 2, 1), angle))};
+  return scene;
+}
+
+StageDescription settling(const Scene& scene, int steps) {
+  StageDescription stage = scene.stage("settle");
+  stage.analysis.mode = Mode::statics;
+  stage.analysis.steps = steps;
+  stage.joints[0].friction_angle = 89;
+  stage.reset_displacements = true;
+  return stage;
+}
+
+/// A beam of 5 m on two pillars of 1 m.
+Scene beam_scene() {
+  Scene scene = slope_scene(0, 30);
+  scene.analysis.time_step = 0.005;
+  scene.blocks = {block(rectangle(-5, -1, 20, 1), true), block(rectangle(0, 0, 1, 1)),
+                  block(rectangle(4, 0, 1, 1)), block(rectangle(0, 1, 5, 1))};
+  for (BlockDescription& b : scene.blocks) b.model = BlockModel::wachspress;
+  return scene;
+}
+
+}  // namespace
+
+TEST(Stages, SettleThenSlideFromRestAsFromTheStart) {
+  Scene scene = slope_scene(30, 20);
+  StageDescription slide = scene.stage("slide");
+  slide.analysis.steps = 60;
+  scene.stages = {settling(scene, 5), slide};
+  EXPECT_EQ(scene.n_steps(), 65);
+  EXPECT_DOUBLE_EQ(scene.end_time(), 0.65);
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  run(stepper, 5);
+  EXPECT_EQ(stepper.stage(), 0);
+  EXPECT_EQ(stepper.state().velocity.norm(), 0) << "a static stage ends at rest";
+  EXPECT_EQ(stepper.blocks().displacements(stepper.state()).norm(), 0) << "reset at the end of the stage";
+  const double settled = stepper.blocks().block(1).centroid().norm();
+  run(stepper, 60);
+  EXPECT_EQ(stepper.stage(), 1);
+  EXPECT_DOUBLE_EQ(stepper.state().time, 0.65);
+  const double t = 0.6, a = 9.8 * (std::sin(radians(30)) - std::tan(radians(20)) * std::cos(radians(30)));
+  const Points moved = stepper.blocks().displacements(stepper.state());
+  for (Index v = 4; v < 8; ++v) EXPECT_NEAR(moved.col(v).norm(), a * t * t / 2, 1e-5 * a * t * t / 2);
+  EXPECT_GT(settled, 0);
+  EXPECT_LE(std::abs(stepper.energy().balance_error()), 1e-9);
+}
+
+TEST(Stages, OnesThatChangeNothingChangeNoBit) {
+  Scene whole = slope_scene(30, 20);
+  whole.analysis.time_step = 1.0 / 128;  // times add up without round-off
+  Scene parts = whole;
+  for (int steps : {7, 1, 42}) {
+    parts.stages.push_back(whole.stage(""));
+    parts.stages.back().analysis.steps = steps;
+  }
+  BuiltScene one = build(whole), many = build(parts);
+  run(*one.stepper, 50);
+  run(*many.stepper, 50);
+  EXPECT_EQ(one.stepper->state().position, many.stepper->state().position);
+  EXPECT_EQ(one.stepper->state().velocity, many.stepper->state().velocity);
+  EXPECT_EQ(one.stepper->energy().now.total(), many.stepper->energy().now.total());
+  EXPECT_EQ(one.stepper->counts().linear_solves, many.stepper->counts().linear_solves);
+}
+
+TEST(Stages, TheLastOneGoesOn) {
+  Scene scene = slope_scene(30, 20);
+  scene.stages = {settling(scene, 2), scene.stage("slide")};
+  scene.stages.back().analysis.steps = 1;
+  BuiltScene built = build(scene);
+  run(*built.stepper, 10);
+  EXPECT_EQ(built.stepper->counts().steps, 10);
+  EXPECT_NEAR(built.stepper->state().time, 0.1, 1e-15);
+}
+
+TEST(Stages, TimeRunsOnWithEachStagesStep) {
+  Scene scene = slope_scene(30, 20);
+  scene.stages = {scene.stage("coarse"), scene.stage("fine")};
+  scene.stages[0].analysis.steps = 3;
+  scene.stages[0].analysis.time_step = 0.02;
+  scene.stages[1].analysis.steps = 4;
+  scene.stages[1].analysis.time_step = 0.005;
+  BuiltScene built = build(scene);
+  run(*built.stepper, 7);
+  EXPECT_DOUBLE_EQ(built.stepper->state().time, 0.08);
+  EXPECT_DOUBLE_EQ(scene.end_time(), 0.08);
+}
+
+TEST(Stages, ABlockThatIsTakenOutLeavesNothing) {
+  Scene scene = beam_scene();
+  scene.loads = {point_load(2, Vec2(4.5, 0.5), constant(Vec2(0, -1e5)))};
+  scene.stages = {settling(scene, 10), scene.stage("released")};
+  scene.stages[1].analysis.steps = 40;
+  scene.stages[1].removed = {2};
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  run(stepper, 10);
+  EXPECT_TRUE(stepper.blocks().is_present(2)) << "to the end of the stage before";
+  const double elastic = stepper.energy().now.elastic;
+  run(stepper, 1);
+  EXPECT_FALSE(stepper.blocks().is_present(2));
+  EXPECT_EQ(stepper.blocks().n_present(), 3);
+  EXPECT_LT(stepper.energy().now.external, 0) << "its energy went with it";
+  EXPECT_GT(stepper.energy().now.external, -elastic);
+  run(stepper, 39);
+  for (const Contact& contact : stepper.contacts()) {
+    EXPECT_NE(contact.pair.vertex_block, 2);
+    EXPECT_NE(contact.pair.edge_block, 2);
+  }
+  // The beam turns about the pillar that is left, as a rigid one would: by less than it falls freely.
+  const Vec2 end =
+      stepper.blocks().displacements(stepper.state()).col(stepper.blocks().block(3).vertices().first + 1);
+  EXPECT_LT(end.y(), -0.05);
+  EXPECT_GT(end.y(), -9.8 * 0.2 * 0.2);
+  EXPECT_LE(std::abs(stepper.energy().balance_error()), 1e-6);
+}
+
+TEST(Stages, JointsOfAStageLastAsLongAsIt) {
+  Scene scene = slope_scene(40, 0);
+  StageDescription glued = scene.stage("glued");
+  glued.joints[0].cohesion = 1e6;
+  glued.joints[0].tensile_strength = 1e6;
+  glued.analysis.steps = 20;
+  StageDescription free = scene.stage("free");
+  free.analysis.steps = 20;
+  scene.stages = {glued, free};
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  run(stepper, 20);
+  const Vec2 held = stepper.blocks().block(1).centroid();
+  EXPECT_LE(stepper.blocks().displacements(stepper.state()).colwise().norm().maxCoeff(), 1e-5);
+  run(stepper, 20);
+  const double t = 0.2, s = 9.8 * std::sin(radians(40)) * t * t / 2;
+  EXPECT_NEAR((stepper.blocks().block(1).centroid() - held).norm(), s, 1e-3 * s);
+}
+
+TEST(Stages, AStaticStageTakesTheVelocitiesOut) {
+  Scene scene = slope_scene(0, 30);
+  scene.blocks[1].velocity = Vec2(3, 0);
+  StageDescription still = scene.stage("still");
+  still.analysis.mode = Mode::statics;
+  still.analysis.steps = 3;
+  scene.stages = {scene.stage("moving"), still};
+  scene.stages[0].analysis.steps = 5;
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  run(stepper, 5);
+  const Energy before = stepper.energy().now;
+  EXPECT_GT(before.kinetic, 1000);
+  run(stepper, 3);
+  EXPECT_EQ(stepper.energy().now.kinetic, 0);
+  EXPECT_GE(stepper.energy().now.numerical_dissipated,
+            before.numerical_dissipated + before.kinetic * (1 - 1e-9));
+  EXPECT_LE(std::abs(stepper.energy().balance_error()), 1e-9);
+}
+
+TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
+  Scene scene = beam_scene();
+  scene.blocks[3].velocity = Vec2(0.5, 0);
+  scene.stages = {scene.stage("slide"), settling(scene, 3), scene.stage("released")};
+  scene.stages[0].analysis.steps = 5;
+  scene.stages[2].analysis.steps = 12;
+  scene.stages[2].removed = {1};
+  BuiltScene whole = build(scene);
+  std::vector<std::string> records{to_bytes(whole.stepper->run_record())};
+  for (int k = 0; k < scene.n_steps(); ++k) {
+    run(*whole.stepper, 1);
+    records.push_back(to_bytes(whole.stepper->run_record()));
+  }
+  for (std::size_t k = 0; k < records.size(); k += 3) {
+    BuiltScene again = build(scene);
+    again.stepper->restore(run_record_from(records[k]));
+    EXPECT_TRUE(to_bytes(again.stepper->run_record()) == records[k]);
+    run(*again.stepper, static_cast<int>(records.size() - 1 - k));
+    EXPECT_TRUE(to_bytes(again.stepper->run_record()) == records.back()) << "from step " << k;
+  }
+}
+
+TEST(RunRecord, RefusesOtherBytes) {
+  BuiltScene built = build(slope_scene(30, 20));
+  const std::string bytes = to_bytes(built.stepper->run_record());
+  for (std::size_t n = 0; n < bytes.size(); n += 7)
+    EXPECT_THROW(run_record_from(bytes.substr(0, n)), Error) << n;
+  EXPECT_THROW(run_record_from(bytes + "x"), Error);
+}
