@@ -1,4 +1,5 @@
-/// \file What the tables of a result tell: models of blocks, motion, stress, contacts, reactions, frames and files.
+/// \file What the tables of a result tell: models of blocks, motion, stress, contacts, reactions, frames and
+/// files.
 ///
 /// All throw ddacontact::Error when a table is missing or damaged.
 #pragma once

@@ -27,7 +27,6 @@ struct Call {
   dda::PlotArguments plot;
   std::string info;
   std::vector<std::string> scenes_to_check, check_settings;
-  std::string resume;
   int steps = 0;
 };
 
@@ -44,10 +43,6 @@ int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("cut")) return dda::cut(call.cut);
   if (app.got_subcommand("plot")) return dda::plot(call.plot);
   if (app.got_subcommand("info")) return dda::info(call.info);
-  if (!call.resume.empty()) {
-    dda::print_error(fmt::format("--resume {}", not_available));
-    return dda::wrong_input;
-  }
   if (call.steps > 0) call.run.steps = call.steps;
   return dda::run(call.run);
 }
@@ -68,7 +63,7 @@ int parse_and_execute(int argc, char** argv) {
   run->add_option("--set", call.run.settings, "PATH=VALUE: replace a value of the scene")
       ->take_all()
       ->expected(1);
-  run->add_option("--resume", call.resume, "Checkpoint to go on from");
+  run->add_option("--resume", call.run.checkpoint, "Checkpoint of the same scene to go on from");
   run->add_option("--threads", call.run.threads,
                   "Threads; results are the same for any number (this version writes frames with them)")
       ->check(CLI::Range(1, 1024))

@@ -1,5 +1,6 @@
 #include "run.hpp"
 
+#include "checkpoints.hpp"
 #include "exit_status.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
@@ -11,6 +12,7 @@
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
 #include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/resumption.hpp>
 #include <ddacontact/scene/writer.hpp>
 #include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/assembly/blas.hpp>
@@ -68,10 +70,10 @@ FrameOptions frame_options(const OutputOptions& output, int n_threads) {
           .refine = output.refine};
 }
 
-std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool goes_on) {
   try {
     auto log = std::make_shared<spdlog::logger>(
-        "dda", std::make_shared<spdlog::sinks::basic_file_sink_st>(path.string(), true));
+        "dda", std::make_shared<spdlog::sinks::basic_file_sink_st>(path.string(), !goes_on));
     log->set_pattern("%v");
     return log;
   } catch (const spdlog::spdlog_ex& error) {
@@ -80,18 +82,18 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
 }
 
 /// Steps until the end, a stop or a signal; fills the summary's status and reason.
-void run_steps(Stepper& stepper, int steps, const std::vector<Probe>& probes, Progress& progress,
-               ResultDirectory& results, RunSummary& summary) {
+void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, Progress& progress,
+               ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
   {
     const Stopwatch watch(summary.seconds_output);
-    results.write_step(stepper, probes);
+    results.write_start(stepper, probes);
   }
   summary.status = "completed";
   while (stepper.counts().steps < steps) {
     if (signal_received) {
       summary.status = "interrupted";
       summary.reason = fmt::format("signal {}", static_cast<int>(signal_received));
-      return;
+      break;
     }
     bool stepped = false;
     {
@@ -101,12 +103,16 @@ void run_steps(Stepper& stepper, int steps, const std::vector<Probe>& probes, Pr
     if (!stepped) {
       summary.status = "stopped";
       summary.reason = stepper.stop_reason();
-      return;
+      break;
     }
     const Stopwatch watch(summary.seconds_output);
     results.write_step(stepper, probes);
+    checkpoints.write_if_due(stepper, results);
     progress.show(stepper);
   }
+  const Stopwatch watch(summary.seconds_output);
+  checkpoints.write(stepper, results);
+  results.write_last_frame(stepper);
 }
 
 int finish(const RunArguments& arguments, const Stepper& stepper, const RunSummary& summary,
@@ -161,9 +167,30 @@ void log_choices(const Labels& labels, spdlog::logger& log) {
              blocks.count > 1 ? fmt::format(" and {} more", blocks.count - 1) : "", choice.second);
 }
 
+/// A new result directory, or one that goes on with the histories beside a checkpoint.
+ResultDirectory open_results(const RunArguments& arguments, const std::filesystem::path& directory,
+                             const Labels& labels, const FrameOptions& frames,
+                             const std::optional<Checkpoint>& from) {
+  const std::filesystem::path source = std::filesystem::path(arguments.checkpoint).parent_path();
+  std::error_code missing;
+  if (!from || !std::filesystem::equivalent(source.empty() ? "." : source, directory, missing))
+    std::filesystem::remove(directory / checkpoint_file, missing);  // of another run
+  if (!from) return {directory, labels, frames};
+  return {directory, labels, frames, source.empty() ? "." : source, from->marks};
+}
+
 int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_point start) {
+  std::optional<Checkpoint> from;
+  if (!arguments.checkpoint.empty()) {
+    from = read_checkpoint(arguments.checkpoint);
+    if (const auto problem = find_mismatch(*from, arguments.checkpoint, scene, arguments.scene)) {
+      fmt::print(stderr, "{}\n", problem->text());
+      return wrong_input;
+    }
+  }
   const std::string blas = polyfem::pin_blas_to_one_thread();
   BuiltScene built = build(scene);
+  if (from) built.stepper->restore(from->record);
   RunSummary summary;
   summary.seconds_setup = seconds_since(start);
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
@@ -172,13 +199,21 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   const std::filesystem::path directory = arguments.directory.empty()
                                               ? default_directory(arguments.scene)
                                               : std::filesystem::path(arguments.directory);
-  ResultDirectory results(directory, built.labels, frame_options(scene.output, arguments.threads));
-  const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt");
+  ResultDirectory results =
+      open_results(arguments, directory, built.labels, frame_options(scene.output, arguments.threads), from);
+  Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every);
+  const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt", from.has_value());
   write_scene_file(directory / "scene.toml", scene);
   log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
   log->info("{}: {} blocks, {} unknowns, {} steps of {} s", arguments.scene, scene.blocks.size(),
             built.stepper->blocks().n_equations(), steps, scene.analysis.time_step);
   log_choices(built.labels, *log);
+  if (from) {
+    log->info("resumed from {} after step {}", arguments.checkpoint, from->record.counts.steps);
+    for (const std::string& name : results.missing_histories())
+      built.notes.push_back(fmt::format("{} begins with step {}: what was before is not beside {}", name,
+                                        from->record.counts.steps, arguments.checkpoint));
+  }
   for (const std::string& note : built.notes) {
     log->warn("{}", note);
     if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
@@ -188,12 +223,8 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   std::signal(SIGINT, note_signal);
   std::signal(SIGTERM, note_signal);
   Progress progress(steps, arguments.quiet);
-  run_steps(*built.stepper, steps, built.probes, progress, results, summary);
+  run_steps(*built.stepper, steps, built.probes, progress, results, checkpoints, summary);
   progress.finish();
-  {
-    const Stopwatch watch(summary.seconds_output);
-    results.write_last_frame(*built.stepper);
-  }
 
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);

@@ -14,6 +14,7 @@ struct RunArguments {
   std::string directory;              ///< empty: the scene's name without its ending, plus "-out"
   std::optional<int> steps;           ///< where to stop, in steps from the start
   std::vector<std::string> settings;  ///< PATH=VALUE
+  std::string checkpoint;             ///< to go on from; empty: from the start
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool quiet = false;
 };

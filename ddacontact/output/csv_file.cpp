@@ -2,14 +2,59 @@
 
 #include <ddacontact/output/output_error.hpp>
 
+#include <zlib.h>
+
 #include <charconv>
 
 namespace ddacontact {
+
+namespace {
+
+/// The first bytes of a file; empty when there are not so many or they are not those of the mark.
+std::string beginning(const std::filesystem::path& path, const FileMark& mark) {
+  std::error_code error;
+  if (std::filesystem::file_size(path, error) < mark.bytes || error) return "";
+  std::string text(mark.bytes, 0);
+  std::ifstream in(path, std::ios::binary);
+  if (!in.read(text.data(), static_cast<std::streamsize>(text.size()))) return "";
+  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
+  return sum == mark.checksum ? text : "";
+}
+
+}  // namespace
 
 CsvFile::CsvFile(const std::string& path, std::string_view header)
     : path_(path), file_(path, std::ios::binary) {
   line_ = header;
   write_line();
+}
+
+CsvFile::CsvFile(const std::string& path, std::string_view header, const std::filesystem::path& source,
+                 const FileMark& mark)
+    : path_(path) {
+  const std::string kept = beginning(source, mark);
+  goes_on_ = !kept.empty();
+  if (!goes_on_) {
+    *this = CsvFile(path, header);
+    return;
+  }
+  std::error_code error;
+  if (std::filesystem::equivalent(source, path, error)) {
+    std::filesystem::resize_file(path, mark.bytes, error);
+    if (error) throw OutputError("cannot write \"" + path_ + "\": " + error.message());
+    file_.open(path, std::ios::binary | std::ios::app);
+  } else {
+    file_.open(path, std::ios::binary);
+    file_ << kept;
+  }
+  mark_ = mark;
+  if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
+}
+
+FileMark CsvFile::mark() {
+  file_.flush();
+  if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
+  return mark_;
 }
 
 void CsvFile::separate() {
@@ -45,6 +90,9 @@ void CsvFile::append(std::string_view text) {
 
 void CsvFile::write_line() {
   line_ += '\n';
+  mark_.bytes += line_.size();
+  mark_.checksum = static_cast<std::uint32_t>(
+      crc32_z(mark_.checksum, reinterpret_cast<const Bytef*>(line_.data()), line_.size()));
   file_ << line_;
   if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
 }

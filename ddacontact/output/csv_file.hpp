@@ -1,6 +1,9 @@
 /// \file Tables as comma-separated values.
 #pragma once
 
+#include <ddacontact/output/result_marks.hpp>
+
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -13,6 +16,14 @@ class CsvFile {
  public:
   /// Creates the file with its header line. Throws OutputError when it cannot.
   CsvFile(const std::string& path, std::string_view header);
+  /// Goes on with the beginning of `source`, which may be the file itself, when it is as `mark` says;
+  /// otherwise begins anew, see `goes_on`. Throws OutputError.
+  CsvFile(const std::string& path, std::string_view header, const std::filesystem::path& source,
+          const FileMark& mark);
+
+  bool goes_on() const { return goes_on_; }
+  /// What has been written, which is in the file then. Throws OutputError.
+  FileMark mark();
 
   template <class... Cells>
   void row(const Cells&... cells) {
@@ -33,7 +44,8 @@ class CsvFile {
   void write_line();
 
   std::string path_, line_;
-  bool first_cell_ = true;
+  bool first_cell_ = true, goes_on_ = false;
+  FileMark mark_;
   std::ofstream file_;
 };
 

@@ -14,6 +14,13 @@ class FrameWriter {
  public:
   /// Starts both series anew in a directory that is there, and removes the frames of an earlier run.
   FrameWriter(const std::filesystem::path& directory, const FrameOptions& options);
+  /// Goes on with the first n frames of `source`, which may be the directory itself, when they are there;
+  /// otherwise begins anew, see `goes_on`.
+  FrameWriter(const std::filesystem::path& directory, const FrameOptions& options,
+              const std::filesystem::path& source, int n_frames);
+
+  bool goes_on() const { return goes_on_; }
+  int n_frames() const { return n_frames_; }
 
   /// A frame of the present state, when its step is one of those wanted.
   void write_step(const Stepper& stepper, const Labels& labels);
@@ -21,12 +28,20 @@ class FrameWriter {
   void write_last(const Stepper& stepper, const Labels& labels);
 
  private:
+  struct Series {
+    std::vector<polyfem::PvdEntry> blocks, contacts;
+  };
+  static Series read_series(const std::filesystem::path& source, int n_frames);
+  FrameWriter(const std::filesystem::path& directory, const FrameOptions& options,
+              const std::filesystem::path& source, Series series);
+
   void write(const Frame& frame);
 
   std::filesystem::path directory_;
   FrameOptions options_;
   polyfem::PvdFile results_, contacts_;
   int n_frames_ = 0;
+  bool goes_on_ = false;
   std::optional<double> last_time_;
 };
 

@@ -14,6 +14,12 @@ namespace ddacontact {
 
 namespace {
 
+constexpr char monitors_file[] = "monitors.csv", monitors_header[] = "step,time,monitor,x,y,ux,uy,vx,vy";
+constexpr char energy_file[] = "energy.csv",
+               energy_header[] =
+                   "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,"
+                   "balance_error,damping_dissipated";
+
 const char* state_name(ContactState state) {
   switch (state) {
     case ContactState::open:
@@ -66,27 +72,57 @@ std::filesystem::path make_directory(std::filesystem::path directory) {
 ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames)
     : directory_(make_directory(std::move(directory))),
       labels_(std::move(labels)),
-      monitors_(file("monitors.csv"), "step,time,monitor,x,y,ux,uy,vx,vy"),
-      energy_(
-          file("energy.csv"),
-          "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
-          "damping_dissipated"),
+      monitors_(file(monitors_file), monitors_header),
+      energy_(file(energy_file), energy_header),
       frames_(directory_, frames) {}
 
+ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames,
+                                 const std::filesystem::path& source, const ResultMarks& marks)
+    : directory_(make_directory(std::move(directory))),
+      labels_(std::move(labels)),
+      monitors_(file(monitors_file), monitors_header, source / monitors_file, marks.monitors),
+      energy_(file(energy_file), energy_header, source / energy_file, marks.energy),
+      frames_(directory_, frames, source, marks.n_frames) {}
+
+std::vector<std::string> ResultDirectory::missing_histories() const {
+  std::vector<std::string> missing;
+  if (!monitors_.goes_on()) missing.push_back(monitors_file);
+  if (!energy_.goes_on()) missing.push_back(energy_file);
+  if (!frames_.goes_on()) missing.push_back("frames");
+  return missing;
+}
+
+ResultMarks ResultDirectory::marks() {
+  return {monitors_.mark(), energy_.mark(), frames_.n_frames()};
+}
+
+void ResultDirectory::write_start(const Stepper& stepper, const std::vector<Probe>& probes) {
+  if (!monitors_.goes_on()) write_monitors(stepper, probes);
+  if (!energy_.goes_on()) write_energy(stepper);
+  if (!frames_.goes_on()) frames_.write_step(stepper, labels_);
+}
+
 void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe>& probes) {
-  const long step = stepper.counts().steps;
-  const double time = stepper.state().time;
+  write_monitors(stepper, probes);
+  write_energy(stepper);
+  frames_.write_step(stepper, labels_);
+}
+
+void ResultDirectory::write_monitors(const Stepper& stepper, const std::vector<Probe>& probes) {
   for (const Probe& probe : probes) {
     if (!stepper.blocks().is_present(probe.block())) continue;
     const Motion motion = observe(probe, stepper);
     const Vec2 x = motion.position + labels_.origin;
-    monitors_.row(step, time, probe.name, x.x(), x.y(), motion.displacement.x(), motion.displacement.y(),
-                  motion.velocity.x(), motion.velocity.y());
+    monitors_.row(stepper.counts().steps, stepper.state().time, probe.name, x.x(), x.y(),
+                  motion.displacement.x(), motion.displacement.y(), motion.velocity.x(), motion.velocity.y());
   }
+}
+
+void ResultDirectory::write_energy(const Stepper& stepper) {
   const Energy& e = stepper.energy().now;
-  energy_.row(step, time, e.kinetic, e.elastic, e.gravity, e.friction_dissipated, e.numerical_dissipated,
-              e.external, stepper.energy().balance_error(), e.damping_dissipated);
-  frames_.write_step(stepper, labels_);
+  energy_.row(stepper.counts().steps, stepper.state().time, e.kinetic, e.elastic, e.gravity,
+              e.friction_dissipated, e.numerical_dissipated, e.external, stepper.energy().balance_error(),
+              e.damping_dissipated);
 }
 
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {

@@ -29,7 +29,18 @@ class ResultDirectory {
  public:
   /// Makes the directory and starts the histories and the frames.
   ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames = {});
+  /// Goes on with the histories and frames of `source`, which may be the directory itself, as far as `marks`
+  /// says; what is not there as it was begins anew, see missing_histories.
+  ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames,
+                  const std::filesystem::path& source, const ResultMarks& marks);
 
+  /// The files that could not be gone on with.
+  std::vector<std::string> missing_histories() const;
+  /// Where the histories stand; they are in the files then.
+  ResultMarks marks();
+
+  /// write_step for the files that begin with the present state.
+  void write_start(const Stepper& stepper, const std::vector<Probe>& probes);
   /// A row per probe and one of energies, for the state as it is, and a frame when it is time for one.
   void write_step(const Stepper& stepper, const std::vector<Probe>& probes);
   /// The frame a run ends with, unless it is there already.
@@ -40,6 +51,8 @@ class ResultDirectory {
   const std::filesystem::path& path() const { return directory_; }
 
  private:
+  void write_monitors(const Stepper& stepper, const std::vector<Probe>& probes);
+  void write_energy(const Stepper& stepper);
   void write_blocks(const Stepper& stepper);
   void write_vertices(const Stepper& stepper);
   void write_contacts(const Stepper& stepper);

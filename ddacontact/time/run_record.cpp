@@ -1,94 +1,10 @@
 #include <ddacontact/time/run_record.hpp>
 
-#include <polyfem/core/error.hpp>
-
-#include <cstring>
-#include <type_traits>
+#include <ddacontact/core/bytes.hpp>
 
 namespace ddacontact {
 
 namespace {
-
-/// Appends what it is shown.
-class Writer {
- public:
-  template <class T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void operator()(const T& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); }
-  void operator()(const std::string& text) {
-    (*this)(text.size());
-    bytes += text;
-  }
-  template <class Derived>
-  void operator()(const Eigen::PlainObjectBase<Derived>& m) {
-    (*this)(m.rows());
-    (*this)(m.cols());
-    bytes.append(reinterpret_cast<const char*>(m.data()),
-                 sizeof(double) * static_cast<std::size_t>(m.size()));
-  }
-  template <class T, class Visit>
-  void list(const std::vector<T>& items, Visit&& visit) {
-    (*this)(items.size());
-    for (const T& item : items) visit(item);
-  }
-
-  std::string bytes;
-};
-
-/// Fills what it is shown.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-
-  template <class T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void operator()(T& value) { std::memcpy(&value, take(sizeof value), sizeof value); }
-  void operator()(std::string& text) {
-    const std::size_t size = read_size(1);
-    text.assign(take(size), size);
-  }
-  template <class Derived>
-  void operator()(Eigen::PlainObjectBase<Derived>& m) {
-    Index rows = 0, cols = 0;
-    (*this)(rows);
-    (*this)(cols);
-    const bool fits = rows >= 0 && cols >= 0 &&
-                      (Derived::RowsAtCompileTime == Eigen::Dynamic || rows == Derived::RowsAtCompileTime) &&
-                      (Derived::ColsAtCompileTime == Eigen::Dynamic || cols == Derived::ColsAtCompileTime) &&
-                      (cols == 0 || static_cast<std::size_t>(rows) <=
-                                        bytes_.size() / sizeof(double) / static_cast<std::size_t>(cols));
-    if (!fits) fail();
-    m.resize(rows, cols);
-    const std::size_t size = sizeof(double) * static_cast<std::size_t>(m.size());
-    if (size > 0) std::memcpy(m.data(), take(size), size);
-  }
-  template <class T, class Visit>
-  void list(std::vector<T>& items, Visit&& visit) {
-    items.resize(read_size(1));
-    for (T& item : items) visit(item);
-  }
-  void expect_end() const {
-    if (!bytes_.empty()) fail();
-  }
-
- private:
-  [[noreturn]] static void fail() { throw Error("not the record of a run"); }
-  const char* take(std::size_t size) {
-    if (size > bytes_.size()) fail();
-    const char* first = bytes_.data();
-    bytes_.remove_prefix(size);
-    return first;
-  }
-  /// The number of items of at least `item_size` bytes.
-  std::size_t read_size(std::size_t item_size) {
-    std::size_t size = 0;
-    (*this)(size);
-    if (size > bytes_.size() / item_size) fail();
-    return size;
-  }
-
-  std::string_view bytes_;
-};
 
 template <class Archive, class Contact>
 void visit_contact(Archive& visit, Contact& c) {
@@ -158,13 +74,13 @@ void visit_record(Archive& visit, Record& r) {
 }  // namespace
 
 std::string to_bytes(const RunRecord& record) {
-  Writer writer;
+  ByteWriter writer;
   visit_record(writer, record);
   return std::move(writer.bytes);
 }
 
 RunRecord run_record_from(std::string_view bytes) {
-  Reader reader(bytes);
+  ByteReader reader(bytes);
   RunRecord record;
   visit_record(reader, record);
   reader.expect_end();

@@ -110,6 +110,11 @@ void Stepper::restore(StepRecord record) {
   if (record.progress.stage < progress_.stage)
     throw Error("the record is of stage " + std::to_string(record.progress.stage) +
                 ", which is over (restore it to a new stepper)");
+  if (record.state.position.cols() != state_.position.cols() ||
+      record.state.velocity.size() != state_.velocity.size() ||
+      record.state.stress.cols() != state_.stress.cols() ||
+      record.progress.stage >= static_cast<int>(stages_.size()))
+    throw Error("the record is of other blocks or stages");
   while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);
   counts_.steps = record.steps;
   begun_ = record.begun;

@@ -31,18 +31,32 @@ T number_in(const pugi::xml_node& node, const char* attribute, const std::filesy
   return number;
 }
 
+std::string line_of(const PvdEntry& entry) {
+  return "<DataSet timestep=\"" + text_of(entry.time) + "\" step=\"" + text_of(entry.step) +
+         "\" part=\"0\" file=\"" + entry.file + "\"/>\n";
+}
+
 }  // namespace
 
-PvdFile::PvdFile(const std::filesystem::path& path) : path_(path), out_(path, std::ios::binary) {
-  out_ << head;
-  end_ = out_.tellp();
-  out_ << tail << std::flush;
-  if (!out_) throw FileError("cannot write \"" + path_.string() + "\"");
+PvdFile::PvdFile(const std::filesystem::path& path, const std::vector<PvdEntry>& entries) : path_(path) {
+  std::filesystem::path part = path;
+  part += ".part";
+  std::ofstream whole(part, std::ios::binary);
+  whole << head;
+  for (const PvdEntry& entry : entries) whole << line_of(entry);
+  end_ = whole.tellp();
+  whole << tail;
+  whole.close();
+  std::error_code error;
+  if (whole) std::filesystem::rename(part, path, error);
+  if (whole && !error) out_.open(path, std::ios::binary | std::ios::in | std::ios::out);
+  if (whole && !error && out_) return;
+  std::filesystem::remove(part, error);
+  throw FileError("cannot write \"" + path_.string() + "\"");
 }
 
 void PvdFile::add(const PvdEntry& entry) {
-  const std::string line = "<DataSet timestep=\"" + text_of(entry.time) + "\" step=\"" + text_of(entry.step) +
-                           "\" part=\"0\" file=\"" + entry.file + "\"/>\n";
+  const std::string line = line_of(entry);
   out_.seekp(end_);
   out_ << line + tail << std::flush;
   if (!out_) {

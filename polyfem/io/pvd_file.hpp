@@ -20,7 +20,9 @@ struct PvdEntry {
 class PvdFile {
  public:
   /// Starts an empty series in place of an older one. Throws FileError.
-  explicit PvdFile(const std::filesystem::path& path);
+  explicit PvdFile(const std::filesystem::path& path) : PvdFile(path, {}) {}
+  /// The same with entries: the older series stays until this one is whole.
+  PvdFile(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);
   /// Throws FileError; the series is then as it was before.
   void add(const PvdEntry& entry);
 

@@ -1,0 +1,34 @@
+/// \file The checkpoint of a run: written in time, read to go on.
+#pragma once
+
+#include <ddacontact/output/checkpoint.hpp>
+#include <ddacontact/output/result_directory.hpp>
+#include <ddacontact/scene/scene.hpp>
+#include <ddacontact/time/stepper.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace dda {
+
+constexpr char checkpoint_file[] = "checkpoint.bin";
+
+/// Writes the checkpoints of a run, each in place of the one before.
+class Checkpoints {
+ public:
+  /// \param[in] every  steps between them; 0: only when asked for
+  Checkpoints(const ddacontact::Scene& scene, const std::filesystem::path& directory, int every);
+
+  /// Every so many steps.
+  void write_if_due(const ddacontact::Stepper& stepper, ddacontact::ResultDirectory& results);
+  /// Throws OutputError; the last one is as it was then.
+  void write(const ddacontact::Stepper& stepper, ddacontact::ResultDirectory& results);
+
+ private:
+  const ddacontact::Scene& scene_;
+  std::string resumable_part_;
+  std::filesystem::path path_;
+  int every_;
+};
+
+}  // namespace dda

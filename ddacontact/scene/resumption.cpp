@@ -1,0 +1,131 @@
+#include <ddacontact/scene/resumption.hpp>
+
+#include <ddacontact/scene/writer.hpp>
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <sstream>
+#include <variant>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr const char* cure = "resume with the scene it was made from, or run this one from its start";
+
+using Path = std::vector<std::variant<std::string, std::size_t>>;
+
+bool stands_on(const toml::node& node, toml::source_index line) {
+  return node.source().begin.line <= line && line <= node.source().end.line;
+}
+
+/// The path of the value that stands on a line; empty: there is none.
+Path path_to_line(const toml::node& node, toml::source_index line) {
+  const auto find_in = [line](const auto& children, auto name_of) {
+    for (auto&& [name, child] : children) {
+      const bool has_parts = child.is_table() || child.is_array_of_tables();
+      Path path = path_to_line(child, line);
+      if (!path.empty() || (!has_parts && stands_on(child, line))) {
+        path.insert(path.begin(), name_of(name));
+        return path;
+      }
+    }
+    return Path();
+  };
+  if (const toml::table* table = node.as_table())
+    return find_in(*table, [](const toml::key& key) { return std::string(key.str()); });
+  if (const toml::array* array = node.as_array(); array && array->is_array_of_tables()) {
+    std::vector<std::pair<std::size_t, const toml::node&>> elements;
+    for (std::size_t k = 0; k < array->size(); ++k) elements.emplace_back(k, (*array)[k]);
+    return find_in(elements, [](std::size_t index) { return index; });
+  }
+  return {};
+}
+
+const toml::node* child_of(const toml::node& node, const Path::value_type& name) {
+  if (const auto* key = std::get_if<std::string>(&name))
+    return node.is_table() ? node.as_table()->get(*key) : nullptr;
+  return node.is_array() ? node.as_array()->get(std::get<std::size_t>(name)) : nullptr;
+}
+
+/// Where a path, or as much of it as is there, stands in a file.
+toml::source_position find_in_file(const std::string& file, const Path& path) {
+  toml::source_position place{1, 1};
+  const toml::table table = toml::parse_file(file);
+  const toml::node* node = &table;
+  for (const auto& name : path) {
+    node = child_of(*node, name);
+    if (!node) break;
+    if (node->source().begin) place = node->source().begin;
+  }
+  return place;
+}
+
+Problem mismatch(const std::string& scene_file, toml::source_position place, const std::string& what) {
+  return {Problem::Severity::error,       scene_file, static_cast<int>(place.line),
+          static_cast<int>(place.column), what,       cure};
+}
+
+/// Of two texts, the first line of each that differs, and its number.
+struct Difference {
+  std::string one, other;
+  int line;
+};
+Difference first_difference(const std::string& one, const std::string& other) {
+  std::istringstream a(one), b(other);
+  Difference difference{"", "", 0};
+  do {
+    difference.one.clear();
+    difference.other.clear();
+    std::getline(a, difference.one);
+    std::getline(b, difference.other);
+    ++difference.line;
+  } while (difference.one == difference.other && (a || b));
+  return difference;
+}
+
+}  // namespace
+
+std::string resumable_part(const Scene& scene) {
+  Scene part = scene;
+  part.output = {};
+  part.analysis.steps = 1;
+  for (StageDescription& stage : part.stages) stage.analysis.steps = 1;
+  std::ostringstream text;
+  write_scene(text, part);
+  return text.str();
+}
+
+std::vector<int> steps_of_stages_before(const Scene& scene, int stage) {
+  std::vector<int> steps;
+  for (int k = 0; k < stage; ++k) steps.push_back(scene.stages[static_cast<std::size_t>(k)].analysis.steps);
+  return steps;
+}
+
+std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::string& checkpoint_name,
+                                     const Scene& scene, const std::string& scene_file) {
+  const std::string quoted = "\"" + checkpoint_name + "\"";
+  if (const std::string part = resumable_part(scene); part != checkpoint.scene) {
+    const auto [here, there, line] = first_difference(part, checkpoint.scene);
+    const Path path = path_to_line(toml::parse(part), static_cast<toml::source_index>(line));
+    const auto text = [](const std::string& words) { return words.empty() ? "nothing" : "'" + words + "'"; };
+    return mismatch(
+        scene_file, find_in_file(scene_file, path),
+        quoted + " belongs to another scene: it has " + text(there) + " where this one has " + text(here));
+  }
+  const StageProgress& progress = checkpoint.record.step.progress;
+  for (int k = 0; k < static_cast<int>(scene.stages.size()) && k <= progress.stage; ++k) {
+    const int steps = scene.stages[static_cast<std::size_t>(k)].analysis.steps;
+    const bool over = k < progress.stage;
+    const long made = over ? checkpoint.stage_steps[static_cast<std::size_t>(k)] : progress.steps;
+    const bool last = k + 1 == static_cast<int>(scene.stages.size());
+    if (over ? steps == made : (steps >= made || last)) continue;
+    return mismatch(scene_file, find_in_file(scene_file, {"stage", static_cast<std::size_t>(k), "steps"}),
+                    quoted + " has made " + std::to_string(made) + " steps of stage " + std::to_string(k) +
+                        ", not '" + std::to_string(steps) + "'");
+  }
+  return std::nullopt;
+}
+
+}  // namespace ddacontact
