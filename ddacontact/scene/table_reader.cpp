@@ -34,7 +34,8 @@ void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) 
     JointChange& change = changes.emplace_back();
     change.joint.name = name.str();
     change.places.table = place_of(name, problems_);
-    TableReader reader(*law, "'" + title + "'", change.places, problems_);
+    const std::string quoted_title = "'" + title + "'";
+    TableReader reader(*law, quoted_title, change.places, problems_);
     describe_law(change, reader);
     reader.refuse_other_keys();
   }
