@@ -6,6 +6,7 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
@@ -210,9 +211,10 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   log_choices(built.labels, *log);
   if (from) {
     log->info("resumed from {} after step {}", arguments.checkpoint, from->record.counts.steps);
-    for (const std::string& name : results.missing_histories())
-      built.notes.push_back(fmt::format("{} begins with step {}: what was before is not beside {}", name,
-                                        from->record.counts.steps, arguments.checkpoint));
+    if (const auto missing = results.missing_histories(); !missing.empty())
+      built.notes.push_back(fmt::format("what was before step {} is not beside {}: {} begin there",
+                                        from->record.counts.steps, arguments.checkpoint,
+                                        fmt::join(missing, ", ")));
   }
   for (const std::string& note : built.notes) {
     log->warn("{}", note);

@@ -19,7 +19,7 @@ struct TimeFunction {
   Vec2 value{0, 0};
   std::vector<Vec3> history;
 
-  /// `end_time` is the length the scene itself states: steps times time_step.
+  /// `end_time` is the length the scene itself states: steps times time_step, of all stages.
   Vec2 at(double time, double end_time) const;
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace ddacontact {
@@ -97,6 +98,13 @@ int count_lost_holds(const BlockDescription& block, const std::vector<Part>& par
       }));
 }
 
+/// The parts of some blocks.
+std::vector<int> all_parts(const std::vector<int>& blocks, const std::vector<std::vector<int>>& parts) {
+  std::vector<int> all;
+  for (const int block : blocks) all.insert(all.end(), parts[block].begin(), parts[block].end());
+  return all;
+}
+
 void require_own_names(const Scene& scene) {
   std::set<std::string> names;
   for (const BlockDescription& block : scene.blocks)
@@ -112,8 +120,11 @@ Scene cut_blocks(const Scene& scene, const CutOptions& options, CutCounts& count
   result.supports.clear();
   result.loads.clear();
   result.monitors.clear();
+  std::vector<std::vector<int>> parts_of_block;
   for (const BlockDescription& block : scene.blocks) {
     const std::vector<Part> parts = parts_of(block.vertices, options, counts);
+    std::vector<int>& indices = parts_of_block.emplace_back(parts.size());
+    std::iota(indices.begin(), indices.end(), static_cast<int>(result.blocks.size()));
     if (parts.size() == 1 && parts[0].outline.cols() == block.vertices.cols()) {
       result.blocks.push_back(block);
       continue;
@@ -125,6 +136,7 @@ Scene cut_blocks(const Scene& scene, const CutOptions& options, CutCounts& count
       if (parts.size() > 1 && !block.name.empty()) result.blocks.back().name += '.' + std::to_string(k + 1);
     }
   }
+  for (StageDescription& stage : result.stages) stage.removed = all_parts(stage.removed, parts_of_block);
   require_own_names(result);
   return result;
 }

@@ -22,7 +22,8 @@ struct CutCounts {
 
 /// The scene with its blocks cut, without supports, loads and monitors, which count vertices and edges as
 /// they were. The parts of a block called NAME are NAME.1, NAME.2, ...; they have its material, model, mesh
-/// and stress, move with it at the start, and are held where it was. Throws Error when such a name is taken.
+/// and stress, move with it at the start, are held where it was, and go with it in a stage that takes it out.
+/// Throws Error when such a name is taken.
 Scene cut_blocks(const Scene& scene, const CutOptions& options, CutCounts& counts);
 
 }  // namespace ddacontact

@@ -57,8 +57,8 @@ JointRecord record_of(const Joint& joint, const Scene& scene) {
   record.name = optional_name(joint.name);
   record.joint = joint;
   if (joint.between)
-    record.between = {reference_to((*joint.between)[0], scene.materials),
-                      reference_to((*joint.between)[1], scene.materials)};
+    record.between = std::array<Reference, 2>{reference_to((*joint.between)[0], scene.materials),
+                                              reference_to((*joint.between)[1], scene.materials)};
   return record;
 }
 
@@ -127,6 +127,45 @@ MonitorRecord record_of(const Monitor& monitor, const Scene& scene) {
   return record;
 }
 
+/// What of a joint is different while a stage lasts; nothing when all is the same.
+std::optional<JointChange> change_of(int index, const Joint& joint, const Scene& scene) {
+  const Joint& of_scene = scene.joints[index];
+  JointChange change;
+  bool any = false;
+  for (const auto& [from, to] : joint_law) {
+    if (joint.*from == of_scene.*from) continue;
+    change.*to = joint.*from;
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  change.joint = reference_to(index, scene.joints);
+  return change;
+}
+
+StageRecord record_of(const StageDescription& stage, const Scene& scene) {
+  const AnalysisOptions& analysis = stage.analysis;
+  StageRecord record;
+  record.name = optional_name(stage.name);
+  record.mode = analysis.mode;
+  record.steps = analysis.steps;
+  record.time_step = analysis.time_step;
+  record.max_displacement_ratio = analysis.max_displacement_ratio;
+  record.gravity = analysis.gravity;
+  record.scheme = analysis.scheme;
+  if (analysis.scheme == Scheme::newmark) {
+    record.beta = analysis.beta;
+    record.gamma = analysis.gamma;
+  }
+  record.damping = analysis.damping;
+  record.cutting_factor = analysis.cutting_factor;
+  for (std::size_t j = 0; j < stage.joints.size(); ++j)
+    if (auto change = change_of(static_cast<int>(j), stage.joints[j], scene))
+      record.joints.push_back(std::move(*change));
+  record.reset_displacements = stage.reset_displacements;
+  for (const int block : stage.removed) record.remove.blocks.push_back(reference_to(block, scene.blocks));
+  return record;
+}
+
 template <class Record, class Thing>
 void fill(std::vector<Record>& records, const std::vector<Thing>& things, const Scene& scene) {
   records.reserve(things.size());
@@ -139,6 +178,7 @@ Document document_of(const Scene& scene) {
   Document document;
   document.title = scene.title;
   document.analysis = record_of(scene.analysis);
+  document.analysis.options.steps = scene.n_steps();
   document.contact = record_of(scene.contact);
   for (const Material& material : scene.materials)
     document.materials.push_back(
@@ -148,6 +188,7 @@ Document document_of(const Scene& scene) {
   fill(document.supports, scene.supports, scene);
   fill(document.loads, scene.loads, scene);
   fill(document.monitors, scene.monitors, scene);
+  fill(document.stages, scene.stages, scene);
   document.output.options = scene.output;
   return document;
 }

@@ -79,6 +79,8 @@ class DocumentReader : public TableReader {
 
 Document read_document(const toml::table& root, ProblemList& problems) {
   Document document;
+  const toml::array* stages = root["stage"].as_array();
+  document.analysis.in_stages = stages && !stages->empty();
   DocumentReader reader(root, "the scene", document.places, problems);
   describe(document, reader);
   reader.refuse_other_keys();

@@ -25,6 +25,7 @@ class RowWriter {
     row(key, expected_text(key, T{}), key.default_text ? key.default_text : "none");
   }
   void operator()(const Key& key, const NotAvailable&) { row(key, "", not_available_text); }
+  void operator()(const Key&, const OfTheWholeRun&) {}
 
   std::string take() && {
     return rows_.empty() ? rows_ : "| key | value | default | |\n|---|---|---|---|\n" + rows_;

@@ -46,4 +46,7 @@ struct NotAvailable {};
 /// What the message of every such key and word says.
 inline constexpr const char* not_available_text = "not available in this version";
 
+/// Stands for the value of a key of [analysis] that no stage may change.
+struct OfTheWholeRun {};
+
 }  // namespace ddacontact::scene_format

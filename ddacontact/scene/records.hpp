@@ -6,6 +6,7 @@
 #include <ddacontact/scene/problem_list.hpp>
 #include <ddacontact/scene/scene.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -92,6 +93,7 @@ enum class Axes { xy, x, y };
 /// Keys whose default depends on others are kept here, not in the options.
 struct AnalysisRecord {
   AnalysisOptions options;
+  bool in_stages = false;  ///< the stages say how many steps
   std::optional<BlockModel> block_model;
   MeshRecord mesh;
   std::optional<Kinematics> kinematics;
@@ -119,9 +121,27 @@ struct MaterialRecord {
 struct JointRecord {
   std::optional<std::string> name;
   Joint joint;
-  std::optional<std::vector<Reference>> between;
+  std::optional<std::array<Reference, 2>> between;
   Places places;
 };
+
+/// What a stage changes of a joint.
+struct JointChange {
+  Reference joint;
+  std::optional<double> friction_angle, cohesion, tensile_strength, restitution, dashpot;
+  Places places;
+};
+
+/// A number of a joint's law and what changes it.
+struct JointNumber {
+  double Joint::*of_joint;
+  std::optional<double> JointChange::*of_change;
+};
+inline constexpr JointNumber joint_law[]{{&Joint::friction_angle, &JointChange::friction_angle},
+                                         {&Joint::cohesion, &JointChange::cohesion},
+                                         {&Joint::tensile_strength, &JointChange::tensile_strength},
+                                         {&Joint::restitution, &JointChange::restitution},
+                                         {&Joint::dashpot, &JointChange::dashpot}};
 
 struct BlockRecord {
   std::optional<std::string> name;
@@ -165,6 +185,29 @@ struct MonitorRecord {
   Places places;
 };
 
+/// Blocks with the places of their names.
+struct BlockList {
+  std::vector<Reference> blocks;
+  std::vector<Place> places;
+};
+
+/// Keys left out stay as the analysis has them.
+struct StageRecord {
+  std::optional<std::string> name;
+  std::optional<Mode> mode;
+  int steps = 0;
+  std::optional<double> time_step, max_displacement_ratio;
+  std::optional<Vec2> gravity;
+  std::optional<Scheme> scheme;
+  std::optional<double> beta, gamma;
+  std::optional<RayleighDamping> damping;
+  std::optional<double> cutting_factor;
+  std::vector<JointChange> joints;
+  bool reset_displacements = false;
+  BlockList remove;
+  Places places;
+};
+
 struct OutputRecord {
   OutputOptions options;
   Places places;
@@ -183,6 +226,7 @@ struct Document {
   std::vector<SupportRecord> supports;
   std::vector<LoadRecord> loads;
   std::vector<MonitorRecord> monitors;
+  std::vector<StageRecord> stages;
   OutputRecord output;
   Places places;
 };

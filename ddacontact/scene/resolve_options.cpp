@@ -6,6 +6,7 @@
 #include <ddacontact/scene/text.hpp>
 
 #include <algorithm>
+#include <string_view>
 
 namespace ddacontact::scene_format {
 
@@ -19,39 +20,68 @@ bool needs_corotational(Scheme scheme) {
   return scheme == Scheme::midpoint || scheme == Scheme::decaying;
 }
 
-void resolve_scheme(const AnalysisRecord& record, AnalysisOptions& options, ProblemList& problems) {
-  const Places& places = record.places;
+/// Keys of [analysis] or, where a stage has them, of that.
+class OwnKeys {
+ public:
+  OwnKeys(const Places& own, const Places& of_scene) : own_(own), of_scene_(of_scene) {}
+
+  bool written(std::string_view key) const { return own_.written(key); }
+  bool usable(std::string_view key) const {
+    return own_.usable(key) && (own_.written(key) || of_scene_.usable(key));
+  }
+  const Place& of(std::string_view key) const { return own_.of(key); }
+
+ private:
+  const Places &own_, &of_scene_;
+};
+
+void resolve_scheme(const AnalysisRecord& record, const OwnKeys& own, AnalysisOptions& options,
+                    ProblemList& problems) {
   const PresetDefaults& preset = defaults_of(options.preset);
   options.kinematics = record.kinematics.value_or(preset.kinematics);
   const bool turning = options.kinematics == Kinematics::corotational;
   options.scheme =
       record.scheme.value_or(needs_corotational(preset.scheme) && !turning ? Scheme::dda : preset.scheme);
-  if (!needs_corotational(options.scheme) || turning || !places.usable("scheme") ||
-      !places.usable("kinematics"))
+  if (!needs_corotational(options.scheme) || turning || !own.written("scheme") || !own.usable("scheme") ||
+      !own.usable("kinematics"))
     return;
-  problems.error(places.of("scheme"),
+  problems.error(own.of("scheme"),
                  "'scheme' = " + value_text(options.scheme) + " needs kinematics = \"corotational\"",
-                 "write that, or scheme = \"dda\", \"newmark\" or \"backward_euler\"");
+                 "write that in [analysis], or scheme = \"dda\", \"newmark\" or \"backward_euler\"");
 }
 
 /// Stable at any time step when 2 beta >= gamma >= 1/2; of these, (gamma + 1/2)^2 / 4 damps most what
 /// vibrates fastest.
-void resolve_newmark(const AnalysisRecord& record, AnalysisOptions& options, ProblemList& problems) {
-  const Places& places = record.places;
+void resolve_newmark(const AnalysisRecord& record, const OwnKeys& own, AnalysisOptions& options,
+                     ProblemList& problems) {
   options.gamma = record.gamma.value_or(0.5);
   options.beta = record.beta.value_or((options.gamma + 0.5) * (options.gamma + 0.5) / 4);
-  if (!places.usable("scheme")) return;
+  if (!own.usable("scheme")) return;
   for (const char* key : {"beta", "gamma"})
-    if (places.written(key) && options.scheme != Scheme::newmark)
-      problems.error(places.of(key), "'" + std::string(key) + "' belongs to scheme = \"newmark\" alone",
+    if (own.written(key) && options.scheme != Scheme::newmark)
+      problems.error(own.of(key), "'" + std::string(key) + "' belongs to scheme = \"newmark\" alone",
                      "write that scheme or leave '" + std::string(key) + "' out");
-  if (options.scheme == Scheme::newmark && places.good("beta") && places.usable("gamma") &&
-      2 * options.beta < options.gamma)
-    problems.error(
-        places.of("beta"),
-        "'beta' = '" + short_number(options.beta) + "' with gamma = " + short_number(options.gamma) +
-            " is not stable at every time step",
-        "2 beta >= gamma is: write at least " + short_number(options.gamma / 2) + ", or leave it out");
+  const char* key = own.written("beta") ? "beta" : "gamma";
+  if (options.scheme == Scheme::newmark && record.beta && own.written(key) && own.usable("beta") &&
+      own.usable("gamma") && 2 * options.beta < options.gamma)
+    problems.error(own.of(key),
+                   "'beta' = '" + short_number(options.beta) +
+                       "' with gamma = " + short_number(options.gamma) + " is not stable at every time step",
+                   "2 beta >= gamma is: write a beta of at least " + short_number(options.gamma / 2) +
+                       ", or leave it out");
+}
+
+/// `own`: who asks, [analysis] or a stage that changed some keys of `record`.
+AnalysisOptions resolve(const AnalysisRecord& record, const OwnKeys& own, ProblemList& problems) {
+  AnalysisOptions options = record.options;
+  const PresetDefaults& preset = defaults_of(options.preset);
+  options.block_model = record.block_model.value_or(preset.block_model);
+  options.mesh = with_record({}, record.mesh);
+  resolve_scheme(record, own, options, problems);
+  resolve_newmark(record, own, options, problems);
+  options.gradient_correction = record.gradient_correction.value_or(preset.gradient_correction);
+  options.cutting_factor = record.cutting_factor.value_or(preset.cutting_factor);
+  return options;
 }
 
 /// A stiffness that is left out follows from other numbers: it may be beyond what could be written.
@@ -78,15 +108,25 @@ double resolve_tolerance(const ContactRecord& record, ContactMethod method, Prob
 }  // namespace
 
 AnalysisOptions resolve_analysis(const AnalysisRecord& record, ProblemList& problems) {
-  AnalysisOptions options = record.options;
-  const PresetDefaults& preset = defaults_of(options.preset);
-  options.block_model = record.block_model.value_or(preset.block_model);
-  options.mesh = with_record({}, record.mesh);
-  resolve_scheme(record, options, problems);
-  resolve_newmark(record, options, problems);
-  options.gradient_correction = record.gradient_correction.value_or(preset.gradient_correction);
-  options.cutting_factor = record.cutting_factor.value_or(preset.cutting_factor);
-  return options;
+  return resolve(record, {record.places, record.places}, problems);
+}
+
+AnalysisOptions resolve_analysis(const AnalysisRecord& of_scene, const StageRecord& stage,
+                                 ProblemList& problems) {
+  AnalysisRecord record = of_scene;
+  AnalysisOptions& options = record.options;
+  options.mode = stage.mode.value_or(options.mode);
+  options.steps = stage.steps;
+  options.time_step = stage.time_step.value_or(options.time_step);
+  options.max_displacement_ratio = stage.max_displacement_ratio.value_or(options.max_displacement_ratio);
+  options.gravity = stage.gravity.value_or(options.gravity);
+  options.damping = stage.damping.value_or(options.damping);
+  if (stage.scheme && stage.scheme != Scheme::newmark) record.beta = record.gamma = std::nullopt;
+  if (stage.scheme) record.scheme = stage.scheme;
+  if (stage.beta) record.beta = stage.beta;
+  if (stage.gamma) record.gamma = stage.gamma;
+  if (stage.cutting_factor) record.cutting_factor = stage.cutting_factor;
+  return resolve(record, {stage.places, of_scene.places}, problems);
 }
 
 ContactOptions resolve_contact(const ContactRecord& record, Preset preset,

@@ -11,33 +11,72 @@
 
 namespace ddacontact::scene_format {
 
+/// Keys of [analysis] that a stage may override.
+namespace analysis_keys {
+
+inline constexpr Key mode{.name = "mode", .what = "Velocities carry over, or every step starts at rest."};
+inline constexpr Key time_step{.name = "time_step",
+                               .what = "The largest step taken.",
+                               .unit = "s",
+                               .bounds = positive,
+                               .required = true};
+inline constexpr Key max_displacement_ratio{
+    .name = "max_displacement_ratio",
+    .what =
+        "In one step a vertex moves at most this times half the larger side of the box of the scene at "
+        "the start.",
+    .bounds = positive};
+inline constexpr Key gravity{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"};
+inline constexpr Key scheme{.name = "scheme", .what = "Time scheme."};
+inline constexpr Key beta{.name = "beta",
+                          .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
+                          .bounds = positive,
+                          .default_text = "(`gamma` + 1/2)^2 / 4"};
+inline constexpr Key gamma{
+    .name = "gamma", .what = "Of the scheme \"newmark\".", .bounds = {.low = 0.5}, .default_text = "`0.5`"};
+inline constexpr Key damping{
+    .name = "damping",
+    .what = "Rayleigh damping: forces `mass` x M v and `stiffness` x K times the rate of deformation.",
+    .unit = "1/s and s",
+    .bounds = not_negative};
+inline constexpr Key cutting_factor{.name = "cutting_factor",
+                                    .what = "A rejected step is tried again with this times its length.",
+                                    .bounds = {.low = 0, .high = 1, .with_low = false, .with_high = false}};
+
+}  // namespace analysis_keys
+
+constexpr Key with_default(Key key, const char* text) {
+  key.default_text = text;
+  return key;
+}
+
+/// The same key where it overrides that of [analysis].
+constexpr Key in_stage(Key key) {
+  key.required = false;
+  key.default_text = "as in `[analysis]`";
+  return key;
+}
+
 template <class Visit>
 void describe(AnalysisRecord& r, Visit&& visit) {
   static const std::string kinematics = preset_text(&PresetDefaults::kinematics),
-                           scheme = preset_text(&PresetDefaults::scheme),
+                           scheme = preset_text(&PresetDefaults::scheme) +
+                                    "; where that needs other `kinematics`: `\"dda\"`",
                            correction = preset_text(&PresetDefaults::gradient_correction),
                            cutting = preset_text(&PresetDefaults::cutting_factor),
                            model = preset_text(&PresetDefaults::block_model);
   AnalysisOptions& o = r.options;
   visit(Key{.name = "preset", .what = "Chooses the defaults of keys left out."}, o.preset);
-  visit(Key{.name = "mode", .what = "Velocities carry over, or every step starts at rest."}, o.mode);
+  visit(analysis_keys::mode, o.mode);
   visit(Key{.name = "steps",
-            .what = "Number of steps of the length `time_step`.",
+            .what =
+                "Number of steps of the length `time_step`. With `[[stage]]` it is neither needed nor used.",
             .bounds = at_least_one,
-            .required = true},
+            .required = !r.in_stages},
         o.steps);
-  visit(Key{.name = "time_step",
-            .what = "The largest step taken.",
-            .unit = "s",
-            .bounds = positive,
-            .required = true},
-        o.time_step);
-  visit(Key{.name = "max_displacement_ratio",
-            .what = "In one step a vertex moves at most this times half the larger side of the box of the "
-                    "scene at the start.",
-            .bounds = positive},
-        o.max_displacement_ratio);
-  visit(Key{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"}, o.gravity);
+  visit(analysis_keys::time_step, o.time_step);
+  visit(analysis_keys::max_displacement_ratio, o.max_displacement_ratio);
+  visit(analysis_keys::gravity, o.gravity);
   visit(Key{.name = "plane", .what = "Plane strain or plane stress."}, o.plane);
   visit(Key{.name = "block_model",
             .what = "Model of every block that names none.",
@@ -53,36 +92,16 @@ void describe(AnalysisRecord& r, Visit&& visit) {
                     "increments on the current shape.",
             .default_text = kinematics.c_str()},
         r.kinematics);
-  visit(Key{.name = "scheme",
-            .what = "Time scheme; where the preset's does not go with `kinematics`, \"dda\".",
-            .default_text = scheme.c_str()},
-        r.scheme);
-  visit(Key{.name = "beta",
-            .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
-            .bounds = positive,
-            .default_text = "(`gamma` + 1/2)^2 / 4"},
-        r.beta);
-  visit(Key{.name = "gamma",
-            .what = "Of the scheme \"newmark\".",
-            .bounds = {.low = 0.5},
-            .default_text = "`0.5`"},
-        r.gamma);
-  visit(
-      Key{.name = "damping",
-          .what = "Rayleigh damping: forces `mass` x M v and `stiffness` x K times the rate of deformation.",
-          .unit = "1/s and s",
-          .bounds = not_negative},
-      o.damping);
+  visit(with_default(analysis_keys::scheme, scheme.c_str()), r.scheme);
+  visit(analysis_keys::beta, r.beta);
+  visit(analysis_keys::gamma, r.gamma);
+  visit(analysis_keys::damping, o.damping);
   visit(
       Key{.name = "gradient_correction",
           .what = "Whether shape function gradients are corrected so that the patch test holds to round-off.",
           .default_text = correction.c_str()},
       r.gradient_correction);
-  visit(Key{.name = "cutting_factor",
-            .what = "A rejected step is tried again with this times its length.",
-            .bounds = {.low = 0, .high = 1, .with_low = false, .with_high = false},
-            .default_text = cutting.c_str()},
-        r.cutting_factor);
+  visit(with_default(analysis_keys::cutting_factor, cutting.c_str()), r.cutting_factor);
 }
 
 template <class Visit>
@@ -137,40 +156,46 @@ void describe(MaterialRecord& r, Visit&& visit) {
         r.poisson);
 }
 
+/// The keys that joints and what stages change of them have in common.
+template <class Law, class Visit>
+void describe_law(Law& law, Visit&& visit) {
+  visit(Key{.name = "friction_angle",
+            .what = "Angle of friction.",
+            .unit = "deg",
+            .bounds = {.low = 0, .high = 90, .with_high = false}},
+        law.friction_angle);
+  visit(Key{.name = "cohesion",
+            .what = "Cohesion of contacts closed at the start, lost on sliding or opening.",
+            .unit = "Pa",
+            .bounds = not_negative},
+        law.cohesion);
+  visit(Key{.name = "tensile_strength",
+            .what = "Tensile strength of contacts closed at the start, lost on sliding or opening.",
+            .unit = "Pa",
+            .bounds = not_negative},
+        law.tensile_strength);
+  visit(Key{.name = "restitution",
+            .what = "Of blocks that meet: how fast they part, of the normal speed at which they met; method "
+                    "\"staged\" alone.",
+            .bounds = {.low = 0, .high = 1}},
+        law.restitution);
+  visit(Key{.name = "dashpot",
+            .what = "Damping of closed contacts, ratio to critical of the contact spring.",
+            .bounds = not_negative},
+        law.dashpot);
+}
+
 template <class Visit>
 void describe(JointRecord& r, Visit&& visit) {
   visit(Key{.name = "name",
             .what = "Unique; the first joint is the law of all contacts that no other one names.",
             .default_text = "none"},
         r.name);
-  visit(Key{.name = "friction_angle",
-            .what = "Angle of friction.",
-            .unit = "deg",
-            .bounds = {.low = 0, .high = 90, .with_high = false}},
-        r.joint.friction_angle);
-  visit(Key{.name = "cohesion",
-            .what = "Cohesion of contacts closed at the start, lost on sliding or opening.",
-            .unit = "Pa",
-            .bounds = not_negative},
-        r.joint.cohesion);
-  visit(Key{.name = "tensile_strength",
-            .what = "Tensile strength of contacts closed at the start, lost on sliding or opening.",
-            .unit = "Pa",
-            .bounds = not_negative},
-        r.joint.tensile_strength);
   visit(Key{.name = "between",
             .what = "The two materials (either order) whose contacts follow it.",
             .default_text = "everything not named elsewhere"},
         r.between);
-  visit(Key{.name = "restitution",
-            .what = "Of blocks that meet: how fast they part, of the normal speed at which they met; method "
-                    "\"staged\" alone.",
-            .bounds = {.low = 0, .high = 1}},
-        r.joint.restitution);
-  visit(Key{.name = "dashpot",
-            .what = "Damping of closed contacts, ratio to critical of the contact spring.",
-            .bounds = not_negative},
-        r.joint.dashpot);
+  describe_law(r.joint, visit);
 }
 
 template <class Visit>
@@ -205,7 +230,8 @@ void describe(SupportRecord& r, Visit&& visit) {
   visit(Key{.name = "vertices", .what = "The vertices held.", .required = true}, r.vertices);
   visit(Key{.name = "axes", .what = "The directions held."}, r.axes);
   visit(Key{.name = "displacement",
-            .what = "Reached linearly over `steps` x `time_step`, then held.",
+            .what =
+                "Reached linearly over `steps` x `time_step`, with `[[stage]]` over all of them, then held.",
             .unit = "m",
             .default_text = "[0.0, 0.0]; or `velocity` or `history`"},
         r.displacement);
@@ -263,6 +289,35 @@ void describe(MonitorRecord& r, Visit&& visit) {
 }
 
 template <class Visit>
+void describe(StageRecord& r, Visit&& visit) {
+  visit(Key{.name = "name", .what = "Unique.", .default_text = "none"}, r.name);
+  visit(in_stage(analysis_keys::mode), r.mode);
+  visit(Key{.name = "steps",
+            .what = "Number of steps of the length `time_step`.",
+            .bounds = at_least_one,
+            .required = true},
+        r.steps);
+  visit(in_stage(analysis_keys::time_step), r.time_step);
+  visit(in_stage(analysis_keys::max_displacement_ratio), r.max_displacement_ratio);
+  visit(in_stage(analysis_keys::gravity), r.gravity);
+  visit(in_stage(analysis_keys::scheme), r.scheme);
+  visit(in_stage(analysis_keys::beta), r.beta);
+  visit(in_stage(analysis_keys::gamma), r.gamma);
+  visit(in_stage(analysis_keys::damping), r.damping);
+  visit(in_stage(analysis_keys::cutting_factor), r.cutting_factor);
+  for (const char* name : {"preset", "plane", "block_model", "mesh", "kinematics", "gradient_correction"})
+    visit(Key{.name = name, .what = ""}, OfTheWholeRun{});
+  visit(Key{.name = "joints",
+            .what = "What is different of joints while the stage lasts; JOINT is a name, or an index where "
+                    "there is none."},
+        r.joints);
+  visit(Key{.name = "reset_displacements",
+            .what = "Displacements are counted anew from the end of the stage; stresses stay."},
+        r.reset_displacements);
+  visit(Key{.name = "remove", .what = "Blocks taken out at the start of the stage."}, r.remove);
+}
+
+template <class Visit>
 void describe(OutputRecord& r, Visit&& visit) {
   OutputOptions& o = r.options;
   visit(Key{.name = "every",
@@ -277,7 +332,7 @@ void describe(OutputRecord& r, Visit&& visit) {
           .bounds = {.low = 0, .high = 10}},
       o.refine);
   visit(Key{.name = "checkpoint_every",
-            .what = "Steps between checkpoints; only 0 is available in this version.",
+            .what = "A checkpoint every k steps; at the end and on interruption always, 0: only then.",
             .bounds = not_negative},
         o.checkpoint_every);
 }
@@ -307,7 +362,8 @@ void describe(Document& d, Visit&& visit) {
                d.supports);
   visit.tables(Key{.name = "load", .what = "Forces."}, d.loads);
   visit.tables(Key{.name = "monitor", .what = "Points whose motion is written at every step."}, d.monitors);
-  visit(Key{.name = "stage", .what = "Parts of a run with other options."}, NotAvailable{});
+  visit.tables(Key{.name = "stage", .what = "Parts of a run with other options, one after the other."},
+               d.stages);
   visit(Key{.name = "solver", .what = "What the solver may skip."}, NotAvailable{});
   visit.table(Key{.name = "output", .what = "What is written while running."}, d.output);
 }

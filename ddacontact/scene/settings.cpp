@@ -149,10 +149,8 @@ class Setting {
 
   /// A key that is not written has no elements; as a table it is made.
   void put_or_refuse(toml::table& table, std::size_t part, const toml::node* value) {
-    if (value || part + 1 == path_.size() || index_of(path_[part + 1]) == std::nullopt) {
-      for (std::size_t inner = path_.size() - 1; inner > part; --inner) wrap(inner);
-      return put(table, part);
-    }
+    if (value || part + 1 == path_.size() || !index_of(path_[part + 1]) || !index_of(path_.back()))
+      return put_wrapped(table, part);
     refuse("'" + path_[part] + "' is not in the scene, it has no element '" + excerpt(path_[part + 1]) + "'",
            "set '" + path_[part] + "' as a whole");
   }
@@ -161,7 +159,7 @@ class Setting {
   void set_element(toml::node& value, std::size_t part) {
     if (toml::table* table = value.as_table()) {
       toml::node* inner = table->get(path_[part]);
-      if (part + 1 == path_.size() || !inner) return put(*table, part);
+      if (part + 1 == path_.size() || !inner) return put_wrapped(*table, part);
       return set_element(*inner, part + 1);
     }
     toml::array* array = value.as_array();
@@ -174,6 +172,12 @@ class Setting {
     value_.get("v")->visit([&](auto& typed) {
       array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(typed));
     });
+  }
+
+  /// Puts path_[part] into `table`, with tables for the parts after it.
+  void put_wrapped(toml::table& table, std::size_t part) {
+    for (std::size_t inner = path_.size() - 1; inner > part; --inner) wrap(inner);
+    put(table, part);
   }
 
   /// The value becomes a table that holds it as path_[part].

@@ -1,9 +1,10 @@
 #include <ddacontact/scene/outline_distance.hpp>
+#include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/static_check.hpp>
 
 #include <ddacontact/detection/broad_phase.hpp>
 
-#include <numeric>
+#include <algorithm>
 
 namespace ddacontact::scene_format {
 
@@ -43,20 +44,23 @@ bool falls_onto(const Box& block, const Box& other) {
 /// Spreads from blocks that are held to those they hold.
 class HeldBlocks {
  public:
-  explicit HeldBlocks(const std::vector<PlacedOutline>& blocks)
-      : neighbours_(find_neighbours(blocks)), is_held_(blocks.size(), false), loose_(blocks.size()) {
-    std::iota(loose_.begin(), loose_.end(), 0);
+  /// Of all blocks, those it `has` are there.
+  HeldBlocks(const std::vector<std::vector<int>>& neighbours, const std::vector<bool>& has)
+      : neighbours_(neighbours), is_settled_(has) {
+    is_settled_.flip();
+    for (std::size_t b = 0; b < has.size(); ++b)
+      if (has[b]) loose_.push_back(static_cast<int>(b));
   }
 
   void hold(int block) {
-    if (is_held_[block]) return;
-    is_held_[block] = true;
+    if (is_settled_[block]) return;
+    is_settled_[block] = true;
     held_.push_back(block);
   }
   void spread_to_neighbours() {
     for (; n_spread_ < held_.size(); ++n_spread_)
       for (const int neighbour : neighbours_[held_[n_spread_]]) hold(neighbour);
-    std::erase_if(loose_, [this](int block) { return is_held_[block]; });
+    std::erase_if(loose_, [this](int block) { return is_settled_[block]; });
   }
   void spread_upwards(const std::vector<Box>& boxes) {
     for (std::size_t i = 0; i < held_.size() && !loose_.empty(); ++i) {
@@ -69,31 +73,72 @@ class HeldBlocks {
   const std::vector<int>& loose() const { return loose_; }
 
  private:
-  std::vector<std::vector<int>> neighbours_;
-  std::vector<bool> is_held_;
+  const std::vector<std::vector<int>>& neighbours_;
+  std::vector<bool> is_settled_;   ///< held, or not there
   std::vector<int> held_, loose_;  ///< in the order in which they were found; in that of the scene
   std::size_t n_spread_ = 0;       ///< of held_, those whose neighbours are held
 };
 
-}  // namespace
-
-void check_statics(const BlockTable& blocks, const Vec2& gravity, ProblemList& problems) {
-  HeldBlocks held(blocks.outlines);
+/// The blocks of a part that nothing holds.
+std::vector<int> find_loose(const StaticPart& part, const BlockTable& blocks,
+                            const std::vector<std::vector<int>>& neighbours) {
+  HeldBlocks held(neighbours, part.has);
   for (int b = 0; b < blocks.names.size(); ++b)
     if (blocks.holds.holds_any(b)) held.hold(b);
   held.spread_to_neighbours();
-  if (!gravity.isZero(0)) held.spread_upwards(boxes_along(gravity, blocks.outlines));
+  for (const Vec2& gravity : part.gravities) held.spread_upwards(boxes_along(gravity, blocks.outlines));
+  return held.loose();
+}
 
-  for (std::size_t i = 0; i < held.loose().size(); ++i) {
-    const int block = held.loose()[i];
-    if (i == most_loose) {
-      problems.error(blocks.outlines[block].place, "more blocks follow that nothing holds",
-                     "only the first " + std::to_string(most_loose) + " are listed");
-      return;
+}  // namespace
+
+std::vector<StaticPart> static_parts(const Scene& scene) {
+  StaticPart part{"a static analysis", std::vector<bool>(scene.blocks.size(), true), {}};
+  const auto pull = [&part](const Vec2& gravity) {
+    const bool known =
+        std::find(part.gravities.begin(), part.gravities.end(), gravity) != part.gravities.end();
+    if (!gravity.isZero(0) && !known) part.gravities.push_back(gravity);
+  };
+  std::vector<StaticPart> parts;
+  if (scene.stages.empty() && scene.analysis.mode == Mode::statics) {
+    pull(scene.analysis.gravity);
+    parts.push_back(part);
+  }
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    const StageDescription& stage = scene.stages[i];
+    for (const int block : stage.removed) part.has[block] = false;
+    if (stage.analysis.mode == Mode::dynamic) {
+      part.after_motion = true;
+      continue;
     }
-    problems.error(blocks.outlines[block].place,
-                   blocks.names.title(block) + " is free and nothing can hold it in a static analysis",
-                   "hold a vertex, or let it rest on something held, or use mode = \"dynamic\"");
+    pull(stage.analysis.gravity);
+    part.title = "stage " + (stage.name.empty() ? std::to_string(i) : "'" + excerpt(stage.name) + "'") +
+                 ", which is static";
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& parts, ProblemList& problems) {
+  if (parts.empty()) return;
+  const std::vector<std::vector<int>> neighbours = find_neighbours(blocks.outlines);
+  std::vector<bool> is_listed(blocks.outlines.size(), false);
+  std::size_t n_listed = 0;
+  for (const StaticPart& part : parts) {
+    const auto complain = part.after_motion ? &ProblemList::warning : &ProblemList::error;
+    for (const int block : find_loose(part, blocks, neighbours)) {
+      if (is_listed[block]) continue;
+      is_listed[block] = true;
+      if (n_listed++ == most_loose) {
+        (problems.*complain)(blocks.outlines[block].place, "more blocks follow that nothing holds",
+                             "only the first " + std::to_string(most_loose) + " are listed");
+        return;
+      }
+      (problems.*complain)(blocks.outlines[block].place,
+                           blocks.names.title(block) + " is free and nothing can hold it in " + part.title +
+                               (part.after_motion ? ", unless it has moved before" : ""),
+                           "hold a vertex, or let it rest on something held, or use mode = \"dynamic\"");
+    }
   }
 }
 

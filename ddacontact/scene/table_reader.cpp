@@ -1,3 +1,4 @@
+#include <ddacontact/scene/schema.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/table_reader.hpp>
 
@@ -6,11 +7,37 @@
 namespace ddacontact::scene_format {
 
 void TableReader::operator()(const Key& key, NotAvailable) {
-  if (!find(key)) return;
-  for (const auto& [name, node] : table_) {
-    if (name != key.name) continue;
-    problems_.error(place_of(name, problems_), "'" + std::string(key.name) + "' is " + not_available_text,
-                    "leave it out");
+  refuse(key, std::string("is ") + not_available_text, "leave it out");
+}
+
+void TableReader::operator()(const Key& key, OfTheWholeRun) {
+  refuse(key, "in " + std::string(title_) + " belongs to the whole run", "write it in [analysis]");
+}
+
+void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) {
+  const toml::node* node = find(key);
+  if (!node) return;
+  const toml::table* joints = node->as_table();
+  places_.add(key.name, place_of(*node, problems_), joints != nullptr);
+  const auto wrong_type = [&](const toml::node& of, const std::string& name, const std::string& expected) {
+    problems_.error(place_of(of, problems_), "'" + name + "' is " + description_of(of),
+                    "expected " + expected);
+  };
+  if (!joints) return wrong_type(*node, key.name, type_text(changes));
+  for (const auto& [name, of_joint] : *joints) {
+    const std::string title = std::string(key.name) + '.' + excerpt(name.str());
+    const toml::table* law = of_joint.as_table();
+    if (!law) {
+      wrong_type(of_joint, title, type_text(JointChange{}));
+      continue;
+    }
+    JointChange& change = changes.emplace_back();
+    change.joint.name = name.str();
+    change.places.table = place_of(name, problems_);
+    const std::string quoted_title = "'" + title + "'";
+    TableReader reader(*law, quoted_title, change.places, problems_);
+    describe_law(change, reader);
+    reader.refuse_other_keys();
   }
 }
 
@@ -34,6 +61,13 @@ void TableReader::refuse_other_keys() {
                     "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_),
                     cure_of_unknown(name.str(), known_));
   }
+}
+
+void TableReader::refuse(const Key& key, const std::string& what, const std::string& cure) {
+  if (!find(key)) return;
+  for (const auto& [name, node] : table_)
+    if (name == key.name)
+      problems_.error(place_of(name, problems_), "'" + std::string(key.name) + "' " + what, cure);
 }
 
 void TableReader::missing(const Key& key, const std::string& expected) {

@@ -33,6 +33,8 @@ class TableReader {
   }
 
   void operator()(const Key& key, NotAvailable);
+  void operator()(const Key& key, OfTheWholeRun);
+  void operator()(const Key& key, std::vector<JointChange>& changes);
 
   /// To be called after all keys: complains about those that no one asked for.
   void refuse_other_keys();
@@ -49,6 +51,8 @@ class TableReader {
     places_.add(key.name, place_of(node, problems_), good);
   }
   void missing(const Key& key, const std::string& expected);
+  /// A key that the table must not have.
+  void refuse(const Key& key, const std::string& what, const std::string& cure);
 
   const toml::table& table_;
   std::string_view title_;

@@ -87,6 +87,13 @@ bool ValueReader::operator()(const toml::node& node, GradientCorrection& value) 
   return true;
 }
 
+bool ValueReader::operator()(const toml::node& node, bool& value) const {
+  const auto* flag = node.as_boolean();
+  if (!flag) return wrong_type(node, key_.name, expected_text(key_, value));
+  value = flag->get();
+  return true;
+}
+
 bool ValueReader::operator()(const toml::node& node, int& value) const {
   const auto* whole = node.as_integer();
   if (!whole) return wrong_type(node, key_.name, expected_text(key_, value));
@@ -294,13 +301,25 @@ bool ValueReader::operator()(const toml::node& node, std::vector<std::string>& v
   return good;
 }
 
-bool ValueReader::operator()(const toml::node& node, std::vector<Reference>& value) const {
+bool ValueReader::operator()(const toml::node& node, std::array<Reference, 2>& value) const {
   const toml::array* array = node.as_array();
   if (!array || array->size() != 2) return wrong_type(node, key_.name, expected_text(key_, value));
+  const bool first = (*this)((*array)[0], value[0]);
+  return (*this)((*array)[1], value[1]) && first;
+}
+
+bool ValueReader::operator()(const toml::node& node, BlockList& value) const {
+  const toml::array* array = node.as_array();
+  if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
   bool good = true;
   for (const toml::node& element : *array) {
-    value.emplace_back();
-    if (!(*this)(element, value.back())) good = false;
+    Reference block;
+    if ((*this)(element, block)) {
+      value.blocks.push_back(std::move(block));
+      value.places.push_back(place_of(element, problems_));
+    } else {
+      good = false;
+    }
   }
   return good;
 }

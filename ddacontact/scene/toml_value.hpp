@@ -5,6 +5,7 @@
 #include <ddacontact/scene/toml_file.hpp>
 #include <ddacontact/scene/value_text.hpp>
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ class ValueReader {
   ValueReader(const Key& key, ProblemList& problems) : key_(key), problems_(problems) {}
 
   bool operator()(const toml::node& node, GradientCorrection& value) const;
+  bool operator()(const toml::node& node, bool& value) const;
   bool operator()(const toml::node& node, int& value) const;
   bool operator()(const toml::node& node, double& value) const;
   bool operator()(const toml::node& node, std::string& value) const;
@@ -32,7 +34,8 @@ class ValueReader {
   bool operator()(const toml::node& node, std::vector<int>& value) const;
   bool operator()(const toml::node& node, std::vector<Vec3>& value) const;
   bool operator()(const toml::node& node, std::vector<std::string>& value) const;
-  bool operator()(const toml::node& node, std::vector<Reference>& value) const;
+  bool operator()(const toml::node& node, std::array<Reference, 2>& value) const;
+  bool operator()(const toml::node& node, BlockList& value) const;
 
   template <Choice T>
   bool operator()(const toml::node& node, T& value) const {

@@ -1,9 +1,32 @@
-#include <ddacontact/scene/text.hpp>
 #include <ddacontact/scene/value_text.hpp>
+
+#include <ddacontact/scene/schema.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <algorithm>
+#include <utility>
 
 namespace ddacontact::scene_format {
 
 namespace {
+
+/// Keys and the texts of their values.
+using Keys = std::vector<std::pair<std::string, std::string>>;
+
+/// "{ a = 1, b = 2 }"
+std::string table_text(const Keys& keys) {
+  std::string text;
+  for (const auto& [key, value] : keys) text += (text.empty() ? "{ " : ", ") + key + " = " + value;
+  return text.empty() ? "{}" : text + " }";
+}
+
+/// In quotes where it needs them.
+std::string key_text(const std::string& key) {
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  return bare ? key : quoted(key);
+}
 
 /// "[a, b]" of the texts of a range.
 template <class Range>
@@ -18,6 +41,9 @@ std::string array_text(const Range& range) {
 std::string value_text(GradientCorrection value) {
   return value == GradientCorrection::on ? "true" : "false";
 }
+std::string value_text(bool value) {
+  return value ? "true" : "false";
+}
 std::string value_text(int value) {
   return std::to_string(value);
 }
@@ -28,18 +54,15 @@ std::string value_text(const std::string& value) {
   return quoted(value);
 }
 std::string value_text(const RayleighDamping& value) {
-  return "{ mass = " + value_text(value.mass) + ", stiffness = " + value_text(value.stiffness) + " }";
+  return table_text({{"mass", value_text(value.mass)}, {"stiffness", value_text(value.stiffness)}});
 }
 std::string value_text(const MeshRecord& value) {
-  std::string text;
-  const auto add = [&](const char* key, const std::string& of_key) {
-    text += std::string(text.empty() ? "{ " : ", ") + key + " = " + of_key;
-  };
-  if (value.kind) add("kind", value_text(*value.kind));
-  if (value.cells) add("cells", value_text(*value.cells));
-  if (value.cell_size) add("cell_size", value_text(*value.cell_size));
-  if (value.edge_nodes) add("edge_nodes", *value.edge_nodes ? "true" : "false");
-  return text.empty() ? "{}" : text + " }";
+  Keys keys;
+  if (value.kind) keys.emplace_back("kind", value_text(*value.kind));
+  if (value.cells) keys.emplace_back("cells", value_text(*value.cells));
+  if (value.cell_size) keys.emplace_back("cell_size", value_text(*value.cell_size));
+  if (value.edge_nodes) keys.emplace_back("edge_nodes", value_text(*value.edge_nodes));
+  return table_text(keys);
 }
 std::string value_text(const Vec2& value) {
   return array_text(value);
@@ -59,8 +82,11 @@ std::string value_text(const std::vector<Vec3>& value) {
 std::string value_text(const std::vector<std::string>& value) {
   return array_text(value);
 }
-std::string value_text(const std::vector<Reference>& value) {
+std::string value_text(const std::array<Reference, 2>& value) {
   return array_text(value);
+}
+std::string value_text(const BlockList& value) {
+  return array_text(value.blocks);
 }
 
 std::string value_text(const Reference& value) {
@@ -72,6 +98,20 @@ std::string value_text(const FixedVertices& value) {
   return value.some.empty() ? "false" : value_text(value.some);
 }
 
+std::string value_text(const std::vector<JointChange>& value) {
+  Keys joints;
+  for (const JointChange& change : value) {
+    Keys law;
+    describe_law(change, [&](const Key& key, const std::optional<double>& number) {
+      if (number) law.emplace_back(key.name, value_text(*number));
+    });
+    joints.emplace_back(
+        key_text(change.joint.index ? std::to_string(*change.joint.index) : change.joint.name),
+        table_text(law));
+  }
+  return table_text(joints);
+}
+
 std::string value_text(const Outline& value) {
   std::string text = "[";
   for (polyfem::Index k = 0; k < value.points.cols(); ++k)
@@ -80,6 +120,9 @@ std::string value_text(const Outline& value) {
 }
 
 std::string type_text(GradientCorrection) {
+  return "true or false";
+}
+std::string type_text(bool) {
   return "true or false";
 }
 std::string type_text(int) {
@@ -124,8 +167,22 @@ std::string type_text(const std::vector<Vec3>&) {
 std::string type_text(const std::vector<std::string>&) {
   return "a list of " + list_of(field_words());
 }
-std::string type_text(const std::vector<Reference>&) {
+std::string type_text(const std::array<Reference, 2>&) {
   return "two names of materials";
+}
+std::string type_text(const BlockList&) {
+  return "a list of names or indices of blocks";
+}
+std::string type_text(const JointChange&) {
+  std::string keys;
+  const JointChange change;
+  describe_law(change, [&](const Key& key, const auto&) {
+    keys += (keys.empty() ? "" : ", ") + std::string(key.name);
+  });
+  return "{ " + keys + " }";
+}
+std::string type_text(const std::vector<JointChange>&) {
+  return "{ JOINT = " + type_text(JointChange{}) + ", ... }";
 }
 
 }  // namespace ddacontact::scene_format

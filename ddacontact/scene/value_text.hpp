@@ -4,6 +4,7 @@
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/words.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace ddacontact::scene_format {
 
 /// The value as a scene file spells it; reading it gives the same value.
 std::string value_text(GradientCorrection value);
+std::string value_text(bool value);
 std::string value_text(int value);
 std::string value_text(double value);
 std::string value_text(const std::string& value);
@@ -25,7 +27,9 @@ std::string value_text(const Outline& value);
 std::string value_text(const std::vector<int>& value);
 std::string value_text(const std::vector<Vec3>& value);
 std::string value_text(const std::vector<std::string>& value);
-std::string value_text(const std::vector<Reference>& value);
+std::string value_text(const std::array<Reference, 2>& value);
+std::string value_text(const BlockList& value);
+std::string value_text(const std::vector<JointChange>& value);
 
 template <Choice T>
 std::string value_text(T value) {
@@ -36,6 +40,7 @@ std::string value_text(T value) {
 
 /// What a value of that type is: "a whole number", "[x, y]". The value itself plays no part.
 std::string type_text(GradientCorrection);
+std::string type_text(bool);
 std::string type_text(int);
 std::string type_text(double);
 std::string type_text(const std::string&);
@@ -50,7 +55,10 @@ std::string type_text(const Outline&);
 std::string type_text(const std::vector<int>&);
 std::string type_text(const std::vector<Vec3>&);
 std::string type_text(const std::vector<std::string>&);
-std::string type_text(const std::vector<Reference>&);
+std::string type_text(const std::array<Reference, 2>&);
+std::string type_text(const BlockList&);
+std::string type_text(const JointChange&);
+std::string type_text(const std::vector<JointChange>&);
 
 /// The words, quoted: `"dynamic" | "static"`.
 template <class T>

@@ -575,9 +575,7 @@ const Case cases[] = {
     {"MonitorJustOutside", "at = [3.0, 2.0]", "at = [3.0, 2.00000001]", 79, 6, {"outside"}},
 
     // The format has it, this version has not.
-    {"Stage", "[output]", "[[stage]]\nname = \"settle\"\n[output]", 80, 3, {"'stage'", unavailable}},
     {"Solver", "[output]", "[solver]\n[output]", 80, 2, {"'solver'", unavailable}},
-    {"Checkpoints", "every = 5", "checkpoint_every = 10", 81, 20, {"'checkpoint_every'", unavailable}},
 };
 
 class BadScene : public testing::TestWithParam<Case> {};

@@ -110,6 +110,18 @@ TEST_F(BlockCutting, PartsAreOfTheirBlock) {
   EXPECT_TRUE(after.blocks[2].fixed);
 }
 
+TEST_F(BlockCutting, AStageThatTakesABlockOutTakesItsParts) {
+  Scene before = scene();
+  before.stages.push_back(before.stage("first"));
+  before.stages.push_back(before.stage("second"));
+  before.stages[0].removed = {2};
+  before.stages[1].removed = {1, 0};
+  CutCounts counts;
+  const Scene after = cut_blocks(before, convex, counts);
+  EXPECT_EQ(after.stages[0].removed, std::vector<int>{3});
+  EXPECT_EQ(after.stages[1].removed, (std::vector<int>{2, 0, 1}));
+}
+
 TEST_F(BlockCutting, DropsStraightVerticesAndShortEdgesAndSaysWhatItCost) {
   const Scene before = scene();
   CutCounts straight, both;

@@ -114,6 +114,67 @@ material = "rock"
 vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
 )";
 
+/// A run of three stages; the line numbers are those that stages_test.cpp names.
+inline constexpr std::string_view in_stages = R"([analysis]
+time_step = 0.01
+scheme = "newmark"
+gamma = 0.6
+[[stage]]
+name = "settle"
+mode = "static"
+steps = 50
+joints = { interface = { friction_angle = "89 deg" }, 1 = { cohesion = "2 kPa" } }
+reset_displacements = true
+[[stage]]
+name = "excavate"
+steps = 20
+time_step = "5 ms"
+gravity = [0.0, -10.0]
+damping = { mass = 0.5 }
+remove = ["pillar", 3]
+[[stage]]
+steps = 5
+scheme = "decaying"
+[stage.joints.interface]
+dashpot = 0.1
+[[material]]
+name = "rock"
+density = 2500
+young = 1e9
+poisson = 0.25
+[[joint]]
+name = "interface"
+friction_angle = 30
+[[joint]]
+between = ["rock", "rock"]
+tensile_strength = 5
+[[block]]
+name = "base"
+material = "rock"
+vertices = [[0, -1], [8, -1], [8, 0], [0, 0]]
+fixed = true
+[[block]]
+name = "pillar"
+material = "rock"
+vertices = [[1, 0], [2, 0], [2, 1], [1, 1]]
+[[block]]
+name = "beam"
+material = "rock"
+vertices = [[0, 1], [4, 1], [4, 2], [0, 2]]
+[[block]]
+material = "rock"
+vertices = [[3, 0], [4, 0], [4, 1], [3, 1]]
+[[support]]
+block = "beam"
+vertices = [0]
+axes = "x"
+displacement = [0.1, 0.0]
+[[monitor]]
+name = "foot"
+block = "pillar"
+vertex = 0
+)";
+
 /// `text` with the only place where `from` stands replaced by `to`.
 inline std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
   std::string result(text);

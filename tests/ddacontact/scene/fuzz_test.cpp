@@ -7,6 +7,7 @@
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -146,6 +147,10 @@ const char* const tokens[] = {"nan",
                               "POLYGON",
                               "GEOMETRYCOLLECTION",
                               "SRID=1;",
+                              "[\"pillar\"]",
+                              "{ interface = { cohesion = 1 } }",
+                              "[[stage]]",
+                              "steps",
                               "\"Polygon\"",
                               "\"Feature\""};
 
@@ -284,6 +289,22 @@ void expect_sound(const Scene& scene, const std::string& text) {
     finite(load.force.at(0.5, scene.end_time()).norm());
     finite(load.pressure);
   }
+  EXPECT_GT(scene.end_time(), 0) << text;
+  std::vector<bool> is_gone(scene.blocks.size(), false);
+  for (const StageDescription& stage : scene.stages) {
+    EXPECT_GE(stage.analysis.steps, 1) << text;
+    EXPECT_GT(stage.analysis.time_step, 0) << text;
+    EXPECT_EQ(stage.analysis.kinematics, scene.analysis.kinematics) << text;
+    EXPECT_EQ(stage.joints.size(), scene.joints.size()) << text;
+    for (const Joint& joint : stage.joints)
+      EXPECT_TRUE(joint.friction_angle >= 0 && joint.friction_angle < 90) << text;
+    for (const int block : stage.removed) {
+      ASSERT_TRUE(block >= 0 && block < n_blocks) << text;
+      EXPECT_FALSE(is_gone[block]) << text;
+      is_gone[block] = true;
+    }
+    EXPECT_LT(std::count(is_gone.begin(), is_gone.end(), true), n_blocks) << text;
+  }
   for (const Monitor& monitor : scene.monitors) {
     ASSERT_TRUE(monitor.block >= 0 && monitor.block < n_blocks) << text;
     EXPECT_TRUE(monitor.vertex >= 0 && monitor.vertex < scene.blocks[monitor.block].vertices.cols()) << text;
@@ -338,7 +359,7 @@ bool expect_read_or_refused(const SceneReading& reading, const std::string& muta
 
 TEST(Fuzz, MutatedScenesAreReadOrRefused) {
   unsigned accepted = 0, total = 0;
-  for (const std::string_view text : {complete, minimal, moving, shapes}) {
+  for (const std::string_view text : {complete, minimal, moving, shapes, in_stages}) {
     ASSERT_TRUE(scene_of(text).blocks.size() > 0);
     for (unsigned seed = 0; seed < n_mutants(); ++seed, ++total) {
       const std::string mutant = Mutator(seed)(std::string(text));
@@ -396,12 +417,19 @@ TEST(Fuzz, MutatedSettingsAreAppliedOrRefused) {
                                          "block.slider.vertices.2.1=3",
                                          "joint.0.friction_angle=15",
                                          "contact.normal_stiffness=\"1 MN/m\"",
-                                         "load.0.force=[0, 1]"};
+                                         "load.0.force=[0, 1]",
+                                         "stage.settle.joints.interface.cohesion=1",
+                                         "stage.1.joints.1={ dashpot = 0.5 }",
+                                         "stage.excavate.remove.1=beam",
+                                         "stage.2.steps=3"};
   for (unsigned seed = 0; seed < n_mutants(); ++seed) {
     Mutator mutate(seed);
-    const SceneReading reading = read(complete, {mutate(settings[mutate.below(std::size(settings))])});
-    EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems));
-    if (reading.scene) expect_sound(*reading.scene, "");
+    const std::string setting = mutate(settings[mutate.below(std::size(settings))]);
+    for (const std::string_view text : {complete, in_stages}) {
+      const SceneReading reading = read(text, {setting});
+      EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems));
+      if (reading.scene) expect_sound(*reading.scene, setting);
+    }
   }
 }
 

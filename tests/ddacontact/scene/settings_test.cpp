@@ -143,7 +143,6 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"EmptyValue", "analysis.steps=", {"'steps'", "whole number"}},
         Case{"OutOfRange", "joint.0.friction_angle=95", {"'95'", "< 90"}},
         Case{"WrongUnit", "material.rock.young=35 mm", {"'mm'", "Pa"}},
-        Case{"NotAvailable", "output.checkpoint_every=3", {"not available in this version"}},
         Case{"CellsOfNothing", "analysis.mesh.0=3", {"'mesh' is not in the scene"}},
         Case{"UnknownPartOfMesh", "block.slider.mesh.cell=3", {"unknown key 'cell' in 'mesh'", "'cells'"}},
         Case{"TooManyCells", "block.slider.mesh.cells=1000001", {"'mesh.cells' = '1000001'", "<= 1e+06"}},

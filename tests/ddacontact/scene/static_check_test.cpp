@@ -93,6 +93,48 @@ TEST(StaticCheck, FallsAlongGravityWhereverThisPoints) {
   EXPECT_EQ(loose_blocks(scene_with({"3, 5"}, "[0, 0]")), Blocks{1}) << "nothing falls";
 }
 
+/// `stages` one after the other; block 1 is a pillar on the floor, 2 a box on it beyond the floor's end.
+std::string staged(const std::string& stages) {
+  return replaced(scene_with({"7.5, 0", "8.2, 1"}), "mode = \"static\"\nsteps = 1\n", "") + stages;
+}
+const std::string at_rest = "[[stage]]\nmode = \"static\"\nsteps = 1\n", in_motion = "[[stage]]\nsteps = 1\n",
+                  without_pillar = "remove = [1]\n";
+
+TEST(StaticCheck, LooksAtEveryStaticStageWithTheBlocksThatAreThere) {
+  EXPECT_EQ(loose_blocks(staged(at_rest + at_rest)), Blocks{});
+  EXPECT_EQ(loose_blocks(staged(at_rest + at_rest + without_pillar)), Blocks{2});
+  EXPECT_EQ(loose_blocks(staged(at_rest + without_pillar + at_rest + at_rest)), Blocks{2}) << "said once";
+  EXPECT_EQ(loose_blocks(staged(at_rest + "remove = [1, 2]\n")), Blocks{});
+  EXPECT_EQ(loose_blocks(staged(at_rest + "remove = [0]\n")), (Blocks{1, 2})) << "the floor";
+  EXPECT_EQ(loose_blocks(staged(at_rest + in_motion + without_pillar)), Blocks{}) << "it may fall";
+  EXPECT_EQ(loose_blocks(staged(in_motion), {"analysis.mode=static", "stage.0.remove=[1]"}), Blocks{2});
+  EXPECT_EQ(
+      loose_blocks(staged(in_motion), {"analysis.mode=static", "stage.0.mode=dynamic", "stage.0.remove=[1]"}),
+      Blocks{});
+}
+
+TEST(StaticCheck, NamesTheStage) {
+  const SceneReading reading = read(staged(at_rest + at_rest + without_pillar), {"stage.1.name=dig"});
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_NE(reading.problems[0].what.find("in stage 'dig', which is static"), std::string::npos);
+  EXPECT_EQ(reading.problems[0].severity, Problem::Severity::error);
+}
+
+TEST(StaticCheck, OnlyWarnsOfBlocksThatMayHaveMoved) {
+  const SceneReading reading = read(staged(in_motion + at_rest + without_pillar));
+  EXPECT_TRUE(reading.scene);
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_EQ(reading.problems[0].severity, Problem::Severity::warning);
+  EXPECT_NE(reading.problems[0].what.find("in stage 1, which is static, unless it has moved"),
+            std::string::npos);
+}
+
+TEST(StaticCheck, WhatHasFallenInAStaticStageLiesThere) {
+  const std::string up_there = replaced(scene_with({"3, 5"}), "mode = \"static\"\nsteps = 1\n", "") + at_rest;
+  EXPECT_EQ(loose_blocks(up_there + at_rest + "gravity = [1.0, 0.0]\n"), Blocks{});
+  EXPECT_EQ(loose_blocks(up_there, {"stage.0.gravity=[1.0, 0.0]"}), Blocks{1});
+}
+
 TEST(StaticCheck, WaitsUntilTheHoldsAreInNoDoubt) {
   const std::string text = scene_with({"20, 0"}) + "[[support]]\nblock = 1\nvertices = [0]\n";
   for (const char* bad :
@@ -102,6 +144,10 @@ TEST(StaticCheck, WaitsUntilTheHoldsAreInNoDoubt) {
     EXPECT_FALSE(reading.scene);
     for (const Problem& problem : reading.problems)
       EXPECT_EQ(problem.what.find("nothing can hold it"), std::string::npos) << bad << problem.text();
+  }
+  for (const char* bad : {"stage.0.remove=[7]", "stage.0.remove=1", "stage.0.mode=x", "stage.0.gravity=0"}) {
+    const SceneReading reading = read(staged(at_rest + without_pillar), {bad});
+    EXPECT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
   }
   // Other mistakes do not hide it.
   const SceneReading reading = read(text, {"support.0.block=0", "material.rock.poisson=7"});

@@ -1,0 +1,81 @@
+#include <ddacontact/scene/resolve_joints.hpp>
+
+#include <ddacontact/scene/text.hpp>
+
+#include <algorithm>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// Springs let blocks bounce as they please: only the staged method can give what is asked for.
+void check_restitution(double restitution, const Places& places, const ContactRecord& contact,
+                       ContactMethod method, ProblemList& problems) {
+  if (method != ContactMethod::classic || restitution == 0) return;
+  if (!places.good("restitution") || !contact.places.usable("method")) return;
+  problems.error(places.of("restitution"),
+                 "'restitution' = '" + short_number(restitution) + "' needs the contact method 'staged'",
+                 "leave it out, or write method = \"staged\" in [contact]");
+}
+
+/// A scene without joints can be asked for the one that it has all the same.
+void add_default_joint(NamedJoints& table, ProblemList& problems) {
+  Joint& joint = table.joints.emplace_back();
+  joint.name = "default";
+  Places places;
+  places.add("name", {}, true);
+  table.names.add(joint.name, places, problems);
+}
+
+}  // namespace
+
+NamedJoints resolve_joints(const Document& document, const NameTable& materials, ContactMethod method,
+                           ProblemList& problems) {
+  NamedJoints table;
+  std::vector<Joint>& joints = table.joints;
+  for (const JointRecord& record : document.joints) {
+    const Places& places = record.places;
+    table.names.add(record.name, places, problems);
+    Joint joint = record.joint;
+    joint.name = record.name.value_or("");
+    check_restitution(joint.restitution, places, document.contact, method, problems);
+    if (record.between && places.good("between")) {
+      const int a = materials.find((*record.between)[0], places.of("between"), problems);
+      const int b = materials.find((*record.between)[1], places.of("between"), problems);
+      if (a >= 0 && b >= 0) joint.between = std::array<int, 2>{std::min(a, b), std::max(a, b)};
+      for (std::size_t other = 0; joint.between && other < joints.size(); ++other)
+        if (joints[other].between == joint.between)
+          problems.error(places.of("between"),
+                         "the two materials already follow " + table.names.title(static_cast<int>(other)),
+                         "leave one 'between' out");
+    } else if (!record.between && !joints.empty()) {
+      problems.warning(places.table,
+                       table.names.title(table.names.size() - 1) +
+                           " is never used: it has no 'between' and only the first joint is the default",
+                       "add 'between'");
+    }
+    joints.push_back(std::move(joint));
+  }
+  if (joints.empty()) add_default_joint(table, problems);
+  return table;
+}
+
+std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& of_scene,
+                                  const ContactRecord& contact, ContactMethod method, ProblemList& problems) {
+  std::vector<Joint> joints = of_scene.joints;
+  std::vector<bool> is_changed(joints.size(), false);
+  for (const JointChange& change : stage.joints) {
+    check_restitution(change.restitution.value_or(0), change.places, contact, method, problems);
+    const int index = of_scene.names.find(change.joint, change.places.table, problems);
+    if (index < 0) continue;
+    if (is_changed[index])
+      problems.error(change.places.table, of_scene.names.title(index) + " stands twice in 'joints'",
+                     "write all of its keys in one place");
+    is_changed[index] = true;
+    for (const auto& [of_joint, of_change] : joint_law)
+      joints[index].*of_joint = (change.*of_change).value_or(joints[index].*of_joint);
+  }
+  return joints;
+}
+
+}  // namespace ddacontact::scene_format

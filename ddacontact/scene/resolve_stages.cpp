@@ -1,0 +1,87 @@
+#include <ddacontact/scene/resolve_stages.hpp>
+
+#include <ddacontact/scene/resolve_options.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// Which blocks are gone, and since which stage.
+class Removals {
+ public:
+  Removals(const BlockTable& blocks, const NameTable& stages, ProblemList& problems)
+      : blocks_(blocks), stages_(stages), problems_(problems), since_(blocks.names.size(), -1) {}
+
+  /// The blocks that a stage takes out; those that are gone already are a problem.
+  std::vector<int> operator()(const BlockList& list, int stage) {
+    std::vector<int> removed;
+    for (std::size_t i = 0; i < list.blocks.size(); ++i) {
+      const Place& place = list.places[i];
+      const int block = blocks_.names.find(list.blocks[i], place, problems_);
+      if (block < 0) continue;
+      if (since_[block] >= 0) {
+        const bool here = since_[block] == stage;
+        problems_.error(place,
+                        blocks_.names.title(block) +
+                            (here ? " stands twice" : " is gone since " + stages_.title(since_[block])),
+                        "remove each block once");
+        continue;
+      }
+      since_[block] = stage;
+      removed.push_back(block);
+    }
+    return removed;
+  }
+
+  bool leave_nothing() const {
+    return std::none_of(since_.begin(), since_.end(), [](int stage) { return stage < 0; });
+  }
+
+ private:
+  const BlockTable& blocks_;
+  const NameTable& stages_;
+  ProblemList& problems_;
+  std::vector<int> since_;  ///< of each block; < 0: it stays
+};
+
+/// Steps are counted over all stages.
+void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList& problems) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  const bool were_fewer = n_steps <= most;
+  n_steps += record.steps;
+  if (n_steps > most && were_fewer)
+    problems.error(record.places.of("steps"),
+                   "with these 'steps' the stages have '" + std::to_string(n_steps) + "' in all",
+                   "at most " + std::to_string(most) + " can be counted");
+}
+
+}  // namespace
+
+std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
+                                             const BlockTable& blocks, ContactMethod method,
+                                             ProblemList& problems) {
+  NameTable names("stage");
+  Removals removals(blocks, names, problems);
+  std::int64_t n_steps = 0;
+  std::vector<StageDescription> stages;
+  for (const StageRecord& record : document.stages) {
+    const int index = names.size();
+    const Places& places = record.places;
+    names.add(record.name, places, problems);
+    StageDescription& stage = stages.emplace_back();
+    stage.name = record.name.value_or("");
+    stage.analysis = resolve_analysis(document.analysis, record, problems);
+    check_n_steps(record, n_steps, problems);
+    stage.joints = changed_joints(record, joints, document.contact, method, problems);
+    stage.reset_displacements = record.reset_displacements;
+    stage.removed = removals(record.remove, index);
+    if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
+      problems.error(places.of("remove"), names.title(index) + " leaves no block", "leave one at least");
+  }
+  return stages;
+}
+
+}  // namespace ddacontact::scene_format

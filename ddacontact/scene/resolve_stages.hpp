@@ -1,0 +1,16 @@
+/// \file [[stage]] of a scene file: options, joints and blocks of each part of a run.
+#pragma once
+
+#include <ddacontact/scene/resolve_blocks.hpp>
+#include <ddacontact/scene/resolve_joints.hpp>
+
+#include <vector>
+
+namespace ddacontact::scene_format {
+
+/// `method` is that of the scene, resolved.
+std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
+                                             const BlockTable& blocks, ContactMethod method,
+                                             ProblemList& problems);
+
+}  // namespace ddacontact::scene_format

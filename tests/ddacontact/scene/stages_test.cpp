@@ -1,0 +1,398 @@
+/// \file [[stage]]: what a stage takes over, what it changes, and what is refused.
+#include "example_scenes.hpp"
+
+#include <ddacontact/scene/writer.hpp>
+
+#include <ostream>
+#include <sstream>
+
+namespace {
+
+using namespace example_scenes;
+using namespace ddacontact;
+
+std::string written(const Scene& scene) {
+  std::ostringstream out;
+  write_scene(out, scene);
+  return out.str();
+}
+
+TEST(Stages, OverrideKeysOfTheAnalysisAndKeepTheOthers) {
+  const Scene scene = scene_of(in_stages);
+  ASSERT_EQ(scene.stages.size(), 3u);
+  const StageDescription &settle = scene.stages[0], &excavate = scene.stages[1], &last = scene.stages[2];
+  EXPECT_EQ(settle.name, "settle");
+  EXPECT_EQ(settle.analysis.mode, Mode::statics);
+  EXPECT_EQ(settle.analysis.steps, 50);
+  EXPECT_EQ(settle.analysis.time_step, 0.01);
+  EXPECT_EQ(settle.analysis.gravity, Vec2(0, -9.8));
+  EXPECT_TRUE(settle.reset_displacements);
+  EXPECT_TRUE(settle.removed.empty());
+
+  EXPECT_EQ(excavate.analysis.mode, Mode::dynamic) << "each stage starts from the analysis";
+  EXPECT_EQ(excavate.analysis.time_step, 0.005);
+  EXPECT_EQ(excavate.analysis.gravity, Vec2(0, -10));
+  EXPECT_EQ(excavate.analysis.damping.mass, 0.5);
+  EXPECT_EQ(excavate.removed, (std::vector<int>{1, 3}));
+  EXPECT_FALSE(excavate.reset_displacements);
+
+  EXPECT_EQ(last.name, "");
+  EXPECT_EQ(last.analysis.damping.mass, 0);
+  EXPECT_EQ(last.analysis.time_step, 0.01);
+  EXPECT_EQ(last.analysis.kinematics, Kinematics::corotational);
+}
+
+TEST(Stages, ChangeJointsKeyByKeyWhileTheyLast) {
+  const Scene scene = scene_of(in_stages);
+  const std::vector<Joint>&settle = scene.stages[0].joints, &excavate = scene.stages[1].joints,
+        &last = scene.stages[2].joints;
+  EXPECT_EQ(scene.joints[0].friction_angle, 30);
+  EXPECT_EQ(settle[0].friction_angle, 89);
+  EXPECT_EQ(settle[1].cohesion, 2000);
+  EXPECT_EQ(settle[1].tensile_strength, 5);
+  EXPECT_EQ(settle[1].between, scene.joints[1].between);
+  EXPECT_EQ(excavate[0].friction_angle, 30);
+  EXPECT_EQ(excavate[1].cohesion, 0);
+  EXPECT_EQ(last[0].friction_angle, 30);
+  EXPECT_EQ(last[0].dashpot, 0.1);
+}
+
+TEST(Stages, TheJointOfASceneWithoutJointsIsCalledDefault) {
+  for (const char* joint : {"default", "0"}) {
+    const Scene scene = scene_of(std::string(minimal) + "[[stage]]\nsteps = 2\njoints." + joint +
+                                 " = { friction_angle = 20 }\n");
+    EXPECT_EQ(scene.stages[0].joints[0].friction_angle, 20);
+    EXPECT_EQ(scene.joints[0].friction_angle, 0);
+  }
+}
+
+TEST(Stages, CountStepsAndTimeOfTheWholeRun) {
+  const Scene scene = scene_of(in_stages);
+  EXPECT_EQ(scene.n_steps(), 75);
+  EXPECT_DOUBLE_EQ(scene.end_time(), 50 * 0.01 + 20 * 0.005 + 5 * 0.01);
+  EXPECT_EQ(scene.analysis.steps, 75);
+  EXPECT_EQ(scene_of(in_stages, {"analysis.steps=3"}).analysis.steps, 75) << "not used";
+  EXPECT_EQ(scene.supports[0].displacement.at(0.325, scene.end_time()), Vec2(0.05, 0));
+}
+
+TEST(Stages, HaveTheRulesOfTheAnalysisForNewmark) {
+  const AnalysisOptions of_scene = scene_of(in_stages).analysis;
+  EXPECT_EQ(of_scene.gamma, 0.6);
+  const auto options = [](const std::vector<std::string>& settings) {
+    return scene_of(in_stages, settings).stages[1].analysis;
+  };
+  EXPECT_EQ(options({}).scheme, Scheme::newmark);
+  EXPECT_EQ(options({}).gamma, 0.6);
+  EXPECT_EQ(options({"stage.1.scheme=newmark"}).gamma, 0.6) << "it stays what it is";
+  EXPECT_EQ(options({"stage.1.gamma=0.8"}).beta, 1.3 * 1.3 / 4) << "a beta left out follows gamma";
+  EXPECT_EQ(options({"stage.1.gamma=0.8", "analysis.beta=0.5"}).beta, 0.5) << "one that is written stays";
+  EXPECT_EQ(options({"stage.1.beta=0.5"}).gamma, 0.6);
+  EXPECT_EQ(scene_of(in_stages).stages[2].analysis.gamma, 0.5) << "of another scheme";
+  const std::string other = replaced(in_stages, "scheme = \"newmark\"\ngamma = 0.6\n", "");
+  EXPECT_EQ(scene_of(other).stages[1].analysis.scheme, Scheme::decaying);
+  EXPECT_EQ(scene_of(other, {"stage.1.scheme=newmark", "stage.1.gamma=0.7"}).stages[1].analysis.gamma, 0.7);
+}
+
+TEST(Stages, TheSchemeFollowsThePresetAndTheKinematics) {
+  const std::string text =
+      replaced(replaced(in_stages, "scheme = \"newmark\"\ngamma = 0.6\n", ""), "scheme = \"decaying\"\n", "");
+  for (const StageDescription& stage : scene_of(text, {"analysis.preset=paper"}).stages) {
+    EXPECT_EQ(stage.analysis.scheme, Scheme::dda);
+    EXPECT_EQ(stage.analysis.kinematics, Kinematics::incremental);
+    EXPECT_EQ(stage.analysis.cutting_factor, 0.3);
+  }
+}
+
+TEST(Stages, MayRemoveWhatIsHeldLoadedOrWatched) {
+  EXPECT_EQ(scene_of(in_stages).monitors[0].block, 1) << "removed by the second stage";
+  EXPECT_EQ(
+      scene_of(in_stages, {"stage.2.remove=[\"beam\", \"base\"]", "stage.1.remove=[]"}).stages[2].removed,
+      (std::vector<int>{2, 0}));
+}
+
+TEST(Stages, AreWrittenAndReadBack) {
+  const std::vector<std::string> all[] = {
+      {},
+      {"analysis.steps=3"},
+      {"stage.1.scheme=backward_euler", "stage.1.cutting_factor=0.1", "stage.1.max_displacement_ratio=0.2"},
+      {"stage.settle.gamma=0.9", "stage.settle.beta=0.7", "stage.1.damping={ mass = 1, stiffness = 2 }"},
+      {"analysis.preset=paper", "stage.2.scheme=dda"},
+      {"joint.interface.name=\"two words, 2\"", "stage.settle.joints={}", "stage.2.joints={}",
+       "stage.1.joints.\"two words, 2\".cohesion=7"}};
+  for (const std::vector<std::string>& settings : all) {
+    const Scene scene = scene_of(in_stages, settings), again = scene_of(written(scene));
+    EXPECT_EQ(written(scene), written(again));
+    ASSERT_EQ(again.stages.size(), scene.stages.size());
+    EXPECT_EQ(again.analysis.steps, scene.analysis.steps);
+    EXPECT_EQ(again.end_time(), scene.end_time());
+    for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+      const StageDescription &a = scene.stages[s], &b = again.stages[s];
+      EXPECT_EQ(a.name, b.name);
+      EXPECT_EQ(a.analysis.mode, b.analysis.mode);
+      EXPECT_EQ(a.analysis.steps, b.analysis.steps);
+      EXPECT_EQ(a.analysis.time_step, b.analysis.time_step);
+      EXPECT_EQ(a.analysis.max_displacement_ratio, b.analysis.max_displacement_ratio);
+      EXPECT_EQ(a.analysis.gravity, b.analysis.gravity);
+      EXPECT_EQ(a.analysis.scheme, b.analysis.scheme);
+      EXPECT_EQ(a.analysis.kinematics, b.analysis.kinematics);
+      EXPECT_EQ(a.analysis.beta, b.analysis.beta);
+      EXPECT_EQ(a.analysis.gamma, b.analysis.gamma);
+      EXPECT_EQ(a.analysis.damping.mass, b.analysis.damping.mass);
+      EXPECT_EQ(a.analysis.damping.stiffness, b.analysis.damping.stiffness);
+      EXPECT_EQ(a.analysis.cutting_factor, b.analysis.cutting_factor);
+      EXPECT_EQ(a.reset_displacements, b.reset_displacements);
+      EXPECT_EQ(a.removed, b.removed);
+      ASSERT_EQ(a.joints.size(), b.joints.size());
+      for (std::size_t j = 0; j < a.joints.size(); ++j) {
+        EXPECT_EQ(a.joints[j].friction_angle, b.joints[j].friction_angle);
+        EXPECT_EQ(a.joints[j].cohesion, b.joints[j].cohesion);
+        EXPECT_EQ(a.joints[j].tensile_strength, b.joints[j].tensile_strength);
+        EXPECT_EQ(a.joints[j].restitution, b.joints[j].restitution);
+        EXPECT_EQ(a.joints[j].dashpot, b.joints[j].dashpot);
+        EXPECT_EQ(a.joints[j].between, b.joints[j].between);
+      }
+    }
+  }
+}
+
+TEST(Stages, OfASceneMadeByAProgramAreWrittenToo) {
+  Scene scene = scene_of(minimal);
+  scene.joints[0].name = "a \"quoted\" name, \u00e9";
+  scene.stages.push_back(scene.stage("one"));
+  scene.stages[0].analysis.steps = 7;
+  scene.stages[0].joints[0].cohesion = 3;
+  scene.stages.push_back(scene.stage(""));
+  const Scene again = scene_of(written(scene));
+  EXPECT_EQ(again.n_steps(), 8);
+  EXPECT_EQ(again.analysis.steps, 8);
+  EXPECT_EQ(again.stages[0].joints[0].cohesion, 3);
+  EXPECT_EQ(again.stages[1].joints[0].cohesion, 0);
+}
+
+TEST(Stages, AreSetByNameOrIndex) {
+  const auto joint = [](const char* setting, int stage, int index) {
+    return scene_of(in_stages, {setting}).stages[stage].joints[index];
+  };
+  EXPECT_EQ(scene_of(in_stages, {"stage.settle.steps=20"}).stages[0].analysis.steps, 20);
+  EXPECT_EQ(scene_of(in_stages, {"stage.2.time_step=1 ms"}).stages[2].analysis.time_step, 1e-3);
+  EXPECT_EQ(scene_of(in_stages, {"stage.1.damping.stiffness=3"}).stages[1].analysis.damping.mass, 0.5);
+  EXPECT_EQ(scene_of(in_stages, {"stage.1.remove.1=beam"}).stages[1].removed, (std::vector<int>{1, 2}));
+  EXPECT_EQ(joint("stage.0.joints.interface.friction_angle=31 deg", 0, 0).friction_angle, 31) << "replaced";
+  EXPECT_EQ(joint("stage.0.joints.interface.dashpot=0.3", 0, 0).friction_angle, 89) << "added beside another";
+  EXPECT_EQ(joint("stage.2.joints.1.cohesion=4", 2, 1).cohesion, 4) << "another joint";
+  EXPECT_EQ(joint("stage.excavate.joints.interface.cohesion=4", 1, 0).cohesion, 4) << "the first one";
+  EXPECT_EQ(joint("stage.excavate.joints.1.cohesion=4", 1, 1).cohesion, 4) << "the first one, by its index";
+}
+
+struct Case {
+  const char* name;
+  const char* from;  ///< in the scene in stages
+  const char* to;
+  int line, column;
+  std::vector<const char*> words;  ///< all stand in the message
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+const Case cases[] = {
+    // Keys.
+    {"NoSteps", "steps = 50\n", "", 5, 1, {"missing key 'steps' in [[stage]]", ">= 1"}},
+    {"ZeroSteps", "steps = 50", "steps = 0", 8, 9, {"'steps' = '0'", ">= 1"}},
+    {"UnknownKey", "mode = \"static\"", "moed = \"static\"", 7, 1, {"'moed' in [[stage]]", "'mode'"}},
+    {"KeyOfContact", "mode = \"static\"", "method = \"classic\"", 7, 1, {"unknown key 'method'"}},
+    {"Preset",
+     "mode = \"static\"",
+     "preset = \"paper\"",
+     7,
+     1,
+     {"'preset' in [[stage]]", "whole run", "[analysis]"}},
+    {"Plane",
+     "mode = \"static\"",
+     "plane = \"stress\"",
+     7,
+     1,
+     {"'plane' in [[stage]] belongs to the whole run"}},
+    {"BlockModel", "mode = \"static\"", "block_model = 3", 7, 1, {"'block_model' in [[stage]] belongs"}},
+    {"Mesh", "mode = \"static\"", "mesh = {}", 7, 1, {"'mesh' in [[stage]] belongs"}},
+    {"Kinematics",
+     "mode = \"static\"",
+     "kinematics = \"incremental\"",
+     7,
+     1,
+     {"'kinematics' in [[stage]] belongs"}},
+    {"Correction",
+     "mode = \"static\"",
+     "gradient_correction = true",
+     7,
+     1,
+     {"'gradient_correction' in [[stage]]"}},
+    {"OneTable", "[[stage]]\nname = \"settle\"", "[stage]\nname = \"settle\"", 11, 1, {"TOML"}},
+
+    // Types, units and ranges.
+    {"WordForSteps", "steps = 50", "steps = \"many\"", 8, 9, {"'steps'", "'many'", "whole number"}},
+    {"UnknownMode", "\"static\"", "\"statik\"", 7, 8, {"'statik'", "did you mean 'static'?"}},
+    {"WrongUnit", "\"5 ms\"", "\"5 mm\"", 14, 13, {"'time_step'", "wrong unit 'mm'"}},
+    {"ScalarGravity", "[0.0, -10.0]", "-10.0", 15, 11, {"'gravity'", "[x, y]"}},
+    {"NegativeDamping", "mass = 0.5", "mass = -1", 16, 20, {"'damping.mass' = '-1'", ">= 0"}},
+    {"ResetIsNumber",
+     "= true\n[[stage]]",
+     "= 1\n[[stage]]",
+     10,
+     23,
+     {"'reset_displacements'", "'1'", "true or false"}},
+    {"RemoveIsWord",
+     "[\"pillar\", 3]",
+     "\"pillar\"",
+     17,
+     10,
+     {"'remove'", "'pillar'", "a list of names or indices"}},
+    {"RemoveHalfABlock", "[\"pillar\", 3]", "[\"pillar\", 3.5]", 17, 21, {"'remove'", "'3.5'"}},
+    {"JointsIsWord",
+     "{ interface = { friction_angle = \"89 deg\" }, 1 = { cohesion = \"2 kPa\" } }",
+     "\"interface\"",
+     9,
+     10,
+     {"'joints'", "'interface'", "{ JOINT = { friction_angle"}},
+    {"JointIsNumber",
+     "{ friction_angle = \"89 deg\" }",
+     "89",
+     9,
+     24,
+     {"'joints.interface'", "'89'", "{ friction_angle, cohesion"}},
+    {"UnknownKeyOfJoint",
+     "friction_angle = \"89 deg\"",
+     "friction = 89",
+     9,
+     26,
+     {"unknown key 'friction' in 'joints.interface'", "'friction_angle'"}},
+    {"BetweenOfStage",
+     "friction_angle = \"89 deg\"",
+     "between = []",
+     9,
+     26,
+     {"unknown key 'between' in 'joints.interface'"}},
+    {"FrictionOf90", "\"89 deg\"", "\"90 deg\"", 9, 43, {"'friction_angle' = '90 deg'", "< 90"}},
+    {"WrongUnitOfCohesion", "\"2 kPa\"", "\"2 kN\"", 9, 72, {"'cohesion'", "'kN'", "Pa"}},
+    {"NegativeDashpot", "dashpot = 0.1", "dashpot = -0.1", 22, 11, {"'dashpot'", ">= 0"}},
+
+    // Names.
+    {"NameTwice", "\"excavate\"", "\"settle\"", 12, 8, {"'settle'", "taken by stage 0"}},
+    {"EmptyName", "\"excavate\"", "\"\"", 12, 8, {"empty"}},
+    {"UnknownJoint",
+     "{ interface =",
+     "{ interfaec =",
+     9,
+     12,
+     {"unknown joint 'interfaec'", "did you mean 'interface'?"}},
+    {"UnknownJointIndex", ", 1 = {", ", 2 = {", 9, 55, {"unknown joint '2'", "0 to 1"}},
+    {"JointTwice", ", 1 = {", ", 0 = {", 9, 12, {"joint 'interface' stands twice", "one place"}},
+    {"UnknownBlock",
+     "[\"pillar\", 3]",
+     "[3, \"piller\"]",
+     17,
+     14,
+     {"unknown block 'piller'", "did you mean 'pillar'?"}},
+    {"UnknownBlockIndex", "[\"pillar\", 3]", "[4]", 17, 11, {"unknown block '4'", "0 to 3"}},
+    {"BlockTwice", "[\"pillar\", 3]", "[\"pillar\", 3, 1]", 17, 24, {"block 'pillar' stands twice", "once"}},
+    {"BlockGone",
+     "steps = 5\n",
+     "steps = 5\nremove = [2, 3]\n",
+     20,
+     14,
+     {"block 3 is gone since stage 'excavate'", "once"}},
+    {"BlockGoneSinceANamelessStage",
+     "name = \"excavate\"\nsteps = 20",
+     "steps = 1\nremove = [3]\n[[stage]]\nsteps = 20",
+     19,
+     21,
+     {"block 3 is gone since stage 1"}},
+    {"NothingLeft",
+     "steps = 5\n",
+     "steps = 5\nremove = [\"beam\", \"base\"]\n",
+     20,
+     10,
+     {"stage 2 leaves no block", "at least"}},
+
+    // What does not go together.
+    {"SchemeOfIncrements",
+     "scheme = \"newmark\"\ngamma = 0.6",
+     "scheme = \"dda\"\nkinematics = \"incremental\"",
+     20,
+     10,
+     {"\"decaying\"", "kinematics = \"corotational\"", "in [analysis]"}},
+    {"GammaOfAnotherScheme",
+     "scheme = \"decaying\"",
+     "scheme = \"decaying\"\ngamma = 0.7",
+     21,
+     9,
+     {"'gamma'", "scheme = \"newmark\" alone"}},
+    {"BetaOfTheAnalysisScheme",
+     "scheme = \"newmark\"\ngamma = 0.6\n[[stage]]",
+     "#\n#\n[[stage]]\nbeta = 0.3",
+     6,
+     8,
+     {"'beta'", "scheme = \"newmark\" alone"}},
+    {"UnstableBeta",
+     "time_step = \"5 ms\"",
+     "beta = 0.25",
+     14,
+     8,
+     {"'beta' = '0.25'", "gamma = 0.6", "at least 0.3"}},
+    {"GammaUnstableWithTheBetaOfTheAnalysis",
+     "gamma = 0.6\n[[stage]]",
+     "gamma = 0.6\nbeta = 0.3\n[[stage]]\ngamma = 0.7",
+     7,
+     9,
+     {"'beta' = '0.3'", "gamma = 0.7", "not stable", "at least 0.35"}},
+    {"RestitutionOfTheClassicMethod",
+     "dashpot = 0.1",
+     "restitution = 0.1\n[contact]\nmethod = \"classic\"",
+     22,
+     15,
+     {"'restitution' = '0.1'", "'staged'"}},
+    {"TooManyStepsInAll", "steps = 5\n", "steps = 2147483600\n", 19, 9, {"'2147483670'", "2147483647"}},
+    {"UnitWeightWithoutGravity",
+     "scheme = \"newmark\"\ngamma = 0.6",
+     "gravity = [0, 0]\n[[material]]\nname = \"s\"\nyoung = 1\npoisson = 0\nunit_weight = 7",
+     8,
+     15,
+     {"'unit_weight'"}},
+};
+
+class BadStage : public testing::TestWithParam<Case> {};
+
+TEST_P(BadStage, IsRefusedAtItsPlaceWithItsWords) {
+  const Case& c = GetParam();
+  const SceneReading reading = read(replaced(in_stages, c.from, c.to));
+  ASSERT_FALSE(reading.scene);
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  const Problem& problem = reading.problems.front();
+  EXPECT_EQ(problem.severity, Problem::Severity::error);
+  EXPECT_EQ(problem.line, c.line) << problem.text();
+  EXPECT_EQ(problem.column, c.column) << problem.text();
+  EXPECT_FALSE(problem.cure.empty()) << problem.text();
+  for (const char* word : c.words)
+    EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in " << problem.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadStage, testing::ValuesIn(cases),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Stages, NoneAtAllNeedTheStepsOfTheAnalysis) {
+  const SceneReading reading = read(replaced(minimal, "[analysis]\nsteps = 1", "stage = []\n[analysis]"));
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_NE(reading.problems[0].text().find("missing key 'steps' in [analysis]"), std::string::npos);
+}
+
+TEST(Stages, SayNothingAgainOfWhatIsWrongWithTheAnalysis) {
+  for (const char* setting : {"analysis.beta=0.25", "analysis.kinematics=incremental", "analysis.gamma=x",
+                              "analysis.scheme=x", "contact.method=classic"}) {
+    const SceneReading reading =
+        read(replaced(in_stages, "scheme = \"decaying\"\n", ""), {setting, "joint.0.restitution=0.5"});
+    EXPECT_LE(reading.problems.size(), 1u) << all_text(reading.problems);
+  }
+}
+
+}  // namespace
