@@ -86,6 +86,13 @@ Range Frame::places(int block) const {
   return {first, end - first};
 }
 
+std::vector<int> Frame::present_blocks() const {
+  std::vector<int> present;
+  for (const FrameCell& cell : cells)
+    if (present.empty() || present.back() != cell.block) present.push_back(cell.block);
+  return present;
+}
+
 void Frame::add_outline_cell(int block) {
   const auto [first, count] = blocks[block];
   cells.push_back(

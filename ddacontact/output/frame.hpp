@@ -56,6 +56,8 @@ struct Frame {
   std::vector<FrameContact> contacts;
 
   int n_blocks() const { return static_cast<int>(blocks.size()); }
+  /// Those that have cells, ascending: the others have been taken out of the run.
+  std::vector<int> present_blocks() const;
   int n_cells() const { return static_cast<int>(cells.size()); }
   auto outline(int block) const { return position.middleCols(blocks[block].first, blocks[block].count); }
   /// The places of a block; the outline's are the first.

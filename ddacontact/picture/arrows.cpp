@@ -25,7 +25,7 @@ std::vector<Arrow> contact_forces(const Frame& frame) {
 
 std::vector<Arrow> vertex_means(const Frame& frame, const Points& vectors) {
   std::vector<Arrow> arrows;
-  for (int b = 0; b < frame.n_blocks(); ++b) {
+  for (int b : frame.present_blocks()) {
     const Range& range = frame.blocks[static_cast<std::size_t>(b)];
     arrows.push_back({middle(frame, b), vectors.middleCols(range.first, range.count).rowwise().mean()});
   }
@@ -34,7 +34,7 @@ std::vector<Arrow> vertex_means(const Frame& frame, const Points& vectors) {
 
 std::vector<Arrow> principal_lines(const Frame& frame) {
   std::vector<Arrow> arrows;
-  for (int b = 0; b < frame.n_blocks(); ++b) {
+  for (int b : frame.present_blocks()) {
     const auto principal = polyfem::principal_stresses(frame.mean_stress.col(b));
     const Vec2 first(std::cos(principal.angle), std::sin(principal.angle)), second(-first.y(), first.x());
     const auto look = [](double s) { return s > 0 ? Arrow::Look::tension : Arrow::Look::compression; };

@@ -23,7 +23,7 @@ void add_outline(PathData& data, const View& view, const PointsRef& outline) {
 
 PathData all_outlines(const View& view, const Frame& frame) {
   PathData data;
-  for (int b = 0; b < frame.n_blocks(); ++b) add_outline(data, view, frame.outline(b));
+  for (int b : frame.present_blocks()) add_outline(data, view, frame.outline(b));
   return data;
 }
 
@@ -40,7 +40,7 @@ std::string stroke_width(double pixels) {
 
 void draw_kinds(SvgPage& page, const View& view, const Frame& frame, Field field) {
   std::map<int, PathData> kinds;
-  for (int b = 0; b < frame.n_blocks(); ++b) {
+  for (int b : frame.present_blocks()) {
     const int kind = field == Field::material ? frame.materials[static_cast<std::size_t>(b)] : mixed(b);
     add_outline(kinds[kind], view, frame.outline(b));
   }
@@ -81,7 +81,7 @@ void draw_cell_edges(SvgPage& page, const View& view, const Frame& frame) {
 
 void draw_reference(SvgPage& page, const View& view, const Frame& frame) {
   PathData data;
-  for (int b = 0; b < frame.n_blocks(); ++b) {
+  for (int b : frame.present_blocks()) {
     const Range& range = frame.blocks[static_cast<std::size_t>(b)];
     add_outline(data, view, frame.outline(b) - frame.displacement.middleCols(range.first, range.count));
   }
@@ -93,7 +93,7 @@ void draw_reference(SvgPage& page, const View& view, const Frame& frame) {
 
 void draw_names(SvgPage& page, const View& view, const Frame& frame, const std::vector<std::string>& names) {
   constexpr double largest = 12, smallest = 5;
-  for (int b = 0; b < frame.n_blocks(); ++b) {
+  for (int b : frame.present_blocks()) {
     const auto block = static_cast<std::size_t>(b);
     const bool named = block < names.size() && !names[block].empty();
     const std::string name = named ? names[block] : std::to_string(b);

@@ -30,7 +30,7 @@ Window padded(const Window& box, double margin) {
 
 double typical_size(const Frame& frame) {
   std::vector<double> sizes;
-  for (int b = 0; b < frame.n_blocks(); ++b)
+  for (int b : frame.present_blocks())
     sizes.push_back(std::sqrt(std::abs(polyfem::signed_area(frame.outline(b)))));
   if (sizes.empty()) return 0;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);

@@ -150,7 +150,7 @@ TEST_F(Program, WrongCallsEndWithStatus2) {
     EXPECT_EQ(dda(call), 2) << call;
     EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
   }
-  for (const char* call : {"make joints -o a.wkt", "view DIR", "run a.toml --resume b.bin"}) {
+  for (const char* call : {"make joints -o a.wkt", "view DIR"}) {
     EXPECT_EQ(dda(call), 2) << call;
     EXPECT_NE(err_.find("not available in this version"), std::string::npos) << err_;
   }

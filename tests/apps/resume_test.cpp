@@ -1,0 +1,283 @@
+// Runs that are interrupted, killed or run out of room, and what goes on from their checkpoints.
+
+#include "program.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <set>
+#include <thread>
+
+namespace {
+
+using namespace support;
+
+/// A beam on two pillars: it settles, one pillar is taken out, it turns down and lands.
+constexpr char staged_scene[] = R"(format = 1
+[analysis]
+time_step = 0.01
+max_displacement_ratio = 1.0
+block_model = "wachspress"
+[[material]]
+name = "rock"
+density = 2500
+young = "35 GPa"
+poisson = 0.3
+[[joint]]
+name = "interface"
+friction_angle = 20
+cohesion = "1 kPa"
+[[block]]
+name = "base"
+material = "rock"
+vertices = [[-10, -1], [10, -1], [10, 0], [-10, 0]]
+fixed = true
+[[block]]
+name = "left"
+material = "rock"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[[block]]
+name = "pillar"
+material = "rock"
+vertices = [[4, 0], [5, 0], [5, 1], [4, 1]]
+[[block]]
+name = "beam"
+material = "rock"
+vertices = [[0, 1], [5, 1], [5, 2], [0, 2]]
+[[monitor]]
+name = "tip"
+block = "beam"
+vertex = 1
+[[stage]]
+name = "settle"
+mode = "static"
+steps = 5
+joints = { interface = { friction_angle = "89 deg" } }
+reset_displacements = true
+[[stage]]
+name = "fall"
+steps = 95
+remove = ["pillar"]
+[output]
+every = 3
+)";
+
+/// What may differ from run to run of a summary: times and memory.
+std::string figures_of(const std::string& text) {
+  nlohmann::json json = nlohmann::json::parse(text);
+  json.erase("wall_seconds");
+  json.erase("peak_memory_mb");
+  return json.dump();
+}
+
+class Resume : public Program {
+ protected:
+  /// Every file of a result but the log, which says when it was resumed.
+  void expect_same_results(const std::string& one, const std::string& other) const {
+    const auto files_of = [&](const std::string& directory) {
+      std::set<std::string> files;
+      for (const auto& entry : fs::recursive_directory_iterator(directory_ / directory))
+        if (entry.is_regular_file() && entry.path().filename() != "log.txt")
+          files.insert(fs::relative(entry.path(), directory_ / directory).string());
+      return files;
+    };
+    ASSERT_EQ(files_of(one), files_of(other));
+    for (const std::string& file : files_of(one)) {
+      const std::string a = read_file(directory_ / one / file), b = read_file(directory_ / other / file);
+      if (file == "summary.json")
+        EXPECT_EQ(figures_of(a), figures_of(b));
+      else
+        EXPECT_TRUE(a == b) << file << " differs";
+    }
+  }
+
+  /// Runs the program until it ends or `milliseconds` have passed; then it is sent the signal.
+  int run_and_signal(const std::vector<std::string>& arguments, int milliseconds, int signal) const {
+    const pid_t child = fork();
+    if (child == 0) {
+      std::vector<char*> words{const_cast<char*>(POLYDDA_PROGRAM)};
+      for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+      words.push_back(nullptr);
+      if (chdir(directory_.c_str()) == 0) execv(POLYDDA_PROGRAM, words.data());
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+};
+
+TEST_F(Resume, AnyStepOfEveryExampleGivesTheSameFiles) {
+  write("staged.toml", staged_scene);
+  std::vector<std::string> scenes{"staged.toml"};
+  for (const auto& entry : fs::directory_iterator(POLYDDA_EXAMPLES "/paper"))
+    if (entry.path().extension() == ".toml") scenes.push_back("'" + entry.path().string() + "'");
+  for (const std::string& scene : scenes) {
+    for (const char* preset : {"", " --set analysis.preset=default --set analysis.block_model=wachspress"}) {
+      SCOPED_TRACE(scene + preset);
+      const std::string run = "run " + scene + preset + " --quiet --set output.every=3";
+      ASSERT_EQ(dda(run + " -o whole --steps 9"), 0) << err_;
+      for (int steps : {1, 4, 5, 8}) {
+        const std::string first = " --steps " + std::to_string(steps);
+        ASSERT_EQ(dda(run + " -o part" + first), 0) << err_;
+        // into another directory, then into the same
+        ASSERT_EQ(dda(run + " -o other --steps 9 --resume part/checkpoint.bin"), 0) << err_;
+        ASSERT_EQ(dda(run + " -o part --steps 9 --resume part/checkpoint.bin"), 0) << err_;
+        expect_same_results("whole", "other");
+        expect_same_results("whole", "part");
+      }
+    }
+  }
+}
+
+TEST_F(Resume, KilledAHundredTimesAtRandomTheSameFiles) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o whole --quiet --set output.checkpoint_every=2"), 0) << err_;
+  std::mt19937 random(1);
+  int kills = 0, starts = 0, losses = 0;
+  long last_step = 0;
+  while (kills < 100 && starts < 400) {
+    std::vector<std::string> call{
+        "run", "staged.toml", "-o", "killed", "--quiet", "--set", "output.checkpoint_every=2"};
+    if (fs::exists(directory_ / "killed/checkpoint.bin")) {
+      call.insert(call.end(), {"--resume", "killed/checkpoint.bin"});
+      const auto rows = read_csv(directory_ / "killed/energy.csv");
+      const long step = std::stol(rows.back()[0].empty() ? "0" : rows.back()[0]);
+      if (step + 1 < last_step) ++losses;
+      last_step = step;
+    }
+    ++starts;
+    const int status = run_and_signal(call, static_cast<int>(random() % 40), SIGKILL);
+    if (status == 128 + SIGKILL) {
+      ++kills;
+    } else {
+      ASSERT_EQ(status, 0);
+      ASSERT_NO_FATAL_FAILURE(expect_same_results("whole", "killed"));
+      fs::remove_all(directory_ / "killed");
+      last_step = 0;
+    }
+  }
+  EXPECT_EQ(kills, 100);
+  ASSERT_EQ(
+      dda("run staged.toml -o killed --quiet --set output.checkpoint_every=2" +
+          std::string(fs::exists(directory_ / "killed/checkpoint.bin") ? " --resume killed/checkpoint.bin"
+                                                                       : "")),
+      0)
+      << err_;
+  expect_same_results("whole", "killed");
+}
+
+TEST_F(Resume, ASignalLeavesACheckpoint) {
+  write("staged.toml", staged_scene);
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const int status =
+        run_and_signal({"run", "staged.toml", "-o", "part", "--quiet", "--steps", "1000000"}, 400, signal);
+    ASSERT_EQ(status, 128 + signal);
+    const nlohmann::json stopped = summary("part");
+    EXPECT_EQ(stopped["status"], "interrupted");
+    const std::string steps = std::to_string(stopped["steps_completed"].get<long>() + 3);
+    ASSERT_EQ(dda("run staged.toml -o part --quiet --resume part/checkpoint.bin --steps " + steps), 0)
+        << err_;
+    ASSERT_EQ(dda("run staged.toml -o whole --quiet --steps " + steps), 0) << err_;
+    expect_same_results("whole", "part");
+  }
+}
+
+TEST_F(Resume, AFullDiskKeepsTheLastCheckpoint) {
+  write("staged.toml", staged_scene);
+  const std::string settings = " --quiet --set output.checkpoint_every=5 --set output.every=0";
+  // No file may grow beyond 16 kB here: the histories do first.
+  const int status = std::system(("cd '" + directory_.string() + "' && trap '' XFSZ && ulimit -f 32 && " +
+                                  POLYDDA_PROGRAM " run staged.toml -o full" + settings + " 2> stderr")
+                                     .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+  EXPECT_NE(read_file(directory_ / "stderr").find("cannot write"), std::string::npos);
+  ASSERT_TRUE(fs::exists(directory_ / "full/checkpoint.bin"));
+  ASSERT_EQ(dda("run staged.toml -o full --resume full/checkpoint.bin" + settings), 0) << err_;
+  ASSERT_EQ(dda("run staged.toml -o whole" + settings), 0) << err_;
+  expect_same_results("whole", "full");
+}
+
+TEST_F(Resume, OutputMayChange) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 6 --set output.every=2"), 0) << err_;
+  ASSERT_EQ(
+      dda("run staged.toml -o part --quiet --steps 12 --set output.every=6 --resume part/checkpoint.bin"), 0)
+      << err_;
+  EXPECT_EQ(number_of_frames("part"), 5) << "0, 2, 4, 6 and 12";
+}
+
+TEST_F(Resume, ACheckpointAloneIsEnoughToGoOn) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 6"), 0) << err_;
+  fs::rename(directory_ / "part/checkpoint.bin", directory_ / "alone.bin");
+  ASSERT_EQ(dda("run staged.toml -o rest --steps 12 --resume alone.bin"), 0) << err_;
+  EXPECT_NE(err_.find("note: what was before step 6 is not beside alone.bin"), std::string::npos) << err_;
+  ASSERT_EQ(dda("run staged.toml -o whole --quiet --steps 12"), 0) << err_;
+  const std::string whole = read_file(directory_ / "whole/energy.csv"),
+                    rest = read_file(directory_ / "rest/energy.csv");
+  const std::string rows = rest.substr(rest.find('\n') + 1);
+  EXPECT_TRUE(whole.ends_with(rows)) << "rows from step 6 on";
+  EXPECT_TRUE(read_file(directory_ / "whole/vertices.csv") == read_file(directory_ / "rest/vertices.csv"));
+}
+
+TEST_F(Resume, RefusesWhatIsNoCheckpointOfTheScene) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 50"), 0) << err_;
+  const std::string good = read_file(directory_ / "part/checkpoint.bin");
+  const auto refused = [&](int status, const std::string& settings, const std::string& words) {
+    EXPECT_EQ(dda("run staged.toml -o none --resume c.bin " + settings), status) << words;
+    EXPECT_NE(err_.find(words), std::string::npos) << err_;
+    EXPECT_FALSE(fs::exists(directory_ / "none"));
+  };
+  refused(4, "", "cannot read \"c.bin\"");
+  write("c.bin", staged_scene);
+  refused(4, "", "\"c.bin\" is not a checkpoint");
+  write("c.bin", "");
+  refused(4, "", "\"c.bin\" is not a checkpoint");
+  std::mt19937 random(2);
+  for (int k = 0; k < 20; ++k) {
+    std::string damaged = good;
+    damaged[60 + random() % (good.size() - 60)] ^= static_cast<char>(1 << random() % 8);
+    write("c.bin", damaged);
+    refused(4, "", "\"c.bin\" is damaged");
+    write("c.bin", good.substr(0, 60 + random() % (good.size() - 60)));
+    refused(4, "", "\"c.bin\" is damaged");
+  }
+  std::string newer = good;
+  newer[std::string("polydda checkpoint ").size()] = 77;
+  write("c.bin", newer);
+  refused(4, "", "\"c.bin\" has version 77");
+
+  write("c.bin", good);
+  std::string other = staged_scene;
+  other.replace(other.find("density = 2500"), 14, "density = 2600");
+  write("staged.toml", other);
+  refused(2, "", "staged.toml:8:11: error: \"c.bin\" belongs to another scene: it has 'density = 2500.0'");
+  write("staged.toml", staged_scene);
+  refused(2, "--set stage.settle.steps=6", "staged.toml:39:9: error:");
+  refused(2, "--set stage.settle.steps=6", "has made 5 steps of stage 0, not '6'");
+  refused(2, "--set stage.fall.time_step=0.02", "belongs to another scene");
+  EXPECT_EQ(dda("run staged.toml -o more --quiet --resume c.bin --set stage.fall.steps=50"), 0) << err_;
+  EXPECT_EQ(summary("more")["steps_completed"], 55);
+}
+
+TEST_F(Resume, AMissingPlaceForResultsIsAFileError) {
+  write("staged.toml", staged_scene);
+  write("file", "");
+  EXPECT_EQ(dda("run staged.toml -o file/results --steps 1"), 4);
+  EXPECT_EQ(dda("run staged.toml -o /proc/results --steps 1"), 4);
+}
+
+TEST_F(Resume, NothingLeftToDoWritesTheSameResults) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o whole --quiet --steps 20"), 0) << err_;
+  ASSERT_EQ(dda("run staged.toml -o again --quiet --steps 20 --resume whole/checkpoint.bin"), 0) << err_;
+  expect_same_results("whole", "again");
+}
+
+}  // namespace
