@@ -60,8 +60,9 @@ void push(const BlockSystem& blocks, const VectorXd& impulses, VectorXd& velocit
 
 }  // namespace
 
-HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all, const VectorXd& d,
-                                double dt, BlockState& next) {
+HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all,
+                                const std::vector<char>& parted, const VectorXd& d, double dt,
+                                BlockState& next) {
   std::vector<HeldContact> held;
   std::vector<const Contact*> contacts;
   bool moves = false;
@@ -69,8 +70,9 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   std::set<std::pair<int, int>> sliding;
   for (const Contact& contact : all)
     if (contact.normal > 0 && is_slipping(contact.history.state)) sliding.insert(blocks_of(contact));
-  for (const Contact& contact : all) {
-    if (contact.normal <= 0) continue;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const Contact& contact = all[c];
+    if (contact.normal <= 0 || (!parted.empty() && parted[c])) continue;
     HeldContact rates = rates_at(contact, d);
     rates.tangential = contact.history.state == ContactState::stick && !sliding.contains(blocks_of(contact));
     const double negligible =

@@ -119,6 +119,7 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
         as_velocity(blocks.block(b), at_start[b]) + times[b] * acceleration.segment(u.first, u.count);
   }
   std::vector<ImpactContact> taking_part;
+  std::vector<std::size_t> their_contacts;
   double least = infinity;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
@@ -130,6 +131,7 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
     taking_part.push_back({rate_form(gap_gradient(place), contact.motion),
                            rate_form(slip_gradient(place, contact.history.lock), contact.motion),
                            shear_bound(law, 1, false), bounces ? law.restitution : 0, bonded});
+    their_contacts.push_back(c);
     if (result.hit[c]) least = std::min(least, least_approach(blocks, contact, dt));
   }
   const JumpReport report = impact(blocks, taking_part, before, {.least_approach = least / 2});
@@ -137,6 +139,12 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
   result.normal_loss = report.normal_loss;
   result.limited = report.limited;
   result.settled = report.settled;
+  const VectorXd after = before + report.jump;
+  result.parted.assign(contacts.size(), 0);
+  for (std::size_t k = 0; k < taking_part.size(); ++k) {
+    const std::size_t c = their_contacts[k];
+    result.parted[c] = taking_part[k].gap.change(after) > least_approach(blocks, contacts[c], dt);
+  }
 
   double earliest = infinity;
   for (double t : times) earliest = std::min(earliest, t);

@@ -10,9 +10,10 @@ namespace ddacontact {
 
 /// An impact within a step.
 struct StepImpact {
-  VectorXd jump;          ///< of the velocities of all unknowns
-  VectorXd jump_path;     ///< jump times what is left of the step after it
-  std::vector<char> hit;  ///< the contacts that met with a speed that counts
+  VectorXd jump;             ///< of the velocities of all unknowns
+  VectorXd jump_path;        ///< jump times what is left of the step after it
+  std::vector<char> hit;     ///< the contacts that met with a speed that counts
+  std::vector<char> parted;  ///< the contacts that it drives apart with a speed that counts; empty: none
   int n_hits = 0;
   double friction_loss = 0, normal_loss = 0;  ///< kinetic energy lost, J per m
   bool limited = false;                       ///< restitution was reduced so that no energy arises

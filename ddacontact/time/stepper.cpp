@@ -397,7 +397,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   }
   for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
-    held_ = hold_closed_contacts(blocks_, tried_, d, dt, next);
+    held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, next);
   return true;
 }
 

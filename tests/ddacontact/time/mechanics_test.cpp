@@ -237,6 +237,40 @@ TEST(Impact, LeavesTheRestitutionAskedForAtEveryStepAndPhase) {
         }
 }
 
+/// A slender block that rocks on its lower right corner, tilted by so much and falling back to upright.
+BuiltScene rocking(double tilt) {
+  constexpr double R = 1.1, speed = 0.35;
+  const double alpha = radians(8), b = 2 * R * std::sin(alpha), h = 2 * R * std::cos(alpha);
+  Scene scene = stiff_scene(0.008, 1);
+  scene.joints[0].friction_angle = 60;
+  scene.blocks = {block(rectangle(-3, -1, 6, 1), true), block(turned(rectangle(-b, 0, b, h), -tilt))};
+  const Vec2 centre = R * Vec2(-std::sin(alpha - tilt), std::cos(alpha - tilt));
+  scene.blocks[1].angular_velocity = speed;
+  scene.blocks[1].velocity = speed * Vec2(-centre.y(), centre.x());
+  return build(scene);
+}
+
+TEST(Impact, AtTheVeryEndOfAStepLetsTheOtherCornerGo) {
+  constexpr int steps = 3;
+  const auto tilt_after = [](double tilt) {
+    const BuiltScene built = rocking(tilt);
+    run(*built.stepper, steps);
+    return tilt - built.stepper->state().rotation[1];
+  };
+  double upright = 0.01;  // the tilt to start from that ends upright
+  for (const double above : {1e-2, 1e-4, 1e-5, 1e-5}) upright += above - tilt_after(upright + above);
+  const double left = 1 - 1.5 * std::pow(std::sin(radians(8)), 2);  // Housner, of the angular velocity
+  for (const double beyond : {-1e-5, -1e-6, -1e-7, 0., 1e-7, 3e-7, 1e-6, 2e-6, 4e-6, 1e-5, 1e-4}) {
+    const BuiltScene built = rocking(upright - beyond);
+    Stepper& stepper = *built.stepper;
+    run(stepper, steps - 1);
+    const double before = rigid(stepper, 1).angular;
+    run(stepper, 3);
+    EXPECT_GT(rigid(stepper, 1).angular, 0.85 * left * before) << beyond;
+    EXPECT_LT(rigid(stepper, 1).angular, left * before) << beyond;
+  }
+}
+
 TEST(Impact, OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy) {
   for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint})
     for (const double e : {0., 0.5, 1.})
