@@ -114,7 +114,7 @@ class Resume : public Program {
 TEST_F(Resume, AnyStepOfEveryExampleGivesTheSameFiles) {
   write("staged.toml", staged_scene);
   std::vector<std::string> scenes{"staged.toml"};
-  for (const auto& entry : fs::directory_iterator(POLYDDA_EXAMPLES "/paper"))
+  for (const auto& entry : fs::recursive_directory_iterator(POLYDDA_EXAMPLES))
     if (entry.path().extension() == ".toml") scenes.push_back("'" + entry.path().string() + "'");
   for (const std::string& scene : scenes) {
     for (const char* preset : {"", " --set analysis.preset=default --set analysis.block_model=wachspress"}) {
