@@ -1,0 +1,114 @@
+// Where a stepper is among its stages, and going on from there.
+#include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/stepper.hpp>
+
+namespace ddacontact {
+
+void Stepper::apply(const Stage& stage) {
+  analysis_ = stage.analysis;
+  staged_.mean_forces = step_rule(analysis_).mean_forces();
+  blocks_.gravity = analysis_.gravity;
+  limits_.set_analysis(analysis_);
+  for (int b : stage.removed) blocks_.remove(b);
+  if (!system_ || !stage.removed.empty()) system_.emplace(blocks_);
+  std::erase_if(contacts_, [&](const Contact& contact) {
+    return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
+  });
+  contact_builder_.set_joints(stage.joints, contacts_);
+}
+
+void Stepper::enter_stage(int stage) {
+  const Scheme scheme = analysis_.scheme;
+  apply(stages_[stage]);
+  progress_ = {stage, 0, state_.time};
+  substep_ = analysis_.time_step;
+  detected_ = false;
+  for (int b : stages_[stage].removed) {
+    const Range& u = blocks_.block(b).unknowns();
+    state_.velocity.segment(u.first, u.count).setZero();
+  }
+  if (analysis_.scheme != scheme) state_.acceleration.setZero();
+  Energy& e = energy_.now;
+  // What goes with the blocks that are taken out is work done on them.
+  const double kinetic = kinetic_energy(blocks_, state_.velocity),
+               elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
+  e.kinetic = kinetic;
+  e.elastic = elastic;
+  if (is_static()) {
+    state_.velocity.setZero();
+    state_.acceleration.setZero();
+    e.numerical_dissipated += kinetic;
+    e.kinetic = 0;
+  }
+}
+
+void Stepper::leave_stage() {
+  if (stages_[progress_.stage].reset_displacements) blocks_.count_displacements_from(state_);
+}
+
+void Stepper::start_accounts() {
+  energy_ = {};
+  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  energy_.start();
+}
+
+StepRecord Stepper::record() const {
+  return {counts_.steps, begun_, substep_, progress_, state_, contacts_};
+}
+
+void Stepper::restore(StepRecord record) {
+  if (record.progress.stage < progress_.stage)
+    throw Error("the record is of stage " + std::to_string(record.progress.stage) +
+                ", which is over (restore it to a new stepper)");
+  if (record.state.position.cols() != state_.position.cols() ||
+      record.state.velocity.size() != state_.velocity.size() ||
+      record.state.stress.cols() != state_.stress.cols() ||
+      record.progress.stage >= static_cast<int>(stages_.size()))
+    throw Error("the record is of other blocks or stages");
+  while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);
+  counts_.steps = record.steps;
+  begun_ = record.begun;
+  substep_ = record.substep;
+  progress_ = record.progress;
+  state_ = std::move(record.state);
+  contacts_ = std::move(record.contacts);
+  blocks_.prepare(state_, true);
+  detected_ = false;
+  reach_scale_ = 1;
+  start_accounts();
+}
+
+RunRecord Stepper::run_record() const {
+  const BlockState& zero = blocks_.displacement_zero();
+  return {.step = record(),
+          .counts = counts_,
+          .energy = energy_,
+          .last_dt = last_dt_,
+          .end_time = blocks_.end_time,
+          .zero_position = zero.position,
+          .zero_origin = zero.origin,
+          .reactions = reactions_,
+          .convex = convex_,
+          .notes = notes_,
+          .last_unsettled = last_unsettled_};
+}
+
+void Stepper::restore(RunRecord record) {
+  restore(std::move(record.step));
+  counts_ = record.counts;
+  energy_ = record.energy;
+  last_dt_ = record.last_dt;
+  blocks_.end_time = record.end_time;
+  BlockState zero;
+  zero.position = std::move(record.zero_position);
+  zero.origin = std::move(record.zero_origin);
+  blocks_.count_displacements_from(zero);
+  reactions_ = std::move(record.reactions);
+  convex_ = std::move(record.convex);
+  notes_ = std::move(record.notes);
+  last_unsettled_ = std::move(record.last_unsettled);
+}
+
+}  // namespace ddacontact
