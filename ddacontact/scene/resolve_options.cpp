@@ -57,7 +57,7 @@ void resolve_newmark(const AnalysisRecord& record, const OwnKeys& own, AnalysisO
   options.gamma = record.gamma.value_or(0.5);
   const double most_damping = (options.gamma + 0.5) * (options.gamma + 0.5) / 4;
   options.beta =
-      record.beta.value_or(std::max(most_damping, options.gamma / 2));  // but for round-off, the first
+      record.beta.value_or(std::max(most_damping, options.gamma / 2));  // the first, but for round-off
   if (!own.usable("scheme")) return;
   for (const char* key : {"beta", "gamma"})
     if (own.written(key) && options.scheme != Scheme::newmark)
