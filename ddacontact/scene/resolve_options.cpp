@@ -55,7 +55,9 @@ void resolve_scheme(const AnalysisRecord& record, const OwnKeys& own, AnalysisOp
 void resolve_newmark(const AnalysisRecord& record, const OwnKeys& own, AnalysisOptions& options,
                      ProblemList& problems) {
   options.gamma = record.gamma.value_or(0.5);
-  options.beta = record.beta.value_or((options.gamma + 0.5) * (options.gamma + 0.5) / 4);
+  const double most_damping = (options.gamma + 0.5) * (options.gamma + 0.5) / 4;
+  options.beta =
+      record.beta.value_or(std::max(most_damping, options.gamma / 2));  // the first, but for round-off
   if (!own.usable("scheme")) return;
   for (const char* key : {"beta", "gamma"})
     if (own.written(key) && options.scheme != Scheme::newmark)

@@ -32,8 +32,10 @@ inline constexpr Key beta{.name = "beta",
                           .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
                           .bounds = positive,
                           .default_text = "(`gamma` + 1/2)^2 / 4"};
-inline constexpr Key gamma{
-    .name = "gamma", .what = "Of the scheme \"newmark\".", .bounds = {.low = 0.5}, .default_text = "`0.5`"};
+inline constexpr Key gamma{.name = "gamma",
+                           .what = "Of the scheme \"newmark\".",
+                           .bounds = {.low = 0.5, .high = 1000},
+                           .default_text = "`0.5`"};
 inline constexpr Key damping{
     .name = "damping",
     .what = "Rayleigh damping: forces `mass` x M v and `stiffness` x K times the rate of deformation.",

@@ -46,7 +46,7 @@ TEST(Stages, ChangeJointsKeyByKeyWhileTheyLast) {
   const Scene scene = scene_of(in_stages);
   const std::vector<Joint>&settle = scene.stages[0].joints, &excavate = scene.stages[1].joints,
         &last = scene.stages[2].joints;
-  EXPECT_EQ(scene.joints[0].friction_angle, 30);
+  EXPECT_EQ(scene.joints.at(0).friction_angle, 30);
   EXPECT_EQ(settle[0].friction_angle, 89);
   EXPECT_EQ(settle[1].cohesion, 2000);
   EXPECT_EQ(settle[1].tensile_strength, 5);
@@ -61,8 +61,8 @@ TEST(Stages, TheJointOfASceneWithoutJointsIsCalledDefault) {
   for (const char* joint : {"default", "0"}) {
     const Scene scene = scene_of(std::string(minimal) + "[[stage]]\nsteps = 2\njoints." + joint +
                                  " = { friction_angle = 20 }\n");
-    EXPECT_EQ(scene.stages[0].joints[0].friction_angle, 20);
-    EXPECT_EQ(scene.joints[0].friction_angle, 0);
+    EXPECT_EQ(scene.stages[0].joints.at(0).friction_angle, 20);
+    EXPECT_EQ(scene.joints.at(0).friction_angle, 0);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(Stages, HaveTheRulesOfTheAnalysisForNewmark) {
   const AnalysisOptions of_scene = scene_of(in_stages).analysis;
   EXPECT_EQ(of_scene.gamma, 0.6);
   const auto options = [](const std::vector<std::string>& settings) {
-    return scene_of(in_stages, settings).stages[1].analysis;
+    return scene_of(in_stages, settings).stages.at(1).analysis;
   };
   EXPECT_EQ(options({}).scheme, Scheme::newmark);
   EXPECT_EQ(options({}).gamma, 0.6);
@@ -87,10 +87,11 @@ TEST(Stages, HaveTheRulesOfTheAnalysisForNewmark) {
   EXPECT_EQ(options({"stage.1.gamma=0.8"}).beta, 1.3 * 1.3 / 4) << "a beta left out follows gamma";
   EXPECT_EQ(options({"stage.1.gamma=0.8", "analysis.beta=0.5"}).beta, 0.5) << "one that is written stays";
   EXPECT_EQ(options({"stage.1.beta=0.5"}).gamma, 0.6);
-  EXPECT_EQ(scene_of(in_stages).stages[2].analysis.gamma, 0.5) << "of another scheme";
+  EXPECT_EQ(scene_of(in_stages).stages.at(2).analysis.gamma, 0.5) << "of another scheme";
   const std::string other = replaced(in_stages, "scheme = \"newmark\"\ngamma = 0.6\n", "");
-  EXPECT_EQ(scene_of(other).stages[1].analysis.scheme, Scheme::decaying);
-  EXPECT_EQ(scene_of(other, {"stage.1.scheme=newmark", "stage.1.gamma=0.7"}).stages[1].analysis.gamma, 0.7);
+  EXPECT_EQ(scene_of(other).stages.at(1).analysis.scheme, Scheme::decaying);
+  EXPECT_EQ(scene_of(other, {"stage.1.scheme=newmark", "stage.1.gamma=0.7"}).stages.at(1).analysis.gamma,
+            0.7);
 }
 
 TEST(Stages, TheSchemeFollowsThePresetAndTheKinematics) {
@@ -106,7 +107,7 @@ TEST(Stages, TheSchemeFollowsThePresetAndTheKinematics) {
 TEST(Stages, MayRemoveWhatIsHeldLoadedOrWatched) {
   EXPECT_EQ(scene_of(in_stages).monitors[0].block, 1) << "removed by the second stage";
   EXPECT_EQ(
-      scene_of(in_stages, {"stage.2.remove=[\"beam\", \"base\"]", "stage.1.remove=[]"}).stages[2].removed,
+      scene_of(in_stages, {"stage.2.remove=[\"beam\", \"base\"]", "stage.1.remove=[]"}).stages.at(2).removed,
       (std::vector<int>{2, 0}));
 }
 
@@ -157,31 +158,50 @@ TEST(Stages, AreWrittenAndReadBack) {
 
 TEST(Stages, OfASceneMadeByAProgramAreWrittenToo) {
   Scene scene = scene_of(minimal);
-  scene.joints[0].name = "a \"quoted\" name, \u00e9";
+  scene.joints.at(0).name = "a \"quoted\" name, \u00e9";
   scene.stages.push_back(scene.stage("one"));
   scene.stages[0].analysis.steps = 7;
-  scene.stages[0].joints[0].cohesion = 3;
+  scene.stages[0].joints.at(0).cohesion = 3;
   scene.stages.push_back(scene.stage(""));
   const Scene again = scene_of(written(scene));
+  EXPECT_EQ(written(again), written(scene));
   EXPECT_EQ(again.n_steps(), 8);
   EXPECT_EQ(again.analysis.steps, 8);
-  EXPECT_EQ(again.stages[0].joints[0].cohesion, 3);
-  EXPECT_EQ(again.stages[1].joints[0].cohesion, 0);
+  EXPECT_EQ(again.stages[0].joints.at(0).cohesion, 3);
+  EXPECT_EQ(again.stages[1].joints.at(0).cohesion, 0);
 }
 
 TEST(Stages, AreSetByNameOrIndex) {
   const auto joint = [](const char* setting, int stage, int index) {
-    return scene_of(in_stages, {setting}).stages[stage].joints[index];
+    return scene_of(in_stages, {setting}).stages.at(stage).joints.at(index);
   };
-  EXPECT_EQ(scene_of(in_stages, {"stage.settle.steps=20"}).stages[0].analysis.steps, 20);
-  EXPECT_EQ(scene_of(in_stages, {"stage.2.time_step=1 ms"}).stages[2].analysis.time_step, 1e-3);
-  EXPECT_EQ(scene_of(in_stages, {"stage.1.damping.stiffness=3"}).stages[1].analysis.damping.mass, 0.5);
-  EXPECT_EQ(scene_of(in_stages, {"stage.1.remove.1=beam"}).stages[1].removed, (std::vector<int>{1, 2}));
+  EXPECT_EQ(scene_of(in_stages, {"stage.settle.steps=20"}).stages.at(0).analysis.steps, 20);
+  EXPECT_EQ(scene_of(in_stages, {"stage.2.time_step=1 ms"}).stages.at(2).analysis.time_step, 1e-3);
+  EXPECT_EQ(scene_of(in_stages, {"stage.1.damping.stiffness=3"}).stages.at(1).analysis.damping.mass, 0.5);
+  EXPECT_EQ(scene_of(in_stages, {"stage.1.remove.1=beam"}).stages.at(1).removed, (std::vector<int>{1, 2}));
   EXPECT_EQ(joint("stage.0.joints.interface.friction_angle=31 deg", 0, 0).friction_angle, 31) << "replaced";
   EXPECT_EQ(joint("stage.0.joints.interface.dashpot=0.3", 0, 0).friction_angle, 89) << "added beside another";
   EXPECT_EQ(joint("stage.2.joints.1.cohesion=4", 2, 1).cohesion, 4) << "another joint";
   EXPECT_EQ(joint("stage.excavate.joints.interface.cohesion=4", 1, 0).cohesion, 4) << "the first one";
   EXPECT_EQ(joint("stage.excavate.joints.1.cohesion=4", 1, 1).cohesion, 4) << "the first one, by its index";
+}
+
+TEST(Stages, BadSettingsAreNamed) {
+  for (const auto& [setting, words] :
+       {std::pair{"stage.setle.steps=3", "did you mean 'settle'?"}, std::pair{"stage.3.steps=3", "0 to 2"},
+        std::pair{"stage.settle.preset=paper", "belongs to the whole run"},
+        std::pair{"stage.settle.method=classic", "unknown 'method'"},
+        std::pair{"stage.1.joints.interfaec.cohesion=3", "unknown joint 'interfaec'"},
+        std::pair{"stage.1.joints.interface.cohesion=x", "'cohesion' = 'x'"},
+        std::pair{"stage.1.joints.interface.x=3", "unknown key 'x' in 'joints.interface'"},
+        std::pair{"stage.1.joints.0=3", "'joints' is not in the scene"},
+        std::pair{"stage.1.remove.2=3", "2 elements"},
+        std::pair{"stage.1.remove.1=pillar", "stands twice"}}) {
+    const SceneReading reading = read(in_stages, {setting});
+    ASSERT_EQ(reading.problems.size(), 1u) << setting << '\n' << all_text(reading.problems);
+    EXPECT_EQ(reading.problems[0].file, std::string("--set ") + setting);
+    EXPECT_NE(reading.problems[0].text().find(words), std::string::npos) << reading.problems[0].text();
+  }
 }
 
 struct Case {
