@@ -38,11 +38,25 @@ std::pair<int, int> blocks_of(const Contact& contact) {
   return std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
 }
 
-VectorXd normal_impulses(const JumpReport& report) {
-  VectorXd normal(static_cast<Index>(report.impulses.size()));
-  for (std::size_t c = 0; c < report.impulses.size(); ++c)
-    normal[static_cast<Index>(c)] = report.impulses[c].normal;
-  return normal;
+/// Adds the impulses of a jump, by contact.
+void add_impulses(const JumpReport& report, VectorXd& normal, VectorXd& sticking) {
+  for (std::size_t c = 0; c < report.impulses.size(); ++c) {
+    normal[static_cast<Index>(c)] += report.impulses[c].normal;
+    sticking[static_cast<Index>(c)] += report.impulses[c].shear;
+  }
+}
+
+/// What supports in motion do through impulses, J per m.
+double work_of_supports(const BlockSystem& blocks, const std::vector<HeldContact>& contacts,
+                        const VectorXd& normal, const VectorXd& shear, const VectorXd& velocity) {
+  VectorXd of_supports = VectorXd::Zero(velocity.size());
+  for (const HeldUnknown& held : blocks.held_unknowns()) of_supports[held.unknown] = velocity[held.unknown];
+  if (of_supports.isZero(0)) return 0;
+  double work = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    work -= normal[static_cast<Index>(c)] * contacts[c].gap.change(of_supports) +
+            shear[static_cast<Index>(c)] * contacts[c].slip.change(of_supports);
+  return work;
 }
 
 /// Impulses on the unknowns of free blocks, as rigid bodies.
@@ -90,7 +104,8 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   const VectorXd without_friction = next.velocity;
 
   // Friction of sliding contacts follows the normal impulses, which follow it.
-  VectorXd normal = normal_impulses(first), shear = VectorXd::Zero(normal.size());
+  VectorXd normal = VectorXd::Zero(static_cast<Index>(held.size())), sticking = normal, shear = normal;
+  add_impulses(first, normal, sticking);
   AndersonAcceleration acceleration(anderson_depth);
   HeldReport report;
   report.settled = false;
@@ -119,7 +134,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     push(blocks, impulses, next.velocity);
     const JumpReport again = hold(blocks, held, next.velocity);
     next.velocity += again.jump;
-    normal += normal_impulses(again);
+    add_impulses(again, normal, sticking);
   }
   // It may give back friction of the step that was too much, but no more.
   double rubbed = 0;
@@ -130,9 +145,10 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     if (is_slipping(contact.history.state)) rubbed -= contact.shear * contact.slip.change(d);
   }
   // Written so that what is not a number is refused.
-  const bool sound =
-      report.friction_loss + rubbed >= 0 &&
-      kinetic_energy(blocks, next.velocity) <= kinetic_energy(blocks, moving) + std::max(rubbed, 0.0);
+  const bool sound = report.friction_loss + rubbed >= 0 &&
+                     kinetic_energy(blocks, next.velocity) <=
+                         kinetic_energy(blocks, moving) + std::max(rubbed, 0.0) +
+                             work_of_supports(blocks, held, normal, shear + sticking, next.velocity);
   if (!report.settled || !sound) {
     next.velocity = without_friction;
     report = {0, false};

@@ -288,7 +288,18 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     next.acceleration.setZero();
     return true;
   }
-  for (const HeldUnknown& held : blocks_.held_unknowns()) next.velocity[held.unknown] = d[held.unknown] / dt;
+  const bool by_trapezoid = step_rule(analysis_).mean_forces();
+  for (const HeldUnknown& held : blocks_.held_unknowns()) {
+    double way = d[held.unknown], duration = dt;
+    // What a contact holds starts its next step with this velocity, and d - dt v0 is its force: a mean over
+    // the step would be half a step late, and make it twice as large as the support's acceleration does.
+    if (by_trapezoid && held.motion.kind == TimeFunction::Kind::history) {
+      const auto at = [&](double time) { return held.motion.at(time, blocks_.end_time)[held.axis]; };
+      way = at(next.time + dt) - at(next.time - dt);
+      duration = 2 * dt;
+    }
+    next.velocity[held.unknown] = way / duration;
+  }
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
     held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, next);
   return true;

@@ -11,7 +11,6 @@ namespace validation {
 namespace {
 
 constexpr double settling_friction = 89;  // degrees
-constexpr double settling_time_step = 0.1;
 constexpr int settling_steps = 20;
 
 }  // namespace
@@ -63,14 +62,13 @@ Vibration vibration(double width, double height, const Material& material) {
 BuiltScene settled(const Scene& scene) {
   Scene settling = scene;
   settling.analysis.mode = Mode::statics;
-  settling.analysis.time_step = settling_time_step;
+  settling.analysis.time_step = settling_time / settling_steps;
   settling.analysis.steps = settling_steps;
   for (Joint& joint : settling.joints) joint.friction_angle = settling_friction;
   const BuiltScene at_rest = run(settling);
   StepRecord record = at_rest.stepper->record();
-  record.steps = 0;
+  record.steps = std::lround(settling_time / scene.analysis.time_step);
   record.substep = scene.analysis.time_step;
-  record.state.time = 0;
   BuiltScene built = build(scene);
   built.stepper->restore(std::move(record));
   return built;

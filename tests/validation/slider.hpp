@@ -24,6 +24,8 @@ struct Slider {
   double acceleration() const;
 };
 
+/// How long the static stage lasts that comes first, s.
+constexpr double settling_time = 2;
 constexpr double slider_width = 3, slider_height = 1.5, slider_density = 2600;
 
 /// Block 0 is the plane, 1 the slider.
@@ -35,7 +37,7 @@ struct Vibration {
 };
 Vibration vibration(double width, double height, const Material& material);
 
-/// The scene after a static stage in which friction was 89 degrees: at rest, time 0.
+/// The scene after a static stage in which friction was 89 degrees: at rest, at `settling_time`.
 BuiltScene settled(const Scene& scene);
 
 /// Way and speed of the slider down the plane.

@@ -79,7 +79,7 @@ Computed compute(const Case& of, double time_step) {
   double last = of.velocity, late_way = 0;
   for (int k = 1; k <= n; ++k) {
     run(stepper, 1);
-    const double way = travel(stepper, 1).dot(slider.down()) - start, time = stepper.state().time,
+    const double way = travel(stepper, 1).dot(slider.down()) - start, time = stepper.state().time - settling_time,
                  now = velocity(stepper, 1).dot(slider.down());
     Motion& motion = computed.motion;
     motion.turning_way =
@@ -108,13 +108,13 @@ void picture(Report& report) {
   for (const Case& of : cases) {
     if (of.slope != 35) continue;
     chart.series.push_back(compute(of, 0.01).velocity);
-    chart.series.back().name = name(of);
+    chart.series.back().name = fmt::format("φ = {:g}°, {:+g} m/s", of.friction, of.velocity);
   }
   for (const Case& of : cases) {
     if (of.slope != 35) continue;
     const Motion motion = rigid_motion(of);
     const bool turns = std::isfinite(motion.turning_time);
-    Series rigid{"", {0}, {of.velocity}, true};
+    Series rigid{"rigid block", {0}, {of.velocity}, true};
     const double rest = turns ? motion.turning_time : 0;
     const double acceleration =
         turns && motion.rests ? 0 : slider_of(of, 0.01).acceleration();  // down, from rest or the start

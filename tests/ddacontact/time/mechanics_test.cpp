@@ -220,6 +220,40 @@ TEST(Slope, AtTheLimitOfFrictionAMillionthDecides) {
     }
 }
 
+/// Acceleration 0.3 g sin(2 pi t) along `direction`, from rest.
+TEST(ShakenBase, CarriesABlockWithTheForcesOfItsAcceleration) {
+  for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)}) {
+    Scene scene = stiff_scene(0.005, 1);
+    scene.joints[0].friction_angle = 25;  // bears 0.47 g
+    scene.blocks = {block(rectangle(-3, -1, 8, 1)), block(rectangle(0, 0, 2, 1))};
+    Support base;
+    base.vertices = {0, 1, 2, 3};
+    base.displacement.kind = TimeFunction::Kind::history;
+    for (int k = 0; k <= 1000; ++k) {
+      const double t = k * 1e-3,
+                   way = 0.3 * g / (one_turn * one_turn) * (one_turn * t - std::sin(one_turn * t));
+      base.displacement.history.emplace_back(t, way * direction.x(), way * direction.y());
+    }
+    scene.supports = {base};
+    const BuiltScene built = build(scene);
+    Stepper& stepper = *built.stepper;
+    for (int k = 1; k <= scene.analysis.steps; ++k) {
+      ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
+      if (k < 20) continue;  // gravity acts suddenly
+      Vec2 force(0, 0);
+      for (const Contact& contact : stepper.contacts()) {
+        const double along = contact.pair.vertex_block == 1 ? contact.shear : -contact.shear;
+        force += Vec2(-along, contact.normal);
+      }
+      const double at_start = (k - 1) * scene.analysis.time_step;  // what the rates of both sides of it say
+      const Vec2 expected = Vec2(0, g) + 0.3 * g * std::sin(one_turn * at_start) * direction;
+      EXPECT_LT((force / stepper.blocks().block(1).mass_total() - expected).norm(), 2e-3 * g) << k;
+    }
+    const Points moved = stepper.blocks().displacements(stepper.state());
+    EXPECT_LT((moved.col(4) - moved.col(0)).norm(), 1e-6);
+  }
+}
+
 TEST(Impact, LeavesTheRestitutionAskedForAtEveryStepAndPhase) {
   for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint})
     for (const double e : {0., 0.25, 0.5, 0.75, 1.})
