@@ -197,9 +197,9 @@ void impacts(Report& report) {
       "its step "
       "(R = 1.1 m, θ₀ = 0.6 α). The forces of a step are those of its end, so that gravity brakes the block "
       "through the "
-      "whole step of the impact, though it drove it until then: up to 4 p² sin α Δt/|ω| of the energy is "
+      "whole step of the impact, though it drove it until then: up to 4 p² sin α Δt/ω of the energy is "
       "lost.");
-  std::vector<std::vector<std::string>> rows{{"α", "r", "Δt, s", "least", "most", "4 p² sin α Δt/|ω|"}};
+  std::vector<std::vector<std::string>> rows{{"α", "r", "Δt, s", "least", "most", "4 p² sin α Δt/ω"}};
   double above = -1, beyond = 0, finest = 0;
   const std::vector<double> time_steps{8e-3, 4e-3, 2e-3, 1e-3, 5e-4};
   for (const double degrees : {8., 15., 30.})
