@@ -24,13 +24,23 @@ double edge_length(const PointsRef& outline, Index k) {
   return (outline.col((k + 1) % outline.cols()) - outline.col(k)).norm();
 }
 
-/// A grid of about so many quadrilaterals as square as they can be.
+/// The nearest whole number, the lower one of two as near: what a side's cells should be does not depend on
+/// the last digit of its length.
+int rounded(double cells) {
+  constexpr double digits = 1e-9;
+  return static_cast<int>(std::ceil(cells - 0.5 - digits));
+}
+
+/// A grid of about so many quadrilaterals as square as they can be, whichever side comes first.
 PolygonMesh quads(const PointsRef& outline, double cells) {
   if (outline.cols() != 4) throw Error("quads need an outline of four corners (ask for voronoi cells)");
   const double across = (edge_length(outline, 0) + edge_length(outline, 2)) / 2,
                upwards = (edge_length(outline, 1) + edge_length(outline, 3)) / 2;
-  const int n_x = std::max(1, static_cast<int>(std::lround(std::sqrt(cells * across / upwards)))),
-            n_y = std::max(1, static_cast<int>(std::lround(cells / n_x)));
+  const auto along = [&](double length, double other) {
+    const int beside = rounded(std::sqrt(cells * other / length));
+    return std::max(1, rounded(beside < 1 ? cells : std::sqrt(cells * length / other)));
+  };
+  const int n_x = along(across, upwards), n_y = along(upwards, across);
   return polyfem::mapped(polyfem::rectangles({0, 0}, {1, 1}, n_x, n_y), [&](const Vec2& s) -> Vec2 {
     return (1 - s.x()) * (1 - s.y()) * outline.col(0) + s.x() * (1 - s.y()) * outline.col(1) +
            s.x() * s.y() * outline.col(2) + (1 - s.x()) * s.y() * outline.col(3);

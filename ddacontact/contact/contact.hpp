@@ -12,7 +12,8 @@ namespace ddacontact {
 struct ContactHistory {
   ContactState state = ContactState::open;
   double lock = 0;        ///< the lock point o as a fraction of the edge from j (0) to k (1)
-  double gap_offset = 0;  ///< <= 0: the overlap it started with, taken as stress-free
+  double gap_offset = 0;  ///< <= 0: the overlap it started with, taken as stress-free, as far as the blocks
+                          ///< have not come apart since
   bool bonded = false;    ///< closed at the start and never slid or opened
   double length = 0;      ///< over which cohesion and tensile strength act, m
   double normal = 0;      ///< N at the end of the last step: where the staged method's multipliers start
@@ -51,6 +52,8 @@ struct Contact {
   bool augmented = false;   ///< its forces are multipliers: its springs store no energy
 
   bool closed() const { return history.state != ContactState::open; }
+  /// Whether the next step has to know of it: an open one has its overlap of the start still.
+  bool lasts() const { return closed() || history.gap_offset < 0; }
   /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.
   bool is_on_edge(double at_slip) const {
     const double along = history.lock * edge_length + at_slip;

@@ -186,12 +186,12 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
 const Contact* ContactBuilder::find_predecessor(const BlockState& state, const VertexEdge& pair,
                                                 std::span<const Contact> previous) const {
   for (const Contact& old : previous)
-    if (old.closed() && old.pair == pair) return &old;
+    if (old.lasts() && old.pair == pair) return &old;
   const Range& of_edge = blocks_.block(pair.edge_block).vertices();
   const auto edge_outline = state.position.middleCols(of_edge.first, of_edge.count);
   for (const Contact& old : previous) {
     const bool same_vertex = old.pair.vertex_block == pair.vertex_block && old.pair.vertex == pair.vertex;
-    if (old.closed() && same_vertex &&
+    if (old.lasts() && same_vertex &&
         (goes_straight_on(edge_outline, old.pair.edge, pair.edge) ||
          goes_straight_on(edge_outline, pair.edge, old.pair.edge)))
       return &old;
@@ -203,7 +203,7 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
   const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
   for (const Contact& old : previous) {
     const bool exchanged = old.pair.vertex_block == pair.edge_block;
-    if (!old.closed() || !exchanged) continue;
+    if (!old.lasts() || !exchanged) continue;
     const auto ends = [&](int vertex, int edge, int block) {
       return vertex == edge || vertex == (edge + 1) % blocks_.block(block).n_vertices();
     };
@@ -223,7 +223,9 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
     Contact contact = make_contact(state, pair);
     const double fraction = contact.history.lock;
     const Contact* old = find_predecessor(state, pair, contacts_of_pair(previous, block_pair(pair)));
-    if (old) {
+    if (old && !old->closed()) {
+      contact.history.gap_offset = old->history.gap_offset;
+    } else if (old) {
       contact.history = old->history;
       contact.law.cohesion = old->law.cohesion;
       contact.law.tension = old->law.tension;
@@ -238,7 +240,7 @@ std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::v
       if (is_slipping(contact.history.state)) contact.history.lock = fraction;
     }
     make_forms(contact);
-    if (!contact.closed() && contact.gap.constant < -contact.length_tolerance &&
+    if (!contact.closed() && contact.gap.constant - contact.history.gap_offset < -contact.length_tolerance &&
         contact.is_on_edge(contact.slip.constant))
       contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     contacts.push_back(contact);

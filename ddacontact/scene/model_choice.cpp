@@ -59,10 +59,11 @@ ChoiceByShape choose_by_shape(const PointsRef& outline) {
 }  // namespace
 
 double slenderness(const PointsRef& outline) {
-  const Vec2 moments =
+  const Vec2 moments =  // of a clockwise outline both are negative
       Eigen::SelfAdjointEigenSolver<Mat2>(polyfem::area_moments(outline).second, Eigen::EigenvaluesOnly)
-          .eigenvalues();
-  return std::sqrt(moments[1] / moments[0]);
+          .eigenvalues()
+          .cwiseAbs();
+  return std::sqrt(moments.maxCoeff() / moments.minCoeff());
 }
 
 ChosenModels choose_models(

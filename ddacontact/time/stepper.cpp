@@ -311,10 +311,13 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   account_step(blocks_, *system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
                energy_.now);
-  const double friction_loss = solution.impact.friction_loss + held_.friction_loss;
-  energy_.now.numerical_dissipated -= friction_loss + solution.impact.normal_loss;
-  energy_.now.friction_dissipated += friction_loss;
-  energy_.now.damping_dissipated += solution.impact.normal_loss;
+  // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
+  const double of_impact = solution.impact.friction_loss + solution.impact.normal_loss;
+  const double by_friction =
+      std::clamp(solution.impact.friction_loss, std::min(0.0, of_impact), std::max(0.0, of_impact));
+  energy_.now.numerical_dissipated -= of_impact + held_.friction_loss;
+  energy_.now.friction_dissipated += by_friction + held_.friction_loss;
+  energy_.now.damping_dissipated += of_impact - by_friction;
   counts_.impacts += solution.impact.n_hits;
   if (solution.impact.limited) ++counts_.limited_impacts;
   if (!solution.impact.settled) ++counts_.unsettled_impacts;
@@ -378,7 +381,8 @@ void Stepper::record_contacts(const VectorXd& d) {
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) contact.history.bonded = false;
     if (!contact.closed()) {
-      contact.history.gap_offset = 0;
+      const double left = std::clamp(contact.gap(d), contact.history.gap_offset, 0.0);
+      contact.history.gap_offset = left < -contact.length_tolerance ? left : 0;
       continue;
     }
     ++counts_.contacts;

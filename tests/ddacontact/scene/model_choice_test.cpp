@@ -123,6 +123,7 @@ TEST(ModelChoice, LeavesWhatIsStatedAndWhatIsHeld) {
 TEST(ModelChoice, SlendernessIsTheRatioOfTheSidesOfARectangle) {
   EXPECT_NEAR(slenderness(box(3, 4, 8, 2)), 4, 1e-12);
   EXPECT_NEAR(slenderness(box(3, 4, 2, 8)), 4, 1e-12);
+  EXPECT_NEAR(slenderness(box(3, 4, 2, 8).rowwise().reverse()), 4, 1e-12);
 }
 
 }  // namespace

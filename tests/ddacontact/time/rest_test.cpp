@@ -115,6 +115,27 @@ TEST(Rest, AnInitialOverlapMakesNoForce) {
   EXPECT_EQ(built.stepper->energy().now.elastic, 0);
 }
 
+/// The same by the staged method, which opens a contact that bears nothing: blocks that are not pressed together
+/// keep their overlap, and one that is drawn away has it as far as it has not come apart.
+TEST(Rest, AnInitialOverlapStaysFreeOfStressWhileItsContactIsOpen) {
+  for (const Mode mode : {Mode::dynamic, Mode::statics})
+    for (const double up : {0., 0.01}) {
+      Scene scene = resting(BlockModel::wachspress, 0, mode);
+      scene.contact.method = ContactMethod::staged;
+      scene.contact.penetration_tolerance = 1e-6;
+      scene.analysis.kinematics = Kinematics::corotational;
+      scene.analysis.scheme = Scheme::decaying;
+      scene.analysis.gravity.setZero();
+      scene.blocks[1].vertices.row(1).array() -= 1. / 1024;
+      scene.blocks[1].velocity = {0, up};
+      const BuiltScene built = run(scene);
+      const double far = mode == Mode::dynamic ? up * scene.end_time() : 0;
+      EXPECT_NEAR(travel(*built.stepper, 1).y(), far, 1e-12);
+      const Energy& energy = built.stepper->energy().now;
+      EXPECT_LE(energy.kinetic + energy.elastic, 2 * 2000 * up * up / 2 * (1 + 1e-9));
+    }
+}
+
 TEST(Rest, AMovedSupportCarriesTheBlockThatRestsOnIt) {
   using Kind = TimeFunction::Kind;
   const std::vector<Vec3> history{{0, 0, 0}, {6, 0.03, 0}, {20, 0.1, 0.02}};

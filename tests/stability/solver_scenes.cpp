@@ -1,0 +1,34 @@
+#include "solver_scenes.hpp"
+
+namespace stability {
+
+Scene stack_scene(int blocks, double time_step, int steps) {
+  Scene scene = rock_scene(time_step, steps);
+  scene.joints[0].friction_angle = 30;
+  scene.blocks = {verification::block(rectangle(-2, -1, 5, 1), true)};
+  for (int k = 0; k < blocks; ++k) scene.blocks.push_back(verification::block(rectangle(0, k, 1, 1)));
+  return scene;
+}
+
+StartedBlocks::StartedBlocks(const Scene& scene, double dt) : built_(build(scene)) {
+  const Stepper& stepper = *built_.stepper;
+  const BlockState& state = stepper.state();
+  const VectorXd none = VectorXd::Zero(state.velocity.size());
+  for (int b = 0; b < stepper.blocks().n_blocks(); ++b)
+    const_cast<Block&>(stepper.blocks().block(b))
+        .begin_step(state, {{}, dt, state.velocity, state.acceleration, none, none});
+}
+
+VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {
+  BlockForces forces;
+  block(b).forces(d, forces);
+  return forces.elastic;
+}
+
+std::vector<ContactState> states(const Stepper& stepper) {
+  std::vector<ContactState> states;
+  for (const Contact& contact : stepper.contacts()) states.push_back(contact.history.state);
+  return states;
+}
+
+}  // namespace stability
