@@ -3,6 +3,7 @@
 #include <ddacontact/solver/anderson.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
+#include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     if (contact.normal > 0 && is_slipping(contact.history.state)) sliding.insert(blocks_of(contact));
   for (std::size_t c = 0; c < all.size(); ++c) {
     const Contact& contact = all[c];
-    if (contact.normal <= 0 || (!parted.empty() && parted[c])) continue;
+    if (contact.normal <= 0 || (!parted.empty() && parted[c]) || carries_waves(blocks, contact, dt)) continue;
     HeldContact rates = rates_at(contact, d);
     rates.tangential = contact.history.state == ContactState::stick && !sliding.contains(blocks_of(contact));
     const double negligible =

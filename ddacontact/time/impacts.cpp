@@ -2,6 +2,7 @@
 
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
+#include <ddacontact/time/waves.hpp>
 
 #include <Eigen/Geometry>
 
@@ -91,6 +92,7 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
     const Contact& contact = contacts[c];
     const double rate = contact.gap.change(velocity), growth = contact.gap.change(acceleration),
                  gap_now = contact.gap.constant - contact.history.gap_offset;
+    if (contact.closed() && carries_waves(blocks, contact, dt)) continue;
     const bool near = contact.closed() || gap_now <= contact.length_tolerance;
     double time = first_touch(near ? 0 : gap_now, rate, growth, dt);
     if (!std::isfinite(time) && !also.empty() && also[c])
@@ -123,7 +125,7 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
   double least = infinity;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    if (!result.hit[c] && !contact.closed()) continue;
+    if (!result.hit[c] && (!contact.closed() || carries_waves(blocks, contact, dt))) continue;
     const VertexEdgePlace place = place_in(blocks, then, contact.pair);
     const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
     const JointLaw& law = contact.law;

@@ -1,0 +1,13 @@
+/// \file Whether blocks are rigid within a step, or carry waves from one step to the next.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/contact.hpp>
+
+namespace ddacontact {
+
+/// Whether the step is shorter than a pressure wave takes across either block of a contact: velocities of the
+/// two then change by the wave that comes through, step by step, and not at once by rigid motions.
+bool carries_waves(const BlockSystem& blocks, const Contact& contact, double dt);
+
+}  // namespace ddacontact
