@@ -424,3 +424,36 @@ TEST(SlideOrTopple, IsRightADegreeFromTheBoundaries) {
   EXPECT_EQ(slides_and_topples(10, 8), both);
   EXPECT_EQ(slides_and_topples(5, 3), both);
 }
+
+/// A bar of 20 blocks of 0.5 m, bonded or pressed together, held sideways by having no Poisson's ratio,
+/// pushed at one end.
+TEST(Wave, CrossesContactsAtItsSpeed) {
+  constexpr int n = 20;
+  constexpr double p = 1e7, h = 0.5, density = 2500, young = 35e9;
+  const double c = std::sqrt(young / density);
+  for (const bool bonded : {true, false}) {
+    Scene scene = stiff_scene(0.5 * h / c, 1);
+    scene.analysis.gravity = Vec2(0, 0);
+    scene.materials[0].poisson = 0;
+    scene.joints[0].cohesion = scene.joints[0].tensile_strength = bonded ? 1e9 : 0;
+    for (int b = 0; b < n; ++b) {
+      scene.blocks.push_back(block(rectangle(b * h, 0, h, h)));
+      if (!bonded) scene.blocks.back().stress = Vec3(-p, 0, 0);
+    }
+    scene.blocks.push_back(block(rectangle(n * h, 0, h, h), true));
+    scene.loads = {pressure_load(0, 3, bonded ? p : 2 * p)};
+    const BuiltScene built = build(scene);
+    const double wanted = p / (density * c);
+    double arrival = 0;  // of half the velocity, in the middle of the bar
+    while (arrival == 0 && built.stepper->state().time < n * h / c) {
+      const double before = rigid(*built.stepper, n / 2).linear.x(), time = built.stepper->state().time;
+      run(*built.stepper, 1);
+      const double after = rigid(*built.stepper, n / 2).linear.x();
+      if (after > wanted / 2)
+        arrival = time + (wanted / 2 - before) / (after - before) * (built.stepper->state().time - time);
+    }
+    EXPECT_NEAR(arrival * c / ((n / 2 + 0.5) * h), 1, 0.02) << (bonded ? "bonded" : "pressed");
+    // Behind the front all blocks have the velocity of the wave.
+    EXPECT_NEAR(rigid(*built.stepper, n / 4).linear.x(), wanted, 0.15 * wanted);
+  }
+}
