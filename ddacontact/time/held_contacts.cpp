@@ -100,7 +100,8 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   if (!moves) return {};
   blocks.prepare(next);
   const VectorXd moving = next.velocity;
-  const JumpReport first = hold(blocks, held, moving);
+  Hold hold(blocks, held);
+  const JumpReport first = hold.jump(moving);
   next.velocity += first.jump;
   const VectorXd without_friction = next.velocity;
 
@@ -133,7 +134,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
       held[c].slip.add_gradient(shear[k] - was[k], impulses);
     }
     push(blocks, impulses, next.velocity);
-    const JumpReport again = hold(blocks, held, next.velocity);
+    const JumpReport again = hold.jump(next.velocity);
     next.velocity += again.jump;
     add_impulses(again, normal, sticking);
   }

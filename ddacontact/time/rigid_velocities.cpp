@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace ddacontact {
@@ -70,12 +71,12 @@ struct Setting {
   NormalAndShear rigid_rates;  ///< without those of deformation
 
   /// \param[in] terms  forms of all unknowns
-  Setting(const BlockSystem& blocks, const Islands& islands, const std::vector<ContactTerm>& terms,
-          const VectorXd& v)
-      : motions(blocks, islands.hit_blocks()),
-        problem(motions, rigid_terms(motions, terms)),
-        rates(rates_of(terms, v)),
-        rigid_rates(rates_of(terms, rigid_part(islands, terms, v))) {}
+  Setting(const BlockSystem& blocks, const Islands& islands, const std::vector<ContactTerm>& terms)
+      : motions(blocks, islands.hit_blocks()), problem(motions, rigid_terms(motions, terms)) {}
+  void set_velocity(const Islands& islands, const std::vector<ContactTerm>& terms, const VectorXd& v) {
+    rates = rates_of(terms, v);
+    rigid_rates = rates_of(terms, rigid_part(islands, terms, v));
+  }
 
   /// What the impulses take from the kinetic energy and from what moves the supports: -P . (rates before and
   /// after) / 2. Rates of deformation have no part: no rigid motion has kinetic energy in common with them.
@@ -185,7 +186,8 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const Participants of = find_participants(blocks, contacts, v, options.least_approach);
   if (of.contacts.empty()) return report;
 
-  Setting setting(blocks, of.islands, of.terms, v);
+  Setting setting(blocks, of.islands, of.terms);
+  setting.set_velocity(of.islands, of.terms, v);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = options.tolerance * of.approach;
   const NormalAndShear none = zeros(of.friction.size());
@@ -227,43 +229,70 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   return report;
 }
 
-JumpReport hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, const VectorXd& v) {
-  JumpReport report;
-  report.jump = VectorXd::Zero(blocks.n_unknowns());
-  report.impulses.resize(contacts.size());
-  Islands islands(blocks);
-  std::vector<std::size_t> holding;
+struct Hold::Problem {
+  Islands islands;
+  std::vector<std::size_t> holding;  ///< indices of contacts
+  std::vector<bool> tangential_alone;
   std::vector<ContactTerm> terms;
-  double largest = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const HeldContact& contact = contacts[c];
-    if (!contact.normal && !contact.tangential) continue;
-    islands.join(contact.gap);
-    ContactTerm term{.gap = contact.normal ? contact.gap : contact.slip, .slip = contact.slip};
-    term.normal = ContactTerm::Normal::bilateral;
-    term.sheared = contact.normal && contact.tangential;
-    term.bound = infinity;
-    largest = std::max(largest, std::abs(term.gap.change(v)));
-    if (term.sheared) largest = std::max(largest, std::abs(term.slip.change(v)));
-    holding.push_back(c);
-    terms.push_back(term);
+  std::optional<Setting> setting;
+  std::size_t n_contacts;
+  int n_unknowns;
+
+  Problem(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
+      : islands(blocks), n_contacts(contacts.size()), n_unknowns(blocks.n_unknowns()) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const HeldContact& contact = contacts[c];
+      if (!contact.normal && !contact.tangential) continue;
+      islands.join(contact.gap);
+      ContactTerm term{.gap = contact.normal ? contact.gap : contact.slip, .slip = contact.slip};
+      term.normal = ContactTerm::Normal::bilateral;
+      term.sheared = contact.normal && contact.tangential;
+      term.bound = infinity;
+      holding.push_back(c);
+      tangential_alone.push_back(!contact.normal);
+      terms.push_back(term);
+    }
+    for (const ContactTerm& term : terms) islands.hit(term.gap);
+    if (!terms.empty()) setting.emplace(blocks, islands, terms);
   }
+
+  double largest_rate(const VectorXd& v) const {
+    double largest = 0;
+    for (const ContactTerm& term : terms) {
+      largest = std::max(largest, std::abs(term.gap.change(v)));
+      if (term.sheared) largest = std::max(largest, std::abs(term.slip.change(v)));
+    }
+    return largest;
+  }
+};
+
+Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
+    : problem_(std::make_unique<Problem>(blocks, contacts)) {}
+Hold::~Hold() = default;
+
+JumpReport Hold::jump(const VectorXd& v) {
+  auto& [islands, holding, tangential_alone, terms, held, n_contacts, n_unknowns] = *problem_;
+  JumpReport report;
+  report.jump = VectorXd::Zero(n_unknowns);
+  report.impulses.resize(n_contacts);
+  const double largest = problem_->largest_rate(v);
   if (largest == 0) return report;
 
-  for (const ContactTerm& term : terms) islands.hit(term.gap);
-  Setting setting(blocks, islands, terms, v);
+  Setting& setting = *held;
+  setting.set_velocity(islands, terms, v);
+  const NormalAndShear none = zeros(static_cast<Index>(terms.size()));
+  setting.problem.set_impulses(none);
   report.settled = setting.problem.solve(setting.rates, hold_tolerance * largest);
   report.solves = 1;
   report.largest_rate = setting.problem.largest_rate();
   const NormalAndShear whole = setting.problem.impulses();
-  const NormalAndShear none = zeros(whole.normal.size());
   const double part = setting.largest_part(none, whole);
   report.limited = part < 1;
   const NormalAndShear total = between(none, whole, part);
   for (std::size_t k = 0; k < holding.size(); ++k) {
     const double normal = total.normal[static_cast<Index>(k)], shear = total.shear[static_cast<Index>(k)];
     report.impulses[holding[k]] =
-        contacts[holding[k]].normal ? ContactImpulse{normal, shear} : ContactImpulse{0, normal};
+        tangential_alone[k] ? ContactImpulse{0, normal} : ContactImpulse{normal, shear};
   }
   setting.finish(total, report);
   return report;

@@ -3,6 +3,7 @@
 
 #include <ddacontact/block/block_system.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace ddacontact {
@@ -59,8 +60,22 @@ struct HeldContact {
   bool normal = true, tangential = false;
 };
 
-/// The jump of least kinetic energy, rigid in each block, after which the rates named vanish. Contacts may
-/// say the same more than once. The kinetic energy never rises.
-JumpReport hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, const VectorXd& v);
+/// Contacts whose rates are to be taken out, of velocities as many as it takes.
+class Hold {
+ public:
+  /// \param[in] blocks  prepared for the shapes meant; they must stay so
+  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts);
+  ~Hold();
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+  /// The jump of least kinetic energy of the velocities v, rigid in each block, after which the rates named
+  /// vanish. Contacts may say the same more than once. The kinetic energy never rises.
+  JumpReport jump(const VectorXd& v);
+
+ private:
+  struct Problem;
+  std::unique_ptr<Problem> problem_;
+};
 
 }  // namespace ddacontact

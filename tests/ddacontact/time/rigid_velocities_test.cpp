@@ -466,7 +466,7 @@ TEST(RigidVelocities, HoldingTakesTheRatesOutAtLeastEnergy) {
     std::vector<HeldContact> held;
     for (const ImpactContact& contact : scene.contacts)
       held.push_back({contact.gap, contact.slip, uniform(0, 1) < 0.5, uniform(0, 1) < 0.3});
-    const JumpReport report = hold(scene.blocks, held, scene.v);
+    const JumpReport report = Hold(scene.blocks, held).jump(scene.v);
     EXPECT_TRUE(report.settled);
     EXPECT_FALSE(report.limited);
     const VectorXd after = scene.v + report.jump;
