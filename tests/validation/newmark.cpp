@@ -39,8 +39,8 @@ struct Shaking {
   }
 };
 
-/// A rigid block on the base: its way relative to it, down the slope. In pieces, each of constant direction of slip, where
-/// acceleration is a constant and a sine.
+/// A rigid block on the base: its way relative to it, down the slope. In pieces, each of constant direction
+/// of slip, where acceleration is a constant and a sine.
 class RigidBlock {
  public:
   explicit RigidBlock(const Shaking& shaking) : shaking_(shaking), w_(shaking.pulsation()) {
@@ -126,31 +126,139 @@ class RigidBlock {
   int slip_ = 0;
 };
 
+constexpr Shaking shakings[] = {{18, 28, 0.25, 1.5},    {18, 28, 0.4, 4},          {18, 28, 0.8, 2},
+                                {10, 15, 0.3, 1},       {18, 28, 0.25, 1.5, true}, {18, 28, 0.5, 3, true},
+                                {25, 35, 0.6, 2, true}, {0, 20, 0.6, 2, true},     {0, 20, 0.9, 5, true},
+                                {0, 12, 0.9, 3, true}};
+
+/// Of the block down the slope, relative to the base, over time.
+Series computed_way(const Shaking& shaking, double time_step) {
+  const Slider slider{.angle = radians(shaking.slope),
+                      .friction = std::tan(radians(shaking.friction)),
+                      .time_step = time_step,
+                      .duration = shaking.end()};
+  Scene scene = slider_scene(slider);
+  scene.blocks[0].fixed = false;
+  Support base;
+  base.vertices = {0, 1, 2, 3};
+  base.displacement.kind = TimeFunction::Kind::history;
+  const Vec2 direction = shaking.direction().x() * slider.down() + shaking.direction().y() * slider.up();
+  for (int k = 0; k * finest < shaking.end() + finest; ++k) {
+    const Vec2 moved = shaking.moved(k * finest) * direction;
+    base.displacement.history.emplace_back(settling_time + k * finest, moved.x(), moved.y());
+  }
+  scene.supports = {base};
+  const BuiltScene built = settled(scene);
+  Stepper& stepper = *built.stepper;
+  const auto place = [&] { return (travel(stepper, 1) - travel(stepper, 0)).dot(slider.down()); };
+  const double start = place();
+  Series way;
+  for (int k = 1; k <= scene.analysis.steps; ++k) {
+    run(stepper, 1);
+    way.x.push_back(k * time_step);
+    way.y.push_back(place() - start);
+  }
+  return way;
+}
+
+/// How far the rigid block slides, whichever way.
+double path(RigidBlock& block, double until) {
+  double sum = 0, last = 0;
+  for (int k = 1; k * 0.01 < until + 0.005; ++k) {
+    const double way = block.way(k * 0.01);
+    sum += std::abs(way - last);
+    last = way;
+  }
+  return sum;
+}
+
+std::string name(const Shaking& shaking) {
+  return fmt::format("{:g}°, φ = {:g}°, {:g} g, {:g} Hz{}", shaking.slope, shaking.friction,
+                     shaking.amplitude, shaking.frequency,
+                     shaking.horizontally && shaking.slope > 0 ? ", horizontally" : "");
+}
+
 }  // namespace
 
 void newmark(Report& report) {
   report.heading("3. Newmark's block");
-  for (Shaking sh : {Shaking{0,20,.6,2}, Shaking{0,20,.9,5}, Shaking{0,12,.9,3}, Shaking{18,28,.25,1.5}, Shaking{18,28,.4,4}, Shaking{18,28,.8,2}, Shaking{18,28,.25,1.5,true}, Shaking{18,28,.5,3,true}, Shaking{25,35,.6,2,true}}) {
-    RigidBlock rigid(sh);
-    double exact = rigid.way(sh.end());
-    fmt::print("{} {} {} {} {}: exact {:.10f}", sh.slope, sh.friction, sh.amplitude, sh.frequency, sh.horizontally, exact);
-    for (double dt : time_steps) {
-      Slider s{.angle=radians(sh.slope), .friction=std::tan(radians(sh.friction)), .time_step=dt, .duration=sh.end()};
-      Scene scene=slider_scene(s);
-      scene.blocks[0].fixed=false;
-      Support support; support.block=0; support.vertices={0,1,2,3};
-      support.displacement.kind=TimeFunction::Kind::history;
-      Vec2 dir = sh.direction().x()*s.down()+sh.direction().y()*s.up();
-      for (double t=0;t<=sh.end()+finest/2;t+=finest) { Vec2 u=sh.moved(t)*dir; support.displacement.history.emplace_back(settling_time+t,u.x(),u.y()); }
-      scene.supports={support};
-      BuiltScene b=settled(scene);
-      double x0=(travel(*b.stepper,1)-travel(*b.stepper,0)).dot(s.down());
-      run(*b.stepper, scene.analysis.steps);
-      double x=(travel(*b.stepper,1)-travel(*b.stepper,0)).dot(s.down())-x0;
-      fmt::print(" {:.2e}", x/exact-1);
+  report.paragraph(
+      "The block of chapter 1, E = 35 GPa, settled on a base that then moves by a history of displacements: "
+      "four "
+      "cycles of acceleration a sin 2πft from rest to rest, along the slope or horizontally. A rigid block "
+      "sticks while "
+      "|g sin a − a_t| ≤ tan φ (g cos a + a_n), a_t and a_n being the base's acceleration down and across "
+      "the slope, and "
+      "otherwise slides with the difference (Newmark 1965). That is integrated in pieces of closed form, "
+      "with the times of slip "
+      "found by bisection. Its permanent way down the slope, how far it slid to and fro, and the error of "
+      "the "
+      "computed way (m) by time step:");
+  std::vector<std::vector<std::string>> rows{{"slope, friction, a, f", "way, m", "slid, m"}};
+  for (const double time_step : time_steps) rows[0].push_back(fmt::format("{:g} s", time_step));
+  Chart errors{.x_symbol = {"Δt", "", ""},
+               .y_symbol = {"error of the way", "", ""},
+               .x_unit = "s",
+               .y_unit = "",
+               .series = {},
+               .x_logarithmic = true,
+               .y_logarithmic = true};
+  Chart ways{
+      .x_symbol = {"t", "", ""}, .y_symbol = {"way", "", ""}, .x_unit = "s", .y_unit = "m", .series = {}};
+  std::vector<Series> rigid_ways;
+  double one_way = 0, to_and_fro = 0;
+  for (const Shaking& shaking : shakings) {
+    RigidBlock rigid(shaking);
+    const double exact = rigid.way(shaking.end()), slid = path(rigid, shaking.end());
+    rows.push_back({name(shaking), fmt::format("{:.5f}", exact), fmt::format("{:.4f}", slid)});
+    Series series{name(shaking), {}, {}};
+    series.dots = true;
+    for (const double time_step : time_steps) {
+      const Series way = computed_way(shaking, time_step);
+      const double error = way.y.back() - exact;
+      rows.back().push_back(text(error));
+      if (shaking.slope == 0) {
+        if (time_step <= 0.002) to_and_fro = std::max(to_and_fro, std::abs(error) / slid);
+        continue;
+      }
+      if (time_step <= 0.002) one_way = std::max(one_way, std::abs(error / exact));
+      series.x.push_back(time_step);
+      series.y.push_back(std::abs(error / exact));
+      if (time_step != 0.005 || shaking.frequency == 1) continue;
+      ways.series.push_back(way);
+      ways.series.back().name = name(shaking);
+      Series marks{"rigid block", {}, {}, true};
+      for (double t = 0.1; t < shaking.end(); t += 0.1) {
+        marks.x.push_back(t);
+        marks.y.push_back(rigid.way(t));
+      }
+      rigid_ways.push_back(marks);
     }
-    fmt::print("\n");
+    if (shaking.slope > 0) errors.series.push_back(series);
   }
+  report.table(rows);
+  report.paragraph(
+      "On a horizontal base the block slides to and fro, and what remains is a small difference of long "
+      "ways: "
+      "errors are set against all that it slid there; at 5 Hz the 1.4 mm that remain are not found. Friction "
+      "changes its direction at the end of a step, a "
+      "matter of "
+      "first order; sliding one way only, errors fall with the square of the step until the elastic block's "
+      "own "
+      "shear, some 1e-5 m, is reached.");
+  report.picture("dda_newmark_error",
+                 draw({errors}, {.title = "Newmark's block: error of the permanent way", .plot_height = 260}),
+                 "Relative error of the permanent way down the slope over the time step.");
+  ways.series.insert(ways.series.end(), rigid_ways.begin(), rigid_ways.end());
+  report.picture("dda_newmark_ways",
+                 draw({ways}, {.title = "Newmark's block: way down the slope", .plot_height = 300}),
+                 "Way down the slope relative to the base, computed with Δt = 0.005 s (lines) and of the "
+                 "rigid block (marks).");
+  report.claims(
+      {{"On slopes the permanent way is within 2 % for Δt of 0.002 s and less.", one_way <= 0.02,
+        text(one_way)},
+       {"On a horizontal base the error is within 2 % of all that the block slid, for the same steps.",
+        to_and_fro <= 0.02, text(to_and_fro)}});
 }
 
 }  // namespace validation

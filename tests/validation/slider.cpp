@@ -59,18 +59,15 @@ Vibration vibration(double width, double height, const Material& material) {
   return vibration;
 }
 
-BuiltScene settled(const Scene& scene) {
-  Scene settling = scene;
+BuiltScene settled(Scene scene) {
+  StageDescription settling = scene.stage("settling");
   settling.analysis.mode = Mode::statics;
   settling.analysis.time_step = settling_time / settling_steps;
   settling.analysis.steps = settling_steps;
   for (Joint& joint : settling.joints) joint.friction_angle = settling_friction;
-  const BuiltScene at_rest = run(settling);
-  StepRecord record = at_rest.stepper->record();
-  record.steps = std::lround(settling_time / scene.analysis.time_step);
-  record.substep = scene.analysis.time_step;
+  scene.stages = {settling, scene.stage("let go")};
   BuiltScene built = build(scene);
-  built.stepper->restore(std::move(record));
+  run(*built.stepper, settling_steps);
   return built;
 }
 

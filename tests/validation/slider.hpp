@@ -24,7 +24,7 @@ struct Slider {
   double acceleration() const;
 };
 
-/// How long the static stage lasts that comes first, s.
+/// How long the static stage lasts, s.
 constexpr double settling_time = 2;
 constexpr double slider_width = 3, slider_height = 1.5, slider_density = 2600;
 
@@ -37,8 +37,9 @@ struct Vibration {
 };
 Vibration vibration(double width, double height, const Material& material);
 
-/// The scene after a static stage in which friction was 89 degrees: at rest, at `settling_time`.
-BuiltScene settled(const Scene& scene);
+/// The scene with a static stage before it in which friction is 89 degrees, at the end of that stage: at
+/// rest, at `settling_time`.
+BuiltScene settled(Scene scene);
 
 /// Way and speed of the slider down the plane.
 struct Travel {

@@ -79,8 +79,8 @@ Computed compute(const Case& of, double time_step) {
   double last = of.velocity, late_way = 0;
   for (int k = 1; k <= n; ++k) {
     run(stepper, 1);
-    const double way = travel(stepper, 1).dot(slider.down()) - start, time = stepper.state().time - settling_time,
-                 now = velocity(stepper, 1).dot(slider.down());
+    const double way = travel(stepper, 1).dot(slider.down()) - start,
+                 time = stepper.state().time - settling_time, now = velocity(stepper, 1).dot(slider.down());
     Motion& motion = computed.motion;
     motion.turning_way =
         of.velocity < 0 ? std::min(motion.turning_way, way) : std::max(motion.turning_way, way);
