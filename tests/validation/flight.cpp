@@ -69,7 +69,7 @@ void spun(Report& report) {
   report.paragraph(
       fmt::format("### A spinning block\n\nThe same pentagon turns {} times at {} rad/s, without gravity. "
                   "Its period over 2π/ω less 1, next to "
-                  "what tan(θ/2) = ωΔt/2 makes of it; largest change of its area, of which 2e-6 is its "
+                  "what tan(θ/2) = ωΔt/2 makes of it; largest change of its area, of which up to 1e-6 is its "
                   "centrifugal stretch and the vibration that comes of "
                   "starting unstretched; largest change of angular momentum.",
                   turns, spin));
