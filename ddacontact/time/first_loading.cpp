@@ -16,6 +16,9 @@ constexpr double inertia_ratio = 1e-6;
 constexpr int rounds = 3;
 /// Displacements are made this small, of the smallest block, where stresses are taken: to first order.
 constexpr double small_move = 1e-6;
+/// Blocks no further apart than this part of their sizes touch: more than round-off leaves between them, and
+/// at least what the contacts at the start are closed by.
+constexpr double touching = 1e-6;
 /// Of the largest force on a block: more than this is not worth while for a choice.
 constexpr double tolerance = 1e-6;
 
@@ -65,7 +68,9 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   const auto n_blocks = static_cast<std::size_t>(blocks.n_blocks());
   result.forces.resize(n_blocks);
   blocks.prepare(initial, true);
-  const std::vector<Contact> contacts = builder.build_first(initial, std::vector<double>(n_blocks, 0));
+  std::vector<double> reach;
+  for (int b = 0; b < blocks.n_blocks(); ++b) reach.push_back(touching * blocks.block(b).size());
+  const std::vector<Contact> contacts = builder.build_first(initial, reach);
   std::vector<ContactTerm> terms;
   for (const Contact& contact : contacts) terms.push_back(term_of(contact));
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 using namespace ddacontact;
 
 namespace {
@@ -56,6 +58,22 @@ TEST(ModelChoice, GoesByShapeWhereNothingBends) {
   EXPECT_EQ(middle.reason, "a corner is next to straight");
   const Points clockwise = box(0, 0, 1, 1).rowwise().reverse();
   EXPECT_EQ(first(scene_of({clockwise})).model, "wachspress");
+}
+
+/// A block on a slope, with sides that touch to the last digit, a little less or a little more.
+TEST(ModelChoice, DoesNotHangOnTheLastDigitOfAGap) {
+  const double half = std::sqrt(0.5);
+  Mat2 R;
+  R << half, half, -half, half;
+  std::set<std::string> reasons;
+  for (const double gap : {0., 1e-15, -1e-15, 1e-9, -1e-9}) {
+    Scene scene = scene_of({R * box(0, gap, 4, 2)});
+    scene.blocks[1].vertices = R * scene.blocks[1].vertices;
+    const Chosen chosen = first(scene);
+    EXPECT_EQ(chosen.model, "mesh") << gap;
+    reasons.insert(chosen.reason);
+  }
+  EXPECT_EQ(reasons.size(), 1);
 }
 
 TEST(ModelChoice, ABeamIsDividedAndAColumnIsNot) {
