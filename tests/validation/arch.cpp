@@ -22,6 +22,7 @@ constexpr double radius = 10;                      // m, mean
 constexpr double fallen = radius / 50;             // m: what has moved so far does not come back
 constexpr double least_time = 10, most_time = 60;  // s, that an arch is watched
 constexpr double at_rest = 1e-6;                   // m/s
+constexpr int settling_steps = 20;
 constexpr double much_friction = 0.7, standard_step = 0.02, rock = 35e9;
 
 struct Arch {
@@ -29,6 +30,7 @@ struct Arch {
   double friction = much_friction;
   double time_step = standard_step;
   double young = rock;
+  bool settled = true;  ///< statically, before it may move
 };
 
 /// A wide held block below, then the voussoirs from the right springing on.
@@ -45,6 +47,11 @@ Scene arch_scene(const Arch& arch, double thickness) {
     Points voussoir(2, 4);
     voussoir << inner * a, outer * a, outer * b, inner * b;
     scene.blocks.push_back(block(voussoir));
+  }
+  if (arch.settled) {
+    scene.stages = {scene.stage("settle"), scene.stage("watch")};
+    scene.stages[0].analysis.mode = Mode::statics;
+    scene.stages[0].analysis.steps = settling_steps;
   }
   return scene;
 }
@@ -139,7 +146,7 @@ void voussoirs(Report& report) {
   double worst = 0;
   for (const int n : {7, 11, 15, 31}) {
     Least least;
-    const double seconds = seconds_of([&] { least = least_that_stands({n}, 1e-3); });
+    const double seconds = seconds_of([&] { least = least_that_stands({n}, 5e-4); });
     rows.push_back({std::to_string(n), fmt::format("{:.4f}", least_thickness(n, much_friction, true)),
                     fmt::format("{:.4f}", least.limit), fmt::format("{:.4f}", least.computed),
                     percent(least.error()), fmt::format("{:.1f}", seconds)});
@@ -190,7 +197,7 @@ void frictions(Report& report) {
     std::vector<std::string> row{text(known.friction), fmt::format("{:.4f}", many),
                                  fmt::format("{:.4f}", known.published)};
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const Least least = least_that_stands({numbers[k], known.friction}, 2e-3);
+      const Least least = least_that_stands({numbers[k], known.friction}, 1e-3);
       within_bar = within_bar && least.within_bar;
       worst = std::max(worst, std::abs(least.error()));
       grows = grows && least.computed < before[k];
@@ -216,15 +223,14 @@ void frictions(Report& report) {
 }
 
 void error_of_what(Report& report) {
-  report.paragraph("### Error against time step and stiffness");
+  report.paragraph("### Error against time step, stiffness and the way it is loaded");
   report.paragraph(
-      "7 voussoirs. The limit is that of rigid blocks. Elastic ones shorten, the arch spreads and sinks a "
-      "little, "
-      "and what stands at the limit is an arch that is a little flatter: the error falls with 1/E. Gravity "
-      "comes "
-      "suddenly; long steps damp the blow.");
-  std::vector<std::vector<std::string>> rows{{"E, GPa", "Δt, s", "computed t/R", "error", "s"}};
-  double rigid = 0;
+      "7 voussoirs; bisection to 1e-4. Under sudden gravity the arch spreads further than under its weight "
+      "at rest, "
+      "and has to stand more: the less, the stiffer it is, and the more the time step damps.");
+  std::vector<std::vector<std::string>> rows{
+      {"E, GPa", "Δt, s", "settled: t/R", "error", "s", "sudden gravity: t/R", "error", "s"}};
+  double worst = 0, rigid = 0;
   for (const Arch& of : {Arch{7, much_friction, 0.04},
                          {7},
                          {7, much_friction, 0.01},
@@ -232,16 +238,26 @@ void error_of_what(Report& report) {
                          {7, much_friction, standard_step, 3.5e9},
                          {7, much_friction, standard_step, 350e9},
                          {7, much_friction, standard_step, 3500e9}}) {
-    Least least;
-    const double seconds = seconds_of([&] { least = least_that_stands(of, 1e-4); });
-    rows.push_back({fmt::format("{:g}", of.young / 1e9), fmt::format("{:g}", of.time_step),
-                    fmt::format("{:.5f}", least.computed), percent(least.error()),
-                    fmt::format("{:.1f}", seconds)});
-    rigid = std::abs(least.error());
+    std::vector<std::string> row{fmt::format("{:g}", of.young / 1e9), fmt::format("{:g}", of.time_step)};
+    for (const bool settled : {true, false}) {
+      Arch arch = of;
+      arch.settled = settled;
+      Least least;
+      const double seconds = seconds_of([&] { least = least_that_stands(arch, 1e-4); });
+      row.push_back(fmt::format("{:.5f}", least.computed));
+      row.push_back(percent(least.error()));
+      row.push_back(fmt::format("{:.1f}", seconds));
+      if (settled) worst = std::max(worst, std::abs(least.error()));
+      rigid = std::abs(least.error());
+    }
+    rows.push_back(row);
   }
   report.table(rows);
-  report.claims({{"Blocks a hundred times stiffer than rock: within 0.05 % of the rigid limit.", rigid < 5e-4,
-                  fmt::format("{:.4f} %", 100 * rigid)}});
+  report.claims(
+      {{"Settled, it is the limit of rigid blocks to 0.2 %, whatever the time step and the stiffness.",
+        worst < 2e-3, percent(worst)},
+       {"Under sudden gravity it is so to 0.05 % when blocks are a hundred times as stiff as rock.",
+        rigid < 5e-4, fmt::format("{:.4f} %", 100 * rigid)}});
 }
 
 void pictures(Report& report) {
@@ -278,8 +294,8 @@ void arch(Report& report) {
   report.paragraph(
       "A semicircular arch of equal trapezoidal voussoirs with radial joints, mean radius R = 10 m, "
       "thickness t, on a "
-      "wide base, under its own weight that comes suddenly; Δt = 0.02 s, E = 35 GPa. It falls when a vertex "
-      "has moved by "
+      "wide base, under its own weight; E = 35 GPa, Δt = 0.02 s. 20 static steps settle it, then it may "
+      "move. It falls when a vertex has moved by "
       "R/50, and stands when it has come to rest instead. The least t/R that stands is found by bisection.");
   report.paragraph(
       "The reference is a limit analysis of rigid voussoirs: is there a horizontal thrust H and a moment M "
