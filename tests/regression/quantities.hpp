@@ -13,9 +13,9 @@ struct Measured {
   double seen = 0;
 };
 
-/// Tolerances are the class' share of a scale of the scene: of forces the weight of the free blocks (without
-/// gravity the largest load, without loads the largest force seen), of lengths the size of the smallest free
-/// block, of energies the largest one seen. Throws Error when the scene cannot be read or the run stops.
+/// Tolerances are the class' share of a scale of the scene: of forces the weight of the free blocks or the
+/// largest load (without either the largest force seen), of displacements the size of the smallest free block
+/// (without any contact the largest displacement seen), of energies the largest one seen. Throws Error when the scene cannot be read or the run stops.
 std::vector<Measured> measure(const ListedScene& scene);
 
 }  // namespace regression
