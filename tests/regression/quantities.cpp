@@ -15,14 +15,13 @@ namespace {
 
 using namespace ddacontact;
 
-constexpr std::pair<const char*, double Energy::*> energies[] = {
-    {"kinetic", &Energy::kinetic},
-    {"elastic", &Energy::elastic},
-    {"gravity", &Energy::gravity},
-    {"friction", &Energy::friction_dissipated},
-    {"damping", &Energy::damping_dissipated},
-    {"numerical", &Energy::numerical_dissipated},
-    {"external", &Energy::external}};
+constexpr std::pair<const char*, double Energy::*> energies[] = {{"kinetic", &Energy::kinetic},
+                                                                 {"elastic", &Energy::elastic},
+                                                                 {"gravity", &Energy::gravity},
+                                                                 {"friction", &Energy::friction_dissipated},
+                                                                 {"damping", &Energy::damping_dissipated},
+                                                                 {"numerical", &Energy::numerical_dissipated},
+                                                                 {"external", &Energy::external}};
 
 /// What the staged method keeps the energy balance to, of the largest energy exchanged.
 constexpr double balance_bound = 1e-6;
@@ -107,13 +106,14 @@ double largest_displacement(const Stepper& stepper) {
 
 /// What is seen of a run on its way.
 struct Extremes {
-  double energy = 0;       ///< largest, J per m
-  double force = 0;        ///< largest of a support or a contact, N per m
+  double energy = 0;        ///< largest, J per m
+  double force = 0;         ///< largest of a support or a contact, N per m
   double displacement = 0;  ///< largest, m
   double penetration = 0;   ///< deepest, of the block size
 
   void see(const Stepper& stepper) {
-    for (const auto& [name, entry] : energies) energy = std::max(energy, std::abs(stepper.energy().now.*entry));
+    for (const auto& [name, entry] : energies)
+      energy = std::max(energy, std::abs(stepper.energy().now.*entry));
     force = std::max(force, stepper.reactions().cwiseAbs().maxCoeff());
     displacement = std::max(displacement, largest_displacement(stepper));
     for (const Contact& contact : stepper.contacts()) {
@@ -211,7 +211,8 @@ std::vector<Measured> measure(const ListedScene& listed) {
   Extremes extremes;
   extremes.see(stepper);
   for (int step = 0; step < scene.n_steps(); ++step) {
-    if (!stepper.step()) throw Error("the run stops in step " + std::to_string(step + 1) + ": " + stepper.stop_reason());
+    if (!stepper.step())
+      throw Error("the run stops in step " + std::to_string(step + 1) + ": " + stepper.stop_reason());
     extremes.see(stepper);
   }
 
@@ -224,8 +225,8 @@ std::vector<Measured> measure(const ListedScene& listed) {
   rows.add("reactions", stepper.reactions().rowwise().sum(), scale.force, "N/m");
   for (const auto& [on, by] : listed.pairs)
     rows.add("force on " + on + " by " + by,
-             force_between(stepper, block_called(built.labels, on), block_called(built.labels, by)), scale.force,
-             "N/m");
+             force_between(stepper, block_called(built.labels, on), block_called(built.labels, by)),
+             scale.force, "N/m");
   for (const auto& [name, entry] : energies)
     rows.add(name + std::string(" energy"), stepper.energy().now.*entry, scale.energy, "J/m");
   if (moves) add_momenta(stepper, scale, rows);
@@ -236,12 +237,12 @@ std::vector<Measured> measure(const ListedScene& listed) {
   if (listed.scene_class != SceneClass::chaotic) rows.exact("closed contacts", stepper.counts().contacts);
   if (staged) {
     rows.bound("balance error", stepper.energy().balance_error(), balance_bound);
-    rows.bound("penetration", extremes.penetration,
-               penetration_margin * scene.contact.penetration_tolerance);
+    rows.bound("penetration", extremes.penetration, penetration_margin * scene.contact.penetration_tolerance);
     rows.bound("unconverged substeps", stepper.counts().unconverged, 0);
   } else {
     rows.add("penetration", extremes.penetration, 1, "1");
-    if (listed.scene_class != SceneClass::chaotic) rows.exact("unconverged substeps", stepper.counts().unconverged);
+    if (listed.scene_class != SceneClass::chaotic)
+      rows.exact("unconverged substeps", stepper.counts().unconverged);
   }
   return std::move(rows.measured);
 }

@@ -15,7 +15,8 @@ struct Measured {
 
 /// Tolerances are the class' share of a scale of the scene: of forces the weight of the free blocks or the
 /// largest load (without either the largest force seen), of displacements the size of the smallest free block
-/// (without any contact the largest displacement seen), of energies the largest one seen. Throws Error when the scene cannot be read or the run stops.
+/// (without any contact the largest displacement seen), of energies the largest one seen. Throws Error when
+/// the scene cannot be read or the run stops.
 std::vector<Measured> measure(const ListedScene& scene);
 
 }  // namespace regression

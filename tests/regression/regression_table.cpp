@@ -42,7 +42,7 @@ bool agrees(const ListedScene& scene, const std::vector<Measured>& measured, con
       continue;
     }
     const double deviation = row.deviation(found->seen);
-    if (deviation > worst) {
+    if (row.expectation == Expectation::computed && deviation > worst) {
       worst = deviation;
       where = row.quantity;
     }
@@ -51,7 +51,7 @@ bool agrees(const ListedScene& scene, const std::vector<Measured>& measured, con
                found->seen, name_of(row.expectation), row.value, row.unit, deviation);
     ++deviations;
   }
-  fmt::print("{}: {} numbers, the largest deviation {:.2g} of what it may be{}\n", scene.name,
+  fmt::print("{}: {} numbers, computed ones have changed by {:.2g} of what they may{}\n", scene.name,
              measured.size(), worst, where.empty() ? "" : " (" + where + ")");
   return deviations == 0;
 }
@@ -61,7 +61,8 @@ void replace(const std::string& scene, const std::vector<Measured>& measured, st
   std::vector<Row> known;
   for (const Row& row : table)
     if (row.scene == scene && row.expectation == Expectation::known) known.push_back(row);
-  const auto first = std::find_if(table.begin(), table.end(), [&](const Row& row) { return row.scene == scene; });
+  const auto first =
+      std::find_if(table.begin(), table.end(), [&](const Row& row) { return row.scene == scene; });
   const auto place = first - table.begin();
   std::erase_if(table, [&](const Row& row) { return row.scene == scene; });
   std::vector<Row> rows;
@@ -73,7 +74,8 @@ void replace(const std::string& scene, const std::vector<Measured>& measured, st
 int run(bool write, const std::vector<std::string>& names) {
   const std::vector<ListedScene> scenes = read_scene_list(directory / "scenes.csv");
   for (const std::string& name : names)
-    if (std::none_of(scenes.begin(), scenes.end(), [&](const ListedScene& scene) { return scene.name == name; }))
+    if (std::none_of(scenes.begin(), scenes.end(),
+                     [&](const ListedScene& scene) { return scene.name == name; }))
       throw Error("scenes.csv has no scene \"" + name + "\"");
   std::vector<Row> table = read_table(directory / "table.csv");
   bool all_agree = true;
