@@ -250,7 +250,7 @@ struct Peer {
 const std::array peers{Peer{"classic, dda, p = E", Scheme::dda, 1},
                        Peer{"classic, dda, p = 40 E", Scheme::dda, 40},
                        Peer{"classic, dda, p = 1000 E", Scheme::dda, 1000},
-                       Peer{"classic, newmark (1/4, 1/2), p = 40 E", Scheme::newmark, 40},
+                       Peer{"classic, newmark, p = 40 E", Scheme::newmark, 40},
                        Peer{"classic, backward_euler, p = 40 E", Scheme::backward_euler, 40}};
 
 Setting of(const Peer& peer, double dt) {

@@ -247,10 +247,11 @@ void fronts(Report& report) {
     profile.name = called;
     chart.series.push_back(profile);
   }
-  report.picture(
-      "dda_wave_profiles",
-      draw({chart}, {.title = "Velocity when the front is at 15 m, 80 bonded blocks", .plot_height = 300}),
-      "Velocity of the blocks along the bar when the front is at three quarters of it.");
+  report.picture("dda_wave_profiles",
+                 draw({chart}, {.title = "Velocity when the front is at 15 m, 80 bonded blocks",
+                                .width = 760,
+                                .plot_height = 300}),
+                 "Velocity of the blocks along the bar when the front is at three quarters of it.");
 }
 
 /// Of a joint's springs in series with the blocks.
