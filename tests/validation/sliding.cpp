@@ -166,6 +166,7 @@ BuiltScene sliding_steadily(const Slider& slider, const Tolerances& tolerances) 
   scene.contact.penetration_tolerance = tolerances.penetration;
   StageDescription settling = scene.stage("settling");
   settling.analysis.mode = Mode::statics;
+  settling.analysis.scheme = Scheme::decaying;
   settling.analysis.time_step = settling_time / steps;
   settling.analysis.steps = steps;
   settling.analysis.gravity =
@@ -495,12 +496,16 @@ void convergence(Report& report) {
     if (method.scheme == Scheme::midpoint) order_midpoint = order;
   }
   report.table(rows);
-  report.claims({{"Rigid motion converges with order 2 by the default scheme and by midpoint (1.9 at least).",
-                  least_order >= 1.9, fmt::format("{:.2f}", least_order)},
-                 {"Deformation converges with order 1 by the default scheme (0.9 at least), 2 by midpoint "
-                  "(1.8 at least).",
-                  order_decaying >= 0.9 && order_midpoint >= 1.8,
-                  fmt::format("{:.2f}, {:.2f}", order_decaying, order_midpoint)}});
+  report.claims(
+      {{"Rigid motion converges with order 2 by the default scheme and by midpoint (1.9 at least).",
+        least_order >= 1.9, fmt::format("{:.2f}", least_order)},
+       {"Deformation converges with order 2 by midpoint (1.8 at least).", order_midpoint >= 1.8,
+        fmt::format("{:.2f}", order_midpoint)},
+       {"Deformation converges with order 1 by the default scheme (0.9 at least).", order_decaying >= 0.9,
+        fmt::format("{:.2f}. {}", order_decaying,
+                    order_decaying >= 0.9
+                        ? ""
+                        : "For the reason above it comes within some 0.3 %, not to the same.")}});
 }
 
 }  // namespace
