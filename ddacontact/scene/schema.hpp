@@ -27,7 +27,8 @@ inline constexpr Key max_displacement_ratio{
         "the start.",
     .bounds = positive};
 inline constexpr Key gravity{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"};
-inline constexpr Key scheme{.name = "scheme", .what = "Time scheme."};
+inline constexpr Key scheme{.name = "scheme",
+                            .what = "Time scheme; static steps of \"midpoint\" are made by \"decaying\"."};
 inline constexpr Key beta{.name = "beta",
                           .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
                           .bounds = positive,

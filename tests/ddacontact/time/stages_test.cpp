@@ -175,6 +175,22 @@ TEST(Stages, AStaticStageTakesTheVelocitiesOut) {
   EXPECT_LE(std::abs(stepper.energy().balance_error()), 1e-9);
 }
 
+TEST(Stages, EverySchemeSettlesInStaticSteps) {
+  for (const Scheme scheme :
+       {Scheme::decaying, Scheme::midpoint, Scheme::dda, Scheme::newmark, Scheme::backward_euler}) {
+    Scene scene = slope_scene(20, 30);
+    scene.analysis.scheme = scheme;
+    scene.stages = {settling(scene, 10)};
+    scene.stages[0].reset_displacements = false;
+    BuiltScene built = build(scene);
+    run(*built.stepper, 10);
+    const Points before = built.stepper->blocks().displacements(built.stepper->state());
+    run(*built.stepper, 1);
+    const Points after = built.stepper->blocks().displacements(built.stepper->state());
+    EXPECT_LE((after - before).norm(), 1e-6 * before.norm()) << static_cast<int>(scheme);
+  }
+}
+
 TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
   Scene scene = beam_scene();
   scene.blocks[3].velocity = Vec2(0.5, 0);
