@@ -64,7 +64,8 @@ double fastest(const Stepper& stepper) {
   return stepper.state().velocity.cwiseAbs().maxCoeff();
 }
 
-/// Carries an arch on until a vertex has moved by `displacement`: true; or it has come to rest: false.
+/// Carries an arch on until a vertex has moved by `displacement`: true; until it has come to rest, or
+/// most_time: false.
 bool moves(Stepper& stepper, double displacement) {
   while (stepper.state().time < most_time) {
     run(stepper, 1);

@@ -124,7 +124,8 @@ Scene slope_scene(const Slope& slope, double friction_angle, Foot foot) {
   return scene;
 }
 
-/// Carries a slope on until a vertex has moved by `displacement`: true; or it has come to rest: false.
+/// Carries a slope on until a vertex has moved by `displacement`: true; until it has come to rest, or
+/// most_time: false.
 bool moves(Stepper& stepper, double displacement) {
   while (stepper.state().time < most_time) {
     run(stepper, 1);
