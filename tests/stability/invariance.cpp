@@ -33,10 +33,9 @@ void show(Page& page, Report& report, const std::vector<NamedScene>& scenes,
   int n_plain = 0, n_apart = 0;
   for (const NamedScene& named : scenes) {
     const Agreement agreement = compare(named, restatements, steps_if_chaotic);
-    if (agreement.hangs_on_last_digits())
+    if (agreement.hangs_on_last_digits() || agreement.apart > asked)
       rows.push_back({named.name, figure(agreement.apart), agreement.worst, figure(agreement.shaken)});
-    else
-      worst = std::max(worst, agreement.apart);
+    if (!agreement.hangs_on_last_digits()) worst = std::max(worst, agreement.apart);
     n_plain += !agreement.hangs_on_last_digits();
     n_apart += agreement.apart > asked;
   }
@@ -46,7 +45,9 @@ void show(Page& page, Report& report, const std::vector<NamedScene>& scenes,
       "two of those that do as well leave blocks about as far apart. The table has all scenes whose ten "
       "steps "
       "differ by more than 1e-11 L when nothing but the last digit of each coordinate is changed by lot "
-      "(\"shaken\", the largest of four):");
+      "(\"shaken\", the largest of four), and those that are more than 1e-10 L apart. With a penetration "
+      "tolerance of "
+      "1e-12 instead of 1e-6 the frames agree to 1e-10 L: an augmentation more or less is the difference.");
   report.table(rows);
   claims.push_back(
       {fmt::format("To 1e-10 L after {} steps: scenes that do not hang on their last digits.",

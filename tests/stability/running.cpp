@@ -89,7 +89,9 @@ void ratios(Page& page) {
       "flips is a "
       "light block on a heavy one: the heavy one spreads under its own weight and draws the light one's "
       "corners apart "
-      "until friction is at its bound, where sticking and slipping are both right.");
+      "until friction is at its bound, where sticking and slipping are both right. Forces stray in single "
+      "steps, by a spring times the last digits of a coordinate (mechanics.md looks after the last step "
+      "only).");
   std::vector<std::vector<std::string>> rows{
       {"stack", "dynamic, soft start", "static, soft start", "dynamic, default", "static, default"}};
   double worst[2] = {0, 0};
@@ -198,9 +200,9 @@ void slope(Page& page) {
 }
 
 void momentum(Page& page) {
-  Report& report =
-      page.begin({"Linear momentum without external force", "1e-12 of the sum of |m v| per 1e4 steps",
-                  "`Impact.OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy`, mechanics.md 4"});
+  Report& report = page.begin({"Linear momentum without external force",
+                               "1e-12 of the sum of all blocks' m v per 1e4 steps",
+                               "`Impact.OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy`, mechanics.md 4"});
   report.paragraph(
       "Four bonded squares that fly and turn, whose contacts bear in every step, and a block that bounces to "
       "and "
