@@ -79,7 +79,8 @@ Restatement blocks(const std::string& name, unsigned seed) {
 
 std::vector<Restatement> binary_units() {
   return {units("2^10 m", {1024, 1, 1}), units("2^-6 m", {1. / 64, 1, 1}), units("2^20 kg", {1, 1 << 20, 1}),
-          units("2^-8 s", {1, 1, 1. / 256}), units("2^-20 m, 2^10 kg, 2^8 s", {std::ldexp(1, -20), 1024, 256})};
+          units("2^-8 s", {1, 1, 1. / 256}),
+          units("2^-20 m, 2^10 kg, 2^8 s", {std::ldexp(1, -20), 1024, 256})};
 }
 
 std::vector<Restatement> decimal_units() {
@@ -97,7 +98,8 @@ std::vector<Restatement> other_views() {
   Mat2 quarter, mirror;
   quarter << 0, -1, 1, 0;
   mirror << -1, 0, 0, 1;
-  const Mat2 small = Eigen::Rotation2Dd(0.3).toRotationMatrix(), large = Eigen::Rotation2Dd(2).toRotationMatrix();
+  const Mat2 small = Eigen::Rotation2Dd(0.3).toRotationMatrix(),
+             large = Eigen::Rotation2Dd(2).toRotationMatrix();
   return {view("turned by 90 degrees", quarter),
           view("turned by 180 degrees", -Mat2::Identity()),
           view("turned by 0.3 rad", small),

@@ -20,12 +20,13 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
   Stepper& stepper = *built.stepper;
   const Energy& energy = stepper.energy().now;
   ContactCheck check;
-  double friction = 0, largest_kinetic = energy.kinetic;
+  double friction = 0, impacts = 0, largest_energy = 0;
   for (int k = 0; k < steps; ++k) {
     if (!stepper.step()) {
       check.stopped_by = stepper.stop_reason();
       break;
     }
+    largest_energy = std::max({largest_energy, energy.kinetic, energy.elastic, std::abs(energy.gravity)});
     double largest = 0;
     for (const Contact& contact : stepper.contacts())
       largest = std::max(largest, std::hypot(contact.normal, contact.shear));
@@ -38,12 +39,13 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
                                 (-contact.normal - bond(law.tension, contact)) / largest});
       if (!is_slipping(contact.history.state) || contact.shear == 0) continue;
       const double slipped = contact.end_slip - slip(contact.motion.start, contact.history.lock);
-      check.work = std::max(check.work, contact.shear * slipped / (std::abs(contact.shear) * contact.size));
+      check.work = std::max(check.work, std::copysign(1, contact.shear) * slipped / contact.size);
+      check.work_over_energy = std::max(check.work_over_energy, contact.shear * slipped / largest_energy);
     }
-    largest_kinetic = std::max(largest_kinetic, energy.kinetic);
-    if (largest_kinetic > 0)
-      check.friction_gain = std::max(check.friction_gain, (friction - energy.friction_dissipated) / largest_kinetic);
+    const double fall = std::max(friction - energy.friction_dissipated, impacts - energy.damping_dissipated);
+    if (fall > 0) check.dissipation_falls = std::max(check.dissipation_falls, fall / largest_energy);
     friction = energy.friction_dissipated;
+    impacts = energy.damping_dissipated;
   }
   return check;
 }

@@ -7,12 +7,14 @@
 
 namespace stability {
 
-/// Over the steps of a run, with every substep a step of its own where the scene asks for none smaller.
+/// The worst after any step of a run.
 struct ContactCheck {
-  long contacts = 0;          ///< closed ones looked at
-  double outside = 0;         ///< shear beyond the bound, or tension beyond its, over the largest contact force
-  double work = 0;            ///< gained by the slip of a contact, over its shear times the block's size
-  double friction_gain = 0;   ///< fall of the energy dissipated by friction in a step, over the largest kinetic
+  long contacts = 0;   ///< closed ones looked at
+  double outside = 0;  ///< shear beyond its bound, or tension beyond its, over the largest contact force
+  double work = 0;     ///< slip of a sliding contact with its friction instead of against it, over its size
+  double work_over_energy =
+      0;  ///< the work that friction does so, over the largest energy in the scene so far
+  double dissipation_falls = 0;  ///< what friction or impacts have dissipated becomes less, over the same
   std::string stopped_by;
 };
 ContactCheck check_contacts(const ddacontact::Scene& scene, int steps);

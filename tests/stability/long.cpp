@@ -1,6 +1,6 @@
 /// \file What of doc/verification/stability.md takes minutes: `stability_long FILE [RECORDED]` writes a line
-/// `name,passes,figures` for each thing asked; given those recorded before it fails where one passes no more, or
-/// does now.
+/// `name,passes,figures` for each thing asked; given those recorded before it fails where one passes no more,
+/// or does now.
 #include "changes.hpp"
 #include "forces.hpp"
 #include "page.hpp"
@@ -40,10 +40,9 @@ std::vector<NamedScene> random_scenes(int of_drops, int of_any) {
   for (int k = 0; k < of_drops; ++k)
     scenes.push_back({fmt::format("drop {}", k), support::random_drop(static_cast<std::uint64_t>(k)), false});
   for (int k = 0; k < of_any; ++k)
-    scenes.push_back({fmt::format("any shapes {}", k), support::any_drop(static_cast<std::uint64_t>(k)), false});
+    scenes.push_back(
+        {fmt::format("any shapes {}", k), support::any_drop(static_cast<std::uint64_t>(k)), false});
   for (NamedScene& named : scenes) named.scene.analysis.steps = std::min(named.scene.analysis.steps, 40);
-  for (NamedScene& named : scenes_of_every_kind())
-    if (named.takes_long) scenes.push_back(std::move(named));
   return scenes;
 }
 
@@ -60,7 +59,8 @@ void moved(Record& record, const std::vector<NamedScene>& scenes) {
     }
   }
   record.add("moved", others == 0 && furthest <= 1e-9,
-             fmt::format("{} scenes; {} runs with other counts; {} L apart", scenes.size(), others, figure(furthest)));
+             fmt::format("{} scenes; {} runs with other counts; {} L apart", scenes.size(), others,
+                         figure(furthest)));
 }
 
 void scaled(Record& record, const std::vector<NamedScene>& scenes) {
@@ -97,9 +97,10 @@ void seen_otherwise(Record& record, const std::string& name, const std::vector<N
     }
   }
   record.add(name, apart == 0,
-             fmt::format("{} scenes, 10 steps, {} ways: {} apart by more than 1e-10 L; {} hang on their last digits; "
-                         "the others {} L apart at most{}",
-                         scenes.size(), restatements.size(), apart, hanging, figure(worst), worst_scene));
+             fmt::format(
+                 "{} scenes, 10 steps, {} ways: {} apart by more than 1e-10 L; {} hang on their last digits; "
+                 "the others {} L apart at most{}",
+                 scenes.size(), restatements.size(), apart, hanging, figure(worst), worst_scene));
 }
 
 void stack_at_rest(Record& record) {
@@ -118,8 +119,8 @@ void stack_at_rest(Record& record) {
     const Vec2 all = stepper.reactions().rowwise().sum();
     reaction = std::max({reaction, std::abs(all.y() - floor - weight) / weight, std::abs(all.x()) / weight});
     if (k % 100 == 99)
-      creep = std::max(creep,
-                       (stepper.blocks().displacements(stepper.state()) - before).colwise().norm().maxCoeff());
+      creep = std::max(
+          creep, (stepper.blocks().displacements(stepper.state()) - before).colwise().norm().maxCoeff());
   }
   record.add("stack creep", creep <= 1e-9, figure(creep) + " m");
   record.add("stack reaction", reaction <= 1e-8, figure(reaction));
@@ -127,27 +128,26 @@ void stack_at_rest(Record& record) {
 }
 
 void contacts(Record& record) {
-  constexpr int n_scenes = 900;
+  constexpr int n_scenes = 450;
   ContactCheck worst;
   int stopped = 0;
-  std::string where;
   for (std::uint64_t seed = 0; seed < n_scenes; ++seed) {
     const Scene scene = support::random_drop(seed);
     const ContactCheck check = check_contacts(scene, scene.n_steps());
-    if (std::max({check.outside, check.work, check.friction_gain}) >
-        std::max({worst.outside, worst.work, worst.friction_gain}))
-      where = fmt::format("; scene {} ({})", seed, name_of(support::drop_kind(seed)));
     worst.contacts += check.contacts;
     worst.outside = std::max(worst.outside, check.outside);
     worst.work = std::max(worst.work, check.work);
-    worst.friction_gain = std::max(worst.friction_gain, check.friction_gain);
+    worst.work_over_energy = std::max(worst.work_over_energy, check.work_over_energy);
+    worst.dissipation_falls = std::max(worst.dissipation_falls, check.dissipation_falls);
     stopped += !check.stopped_by.empty();
   }
-  record.add("contacts", std::max({worst.outside, worst.work, worst.friction_gain}) <= 1e-12 && stopped == 0,
-             fmt::format("{} contacts; {} outside the cone, {} against the slip, {} of the dissipation; {} scenes "
-                         "stopped{}",
-                         worst.contacts, figure(worst.outside), figure(worst.work), figure(worst.friction_gain),
-                         stopped, where));
+  const std::string of = fmt::format(" of {} contacts in {} scenes", worst.contacts, n_scenes);
+  record.add("cone", worst.outside <= 1e-12, figure(worst.outside) + of);
+  record.add("slip", worst.work <= 1e-12, figure(worst.work) + " L" + of);
+  record.add("dissipation", std::max(worst.work_over_energy, worst.dissipation_falls) <= 1e-6,
+             fmt::format("{} by one contact, {} in all", figure(worst.work_over_energy),
+                         figure(worst.dissipation_falls)));
+  record.add("scenes stopped", stopped == 0, fmt::format("{} of {}", stopped, n_scenes));
 }
 
 void momentum(Record& record) {
@@ -158,8 +158,8 @@ void momentum(Record& record) {
     const double flying = momentum_drift(flying_assembly(scheme.scheme), 10000),
                  bouncing = momentum_drift(bouncing_in_a_box(scheme.scheme), 10000);
     worst = std::max({worst, flying, bouncing});
-    figures += fmt::format("{}{}: {} bonded, {} bouncing", figures.empty() ? "" : "; ", scheme.name, figure(flying),
-                           figure(bouncing));
+    figures += fmt::format("{}{}: {} bonded, {} bouncing", figures.empty() ? "" : "; ", scheme.name,
+                           figure(flying), figure(bouncing));
   }
   record.add("momentum", worst <= 1e-12, figures);
 }
@@ -187,13 +187,13 @@ int main(int argc, char** argv) {
     polyfem::pin_blas_to_one_thread();
     {
       Record record(argv[1]);
-      const std::vector<NamedScene> scenes = random_scenes(270, 100);
+      const std::vector<NamedScene> scenes = random_scenes(54, 24);
+      momentum(record);
       moved(record, scenes);
       scaled(record, scenes);
       seen_otherwise(record, "units", scenes, decimal_units());
       seen_otherwise(record, "turned", scenes, other_views());
       contacts(record);
-      momentum(record);
       stack_at_rest(record);
     }
     return argc == 3 && !as_recorded(argv[1], argv[2]) ? 1 : 0;

@@ -14,7 +14,8 @@ LongRecord read_long_record(const std::string& path) {
   for (std::string line; std::getline(in, line);) {
     const std::size_t first = line.find(','), second = line.find(',', first + 1);
     if (second == std::string::npos) throw polyfem::Error("\"" + path + "\": not a record: " + line);
-    record[line.substr(0, first)] = {line.substr(second + 1), line.substr(first + 1, second - first - 1) == "yes"};
+    record[line.substr(0, first)] = {line.substr(second + 1),
+                                     line.substr(first + 1, second - first - 1) == "yes"};
   }
   return record;
 }
@@ -51,7 +52,7 @@ Claim Page::quoted(const std::string& page, const std::string& said) {
 
 Claim Page::recorded(const std::string& said, const std::string& name) const {
   const auto entry = recorded_.find(name);
-  if (entry == recorded_.end()) throw polyfem::Error("the long suite has not recorded \"" + name + "\"");
+  if (entry == recorded_.end()) return {said, false, "not recorded yet (long suite)"};
   return {said, entry->second.passes, entry->second.figures + " (long suite)"};
 }
 
@@ -60,7 +61,7 @@ void Page::write(const std::string& front) const {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Summary& summary = rows_[k];
     table += fmt::format("| {}. {} | {} | {} |\n", k + 1, summary.row.test, summary.row.passes_when,
-                         summary.claims == 0               ? "not yet"
+                         summary.claims == 0 ? "by its tests"
                          : summary.seen == summary.claims
                              ? "all"
                              : fmt::format("**{} of {}**", summary.seen, summary.claims));

@@ -28,14 +28,15 @@ LongRecord read_long_record(const std::string& path);
 
 class Page {
  public:
-  Page(const std::string& directory, LongRecord recorded) : report_(directory, "asked"), recorded_(std::move(recorded)) {}
+  Page(const std::string& directory, LongRecord recorded)
+      : report_(directory, "asked"), recorded_(std::move(recorded)) {}
 
   /// Begins a row: a heading, when it passes, where else it is tested. Returns what to add to.
   Report& begin(const Row& row);
   void claims(const std::vector<Claim>& claims);
   /// A claim of another page of doc/verification: the first line there that says so. Throws Error: none does.
   static Claim quoted(const std::string& page, const std::string& said);
-  /// What the long suite recorded, as a claim.
+  /// What the long suite recorded, as a claim; not seen when it has not.
   Claim recorded(const std::string& said, const std::string& name) const;
   void write(const std::string& front) const;
 

@@ -22,11 +22,11 @@ Scene read(const SceneReading& reading) {
 }
 
 Scene example(const std::string& name, const std::vector<std::string>& settings = {}) {
-  return read(read_scene(POLYDDA_EXAMPLES "/paper/" + name + ".toml", settings));
+  return read(read_scene(POLYDDA_EXAMPLES "/" + name + ".toml", settings));
 }
 
-const std::vector<std::string> default_mechanics{
-    "analysis.preset=default", "analysis.max_displacement_ratio=0.1"};
+const std::vector<std::string> default_mechanics{"analysis.preset=default",
+                                                 "analysis.max_displacement_ratio=0.1"};
 
 /// A frame of beams and plates of every model, held, moved and loaded in every way.
 constexpr const char* frame = R"(format = 1
@@ -177,12 +177,13 @@ Scene text_scene(const char* text, const std::vector<std::string>& settings = {}
 
 std::vector<NamedScene> scenes_of_every_kind() {
   std::vector<NamedScene> scenes;
-  for (const char* name : {"sliding_0", "sliding_15", "sliding_40", "arch_frictionless", "arch_friction30",
-                           "voronoi_gravity", "voronoi_push"}) {
-    scenes.push_back({name, example(name)});
-    scenes.push_back({std::string(name) + ", default mechanics", example(name, default_mechanics),
-                      std::string(name).starts_with("voronoi")});
+  for (const std::string name : {"sliding_0", "sliding_15", "sliding_30", "sliding_40", "arch_frictionless",
+                                 "arch_friction30", "voronoi_gravity", "voronoi_push"}) {
+    scenes.push_back({name, example("paper/" + name)});
+    scenes.push_back({name + ", default mechanics", example("paper/" + name, default_mechanics),
+                      name.starts_with("voronoi")});
   }
+  scenes.push_back({"excavation", example("excavation")});
   for (int k = 0; k < support::n_drop_kinds; ++k) {
     const auto seed = static_cast<std::uint64_t>(k + 2 * support::n_drop_kinds);
     scenes.push_back({"drop of " + name_of(support::drop_kind(seed)), support::random_drop(seed)});
@@ -195,10 +196,11 @@ std::vector<NamedScene> scenes_of_every_kind() {
     if (name != "slope_stays" && name != "slope_slides") scenes.push_back({name, scene});
   scenes.push_back({"frame", text_scene(frame)});
   for (const char* scheme : {"midpoint", "newmark", "backward_euler", "dda"})
-    scenes.push_back({std::string("frame, ") + scheme,
-                      text_scene(frame, {std::string("analysis.scheme=") + scheme})});
+    scenes.push_back(
+        {std::string("frame, ") + scheme, text_scene(frame, {std::string("analysis.scheme=") + scheme})});
   scenes.push_back({"beams", text_scene(beams)});
-  for (NamedScene& named : scenes) named.scene.analysis.steps = std::min(named.scene.analysis.steps, 40);
+  for (NamedScene& named : scenes)
+    if (named.scene.stages.empty()) named.scene.analysis.steps = std::min(named.scene.analysis.steps, 25);
   return scenes;
 }
 
@@ -236,9 +238,8 @@ double smallest_size(const Scene& scene) {
 double distance(const Run& one, const Run& other, const Mat2& by) {
   double largest = 0;
   for (std::size_t b = 0; b < one.displacements.size(); ++b)
-    largest = std::max(
-        largest,
-        (other.displacements[b] - by * one.displacements[b]).colwise().norm().maxCoeff());
+    largest =
+        std::max(largest, (other.displacements[b] - by * one.displacements[b]).colwise().norm().maxCoeff());
   return largest;
 }
 

@@ -17,8 +17,9 @@ struct NamedScene {
 };
 
 /// The paper's examples, as they are and with the default mechanics; one drop of each kind of
-/// support/random_scenes.hpp and support/any_drops.hpp; hard ones of support/made_scenes.hpp; beams, frames and
-/// columns of all models with supports, loads, monitors, damping, bonds, materials and stages; each scheme.
+/// support/random_scenes.hpp and support/any_drops.hpp; hard ones of support/made_scenes.hpp; beams, frames
+/// and columns of all models with supports, loads, monitors, damping, bonds, materials and stages; each
+/// scheme.
 std::vector<NamedScene> scenes_of_every_kind();
 
 /// A run to its end, or to where it stopped.

@@ -69,7 +69,8 @@ void threads(Page& page) {
                               {"arch_friction30", "--set output.refine=2"},
                               {"voronoi_push", "--steps 5"}};
   report.paragraph(
-      "`dda run` with `--threads 1` and `--threads 2`, ten times each: every file of the result directory but for "
+      "`dda run` with `--threads 1` and `--threads 2`, ten times each: every file of the result directory "
+      "but for "
       "`wall_seconds` and `peak_memory_mb`.");
   const Scratch scratch;
   int other = 0, files = 0;
@@ -78,9 +79,9 @@ void threads(Page& page) {
     for (int k = 0; k < 2 * n_runs; ++k) {
       const fs::path out = scratch.path() / "out";
       fs::remove_all(out);
-      const std::string command =
-          fmt::format("'{}' run '{}/paper/{}.toml' {} --threads {} --quiet -o '{}' > /dev/null 2>&1", POLYDDA_PROGRAM,
-                      POLYDDA_EXAMPLES, example.name, example.options, 1 + k % 2, out.string());
+      const std::string command = fmt::format(
+          "'{}' run '{}/paper/{}.toml' {} --threads {} --quiet -o '{}' > /dev/null 2>&1", POLYDDA_PROGRAM,
+          POLYDDA_EXAMPLES, example.name, example.options, 1 + k % 2, out.string());
       if (std::system(command.c_str()) != 0) throw polyfem::Error("failed: " + command);
       const auto now = results(out);
       if (k == 0) {
@@ -92,8 +93,8 @@ void threads(Page& page) {
     }
   }
   page.claims({{"The same bytes.", other == 0,
-                fmt::format("{} of {} runs of {} scenes have other ones than the first; {} files each time", other,
-                            2 * n_runs * std::size(examples), std::size(examples), files)}});
+                fmt::format("{} of {} runs of {} scenes have other ones than the first; {} files each time",
+                            other, 2 * n_runs * std::size(examples), std::size(examples), files)}});
 }
 
 }  // namespace stability

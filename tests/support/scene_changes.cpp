@@ -51,7 +51,9 @@ Scene moved(Scene scene, const Vec2& by) {
 }
 
 Scene on_grid(Scene scene, double spacing) {
-  const auto rounded = [&](const auto& x) { return ((x.array() / spacing).round() * spacing).matrix().eval(); };
+  const auto rounded = [&](const auto& x) {
+    return ((x.array() / spacing).round() * spacing).matrix().eval();
+  };
   for (BlockDescription& block : scene.blocks) block.vertices = rounded(block.vertices);
   for (Load& load : scene.loads) load.at = rounded(load.at);
   for (Monitor& monitor : scene.monitors) monitor.at = rounded(monitor.at);
@@ -136,7 +138,8 @@ Scene shaken(Scene scene, unsigned seed) {
 
 Scene renumbered(Scene scene, int shift, bool other_way) {
   std::vector<int> counts;
-  for (const BlockDescription& block : scene.blocks) counts.push_back(static_cast<int>(block.vertices.cols()));
+  for (const BlockDescription& block : scene.blocks)
+    counts.push_back(static_cast<int>(block.vertices.cols()));
   const auto number = [&](int block, int k) {
     const int n = counts[static_cast<std::size_t>(block)], moved_on = (k + shift) % n;
     return other_way ? n - 1 - moved_on : moved_on;

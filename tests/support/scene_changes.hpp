@@ -32,8 +32,8 @@ Scene scaled(Scene scene, const Units& by);
 /// be turned by quarters and mirrored on an axis only; Error otherwise.
 Scene turned(Scene scene, const Mat2& by);
 
-/// Every coordinate by its last digit, up, down or not at all, by lot: what is not in the scene but in how its
-/// numbers are rounded.
+/// Every coordinate by its last digit, up, down or not at all, by lot: what is not in the scene but in how
+/// its numbers are rounded.
 Scene shaken(Scene scene, unsigned seed);
 
 /// Vertex k of each block becomes number (k + shift) modulo n; or the other way round.

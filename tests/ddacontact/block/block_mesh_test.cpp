@@ -93,4 +93,18 @@ TEST(BlockMesh, ACellSizeTakesThePlaceOfANumber) {
   EXPECT_THROW(divide(square, mesh), Error);
 }
 
+/// A grid has as many cells along a side whichever vertex comes first.
+TEST(BlockMesh, QuadsDoNotDependOnTheNumberingOfTheOutline) {
+  for (const double length : {1., 2.5, 12., 100.})
+    for (const int cells : {1, 12, 32, 49}) {
+      const Points outline = support::points({{0, 0}, {length, 0}, {length, 1}, {0.1, 1}}),
+                   next = support::points({{length, 0}, {length, 1}, {0.1, 1}, {0, 0}});
+      const BlockMesh one = divide(outline, options(CellKind::quads, cells)),
+                      other = divide(next, options(CellKind::quads, cells));
+      ASSERT_EQ(one.places.cols(), other.places.cols()) << length << ' ' << cells;
+      for (const Vec2& x : one.places.colwise())
+        EXPECT_LE((other.places.colwise() - x).colwise().norm().minCoeff(), 1e-14 * length);
+    }
+}
+
 }  // namespace

@@ -58,6 +58,14 @@ TEST_P(AdjointBounds, AreSharpAlongEdges) {
   }
 }
 
+TEST_P(AdjointBounds, HaveTheSameDigitsInAnyBinaryUnitOfLength) {
+  const Points polygon = support::random_convex_polygon(GetParam(), random_);
+  const Vec2 p = support::random_point_in(polygon, random_), q = support::random_point_in(polygon, random_);
+  const double reach = AdjointBound(polygon).reach(p, q);
+  for (const double unit : {1. / 1024, 8., 1048576.})
+    EXPECT_EQ(AdjointBound(unit * polygon).reach(unit * p, unit * q), reach) << unit;
+}
+
 TEST(AdjointBoundsOfParallelograms, AreInfinitelyFar) {
   Points polygon(2, 4);
   polygon << -1, 1, 1.5, -0.5,  //
