@@ -235,14 +235,15 @@ std::vector<Measured> measure(const ListedScene& listed) {
   for (const Probe& probe : built.probes)
     if (stepper.blocks().is_present(probe.block())) add_monitor(probe, stepper, moves, scale, rows);
   if (listed.scene_class != SceneClass::chaotic) rows.exact("closed contacts", stepper.counts().contacts);
+  if (scene.contact.penetration_tolerance > 0)
+    rows.bound("penetration", extremes.penetration, penetration_margin * scene.contact.penetration_tolerance);
+  else
+    rows.add("penetration", extremes.penetration, 1, "1");
   if (staged) {
     rows.bound("balance error", stepper.energy().balance_error(), balance_bound);
-    rows.bound("penetration", extremes.penetration, penetration_margin * scene.contact.penetration_tolerance);
     rows.bound("unconverged substeps", stepper.counts().unconverged, 0);
-  } else {
-    rows.add("penetration", extremes.penetration, 1, "1");
-    if (listed.scene_class != SceneClass::chaotic)
-      rows.exact("unconverged substeps", stepper.counts().unconverged);
+  } else if (listed.scene_class != SceneClass::chaotic) {
+    rows.exact("unconverged substeps", stepper.counts().unconverged);
   }
   return std::move(rows.measured);
 }

@@ -56,19 +56,23 @@ bool agrees(const ListedScene& scene, const std::vector<Measured>& measured, con
   return deviations == 0;
 }
 
-/// The table in the order of the list, with the numbers of one scene in place of those it had.
+/// The numbers of a scene in place of those that the table had of it, but for what is known.
 void replace(const std::string& scene, const std::vector<Measured>& measured, std::vector<Row>& table) {
-  std::vector<Row> known;
-  for (const Row& row : table)
-    if (row.scene == scene && row.expectation == Expectation::known) known.push_back(row);
-  const auto first =
-      std::find_if(table.begin(), table.end(), [&](const Row& row) { return row.scene == scene; });
-  const auto place = first - table.begin();
-  std::erase_if(table, [&](const Row& row) { return row.scene == scene; });
-  std::vector<Row> rows;
-  for (const Measured& one : measured) rows.push_back(one.row);
-  rows.insert(rows.end(), known.begin(), known.end());
-  table.insert(table.begin() + place, rows.begin(), rows.end());
+  std::erase_if(table,
+                [&](const Row& row) { return row.scene == scene && row.expectation != Expectation::known; });
+  for (const Measured& one : measured) table.push_back(one.row);
+}
+
+/// Sorts by the order of the list, what is known last; throws Error for rows of a scene that is not listed.
+void sort_by(const std::vector<ListedScene>& scenes, std::vector<Row>& table) {
+  const auto place = [&](const Row& row) {
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const ListedScene& scene) { return scene.name == row.scene; });
+    if (found == scenes.end()) throw Error("scenes.csv has no scene \"" + row.scene + "\" of table.csv");
+    return std::pair(found - scenes.begin(), row.expectation == Expectation::known);
+  };
+  std::stable_sort(table.begin(), table.end(),
+                   [&](const Row& a, const Row& b) { return place(a) < place(b); });
 }
 
 int run(bool write, const std::vector<std::string>& names) {
@@ -78,6 +82,7 @@ int run(bool write, const std::vector<std::string>& names) {
                      [&](const ListedScene& scene) { return scene.name == name; }))
       throw Error("scenes.csv has no scene \"" + name + "\"");
   std::vector<Row> table = read_table(directory / "table.csv");
+  sort_by(scenes, table);
   bool all_agree = true;
   for (const ListedScene& scene : scenes) {
     if (!names.empty() && std::find(names.begin(), names.end(), scene.name) == names.end()) continue;
@@ -90,7 +95,10 @@ int run(bool write, const std::vector<std::string>& names) {
       all_agree = false;
     }
   }
-  if (write) write_table(directory / "table.csv", table);
+  if (write) {
+    sort_by(scenes, table);
+    write_table(directory / "table.csv", table);
+  }
   return all_agree ? 0 : 1;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -23,6 +24,15 @@ Expectation expectation_from(const std::string& word) {
 double ratio(double difference, double allowed) {
   if (std::isnan(difference)) return std::numeric_limits<double>::infinity();
   return difference == 0 ? 0 : difference / allowed;
+}
+
+/// As many digits as the tolerance makes sense of, and three more.
+std::string rounded(double value, double tolerance) {
+  const double step = tolerance / 1000;
+  if (step == 0) return fmt::format("{:.12g}", value);
+  if (std::abs(value) < step) return "0";
+  const int digits = static_cast<int>(std::ceil(std::log10(std::abs(value) / step)));
+  return fmt::format("{:.{}g}", value, std::clamp(digits, 1, 15));
 }
 
 }  // namespace
@@ -61,8 +71,10 @@ void write_table(const std::filesystem::path& file, const std::vector<Row>& rows
   std::ofstream out(file);
   out << header << '\n';
   for (const Row& row : rows)
-    out << fmt::format("{},{},{},{:.12g},{:.2g},{},{}\n", row.scene, row.quantity, name_of(row.expectation),
-                       row.value, row.tolerance, row.unit, row.source);
+    out << fmt::format("{},{},{},{},{:.2g},{},{}\n", row.scene, row.quantity, name_of(row.expectation),
+                       row.expectation == Expectation::computed ? rounded(row.value, row.tolerance)
+                                                                : fmt::format("{:.12g}", row.value),
+                       row.tolerance, row.unit, row.source);
   if (!out.flush()) throw ddacontact::Error("cannot write \"" + file.string() + "\"");
 }
 
