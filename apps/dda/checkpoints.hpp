@@ -17,18 +17,21 @@ constexpr char checkpoint_file[] = "checkpoint.bin";
 class Checkpoints {
  public:
   /// \param[in] every  steps between them; 0: only when asked for
-  Checkpoints(const ddacontact::Scene& scene, const std::filesystem::path& directory, int every);
+  /// \param[in] made_by  program, BLAS and compiler
+  Checkpoints(const ddacontact::Scene& scene, const std::filesystem::path& directory, int every,
+              std::string made_by);
 
   /// Every so many steps.
   void write_if_due(const ddacontact::Stepper& stepper, ddacontact::ResultDirectory& results);
-  /// Throws OutputError; the last one is as it was then.
+  /// Unless it has been written already. Throws OutputError; the last one is as it was then.
   void write(const ddacontact::Stepper& stepper, ddacontact::ResultDirectory& results);
 
  private:
   const ddacontact::Scene& scene_;
-  std::string resumable_part_;
+  std::string resumable_part_, made_by_;
   std::filesystem::path path_;
   int every_;
+  long written_substeps_ = -1;  ///< made when the last one was written
 };
 
 }  // namespace dda

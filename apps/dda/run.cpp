@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -53,11 +54,22 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// In place of an older one once it is whole.
 void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
-  std::ofstream out(path, std::ios::binary);
+  std::filesystem::path part = path;
+  std::ofstream out(part += ".part", std::ios::binary);
   write_scene(out, scene);
   out.close();
-  if (!out) throw OutputError("cannot write \"" + path.string() + "\"");
+  std::error_code error;
+  if (out) std::filesystem::rename(part, path, error);
+  if (!out || error) {
+    std::filesystem::remove(part, error);
+    throw OutputError("cannot write \"" + path.string() + "\"");
+  }
 }
 
 FrameOptions frame_options(const OutputOptions& output, int n_threads) {
@@ -91,19 +103,15 @@ void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, P
   }
   summary.status = "completed";
   while (stepper.counts().steps < steps) {
-    if (signal_received) {
-      summary.status = "interrupted";
-      summary.reason = fmt::format("signal {}", static_cast<int>(signal_received));
-      break;
-    }
     bool stepped = false;
-    {
+    if (!signal_received) {
       const Stopwatch watch(summary.seconds_steps);
       stepped = stepper.step();
     }
     if (!stepped) {
-      summary.status = "stopped";
-      summary.reason = stepper.stop_reason();
+      summary.status = signal_received ? "interrupted" : "stopped";
+      summary.reason = signal_received ? fmt::format("signal {}", static_cast<int>(signal_received))
+                                       : stepper.stop_reason();
       break;
     }
     const Stopwatch watch(summary.seconds_output);
@@ -111,9 +119,28 @@ void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, P
     checkpoints.write_if_due(stepper, results);
     progress.show(stepper);
   }
-  const Stopwatch watch(summary.seconds_output);
-  checkpoints.write(stepper, results);
-  results.write_last_frame(stepper);
+}
+
+/// Everything that a run ends with: what can be written is, then the first failure is thrown.
+void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& checkpoints,
+               RunSummary& summary, Clock::time_point start) {
+  std::exception_ptr failure;
+  const auto attempt = [&](const auto& write) {
+    try {
+      write();
+    } catch (const OutputError&) {
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    const Stopwatch watch(summary.seconds_output);
+    attempt([&] { checkpoints.write(stepper, results); });
+    attempt([&] { results.write_last_frame(stepper); });
+  }
+  summary.peak_memory_mb = peak_memory_mb();
+  summary.seconds_total = seconds_since(start);
+  attempt([&] { results.finish(stepper, summary); });
+  if (failure) std::rethrow_exception(failure);
 }
 
 int finish(const RunArguments& arguments, const Stepper& stepper, const RunSummary& summary,
@@ -148,10 +175,6 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
   return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + signal_received;
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// A line for each model that "auto" chose, by reason.
 void log_choices(const Labels& labels, spdlog::logger& log) {
   struct Blocks {
@@ -168,16 +191,19 @@ void log_choices(const Labels& labels, spdlog::logger& log) {
              blocks.count > 1 ? fmt::format(" and {} more", blocks.count - 1) : "", choice.second);
 }
 
-/// A new result directory, or one that goes on with the histories beside a checkpoint.
+/// A new result directory, or one that goes on with the histories beside a checkpoint, or with its own where
+/// there are none beside it.
 ResultDirectory open_results(const RunArguments& arguments, const std::filesystem::path& directory,
                              const Labels& labels, const FrameOptions& frames,
                              const std::optional<Checkpoint>& from) {
-  const std::filesystem::path source = std::filesystem::path(arguments.checkpoint).parent_path();
   std::error_code missing;
-  if (!from || !std::filesystem::equivalent(source.empty() ? "." : source, directory, missing))
+  if (!from) {
     std::filesystem::remove(directory / checkpoint_file, missing);  // of another run
-  if (!from) return {directory, labels, frames};
-  return {directory, labels, frames, source.empty() ? "." : source, from->marks};
+    return {directory, labels, frames};
+  }
+  const std::filesystem::path beside = std::filesystem::canonical(arguments.checkpoint).parent_path();
+  const bool has_histories = std::filesystem::exists(beside / "energy.csv", missing);
+  return {directory, labels, frames, has_histories ? beside : directory, from->marks};
 }
 
 int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_point start) {
@@ -189,8 +215,12 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
       return wrong_input;
     }
   }
+  signal_received = 0;
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
   const std::string blas = polyfem::pin_blas_to_one_thread();
   BuiltScene built = build(scene);
+  built.stepper->interrupt_when([] { return signal_received != 0; });
   if (from) built.stepper->restore(from->record);
   RunSummary summary;
   summary.seconds_setup = seconds_since(start);
@@ -202,7 +232,8 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
                                               : std::filesystem::path(arguments.directory);
   ResultDirectory results =
       open_results(arguments, directory, built.labels, frame_options(scene.output, arguments.threads), from);
-  Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every);
+  const std::string made_by = fmt::format("dda {}, {}, {}", POLYDDA_VERSION, blas, __VERSION__);
+  Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every, made_by);
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt", from.has_value());
   write_scene_file(directory / "scene.toml", scene);
   log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
@@ -215,22 +246,25 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
       built.notes.push_back(fmt::format("what was before step {} is not beside {}: {} begin there",
                                         from->record.counts.steps, arguments.checkpoint,
                                         fmt::join(missing, ", ")));
+    if (from->made_by != made_by)
+      built.notes.push_back(
+          fmt::format("{} was made by {}: last digits may differ", arguments.checkpoint, from->made_by));
   }
   for (const std::string& note : built.notes) {
     log->warn("{}", note);
     if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
   }
 
-  signal_received = 0;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
+  log->flush();
   Progress progress(steps, arguments.quiet);
-  run_steps(*built.stepper, steps, built.probes, progress, results, checkpoints, summary);
-  progress.finish();
-
-  summary.peak_memory_mb = peak_memory_mb();
-  summary.seconds_total = seconds_since(start);
-  results.finish(*built.stepper, summary);
+  try {
+    run_steps(*built.stepper, steps, built.probes, progress, results, checkpoints, summary);
+    progress.finish();
+    write_end(*built.stepper, results, checkpoints, summary, start);
+  } catch (const OutputError& error) {
+    log->error("{}", error.what());
+    throw;
+  }
   return finish(arguments, *built.stepper, summary, directory, *log);
 }
 

@@ -52,6 +52,8 @@ struct Contact {
   bool augmented = false;   ///< its forces are multipliers: its springs store no energy
 
   bool closed() const { return history.state != ContactState::open; }
+  /// Whether a bond of some strength holds it.
+  bool has_bond() const { return history.bonded && (law.cohesion > 0 || law.tension > 0); }
   /// Whether the next step has to know of it: an open one has its overlap of the start still.
   bool lasts() const { return closed() || history.gap_offset < 0; }
   /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.

@@ -45,6 +45,7 @@ void visit_contents(
     std::conditional_t<std::is_const_v<SomeCheckpoint>, const std::string, std::string>& record) {
   visit(c.scene);
   visit.list(c.stage_steps, [&](auto& steps) { visit(steps); });
+  visit(c.made_by);
   for (auto* mark : {&c.marks.monitors, &c.marks.energy}) {
     visit(mark->bytes);
     visit(mark->checksum);

@@ -13,7 +13,8 @@ namespace ddacontact {
 /// Everything that goes into the file.
 struct Checkpoint {
   std::string scene;             ///< what of the scene must be the same, as text
-  std::vector<int> stage_steps;  ///< of the stages that are over
+  std::vector<int> stage_steps;  ///< of the stages that are over and of the present one
+  std::string made_by;           ///< program, BLAS and compiler: others may make other last digits
   ResultMarks marks;             ///< where the histories beside it stand
   RunRecord record;
 };

@@ -69,8 +69,22 @@ std::filesystem::path make_directory(std::filesystem::path directory) {
   return directory;
 }
 
+namespace {
+
+/// Makes the directory without what an earlier run wrote at its end.
+std::filesystem::path begin_directory(std::filesystem::path directory) {
+  directory = make_directory(std::move(directory));
+  std::error_code error;
+  for (const char* name : {"summary.json", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv"})
+    if (std::filesystem::remove(directory / name, error); error)
+      throw OutputError("cannot remove \"" + (directory / name).string() + "\": " + error.message());
+  return directory;
+}
+
+}  // namespace
+
 ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames)
-    : directory_(make_directory(std::move(directory))),
+    : directory_(begin_directory(std::move(directory))),
       labels_(std::move(labels)),
       monitors_(file(monitors_file), monitors_header),
       energy_(file(energy_file), energy_header),
@@ -78,7 +92,7 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels,
 
 ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames,
                                  const std::filesystem::path& source, const ResultMarks& marks)
-    : directory_(make_directory(std::move(directory))),
+    : directory_(begin_directory(std::move(directory))),
       labels_(std::move(labels)),
       monitors_(file(monitors_file), monitors_header, source / monitors_file, marks.monitors),
       energy_(file(energy_file), energy_header, source / energy_file, marks.energy),
@@ -100,6 +114,7 @@ void ResultDirectory::write_start(const Stepper& stepper, const std::vector<Prob
   if (!monitors_.goes_on()) write_monitors(stepper, probes);
   if (!energy_.goes_on()) write_energy(stepper);
   if (!frames_.goes_on()) frames_.write_step(stepper, labels_);
+  marks();  // what there is of the histories is in their files
 }
 
 void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe>& probes) {

@@ -97,9 +97,11 @@ std::string resumable_part(const Scene& scene) {
   return text.str();
 }
 
-std::vector<int> steps_of_stages_before(const Scene& scene, int stage) {
+std::vector<int> steps_of_stages_to(const Scene& scene, int stage) {
   std::vector<int> steps;
-  for (int k = 0; k < stage; ++k) steps.push_back(scene.stages[static_cast<std::size_t>(k)].analysis.steps);
+  const int n_stages = static_cast<int>(scene.stages.size());
+  for (int k = 0; k <= stage && k < n_stages; ++k)
+    steps.push_back(scene.stages[static_cast<std::size_t>(k)].analysis.steps);
   return steps;
 }
 
@@ -115,15 +117,18 @@ std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::st
         quoted + " belongs to another scene: it has " + text(there) + " where this one has " + text(here));
   }
   const StageProgress& progress = checkpoint.record.step.progress;
-  for (int k = 0; k < static_cast<int>(scene.stages.size()) && k <= progress.stage; ++k) {
-    const int steps = scene.stages[static_cast<std::size_t>(k)].analysis.steps;
-    const bool over = k < progress.stage;
-    const long made = over ? checkpoint.stage_steps[static_cast<std::size_t>(k)] : progress.steps;
-    const bool last = k + 1 == static_cast<int>(scene.stages.size());
-    if (over ? steps == made : (steps >= made || last)) continue;
-    return mismatch(scene_file, find_in_file(scene_file, {"stage", static_cast<std::size_t>(k), "steps"}),
-                    quoted + " has made " + std::to_string(made) + " steps of stage " + std::to_string(k) +
-                        ", not '" + std::to_string(steps) + "'");
+  for (std::size_t k = 0; k < checkpoint.stage_steps.size(); ++k) {
+    const StageDescription& stage = scene.stages[k];
+    const long steps = stage.analysis.steps, had = checkpoint.stage_steps[k];
+    const bool present = static_cast<int>(k) == progress.stage, last = k + 1 == scene.stages.size();
+    const bool over = !present || progress.steps == had;
+    const bool fits =
+        present && !(over && stage.reset_displacements) ? steps >= progress.steps || last : steps == had;
+    if (fits) continue;
+    return mismatch(scene_file, find_in_file(scene_file, {"stage", k, "steps"}),
+                    quoted + " has made " + std::to_string(present ? progress.steps : had) +
+                        " steps of stage " + std::to_string(k) + (over ? ", which is over" : "") + ", not '" +
+                        std::to_string(steps) + "'");
   }
   return std::nullopt;
 }

@@ -15,12 +15,12 @@ namespace ddacontact {
 /// steps and [output].
 std::string resumable_part(const Scene& scene);
 
-/// The steps of the stages before one.
-std::vector<int> steps_of_stages_before(const Scene& scene, int stage);
+/// The steps of the stages up to one, it included.
+std::vector<int> steps_of_stages_to(const Scene& scene, int stage);
 
 /// Why a run cannot be resumed with this scene, at the place in the scene's file; nothing when it can: the
-/// parts that must be the same are, the stages that are over have the steps that they had and the present one
-/// has at least those that are made.
+/// parts that must be the same are, the stages that are over have the steps that they had, and the present
+/// one has at least those that are made, and no more when displacements were reset at its end.
 ///
 /// \param[in] checkpoint_name, scene_file  as the messages call them
 std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::string& checkpoint_name,

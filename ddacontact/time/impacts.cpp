@@ -128,11 +128,10 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
     if (!result.hit[c] && (!contact.closed() || carries_waves(blocks, contact, dt))) continue;
     const VertexEdgePlace place = place_in(blocks, then, contact.pair);
     const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
-    const JointLaw& law = contact.law;
-    const bool bonded = contact.history.bonded && (law.cohesion > 0 || law.tension > 0);
     taking_part.push_back({rate_form(gap_gradient(place), contact.motion),
                            rate_form(slip_gradient(place, contact.history.lock), contact.motion),
-                           shear_bound(law, 1, false), bounces ? law.restitution : 0, bonded});
+                           shear_bound(contact.law, 1, false), bounces ? contact.law.restitution : 0,
+                           contact.has_bond()});
     their_contacts.push_back(c);
     if (result.hit[c]) least = std::min(least, least_approach(blocks, contact, dt));
   }

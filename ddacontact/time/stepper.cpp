@@ -28,6 +28,19 @@ std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
 }
 
+/// The velocity of a support, from the steps before and after; where it jumps, by much more than in the steps
+/// beside, that before.
+double velocity_at(const HeldUnknown& held, double time, double dt, double end_time) {
+  constexpr double much = 4;
+  double way[4];  // in the steps that end at time - dt, time, ...
+  for (int k = 0; k < 4; ++k)
+    way[k] = (held.motion.at(time + (k - 1) * dt, end_time) -
+              held.motion.at(time + (k - 2) * dt, end_time))[held.axis];
+  const double jump = std::abs(way[2] - way[1]),
+               beside = std::max(std::abs(way[1] - way[0]), std::abs(way[3] - way[2]));
+  return (jump > much * beside ? way[1] : (way[1] + way[2]) / 2) / dt;
+}
+
 }  // namespace
 
 Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
@@ -49,6 +62,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
                       !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
                           blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
   contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
+  accepted_ = {substep_, counts_};
+  set_flight_acceleration();
   start_accounts();
 }
 
@@ -66,13 +81,17 @@ bool Stepper::step() {
     const Try result = try_step(dt);
     if (result == Try::accepted) {
       substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
+      accepted_ = {substep_, counts_};
+      if (pieces > 1 && is_interrupted()) return false;
       if (pieces > 1) continue;
       state_.time = end;
       ++counts_.steps;
+      accepted_.counts = counts_;
       if (++progress_.steps == analysis_.steps) leave_stage();
       return true;
     }
     ++counts_.rejected;
+    if (is_interrupted()) return false;
     if (result == Try::missed_contacts) {
       ++counts_.overlap_rejections;
       continue;
@@ -89,6 +108,16 @@ bool Stepper::step() {
     }
     substep_ = dt * analysis_.cutting_factor;
   }
+}
+
+bool Stepper::is_interrupted() {
+  if (!interrupted_ || !interrupted_()) return false;
+  substep_ = accepted_.substep;
+  counts_ = accepted_.counts;
+  detected_ = false;
+  reach_scale_ = 1;
+  stop_reason_ = "interrupted";
+  return true;
 }
 
 Stepper::Try Stepper::try_step(double dt) {
@@ -290,15 +319,11 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   }
   const bool by_trapezoid = step_rule(analysis_).mean_forces();
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
-    double way = d[held.unknown], duration = dt;
     // What a contact holds starts its next step with this velocity, and d - dt v0 is its force: a mean over
     // the step would be half a step late, and make it twice as large as the support's acceleration does.
-    if (by_trapezoid && held.motion.kind == TimeFunction::Kind::history) {
-      const auto at = [&](double time) { return held.motion.at(time, blocks_.end_time)[held.axis]; };
-      way = at(next.time + dt) - at(next.time - dt);
-      duration = 2 * dt;
-    }
-    next.velocity[held.unknown] = way / duration;
+    const bool of_both_sides = by_trapezoid && held.motion.kind == TimeFunction::Kind::history;
+    next.velocity[held.unknown] =
+        of_both_sides ? velocity_at(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
     held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, next);

@@ -12,6 +12,7 @@
 #include <ddacontact/time/run_record.hpp>
 #include <ddacontact/time/stage.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,9 @@ class Stepper {
   /// when the last one has made its steps. False when it has to stop: the state is then that of the last
   /// accepted substep and `stop_reason` says why.
   [[nodiscard]] bool step();
+  /// Asked after every try of a step: when it says so the step is left, as if the tries since the last
+  /// accepted substep had not been made; `step` returns false and `stop_reason` is "interrupted".
+  void interrupt_when(std::function<bool()> asked) { interrupted_ = std::move(asked); }
 
   /// Where the run stands, and going on from there: a stepper of the same scene makes the same steps then.
   /// Accounts begin anew. Throws Error for a record of an earlier stage than the present one.
@@ -77,7 +81,10 @@ class Stepper {
   void apply(const Stage& stage);
   void leave_stage();
   void start_accounts();
+  /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
+  void set_flight_acceleration();
   Try try_step(double dt);
+  bool is_interrupted();
   void detect(double dt);
   /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
   /// can).
@@ -136,6 +143,11 @@ class Stepper {
   bool detected_ = false;  ///< trial_contacts_ are those of state_
 
   double substep_ = 0;  ///< the length to try next, s
+  struct {
+    double substep;
+    StepCounts counts;
+  } accepted_;  ///< as it was after the last accepted substep
+  std::function<bool()> interrupted_;
   double last_dt_ = 0;
   StepCounts counts_;
   StepTimes times_;

@@ -18,7 +18,6 @@ void Stepper::apply(const Stage& stage) {
 }
 
 void Stepper::enter_stage(int stage) {
-  const Scheme scheme = analysis_.scheme;
   apply(stages_[stage]);
   progress_ = {stage, 0, state_.time};
   substep_ = analysis_.time_step;
@@ -27,7 +26,6 @@ void Stepper::enter_stage(int stage) {
     const Range& u = blocks_.block(b).unknowns();
     state_.velocity.segment(u.first, u.count).setZero();
   }
-  if (analysis_.scheme != scheme) state_.acceleration.setZero();
   Energy& e = energy_.now;
   // What goes with the blocks that are taken out is work done on them.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),
@@ -40,6 +38,23 @@ void Stepper::enter_stage(int stage) {
     state_.acceleration.setZero();
     e.numerical_dissipated += kinetic;
     e.kinetic = 0;
+  }
+  set_flight_acceleration();
+  accepted_ = {substep_, counts_};
+}
+
+void Stepper::set_flight_acceleration() {
+  if (is_static()) return;
+  std::vector<bool> touches(static_cast<std::size_t>(blocks_.n_blocks()), false);
+  for (const Contact& contact : contacts_)
+    if (contact.closed())
+      for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+        touches[static_cast<std::size_t>(b)] = true;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (touches[static_cast<std::size_t>(b)] || !blocks_.is_free(b)) continue;
+    const Range& u = blocks_.block(b).unknowns();
+    state_.acceleration.segment(u.first, u.count) =
+        blocks_.block(b).rigid_modes().leftCols<2>() * blocks_.gravity;
   }
 }
 
@@ -77,6 +92,7 @@ void Stepper::restore(StepRecord record) {
   blocks_.prepare(state_, true);
   detected_ = false;
   reach_scale_ = 1;
+  accepted_ = {substep_, counts_};
   start_accounts();
 }
 
@@ -98,6 +114,7 @@ RunRecord Stepper::run_record() const {
 void Stepper::restore(RunRecord record) {
   restore(std::move(record.step));
   counts_ = record.counts;
+  accepted_.counts = counts_;
   energy_ = record.energy;
   last_dt_ = record.last_dt;
   blocks_.end_time = record.end_time;

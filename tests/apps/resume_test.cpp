@@ -260,10 +260,53 @@ TEST_F(Resume, RefusesWhatIsNoCheckpointOfTheScene) {
   refused(2, "", "staged.toml:8:11: error: \"c.bin\" belongs to another scene: it has 'density = 2500.0'");
   write("staged.toml", staged_scene);
   refused(2, "--set stage.settle.steps=6", "staged.toml:39:9: error:");
-  refused(2, "--set stage.settle.steps=6", "has made 5 steps of stage 0, not '6'");
+  refused(2, "--set stage.settle.steps=6", "has made 5 steps of stage 0, which is over, not '6'");
   refused(2, "--set stage.fall.time_step=0.02", "belongs to another scene");
   EXPECT_EQ(dda("run staged.toml -o more --quiet --resume c.bin --set stage.fall.steps=50"), 0) << err_;
   EXPECT_EQ(summary("more")["steps_completed"], 55);
+}
+
+TEST_F(Resume, ThroughALinkOrFromACopyKeepsWhatThereIs) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o whole --quiet --steps 12"), 0) << err_;
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 6"), 0) << err_;
+  fs::create_symlink("part/checkpoint.bin", directory_ / "link.bin");
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 9 --resume link.bin"), 0) << err_;
+  fs::create_directory(directory_ / "safe");
+  fs::copy(directory_ / "part/checkpoint.bin", directory_ / "safe/checkpoint.bin");
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 12 --resume safe/checkpoint.bin"), 0) << err_;
+  expect_same_results("whole", "part");
+}
+
+TEST_F(Resume, AStageThatEndedWithAResetCannotGetLonger) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 5"), 0) << err_;
+  EXPECT_EQ(dda("run staged.toml -o part --quiet --resume part/checkpoint.bin --set stage.settle.steps=8"),
+            2);
+  EXPECT_NE(err_.find("has made 5 steps of stage 0, which is over, not '8'"), std::string::npos) << err_;
+  ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 4"), 0) << err_;
+  EXPECT_EQ(dda("run staged.toml -o part --quiet --steps 6 --resume part/checkpoint.bin --set "
+                "stage.settle.steps=8"),
+            0)
+      << err_;
+}
+
+TEST_F(Resume, WhatCannotBeWrittenAtTheEndLeavesTheRest) {
+  write("staged.toml", staged_scene);
+  fs::create_directories(directory_ / "result/checkpoint.bin/in_the_way");
+  EXPECT_EQ(dda("run staged.toml -o result --quiet --steps 3"), 4);
+  EXPECT_NE(err_.find("checkpoint.bin"), std::string::npos) << err_;
+  EXPECT_EQ(summary("result")["status"], "completed");
+  EXPECT_TRUE(fs::exists(directory_ / "result/vertices.csv"));
+  EXPECT_NE(read_file(directory_ / "result/log.txt").find("cannot write"), std::string::npos);
+}
+
+TEST_F(Resume, ARunThatIsKilledLeavesNoOtherRunsEnd) {
+  write("staged.toml", staged_scene);
+  ASSERT_EQ(dda("run staged.toml -o result --quiet --steps 3"), 0) << err_;
+  run_and_signal({"run", "staged.toml", "-o", "result", "--quiet", "--steps", "1000000"}, 300, SIGKILL);
+  EXPECT_FALSE(fs::exists(directory_ / "result/summary.json"));
+  EXPECT_FALSE(fs::exists(directory_ / "result/checkpoint.bin"));
 }
 
 TEST_F(Resume, AMissingPlaceForResultsIsAFileError) {

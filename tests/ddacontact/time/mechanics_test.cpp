@@ -221,6 +221,23 @@ TEST(Slope, AtTheLimitOfFrictionAMillionthDecides) {
 }
 
 /// Acceleration 0.3 g sin(2 pi t) along `direction`, from rest.
+/// Friction alone takes a block along, with mu g.
+TEST(ShakenBase, ThatStartsAtOnceTakesABlockAlongByFriction) {
+  for (const double dt : {0.01, 0.005, 0.002}) {
+    Scene scene = stiff_scene(dt, 0.3);
+    scene.joints[0].friction_angle = 15;
+    scene.blocks = {block(rectangle(-3, -1, 8, 1)), block(rectangle(0, 0, 2, 1))};
+    Support base;
+    base.vertices = {0, 1, 2, 3};
+    base.displacement.kind = TimeFunction::Kind::history;
+    base.displacement.history = {{0, 0, 0}, {0.1, 0, 0}, {1, 0.9, 0}};
+    scene.supports = {base};
+    const BuiltScene built = run(scene);
+    const double mu_g = std::tan(radians(15)) * g;
+    EXPECT_NEAR(rigid(*built.stepper, 1).linear.x(), mu_g * 0.2, 2 * mu_g * dt) << dt;
+  }
+}
+
 TEST(ShakenBase, CarriesABlockWithTheForcesOfItsAcceleration) {
   for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)}) {
     Scene scene = stiff_scene(0.005, 1);
@@ -455,5 +472,24 @@ TEST(Wave, CrossesContactsAtItsSpeed) {
     EXPECT_NEAR(arrival * c / ((n / 2 + 0.5) * h), 1, 0.02) << (bonded ? "bonded" : "pressed");
     // Behind the front all blocks have the velocity of the wave.
     EXPECT_NEAR(rigid(*built.stepper, n / 4).linear.x(), wanted, 0.15 * wanted);
+  }
+}
+
+/// From the start, and from the step on in which gravity begins: velocities of Newmark's scheme are exact.
+TEST(Newmark, FallsFreelyFromTheFirstStepOn) {
+  Scene scene = stiff_scene(0.01, 0.5, Scheme::newmark);
+  scene.blocks = {block(rectangle(0, 0, 1, 1))};
+  scene.stages = {scene.stage("weightless"), scene.stage("falling")};
+  scene.stages[0].analysis.gravity = Vec2(0, 0);
+  scene.stages[0].analysis.steps = 5;
+  for (const bool staged : {false, true}) {
+    if (!staged) scene.stages.erase(scene.stages.begin());
+    const BuiltScene built = run(scene);
+    const double t = 0.5;
+    EXPECT_NEAR(rigid(*built.stepper, 0).linear.y(), -g * t, 1e-9 * g * t);
+    EXPECT_NEAR(travel(*built.stepper, 0).y(), -g * t * t / 2, 1e-9 * g);
+    scene.stages.insert(scene.stages.begin(), scene.stage("weightless"));
+    scene.stages[0].analysis.gravity = Vec2(0, 0);
+    scene.stages[0].analysis.steps = 5;
   }
 }
