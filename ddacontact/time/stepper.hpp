@@ -31,6 +31,11 @@ class Stepper {
   /// \param[in] stages    at least one; the last one goes on when all its steps are made
   Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
           std::vector<Stage> stages);
+  /// A run of one stage.
+  Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
+          const AnalysisOptions& analysis)
+      : Stepper(std::move(blocks), std::move(initial), contacts,
+                std::vector<Stage>{{analysis, contacts.joints, {}, false}}) {}
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 

@@ -82,7 +82,7 @@ double worst_balance(Scheme scheme, double factor) {
   analysis.scheme = scheme;
   analysis.max_displacement_ratio = 1;
   const ContactProperties contacts{1e9, 4e8, JointTable(JointStrength{}), {0}, ContactMethod::staged, 0};
-  Stepper stepper(std::move(system), std::move(state), contacts, {{analysis, contacts.joints, {}, false}});
+  Stepper stepper(std::move(system), std::move(state), contacts, analysis);
   double worst = 0;
   for (int k = 0; k < 50; ++k) {
     run(stepper, 1);
