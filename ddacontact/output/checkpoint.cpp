@@ -2,10 +2,10 @@
 
 #include <ddacontact/core/bytes.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <polyfem/io/checksum.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <cerrno>
 #include <fstream>
@@ -52,10 +52,6 @@ void visit_contents(
   }
   visit(c.marks.n_frames);
   visit(record);
-}
-
-std::uint32_t checksum_of(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 [[noreturn]] void fail(const char* action, const std::filesystem::path& path, int error) {
@@ -112,7 +108,7 @@ void sync_directory(const std::filesystem::path& directory) {
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   ByteWriter contents, head;
   visit_contents(contents, checkpoint, to_bytes(checkpoint.record));
-  const Head of_contents{.size = contents.bytes.size(), .checksum = checksum_of(contents.bytes)};
+  const Head of_contents{.size = contents.bytes.size(), .checksum = polyfem::checksum(contents.bytes)};
   visit_head(head, of_contents);
   std::filesystem::path part = path;
   NewFile file(part += ".part");
@@ -141,7 +137,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
                       std::to_string(version) +
                       " (resume with the program that wrote it, or run the scene anew)");
   const std::string_view contents = std::string_view(bytes).substr(head_size);
-  if (contents.size() != head.size || checksum_of(contents) != head.checksum)
+  if (contents.size() != head.size || polyfem::checksum(contents) != head.checksum)
     throw OutputError(name + " is damaged (take an older one, or run the scene anew)");
   Checkpoint checkpoint;
   std::string record;

@@ -1,8 +1,7 @@
 #include <ddacontact/output/csv_file.hpp>
 
 #include <ddacontact/output/output_error.hpp>
-
-#include <zlib.h>
+#include <polyfem/io/checksum.hpp>
 
 #include <charconv>
 
@@ -17,8 +16,7 @@ std::string beginning(const std::filesystem::path& path, const FileMark& mark) {
   std::string text(mark.bytes, 0);
   std::ifstream in(path, std::ios::binary);
   if (!in.read(text.data(), static_cast<std::streamsize>(text.size()))) return "";
-  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
-  return sum == mark.checksum ? text : "";
+  return polyfem::checksum(text) == mark.checksum ? text : "";
 }
 
 }  // namespace
@@ -91,8 +89,7 @@ void CsvFile::append(std::string_view text) {
 void CsvFile::write_line() {
   line_ += '\n';
   mark_.bytes += line_.size();
-  mark_.checksum = static_cast<std::uint32_t>(
-      crc32_z(mark_.checksum, reinterpret_cast<const Bytef*>(line_.data()), line_.size()));
+  mark_.checksum = polyfem::checksum(line_, mark_.checksum);
   file_ << line_;
   if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
 }

@@ -8,7 +8,7 @@ namespace ddacontact {
 /// The beginning of a file.
 struct FileMark {
   std::uint64_t bytes = 0;
-  std::uint32_t checksum = 0;  ///< CRC-32 of them
+  std::uint32_t checksum = 0;  ///< polyfem::checksum of them
 };
 
 /// Of a result directory.
