@@ -22,8 +22,8 @@ struct StepRule {
   double load_time() const { return mean_forces() ? 0.5 : 1; }
 };
 
-/// The scheme that the options ask for, with its numbers. Static steps of the conserving scheme, whose strains
-/// would swing about equilibrium for ever, are made by the decaying one.
+/// The scheme that the options ask for, with its numbers. Static steps of the conserving scheme, whose
+/// strains would swing about equilibrium for ever, are made by the decaying one.
 inline StepRule step_rule(const AnalysisOptions& analysis) {
   if (analysis.mode == Mode::statics && analysis.scheme == Scheme::midpoint)
     return {Scheme::decaying, 0.5, 1, analysis.damping};

@@ -2,11 +2,11 @@
 
 #include <polyfem/core/error.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/geometry/validity.hpp>
 #include <polyfem/mesh/boundary_places.hpp>
 #include <polyfem/mesh/clipped_diagram.hpp>
 #include <polyfem/mesh/convex_cuts.hpp>
-#include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/mesh/local_frame.hpp>
 #include <polyfem/mesh/mesh_editor.hpp>
 #include <polyfem/mesh/short_edges.hpp>

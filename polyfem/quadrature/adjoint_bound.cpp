@@ -8,7 +8,7 @@ namespace polyfem {
 
 AdjointBound::AdjointBound(const PointsRef& polygon) : sides_(Points::Zero(2, polygon.cols())) {
   const Index n = polygon.cols();
-  if (n == 3) return;                         // the adjoint is constant
+  if (n == 3) return;  // the adjoint is constant
   // Lengths by a power of two: the same digits at any size.
   const double scale = std::exp2(std::floor(std::log2(polygon.cwiseAbs().maxCoeff())));
   Eigen::Matrix3Xd edges(3, n), poles(3, n);  // in homogeneous coordinates

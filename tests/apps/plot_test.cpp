@@ -71,7 +71,8 @@ TEST_F(Results, WrongCallsAreRefusedWithACure) {
   expect_refused("plot result", 2, {"--output"});
   expect_refused("plot result -o x.png", 2, {"x.png", ".svg"});
   expect_refused("plot result --field stress -o x.svg", 2, {"\"stress\"", "known"});
-  expect_refused("plot result --field displacment -o x.svg", 2, {"did you mean \"displacement\"? there are: none, sxx"});
+  expect_refused("plot result --field displacment -o x.svg", 2,
+                 {"did you mean \"displacement\"? there are: none, sxx"});
   expect_refused("plot result --frame 7 -o x.svg", 2, {"step 7", "0, 5, 10"});
   expect_refused("plot result --frame first -o x.svg", 2, {"\"first\"", "\"last\""});
   expect_refused("plot result --vectors force -o x.svg", 2, {"velocity"});

@@ -6,8 +6,8 @@
 
 namespace support {
 
-/// 0 <= x <= length, |y| <= height / 2, free above and below, in plane strain, under a downward force on the end
-/// x = length, given by its parabolic shear stress (Timoshenko and Goodier).
+/// 0 <= x <= length, |y| <= height / 2, free above and below, in plane strain, under a downward force on the
+/// end x = length, given by its parabolic shear stress (Timoshenko and Goodier).
 struct Cantilever {
   double young = 1000, poisson = 0.3, force = 1;
   double length = 4, height = 1;

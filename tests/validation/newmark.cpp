@@ -185,7 +185,8 @@ void newmark(Report& report) {
   report.paragraph(
       "The block of chapter 1, E = 35 GPa, settled on a base that then moves by a history of displacements: "
       "four "
-      "cycles of acceleration a sin 2πft from rest to rest, along the slope or horizontally (level). A rigid block "
+      "cycles of acceleration a sin 2πft from rest to rest, along the slope or horizontally (level). A rigid "
+      "block "
       "sticks while "
       "|g sin a − a_t| ≤ tan φ (g cos a + a_n), a_t and a_n being the base's acceleration down and across "
       "the slope, and "

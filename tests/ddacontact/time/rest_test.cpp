@@ -115,8 +115,8 @@ TEST(Rest, AnInitialOverlapMakesNoForce) {
   EXPECT_EQ(built.stepper->energy().now.elastic, 0);
 }
 
-/// The same by the staged method, which opens a contact that bears nothing: blocks that are not pressed together
-/// keep their overlap, and one that is drawn away has it as far as it has not come apart.
+/// The same by the staged method, which opens a contact that bears nothing: blocks that are not pressed
+/// together keep their overlap, and one that is drawn away has it as far as it has not come apart.
 TEST(Rest, AnInitialOverlapStaysFreeOfStressWhileItsContactIsOpen) {
   for (const Mode mode : {Mode::dynamic, Mode::statics})
     for (const double up : {0., 0.01}) {

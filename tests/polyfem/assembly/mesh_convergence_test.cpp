@@ -9,8 +9,8 @@
 #include <tests/support/domains.hpp>
 #include <tests/support/elastic_solutions.hpp>
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <functional>

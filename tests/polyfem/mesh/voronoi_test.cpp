@@ -1,8 +1,8 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/geometry/predicates.hpp>
 #include <polyfem/geometry/validity.hpp>
-#include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 #include <tests/support/domains.hpp>
 
