@@ -1,11 +1,6 @@
 /// \file Makes doc/verification/blocks.md and its pictures: `blocks_verification DIRECTORY [chapter]`.
 #include "blocks_chapters.hpp"
-
-#include <fmt/format.h>
-#include <polyfem/assembly/blas.hpp>
-
-#include <exception>
-#include <string>
+#include "chapter_page.hpp"
 
 namespace {
 
@@ -16,32 +11,14 @@ scheme are those of `preset = "default"`. Plane strain, thickness 1 m, tension p
 unit. Of {} statements {} are seen.
 )";
 
-struct Chapter {
-  const char* name;
-  void (*write)(verification::Report&);
-};
-constexpr Chapter chapters[] = {{"bending", verification::bending},
-                                {"stress", verification::stress_inside},
-                                {"disk", verification::disk},
-                                {"shapes", verification::shapes},
-                                {"choice", verification::choice}};
+constexpr verification::Chapter chapters[] = {{"bending", verification::bending},
+                                              {"stress", verification::stress_inside},
+                                              {"disk", verification::disk},
+                                              {"shapes", verification::shapes},
+                                              {"choice", verification::choice}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    fmt::print(stderr, "usage: blocks_verification DIRECTORY [chapter]\n");
-    return 2;
-  }
-  try {
-    polyfem::pin_blas_to_one_thread();
-    verification::Report report(argv[1], "asked");
-    for (const Chapter& chapter : chapters)
-      if (argc == 2 || chapter.name == std::string(argv[2])) chapter.write(report);
-    report.write("blocks", fmt::format(front, report.n_claims(), report.n_seen()));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "blocks_verification: error: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return verification::make_page(argc, argv, "blocks", front, chapters);
 }

@@ -1,11 +1,6 @@
 /// \file Makes doc/verification/mechanics.md and its pictures: `mechanics_verification DIRECTORY [chapter]`.
+#include "chapter_page.hpp"
 #include "mechanics_chapters.hpp"
-
-#include <fmt/format.h>
-#include <polyfem/assembly/blas.hpp>
-
-#include <exception>
-#include <string>
 
 namespace {
 
@@ -17,38 +12,19 @@ scheme `decaying`; rock of 2500 kg/m3, E = 35 GPa, Poisson's ratio 0.3; gravity 
 Run times are of one run on one core and rough. Of {} statements {} are seen.
 )";
 
-struct Chapter {
-  const char* name;
-  void (*write)(verification::Report&);
-  bool on_request = false;
-};
-constexpr Chapter chapters[] = {{"spinning", verification::spinning},
-                                {"tumbling", verification::tumbling},
-                                {"sliding", verification::sliding_over_steps},
-                                {"colliding", verification::colliding},
-                                {"resting", verification::resting},
-                                {"resting_long", verification::resting_long, true},
-                                {"toppling", verification::toppling},
-                                {"ledger", verification::energy_ledger},
-                                {"schemes", verification::choice_of_scheme},
-                                {"far", verification::far_from_the_origin}};
+constexpr verification::Chapter chapters[] = {{"spinning", verification::spinning},
+                                              {"tumbling", verification::tumbling},
+                                              {"sliding", verification::sliding_over_steps},
+                                              {"colliding", verification::colliding},
+                                              {"resting", verification::resting},
+                                              {"resting_long", verification::resting_long, true},
+                                              {"toppling", verification::toppling},
+                                              {"ledger", verification::energy_ledger},
+                                              {"schemes", verification::choice_of_scheme},
+                                              {"far", verification::far_from_the_origin}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    fmt::print(stderr, "usage: mechanics_verification DIRECTORY [chapter]\n");
-    return 2;
-  }
-  try {
-    polyfem::pin_blas_to_one_thread();
-    verification::Report report(argv[1], "asked");
-    for (const Chapter& chapter : chapters)
-      if (argc == 2 ? !chapter.on_request : chapter.name == std::string(argv[2])) chapter.write(report);
-    report.write("mechanics", fmt::format(front, report.n_claims(), report.n_seen()));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "mechanics_verification: error: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return verification::make_page(argc, argv, "mechanics", front, chapters);
 }

@@ -1,10 +1,6 @@
-/// \file Makes doc/verification/paper.md and its pictures: `paper_verification DIRECTORY`.
+/// \file Makes doc/verification/paper.md and its pictures: `paper_verification DIRECTORY [chapter]`.
+#include "chapter_page.hpp"
 #include "chapters.hpp"
-
-#include <fmt/format.h>
-#include <polyfem/assembly/blas.hpp>
-
-#include <exception>
 
 namespace {
 
@@ -17,23 +13,12 @@ not print the dimensions of its blocks, the contact stiffness, or its Voronoi ce
 compared, not single values. Of {} statements {} are seen.
 )";
 
+constexpr verification::Chapter chapters[] = {{"sliding", verification::sliding_block},
+                                              {"arch", verification::arch_bridge},
+                                              {"voronoi", verification::voronoi_slope}};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: paper_verification DIRECTORY\n");
-    return 2;
-  }
-  try {
-    polyfem::pin_blas_to_one_thread();
-    verification::Report report(argv[1], "the paper says");
-    verification::sliding_block(report);
-    verification::arch_bridge(report);
-    verification::voronoi_slope(report);
-    report.write("paper", fmt::format(front, report.n_claims(), report.n_seen()));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "paper_verification: error: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return verification::make_page(argc, argv, "paper", front, chapters, "the paper says");
 }
