@@ -18,6 +18,7 @@ void Stepper::apply(const Stage& stage) {
 }
 
 void Stepper::enter_stage(int stage) {
+  const AnalysisOptions before = analysis_;
   apply(stages_[stage]);
   progress_ = {stage, 0, state_.time};
   substep_ = analysis_.time_step;
@@ -39,7 +40,9 @@ void Stepper::enter_stage(int stage) {
     e.numerical_dissipated += kinetic;
     e.kinetic = 0;
   }
-  set_flight_acceleration();
+  if (analysis_.scheme != before.scheme || analysis_.mode != before.mode ||
+      analysis_.gravity != before.gravity)
+    set_flight_acceleration();
   accepted_ = {substep_, counts_};
 }
 
