@@ -15,7 +15,7 @@
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/resumption.hpp>
 #include <ddacontact/scene/writer.hpp>
-#include <ddacontact/time/stopwatch.hpp>
+#include <polyfem/core/stopwatch.hpp>
 #include <polyfem/assembly/blas.hpp>
 
 #include <algorithm>
@@ -98,14 +98,14 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool
 void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, Progress& progress,
                ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
   {
-    const Stopwatch watch(summary.seconds_output);
+    const polyfem::Stopwatch watch(summary.seconds_output);
     results.write_start(stepper, probes);
   }
   summary.status = "completed";
   while (stepper.counts().steps < steps) {
     bool stepped = false;
     if (!signal_received) {
-      const Stopwatch watch(summary.seconds_steps);
+      const polyfem::Stopwatch watch(summary.seconds_steps);
       stepped = stepper.step();
     }
     if (!stepped) {
@@ -114,7 +114,7 @@ void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, P
                                        : stepper.stop_reason();
       break;
     }
-    const Stopwatch watch(summary.seconds_output);
+    const polyfem::Stopwatch watch(summary.seconds_output);
     results.write_step(stepper, probes);
     checkpoints.write_if_due(stepper, results);
     progress.show(stepper);
@@ -133,7 +133,7 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
     }
   };
   {
-    const Stopwatch watch(summary.seconds_output);
+    const polyfem::Stopwatch watch(summary.seconds_output);
     attempt([&] { checkpoints.write(stepper, results); });
     attempt([&] { results.write_last_frame(stepper); });
   }

@@ -1,6 +1,7 @@
 /// \file What an analysis may choose, with the defaults.
 #pragma once
 
+#include <ddacontact/core/skips.hpp>
 #include <ddacontact/core/types.hpp>
 #include <polyfem/element/tabulated_element.hpp>
 #include <polyfem/material/linear_elastic.hpp>
@@ -67,6 +68,7 @@ struct AnalysisOptions {
   RayleighDamping damping;
   GradientCorrection gradient_correction = GradientCorrection::on;  ///< off in the paper preset
   double cutting_factor = 0.5;  ///< a rejected step is tried again with this times its length
+  Skips skip;                   ///< the same in all stages
 };
 
 /// Springs of the contacts.

@@ -3,8 +3,8 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
-#include <ddacontact/time/stopwatch.hpp>
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/core/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
@@ -127,7 +127,7 @@ Stepper::Try Stepper::try_step(double dt) {
   if (!detected_) detect(dt);
   const Solution solution = solve(dt);
 
-  const Stopwatch watch(times_.update);
+  const polyfem::Stopwatch watch(times_.update);
   rejection_ = solution.objection;
   const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * analysis_.time_step;
   if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Try::rejected;
@@ -167,7 +167,7 @@ Stepper::Try Stepper::try_step(double dt) {
 }
 
 void Stepper::detect(double dt) {
-  const Stopwatch watch(times_.detection);
+  const polyfem::Stopwatch watch(times_.detection);
   reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
   trial_contacts_ = !begun_ ? contact_builder_.build_first(state_, reach_)
                             : contact_builder_.build(state_, reach_, contacts_);
@@ -183,7 +183,7 @@ Stepper::Solution Stepper::solve(double dt) {
   for (int round = 0; round < most_impact_rounds; ++round) {
     StepImpact impact = none;
     {
-      const Stopwatch watch(times_.solver);
+      const polyfem::Stopwatch watch(times_.solver);
       impact = foresee_impact(blocks_, state_, trial_contacts_, state_.velocity, dt, also);
     }
     solution = solve_with(dt, impact);
@@ -212,21 +212,25 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
                         .jump = impact.jump,
                         .jump_path = impact.jump_path};
   {
-    const Stopwatch watch(times_.assembly);
+    const polyfem::Stopwatch watch(times_.assembly);
     system_->set_step(state_, start, held_stiffness_);
   }
-  const Stopwatch watch(times_.solver);
+  const polyfem::Stopwatch watch(times_.solver);
   tried_ = trial_contacts_;
   for (Contact& contact : tried_) contact.damping = contact.law.dashpot / dt;
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations();
+  const polyfem::CholeskySeconds seconds = cholesky.seconds();
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
     solve_by_stages(solution);
   counts_.linear_solves += cholesky.n_solves() - solves;
   counts_.factorizations += cholesky.n_factorizations() - factorizations;
+  times_.analysis += cholesky.seconds().analysis - seconds.analysis;
+  times_.factorization += cholesky.seconds().factorization - seconds.factorization;
+  times_.solution += cholesky.seconds().solution - seconds.solution;
   return solution;
 }
 

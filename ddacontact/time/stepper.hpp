@@ -21,6 +21,7 @@ namespace ddacontact {
 /// Seconds spent, by phase.
 struct StepTimes {
   double detection = 0, assembly = 0, solver = 0, update = 0;
+  double analysis = 0, factorization = 0, solution = 0;  ///< of the solver, on the factors of (13)
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.

@@ -14,9 +14,6 @@ Function* loaded(const char* name) {
 }  // namespace
 
 std::string pin_blas_to_one_thread() {
-  // CHOLMOD asks OpenMP for threads of its own, whose waiting costs more than they bring.
-  if (const auto set_max_active_levels = loaded<void(int)>("omp_set_max_active_levels"))
-    set_max_active_levels(0);
   const auto set_num_threads = loaded<void(int)>("openblas_set_num_threads");
   const auto get_config = loaded<char*()>("openblas_get_config");
   const auto get_corename = loaded<char*()>("openblas_get_corename");

@@ -5,9 +5,8 @@
 
 namespace polyfem {
 
-/// Limits OpenBLAS to one thread (more would change the last bits of results with their number), and CHOLMOD
-/// to that, and returns OpenBLAS' description with the processor core it chose kernels for; "unknown (slow?)"
-/// for another BLAS.
+/// Limits OpenBLAS to one thread (more would change the last bits of results with their number) and returns
+/// its description with the processor core it chose kernels for; "unknown (slow?)" for another BLAS.
 std::string pin_blas_to_one_thread();
 
 }  // namespace polyfem

@@ -1,7 +1,10 @@
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/core/error.hpp>
+#include <polyfem/core/stopwatch.hpp>
 
 #include <cholmod.h>
+#include <omp.h>
+
 #include <algorithm>
 #include <cassert>
 #include <string>
@@ -39,6 +42,19 @@ struct Cholesky::Factor {
 };
 
 namespace {
+
+/// CHOLMOD asks OpenMP for threads of its own, whose waiting costs more than they bring: while this lives
+/// they are not given.
+class NoThreads {
+ public:
+  NoThreads() { omp_set_max_active_levels(0); }
+  ~NoThreads() { omp_set_max_active_levels(before_); }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+
+ private:
+  int before_ = omp_get_max_active_levels();
+};
 
 /// The same storage seen by CHOLMOD, which does not write to it.
 cholmod_sparse view_of_lower(const SparseMatrix& lower) {
@@ -78,6 +94,7 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 void Cholesky::analyze(const SparseMatrix& lower) {
   ++n_analyses_;
+  const Stopwatch watch(seconds_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
@@ -88,6 +105,7 @@ void Cholesky::analyze(const SparseMatrix& lower) {
 void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
   assert(static_cast<Index>(order.size()) == lower.rows());
   ++n_analyses_;
+  const Stopwatch watch(seconds_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
@@ -101,6 +119,8 @@ void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
 
 bool Cholesky::factorize(const SparseMatrix& lower) {
   ++n_factorizations_;
+  const Stopwatch watch(seconds_.factorization);
+  const NoThreads no_threads;
   if (lower.rows() == 0) return true;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
   cholmod_sparse A = view_of_lower(lower);
@@ -111,6 +131,8 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
 
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
   ++n_solves_;
+  const Stopwatch watch(seconds_.solution);
+  const NoThreads no_threads;
   x.resize(b.size());
   if (b.size() == 0) return;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == b.size());

@@ -14,6 +14,11 @@ namespace polyfem {
 /// Compressed columns with int indices, as CHOLMOD takes them.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+/// What was spent on factors, s.
+struct CholeskySeconds {
+  double analysis = 0, factorization = 0, solution = 0;
+};
+
 /// K = L L^T of a symmetric positive definite matrix given by its lower triangle.
 class Cholesky {
  public:
@@ -40,11 +45,13 @@ class Cholesky {
   int n_analyses() const { return n_analyses_; }
   int n_factorizations() const { return n_factorizations_; }
   int n_solves() const { return n_solves_; }
+  const CholeskySeconds& seconds() const { return seconds_; }
 
  private:
   struct Factor;
   std::unique_ptr<Factor> factor_;
   int n_analyses_ = 0, n_factorizations_ = 0, n_solves_ = 0;
+  CholeskySeconds seconds_;
 };
 
 /// An order in which to eliminate the rows of a symmetric pattern so that few entries arise, by approximate

@@ -4,7 +4,7 @@
 //   any_drops table         reads such lines and writes what they come to, in Markdown
 #include <tests/support/any_drops.hpp>
 
-#include <ddacontact/time/stopwatch.hpp>
+#include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,7 +23,7 @@ void run_drops(std::uint64_t first, std::uint64_t count) {
     double seconds = 0;
     AnyDrop d;
     {
-      const ddacontact::Stopwatch watch(seconds);
+      const polyfem::Stopwatch watch(seconds);
       d = run_any_drop(seed);
     }
     const std::string what = d.stopped_by.empty() ? d.failure : "stopped: " + d.stopped_by + "; " + d.failure;

@@ -6,7 +6,7 @@
 #include <tests/support/made_scenes.hpp>
 #include <tests/support/random_scenes.hpp>
 
-#include <ddacontact/time/stopwatch.hpp>
+#include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -47,7 +47,7 @@ Outcome try_steps(const Method& method, const std::vector<HardStep>& steps) {
     stepper.staged_options().max_minimizations = method.max_minimizations;
     bool made;
     {
-      const Stopwatch watch(outcome.seconds);
+      const polyfem::Stopwatch watch(outcome.seconds);
       made = stepper.step();
     }
     const StepCounts& counts = stepper.counts();

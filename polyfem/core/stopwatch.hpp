@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace ddacontact {
+namespace polyfem {
 
 /// Measures from its construction to its destruction.
 class Stopwatch {
@@ -20,4 +20,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_;
 };
 
-}  // namespace ddacontact
+}  // namespace polyfem
