@@ -17,6 +17,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 constexpr int anderson_depth = 8, bounds_depth = 5;
+/// A contact is in another state than the law's when its force differs by this part of the largest sum of
+/// forces on a block.
+constexpr double negligible_force = 1e-9;
 /// Stage 0 gives up after so many changes of the states, and may be returned to so often.
 constexpr int most_changes = 12, most_returns = 3;
 /// It also gives up when so many changes left no fewer contacts in a state that is not theirs.
@@ -75,7 +78,7 @@ class Staged {
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
-      if (is_balanced() && states_agree()) {
+      if (is_balanced() && (states_agree() || is_balanced_by_law())) {
         if (break_bonds()) continue;
         if (is_close()) return settle();
         if (report_.augmentations == options_.max_augmentations) return end(StagedStatus::penetrating);
@@ -236,13 +239,40 @@ class Staged {
     look();
   }
 
+  /// Whether the law gives another force than the springs of the state, by what counts.
+  bool disagrees(std::size_t c) const {
+    if (state_at_d(terms_[c]) == states_[c]) return false;
+    const ContactForce law = contact_force(terms_[c], d_);
+    return std::hypot(forces_[c].normal - law.normal, forces_[c].shear - law.shear) >
+           negligible_force * report_.residual.scale;
+  }
   int count_disagreeing() const {
     int count = 0;
     for (std::size_t c = 0; c < terms_.size(); ++c)
-      if (state_at_d(terms_[c]) != states_[c]) ++count;
+      if (disagrees(c)) ++count;
     return count;
   }
   bool states_agree() const { return !follows_states_ || count_disagreeing() == 0; }
+
+  /// The state of the law at d; from sliding one way to the other only by way of sticking.
+  unsigned char next_state(std::size_t c) const {
+    const unsigned char next = state_at_d(terms_[c]);
+    const bool turns = ((states_[c] | next) & (at_upper | at_lower)) == (at_upper | at_lower);
+    return turns ? static_cast<unsigned char>((next & pressed) | stuck) : next;
+  }
+
+  /// Whether the law's own forces at d leave balance: the states are then those of the law.
+  bool is_balanced_by_law() {
+    std::vector<ContactForce> forces(terms_.size());
+    for (std::size_t c = 0; c < terms_.size(); ++c) forces[c] = contact_force(terms_[c], d_);
+    Residual residual;
+    system_.compute_residual(d_, contacts_, forces, residual);
+    if (!(residual.own <= options_.residual_aim)) return false;
+    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+    forces_ = std::move(forces);
+    report_.residual = std::move(residual);
+    return true;
+  }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
@@ -252,7 +282,8 @@ class Staged {
       const int disagreeing = count_disagreeing();
       if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return begin_minimizing();
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+      for (std::size_t c = 0; c < terms_.size(); ++c)
+        if (disagrees(c)) states_[c] = next_state(c);
       if (!seen_.insert(states_).second || ++changes_ > most_changes) return begin_minimizing();
       solutions_of_states_ = 0;
       best_ = infinity;
@@ -282,11 +313,24 @@ class Staged {
     return true;
   }
 
-  /// Friction of sliding contacts follows their normal forces.
+  /// The sign of shear forces that follow the bound of friction: of contacts that slide, and of those whose
+  /// multiplier is at the bound. 0: they do not.
+  int follows_bound(std::size_t c) const {
+    if (states_[c] & at_upper) return 1;
+    if (states_[c] & at_lower) return -1;
+    const Multiplier& m = multipliers_[c];
+    const double bound = terms_[c].bound;
+    const bool at_bound = m.sliding || std::abs(m.shear) > bound;
+    return (states_[c] & stuck) && at_bound && bound < infinity && forces_[c].normal > 0
+               ? (m.shear > 0 ? 1 : -1)
+               : 0;
+  }
+
+  /// Friction that follows normal forces.
   std::vector<Coupling> couplings() const {
     std::vector<Coupling> couplings;
     for (std::size_t c = 0; c < terms_.size(); ++c) {
-      const int sense = (states_[c] & at_upper ? 1 : 0) - (states_[c] & at_lower ? 1 : 0);
+      const int sense = follows_bound(c);
       const double rate = friction_rate(contacts_[c].law, forces_[c].normal) * terms_[c].normal_stiffness;
       if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate});
     }
