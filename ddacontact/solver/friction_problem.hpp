@@ -39,8 +39,11 @@ class FrictionProblem {
   /// Makes room for the matrices of A, each over the unknowns that `elements` lists as its rows, and for the
   /// contacts' springs. The analysis of the factor is kept when the unknowns that meet are the same.
   void set_pattern(const polyfem::Connectivity& elements, const std::vector<ContactTerm>& contacts);
-  /// The matrices of A, to be filled.
+  /// The matrices of A, to be filled, and the unknowns that each is over.
   std::span<MatrixXd> elements() { return matrices_; }
+  const polyfem::Connectivity& unknowns() const { return elements_; }
+  /// The row of each unknown, -1: held.
+  const std::vector<int>& equation() const { return equation_; }
   /// Must be called after A, or coefficients or stiffnesses of the contacts have changed: the last factor is
   /// another matrix's then.
   void matrices_changed() { factored_springs_.clear(); }

@@ -2,6 +2,7 @@
 
 #include <ddacontact/solver/anderson.hpp>
 #include <ddacontact/solver/coupled_solution.hpp>
+#include <ddacontact/solver/relaxation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,7 @@ class Staged {
     start_ = &start_d;
     look();
     system_.set_contacts(terms_);
+    if (options_.local) relax();
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
@@ -272,6 +274,37 @@ class Staged {
     forces_ = std::move(forces);
     report_.residual = std::move(residual);
     return true;
+  }
+
+  /// Moves d and the states to where relaxation of the forces of the step before finds them.
+  void relax() {
+    system_.linearize(d_);
+    ContactRelaxation relaxation;
+    if (!relaxation.set_matrices(system_.problem())) return;
+    std::vector<RelaxedLaw> laws(contacts_.size());
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const Multiplier& m = multipliers_[c];
+      laws[c] = {&contacts_[c].law, m.shear, m.sliding};
+      forces_[c] = {m.normal, m.shear};
+    }
+    system_.compute_residual(d_, contacts_, forces_, report_.residual);
+    VectorXd d = d_;
+    report_.sweeps += relaxation.relax(terms_, laws, report_.residual.force, d, forces_);
+    move_by(d - d_);
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      states_[c] = state_of(terms_[c], forces_[c], contacts_[c].law);
+    best_ = infinity;
+    since_best_ = 0;
+    look();
+  }
+
+  /// The state in which a contact exerts this force.
+  static unsigned char state_of(const ContactTerm& term, const ContactForce& force, const JointLaw& law) {
+    if (term.normal == ContactTerm::Normal::absent) return open;
+    if (force.normal <= 0 && term.bound < infinity) return open;
+    if (!term.sheared) return pressed;
+    const double bound = term.bound < infinity ? shear_bound(law, force.normal, false) : infinity;
+    return pressed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
   }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.

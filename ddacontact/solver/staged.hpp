@@ -12,6 +12,7 @@ struct StagedOptions {
   double residual_aim = 1e-12;       ///< what is iterated to while that goes on
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   bool mean_forces = false;          ///< contact forces act at the middle of the step
+  bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
   int max_solutions = 600;
   int max_minimizations = 600;  ///< 0: stage 0 alone
   int max_augmentations = 10;
@@ -32,6 +33,7 @@ struct StagedReport {
   int iterations = 0;     ///< solutions of (13)
   int minimizations = 0;  ///< problems with frozen friction bounds and geometry
   int augmentations = 0;
+  int sweeps = 0;  ///< of relaxation
   int broken_bonds = 0;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none
@@ -46,8 +48,9 @@ struct StagedReport {
 /// do not matter then. A bonded contact neither opens nor slides; one that bears more than its strength when
 /// all has settled is broken for good, and the step solved again.
 ///
-/// Stage 0 follows the active set, as open-close does. When that goes round in circles, stage 1 freezes
-/// geometry and friction bounds and minimizes, and iterates on them (FrictionProblem).
+/// Where steps are local, contacts are first relaxed one after the other (ContactRelaxation), which finds
+/// most of their states. Stage 0 follows the active set, as open-close does. When that goes round in circles,
+/// stage 1 freezes geometry and friction bounds and minimizes, and iterates on them (FrictionProblem).
 StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
                           VectorXd& d);
 

@@ -35,6 +35,8 @@ class StepSystem {
   /// \param[in] held_stiffness  of the springs that hold vertices of six-unknown blocks
   void set_step(const BlockState& state, const StepStart& start, double held_stiffness);
 
+  /// The length of the step, s.
+  double dt() const { return dt_; }
   /// The step's displacements of the held unknowns, zero elsewhere.
   const VectorXd& prescribed() const { return prescribed_; }
   /// The same, and elsewhere those of blocks without forces: where a solution starts.

@@ -3,6 +3,7 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
+#include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -257,6 +258,9 @@ void Stepper::solve_by_open_close(Solution& solution) {
 }
 
 void Stepper::solve_by_stages(Solution& solution) {
+  staged_.local = !is_static() && std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
+    return carries_waves(blocks_, contact, system_->dt());
+  });
   solution.d = system_->free_path();
   StagedReport report = solve_staged(*system_, staged_, tried_, solution.d);
   counts_.open_close_iterations += report.iterations;
