@@ -5,14 +5,6 @@
 
 namespace ddacontact {
 
-/// A term row * rate * column^T of the matrix: `row` is the slip that friction acts along, `column` the gap
-/// that it follows.
-struct Coupling {
-  const AffineForm* row;
-  const AffineForm* column;
-  double rate;
-};
-
 /// x with (A + sum of row * rate * column^T) x = b, A being what `problem` last factorized. GMRES on the
 /// values of column^T x, with a solution of A an iteration and no more iterations than couplings; returns the
 /// solutions of A it took.

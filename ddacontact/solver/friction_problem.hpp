@@ -10,6 +10,14 @@
 
 namespace ddacontact {
 
+/// A term row * rate * column^T of the matrix: `row` is the slip that friction acts along, `column` the gap
+/// that it follows.
+struct Coupling {
+  const AffineForm* row;
+  const AffineForm* column;
+  double rate;
+};
+
 /// When FrictionProblem::minimize ends.
 struct MinimizeOptions {
   VectorXd unknown_lengths;  ///< of every unknown, see Block::unknown_lengths
@@ -52,8 +60,14 @@ class FrictionProblem {
   /// what the last factor is of. False: not positive definite.
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
                                const std::vector<unsigned char>& active);
-  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones.
+  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
+  /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
+  /// y = (A + springs that act + couplings) x on the free unknowns, 0 on the held ones, where x must be 0.
+  void multiply(const std::vector<ContactTerm>& contacts, const std::vector<unsigned char>& active,
+                const std::vector<Coupling>& couplings, const VectorXd& x, VectorXd& y) const;
+  /// b with 0 at held unknowns.
+  VectorXd free_part(const VectorXd& b) const;
 
   /// Gradient of the potential at d, of held unknowns too. g0: the smooth part's at d0.
   void compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
@@ -87,6 +101,7 @@ class FrictionProblem {
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;
   int n_iterations_ = 0;
+  bool analyzed_ = false;                        ///< the present pattern
   std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;

@@ -1,7 +1,5 @@
 #include <ddacontact/solver/relaxation.hpp>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -55,33 +53,7 @@ struct LocalProblem {
 
 bool ContactRelaxation::set_matrices(FrictionProblem& problem) {
   problem_ = &problem;
-  const polyfem::Connectivity& unknowns = problem.unknowns();
-  const std::vector<int>& equation = problem.equation();
-  block_of_.assign(equation.size(), -1);
-  place_in_.assign(equation.size(), -1);
-  inverse_.resize(static_cast<std::size_t>(unknowns.n_elements()));
-  for (int b = 0; b < unknowns.n_elements(); ++b) {
-    const std::span<const int> of_block = unknowns.rows_of(b);
-    const Index n = static_cast<Index>(of_block.size());
-    if (n > largest_block) return false;
-    MatrixXd A = problem.elements()[static_cast<std::size_t>(b)];
-    for (Index k = 0; k < n; ++k) {
-      const std::size_t u = static_cast<std::size_t>(of_block[static_cast<std::size_t>(k)]);
-      if (block_of_[u] >= 0) return false;
-      if (equation[u] < 0) {
-        A.row(k).setZero();
-        A.col(k).setZero();
-        A(k, k) = 1;
-        continue;
-      }
-      block_of_[u] = b;
-      place_in_[u] = static_cast<int>(k);
-    }
-    const Eigen::LLT<MatrixXd> factor(A);
-    if (factor.info() != Eigen::Success) return false;
-    inverse_[static_cast<std::size_t>(b)] = factor.solve(MatrixXd::Identity(n, n));
-  }
-  return true;
+  return inverse_.set_matrices(problem) && inverse_.invert();
 }
 
 void ContactRelaxation::set_contact(const ContactTerm& term, Local& local) const {
@@ -93,16 +65,16 @@ void ContactRelaxation::set_contact(const ContactTerm& term, Local& local) const
   const std::span<const int> unknowns = term.gap.unknowns();
   const auto each = [&](auto&& visit) {
     for (std::size_t k = 0; k < unknowns.size(); ++k) {
-      const std::size_t u = static_cast<std::size_t>(unknowns[k]);
-      if (block_of_[u] >= 0)
-        visit(block_of_[u], place_in_[u], term.gap.coefficients()[k],
+      const int u = unknowns[k], block = inverse_.block_of(u);
+      if (block >= 0)
+        visit(block, inverse_.place_in_block(u), term.gap.coefficients()[k],
               term.sheared ? term.slip.coefficients()[k] : 0.0);
     }
   };
   each([&](int block, int place, double normal, double shear) {
     Answer& answer = local.answers[local.answers[0].block < 0 || local.answers[0].block == block ? 0 : 1];
     answer.block = block;
-    const MatrixXd& inverse = inverse_[static_cast<std::size_t>(block)];
+    const BlockInverse::Matrix& inverse = inverse_.inverse(block);
     for (Index k = 0; k < inverse.rows(); ++k) {
       answer.of_normal[static_cast<std::size_t>(k)] += inverse(k, place) * normal;
       answer.of_shear[static_cast<std::size_t>(k)] += inverse(k, place) * shear;
@@ -129,19 +101,9 @@ int ContactRelaxation::relax(const std::vector<ContactTerm>& terms, const std::v
   const std::size_t n = terms.size();
   locals_.resize(n);
   for (std::size_t c = 0; c < n; ++c) set_contact(terms[c], locals_[c]);
-  const polyfem::Connectivity& unknowns = problem_->unknowns();
-  for (int b = 0; b < unknowns.n_elements(); ++b) {
-    const MatrixXd& inverse = inverse_[static_cast<std::size_t>(b)];
-    const std::span<const int> of_block = unknowns.rows_of(b);
-    for (Index k = 0; k < inverse.rows(); ++k) {
-      const int u = of_block[static_cast<std::size_t>(k)];
-      if (block_of_[static_cast<std::size_t>(u)] < 0) continue;
-      for (Index l = 0; l < inverse.rows(); ++l) {
-        const int v = of_block[static_cast<std::size_t>(l)];
-        if (block_of_[static_cast<std::size_t>(v)] >= 0) d[u] -= inverse(k, l) * residual[v];
-      }
-    }
-  }
+  VectorXd correction;
+  inverse_.apply(residual, correction);
+  d -= correction;
 
   int quiet = 0, sweep = 0;
   while (sweep < most_sweeps && quiet < quiet_sweeps) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <ddacontact/contact/joint_law.hpp>
-#include <ddacontact/solver/friction_problem.hpp>
+#include <ddacontact/solver/block_inverse.hpp>
 
 #include <array>
 #include <vector>
@@ -31,11 +31,10 @@ class ContactRelaxation {
             const VectorXd& residual, VectorXd& d, std::vector<ContactForce>& forces);
 
  private:
-  static constexpr int largest_block = 16;  ///< unknowns
   /// How a contact's forces move one of its blocks: columns of A^-1 G^T, of the gap and of the slip.
   struct Answer {
     int block = -1;  ///< -1: none, or held
-    std::array<double, largest_block> of_normal, of_shear;
+    std::array<double, BlockInverse::largest_block> of_normal, of_shear;
   };
   struct Local {
     double normal = 0, mixed = 0, shear = 0;  ///< G A^-1 G^T
@@ -46,8 +45,7 @@ class ContactRelaxation {
   void move(const Answer& answer, double normal, double shear, VectorXd& d) const;
 
   const FrictionProblem* problem_ = nullptr;
-  std::vector<int> block_of_, place_in_;  ///< of every unknown; -1: of none, or held
-  std::vector<MatrixXd> inverse_;
+  BlockInverse inverse_;
   std::vector<Local> locals_;
 };
 

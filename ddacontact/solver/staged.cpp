@@ -1,7 +1,6 @@
 #include <ddacontact/solver/staged.hpp>
 
 #include <ddacontact/solver/anderson.hpp>
-#include <ddacontact/solver/coupled_solution.hpp>
 #include <ddacontact/solver/relaxation.hpp>
 
 #include <algorithm>
@@ -63,6 +62,7 @@ class Staged {
         forces_(contacts.size()),
         multipliers_(contacts.size()),
         states_(contacts.size()),
+        tangent_(system.problem(), options.skip, options.local),
         acceleration_(anderson_depth),
         bounds_acceleration_(bounds_depth) {}
 
@@ -331,8 +331,8 @@ class Staged {
     last_own_ = report_.residual.own;
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
-    if (!system_.problem().factorize(terms_, active)) return begin_minimizing();
-    solve_coupled(system_.problem(), couplings(), report_.residual.force, correction_);
+    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
+      return begin_minimizing();
     VectorXd next = d_;
     if (solutions_of_states_ >= first_accelerated)
       acceleration_.advance(-correction_, system_.unknown_lengths(), next);
@@ -544,6 +544,7 @@ class Staged {
   StagedReport end(StagedStatus status) {
     if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
+    report_.tangent = tangent_.counts();
     return std::move(report_);
   }
 
@@ -565,6 +566,7 @@ class Staged {
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
   double last_own_ = infinity, first_of_states_ = infinity;
+  TangentSolver tangent_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/solver/tangent_solver.hpp>
 
 namespace ddacontact {
 
@@ -16,6 +17,7 @@ struct StagedOptions {
   int max_solutions = 600;
   int max_minimizations = 600;  ///< 0: stage 0 alone
   int max_augmentations = 10;
+  Skips skip = {};
 };
 
 /// Whether the step may be accepted; if not, it is cut.
@@ -34,6 +36,7 @@ struct StagedReport {
   int minimizations = 0;  ///< problems with frozen friction bounds and geometry
   int augmentations = 0;
   int sweeps = 0;  ///< of relaxation
+  TangentCounts tangent;
   int broken_bonds = 0;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none

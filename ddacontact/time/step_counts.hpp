@@ -14,6 +14,10 @@ struct StepCounts {
   long linear_solves = 0, factorizations = 0;
   long minimizations = 0;  ///< problems with frozen bounds that the staged method had to solve
   long augmentations = 0;
+  long sweeps = 0;  ///< of relaxation, see ContactRelaxation
+  long solutions_without_factor = 0, solutions_with_stale_factor = 0;  ///< see TangentSolver
+  long krylov_iterations = 0;                                          ///< in both
+  long solver_fallbacks = 0;  ///< of both: they did not converge, and a factor was made
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose

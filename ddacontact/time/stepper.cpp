@@ -262,10 +262,16 @@ void Stepper::solve_by_stages(Solution& solution) {
     return carries_waves(blocks_, contact, system_->dt());
   });
   solution.d = system_->free_path();
+  staged_.skip = analysis_.skip;
   StagedReport report = solve_staged(*system_, staged_, tried_, solution.d);
   counts_.open_close_iterations += report.iterations;
   counts_.minimizations += report.minimizations;
   counts_.augmentations += report.augmentations;
+  counts_.sweeps += report.sweeps;
+  counts_.solutions_without_factor += report.tangent.without_factor;
+  counts_.solutions_with_stale_factor += report.tangent.with_stale_factor;
+  counts_.krylov_iterations += report.tangent.iterations;
+  counts_.solver_fallbacks += report.tangent.fallbacks;
   solution.residual = std::move(report.residual);
   switch (report.status) {
     case StagedStatus::settled:

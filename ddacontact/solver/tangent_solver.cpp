@@ -1,0 +1,77 @@
+#include <ddacontact/solver/tangent_solver.hpp>
+
+#include <ddacontact/solver/krylov.hpp>
+
+#include <algorithm>
+
+namespace ddacontact {
+
+namespace {
+
+/// Of |b|: Newton's method repairs what is left.
+constexpr double tolerance = 1e-6;
+constexpr int most_iterations = 60, most_stale_iterations = 12;
+/// A factor serves as preconditioner as long as no more than this part of the springs has changed.
+constexpr double most_changed = 0.02;
+
+}  // namespace
+
+TangentSolver::TangentSolver(FrictionProblem& problem, const Skips& skip, bool local)
+    : problem_(problem), stale_(skip.stale_factor), local_(skip.cg && local) {}
+
+bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
+                          const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
+  if (local_ && solve_without_factor(terms, active, couplings, b, x)) return true;
+  if (stale_ && has_factor_ && solve_with_stale_factor(terms, active, couplings, b, x)) return true;
+  has_factor_ = false;
+  if (!problem_.factorize(terms, active)) return false;
+  has_factor_ = true;
+  factored_ = active;
+  solve_coupled(problem_, couplings, b, x);
+  return true;
+}
+
+bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
+                                         const std::vector<unsigned char>& active,
+                                         const std::vector<Coupling>& couplings, const VectorXd& b,
+                                         VectorXd& x) {
+  if (!blocks_.set_matrices(problem_)) return local_ = false;
+  for (std::size_t c = 0; c < terms.size(); ++c) {
+    if (active[c] & 1) blocks_.add_spring(terms[c].normal_stiffness, terms[c].gap);
+    if (active[c] & 2) blocks_.add_spring(terms[c].tangential_stiffness, terms[c].slip);
+  }
+  if (!blocks_.invert()) return local_ = false;
+  const KrylovReport report = bicgstab(
+      [&](const VectorXd& in, VectorXd& out) { problem_.multiply(terms, active, couplings, in, out); },
+      [&](const VectorXd& in, VectorXd& out) { blocks_.apply(in, out); }, problem_.free_part(b), tolerance,
+      most_iterations, x);
+  counts_.iterations += report.iterations;
+  if (report.converged) {
+    ++counts_.without_factor;
+  } else {
+    ++counts_.fallbacks;
+    local_ = false;
+  }
+  return report.converged;
+}
+
+bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& terms,
+                                            const std::vector<unsigned char>& active,
+                                            const std::vector<Coupling>& couplings, const VectorXd& b,
+                                            VectorXd& x) {
+  std::size_t n_changed = 0;
+  for (std::size_t c = 0; c < active.size(); ++c) n_changed += active[c] != factored_[c];
+  if (static_cast<double>(n_changed) > most_changed * static_cast<double>(active.size())) return false;
+  const KrylovReport report = bicgstab(
+      [&](const VectorXd& in, VectorXd& out) { problem_.multiply(terms, active, couplings, in, out); },
+      [&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); }, problem_.free_part(b), tolerance,
+      most_stale_iterations, x);
+  counts_.iterations += report.iterations;
+  if (report.converged)
+    ++counts_.with_stale_factor;
+  else
+    ++counts_.fallbacks;
+  return report.converged;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,48 @@
+/// \file The linear equations of Newton's method, solved in the way that costs least.
+#pragma once
+
+#include <ddacontact/core/skips.hpp>
+#include <ddacontact/solver/block_inverse.hpp>
+#include <ddacontact/solver/coupled_solution.hpp>
+
+namespace ddacontact {
+
+/// What a TangentSolver has done.
+struct TangentCounts {
+  int without_factor = 0;     ///< solutions by Krylov iteration on the blocks' own inverses
+  int with_stale_factor = 0;  ///< solutions by Krylov iteration on an older factor
+  int iterations = 0;         ///< of Krylov in both
+  int fallbacks = 0;  ///< solutions of those two kinds that did not get there, and were made by a factor
+};
+
+/// Solves (A + springs that act + friction that follows normal forces) x = b: where a step is local without a
+/// factor; where few springs changed since the last factor of the step with that as preconditioner; else with
+/// a factor of the springs that act. An iteration that does not converge is left for the factor.
+class TangentSolver {
+ public:
+  /// \param[in] problem  its last factor, of an earlier step, is not used
+  /// \param[in] local    inertia dominates
+  TangentSolver(FrictionProblem& problem, const Skips& skip, bool local);
+
+  /// x = 0 on held unknowns. False: the matrix is not positive definite.
+  [[nodiscard]] bool solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
+                           const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
+
+  const TangentCounts& counts() const { return counts_; }
+
+ private:
+  bool solve_without_factor(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
+                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
+  bool solve_with_stale_factor(const std::vector<ContactTerm>& terms,
+                               const std::vector<unsigned char>& active,
+                               const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
+
+  FrictionProblem& problem_;
+  bool stale_, local_;
+  bool has_factor_ = false;
+  std::vector<unsigned char> factored_;  ///< springs in the last factor of the step
+  BlockInverse blocks_;
+  TangentCounts counts_;
+};
+
+}  // namespace ddacontact
