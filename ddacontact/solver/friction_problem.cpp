@@ -53,26 +53,36 @@ constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
 FrictionProblem::FrictionProblem(std::vector<int> equation, int n_equations)
     : equation_(std::move(equation)), n_equations_(n_equations) {}
 
-void FrictionProblem::set_pattern(const polyfem::Connectivity& elements,
-                                  const std::vector<ContactTerm>& contacts) {
-  polyfem::Connectivity connectivity;
-  elements_ = elements;
-  matrices_.resize(static_cast<std::size_t>(elements.n_elements()));
-  std::vector<int> rows;
-  for (int e = 0; e < elements.n_elements(); ++e) {
-    rows.clear();
-    for (int u : elements.rows_of(e)) rows.push_back(equation_[u]);
-    matrices_[e].resize(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
-    connectivity.append(rows);
+void FrictionProblem::set_matrices(const polyfem::Connectivity& unknowns) {
+  elements_ = unknowns;
+  matrices_.resize(static_cast<std::size_t>(unknowns.n_elements()));
+  for (int e = 0; e < unknowns.n_elements(); ++e) {
+    const Index n = static_cast<Index>(unknowns.rows_of(e).size());
+    matrices_[static_cast<std::size_t>(e)].resize(n, n);
   }
+  contacts_changed();
+}
+
+void FrictionProblem::contacts_changed() {
+  has_pattern_ = false;
+  matrices_changed();
+}
+
+void FrictionProblem::set_pattern(const std::vector<ContactTerm>& contacts) {
+  polyfem::Connectivity connectivity;
+  std::vector<int> rows;
+  const auto append = [&](std::span<const int> unknowns) {
+    rows.clear();
+    for (int u : unknowns) rows.push_back(equation_[static_cast<std::size_t>(u)]);
+    connectivity.append(rows);
+  };
+  for_elements([&](int, std::span<const int> unknowns) { append(unknowns); });
   for (const ContactTerm& contact : contacts) {
     assert(!contact.sheared || over_the_same_unknowns(contact.gap, contact.slip));
-    rows.clear();
-    for (int u : contact.gap.unknowns()) rows.push_back(equation_[u]);
-    connectivity.append(rows);
+    append(contact.gap.unknowns());
   }
-  if (matrix_.set_connectivity(n_equations_, connectivity)) analyzed_ = false;
-  matrices_changed();
+  if (matrix_.set_connectivity(n_equations_, connectivity)) cholesky_.analyze(matrix_.lower());
+  has_pattern_ = true;
 }
 
 bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
@@ -81,6 +91,7 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
       std::equal(active.begin(), active.end(), factored_springs_.begin(), factored_springs_.end() - 1))
     return true;
   factored_springs_.clear();
+  if (!has_pattern_) set_pattern(contacts);
   matrix_.set_zero();
   const int n_elements = elements_.n_elements();
   for (int e = 0; e < n_elements; ++e) matrix_.add(e, matrices_[e]);
@@ -90,8 +101,6 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
     if (active[c] & 1) matrix_.add_outer(e, contact.normal_stiffness, contact.gap.coefficients());
     if (active[c] & 2) matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
   }
-  if (!analyzed_) cholesky_.analyze(matrix_.lower());
-  analyzed_ = true;
   if (!cholesky_.factorize(matrix_.lower())) return false;
   factored_springs_.assign(active.begin(), active.end());
   factored_springs_.push_back(0);  // never empty: a factor without contacts is one too

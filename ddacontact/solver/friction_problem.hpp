@@ -44,9 +44,11 @@ class FrictionProblem {
   /// \param[in] equation  row of every unknown, 0 .. n_equations - 1, or -1 where it is held
   FrictionProblem(std::vector<int> equation, int n_equations);
 
-  /// Makes room for the matrices of A, each over the unknowns that `elements` lists as its rows, and for the
-  /// contacts' springs. The analysis of the factor is kept when the unknowns that meet are the same.
-  void set_pattern(const polyfem::Connectivity& elements, const std::vector<ContactTerm>& contacts);
+  /// Makes room for the matrices of A, each over the unknowns listed as its rows.
+  void set_matrices(const polyfem::Connectivity& unknowns);
+  /// Must be called before other contacts than the last ones are factorized. The analysis of the factor is
+  /// kept when the unknowns that meet are the same.
+  void contacts_changed();
   /// The matrices of A, to be filled, and the unknowns that each is over.
   std::span<MatrixXd> elements() { return matrices_; }
   const polyfem::Connectivity& unknowns() const { return elements_; }
@@ -83,6 +85,7 @@ class FrictionProblem {
   const polyfem::Cholesky& cholesky() const { return cholesky_; }
 
  private:
+  void set_pattern(const std::vector<ContactTerm>& contacts);
   double largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const;
   bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
                     const VectorXd& d);
@@ -101,7 +104,7 @@ class FrictionProblem {
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;
   int n_iterations_ = 0;
-  bool analyzed_ = false;                        ///< the present pattern
+  bool has_pattern_ = false;                     ///< matrix_ is that of the present contacts
   std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;

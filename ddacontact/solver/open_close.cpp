@@ -151,7 +151,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std
   const auto compute_residual = [&] {
     system.compute_residual(d, contacts, forces_in_states(contacts, d), r);
   };
-  system.set_contacts(terms);
+  system.problem().contacts_changed();
   d = system.prescribed();
   system.linearize(d);
   compute_residual();

@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 /// Where the step is local: forces change little in a step, and the equations are solved by iteration.
-constexpr double local_stiffness_ratio = 2;
+constexpr double local_stiffness_ratio = 4;
 constexpr int anderson_depth = 8, bounds_depth = 5;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
@@ -77,7 +77,7 @@ class Staged {
     const VectorXd start_d = d_;
     start_ = &start_d;
     look();
-    system_.set_contacts(terms_);
+    system_.problem().contacts_changed();
     if (options_.local) relax();
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))

@@ -29,12 +29,7 @@ StepSystem::StepSystem(BlockSystem& blocks)
       elements_.append(of_part);
     }
   }
-  set_contacts({});
-}
-
-void StepSystem::set_contacts(const std::vector<ContactTerm>& contacts) {
-  problem_.set_pattern(elements_, contacts);
-  problem_.matrices_changed();
+  problem_.set_matrices(elements_);
 }
 
 void StepSystem::set_step(const BlockState& state, const StepStart& start, double held_stiffness) {

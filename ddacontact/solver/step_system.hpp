@@ -29,8 +29,6 @@ class StepSystem {
  public:
   explicit StepSystem(BlockSystem& blocks);
 
-  /// Takes the pattern of contacts, of which only the unknowns that their forms are over count.
-  void set_contacts(const std::vector<ContactTerm>& contacts);
   /// Begins a step of all blocks: their inertia (26), (27), and the loads.
   /// \param[in] held_stiffness  of the springs that hold vertices of six-unknown blocks
   void set_step(const BlockState& state, const StepStart& start, double held_stiffness);

@@ -84,7 +84,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   system.set_step(initial, start, stiffest);
   VectorXd d = VectorXd::Zero(blocks.n_unknowns());
   system.linearize(d);
-  system.set_contacts(terms);
+  system.problem().contacts_changed();
   const VectorXd g0 = system.smooth_residual(d), d0 = d;
   const double largest = g0.lpNorm<Eigen::Infinity>();
   for (int round = 0; round < rounds; ++round) {

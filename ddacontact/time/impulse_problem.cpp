@@ -48,7 +48,7 @@ ImpulseProblem::ImpulseProblem(const RigidMotions& motions, std::vector<ContactT
   }
   polyfem::Connectivity elements;
   for (int k = 0; k < n_; ++k) elements.append({&k, 1});
-  problem_.set_pattern(elements, terms_);
+  problem_.set_matrices(elements);
   for (MatrixXd& element : problem_.elements()) element(0, 0) = 1;
   problem_.matrices_changed();
 }

@@ -82,7 +82,7 @@ struct RandomProblem {
   FrictionProblem problem() const {
     const auto n_equations = std::count_if(equation.begin(), equation.end(), [](int e) { return e >= 0; });
     FrictionProblem made(equation, static_cast<int>(n_equations));
-    made.set_pattern(listed(elements), contacts);
+    made.set_matrices(listed(elements));
     for (std::size_t e = 0; e < elements.size(); ++e) made.elements()[e] = matrices[e];
     made.matrices_changed();
     return made;
@@ -194,7 +194,7 @@ TEST(FrictionProblem, AMassAgainstAWallIsPushedBackByItsSpringAndMultiplier) {
       wall.normal_stiffness = 9;
       wall.normal_multiplier = multiplier;
       FrictionProblem problem({0}, 1);
-      problem.set_pattern(listed({{0, 1}}), {wall});
+      problem.set_matrices(listed({{0, 1}}));
       problem.elements()[0](0, 0) = 1;
       problem.matrices_changed();
       VectorXd x = VectorXd::Constant(1, 7);
@@ -248,7 +248,7 @@ TEST(FrictionProblem, FactorizesOnlyWhatHasChanged) {
   EXPECT_EQ(factorizations(), 2);
   problem.matrices_changed();
   EXPECT_EQ(factorizations(), 3);
-  problem.set_pattern(listed(p.elements), p.contacts);
+  problem.set_matrices(listed(p.elements));
   EXPECT_EQ(factorizations(), 4);
   EXPECT_EQ(problem.cholesky().n_analyses(), 1);
 }
@@ -261,7 +261,7 @@ TEST(FrictionProblem, SaysWhenNothingHoldsAnUnknown) {
   wall.normal_stiffness = 1;
   wall.sheared = false;
   FrictionProblem problem({0}, 1);
-  problem.set_pattern(listed({{0, 1}}), {wall});
+  problem.set_matrices(listed({{0, 1}}));
   problem.elements()[0](0, 0) = 0;
   problem.matrices_changed();
   VectorXd x = VectorXd::Zero(1);
@@ -290,7 +290,7 @@ TEST(FrictionProblem, ManyContactsMayChangeAtOnce) {
   wall.normal_stiffness = 1;
   const std::vector<ContactTerm> walls(50, wall);
   FrictionProblem problem({0}, 1);
-  problem.set_pattern(listed({{0, 1}}), walls);
+  problem.set_matrices(listed({{0, 1}}));
   problem.elements()[0](0, 0) = 1;
   problem.matrices_changed();
   for (double start : {-1., 0., 1.}) {
