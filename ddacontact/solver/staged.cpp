@@ -145,11 +145,12 @@ class Staged {
                                                                                               : at_lower);
   }
 
-  unsigned char state_at_d(const ContactTerm& term) const {
+  unsigned char state_at_d(std::size_t c) const {
+    const ContactTerm& term = terms_[c];
     const ClippedSpring n = normal_spring(term, d_), t = tangential_spring(term, d_);
     if (!n.acts() && term.bound < infinity) return open;
     const unsigned char closed = n.acts() ? pressed : open;
-    if (!term.sheared) return closed;
+    if (!term.sheared || (term.bound == 0 && !contacts_[c].law.has_friction())) return closed;
     return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
   }
 
@@ -201,7 +202,7 @@ class Staged {
     term.normal = !possible                              ? ContactTerm::Normal::absent
                   : multiplier.bonded && law.tension > 0 ? ContactTerm::Normal::bilateral
                                                          : ContactTerm::Normal::unilateral;
-    term.sheared = multiplier.bonded || law.has_friction();
+    term.sheared = multiplier.bonded || law.has_friction() || options_.all_friction_rows;
     set_bound(multiplier, term,
               multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false));
   }
@@ -227,7 +228,7 @@ class Staged {
   }
 
   void follow_states_from_here() {
-    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     best_ = infinity;
     since_best_ = changes_ = solutions_of_states_ = lost_ = 0;
     fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
@@ -239,7 +240,7 @@ class Staged {
   int count_disagreeing() const {
     int count = 0;
     for (std::size_t c = 0; c < terms_.size(); ++c)
-      if (state_at_d(terms_[c]) != states_[c]) ++count;
+      if (state_at_d(c) != states_[c]) ++count;
     return count;
   }
   bool states_agree() const { return !follows_states_ || count_disagreeing() == 0; }
@@ -252,7 +253,7 @@ class Staged {
       const int disagreeing = count_disagreeing();
       if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return begin_minimizing();
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+      for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
       if (!seen_.insert(states_).second || ++changes_ > most_changes) return begin_minimizing();
       solutions_of_states_ = 0;
       best_ = infinity;
@@ -333,7 +334,7 @@ class Staged {
     look();
 
     std::vector<unsigned char> now(terms_.size());
-    for (std::size_t c = 0; c < terms_.size(); ++c) now[c] = state_at_d(terms_[c]);
+    for (std::size_t c = 0; c < terms_.size(); ++c) now[c] = state_at_d(c);
     if (now == settled_states_ && returns_ < most_returns) {
       ++returns_;
       follow_states_from_here();  // they stay as they are: stage 0 converges faster from here

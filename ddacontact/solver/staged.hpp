@@ -12,6 +12,7 @@ struct StagedOptions {
   double residual_aim = 1e-12;       ///< what is iterated to while that goes on
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   bool mean_forces = false;          ///< contact forces act at the middle of the step
+  bool all_friction_rows = false;    ///< tangential terms also where there is neither friction nor a bond
   int max_solutions = 600;
   int max_minimizations = 600;  ///< 0: stage 0 alone
   int max_augmentations = 10;

@@ -6,6 +6,7 @@ namespace ddacontact {
 
 void Stepper::apply(const Stage& stage) {
   analysis_ = stage.analysis;
+  staged_.all_friction_rows = !analysis_.skip.friction_rows;
   staged_.mean_forces = step_rule(analysis_).mean_forces();
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
