@@ -11,10 +11,10 @@ namespace {
 constexpr double program = 16e6;
 constexpr double of_scene_block = 900, of_scene_vertex = 60;
 constexpr double of_block = 2400, of_vertex = 500, of_cell = 2500, of_unknown_pair = 24;
-constexpr double of_contact = 3000, contacts_of_vertex = 1.5;
+constexpr double of_contact = 3500, contacts_of_vertex = 1.5;
 constexpr double of_matrix_entry = 40;
 /// Entries of the factor: so many n log2 n of n rows; bytes of each with what CHOLMOD works in.
-constexpr double fill = 6, of_factor_entry = 12;
+constexpr double fill = 7, of_factor_entry = 12;
 
 /// What counts of a block.
 struct Size {
