@@ -1,6 +1,7 @@
 #include "check.hpp"
 
 #include "exit_status.hpp"
+#include "memory.hpp"
 #include "messages.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,10 @@ int check_one(const std::string& path, const std::vector<std::string>& settings)
   const ddacontact::SceneReading reading = ddacontact::read_scene(path, settings);
   const int status = report(reading);
   if (!reading.scene) return status;
+  if (const auto problem = memory_problem(*reading.scene)) {
+    fmt::print(stderr, "{}:1:1: error: {}\n", path, *problem);
+    return wrong_input;
+  }
   try {
     const ddacontact::BuiltScene built = ddacontact::build(*reading.scene);
     for (const std::string& note : built.notes) fmt::print(stderr, "{}: note: {}\n", path, note);

@@ -3,6 +3,8 @@
 #include <ddacontact/picture/number_text.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace dda {
 
@@ -86,6 +88,33 @@ void tell_energy(Answer& answer, const SummaryTable& summary) {
                                        number_text(error, 2)));
 }
 
+namespace {
+
+/// What each phase of a step costs a block.
+void tell_step_times(Answer& answer, const SummaryTable& summary) {
+  const auto blocks = summary.number("blocks"), seconds = summary.number("wall_seconds.steps");
+  const double steps =
+      summary.number("steps_completed").value_or(0) - summary.number("resumed_after").value_or(0);
+  if (!blocks || !seconds || steps <= 0 || *blocks <= 0) return;
+  const auto phases = [&](const std::vector<const char*>& names) {
+    std::string text;
+    for (const char* name : names)
+      if (const auto spent = summary.number(std::string("wall_seconds.") + name))
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
+                            quantity_text(*spent / steps / *blocks, "s", 2));
+    return text;
+  };
+  answer.topic("a step");
+  answer.line(fmt::format("{}; of each block {}", quantity_text(*seconds / steps, "s"),
+                          quantity_text(*seconds / steps / *blocks, "s", 2)));
+  if (const std::string text = phases({"detection", "assembly", "solver", "update"}); !text.empty())
+    answer.line(text);
+  if (const std::string text = phases({"analysis", "factorization", "solution"}); !text.empty())
+    answer.line("of the solver: " + text);
+}
+
+}  // namespace
+
 void tell_times(Answer& answer, const SummaryTable& summary) {
   answer.topic("wall time");
   const auto total = summary.number("wall_seconds.total");
@@ -99,6 +128,7 @@ void tell_times(Answer& answer, const SummaryTable& summary) {
     if (const auto seconds = summary.number(std::string("wall_seconds.") + part); seconds && *total > 0)
       text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", part, 100 * *seconds / *total);
   if (!text.empty()) answer.line(text);
+  tell_step_times(answer, summary);
 }
 
 }  // namespace dda

@@ -65,7 +65,8 @@ int parse_and_execute(int argc, char** argv) {
       ->expected(1);
   run->add_option("--resume", call.run.checkpoint, "Checkpoint of the same scene to go on from");
   run->add_option("--threads", call.run.threads,
-                  "Threads; results are the same for any number (this version writes frames with them)")
+                  "Threads that share the work on blocks, contacts and frames; results are the same for any "
+                  "number")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   run->add_flag("--quiet", call.run.quiet, "Print problems only");

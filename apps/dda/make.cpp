@@ -1,6 +1,7 @@
 #include "make.hpp"
 
 #include "exit_status.hpp"
+#include "memory.hpp"
 #include "messages.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,9 @@ using polyfem::Error;
 using polyfem::Index;
 using polyfem::Points;
 using polyfem::Vec2;
+
+/// Of a Voronoi mesh and the file made of it, as measured.
+constexpr double bytes_of_cell = 2000;
 
 /// "x,y" as a point.
 Vec2 point_of(const std::string& word) {
@@ -53,6 +57,11 @@ std::string not_negative(const std::string& word) {
 
 void make_voronoi(const MakeArguments& arguments) {
   ddacontact::geometry_format(arguments.file);  // an unknown ending is an error before anything is computed
+  const double needed = bytes_of_cell * arguments.voronoi.n_cells;
+  if (const auto available = available_memory(); available && *available < needed)
+    throw Error(fmt::format("{} cells take about {} of memory, {} are available (about {:.2g} would fit)",
+                            arguments.voronoi.n_cells, bytes_text(needed), bytes_text(*available),
+                            *available / bytes_of_cell));
   const polyfem::PolygonMesh mesh = polyfem::voronoi(domain_of(arguments), arguments.voronoi);
   std::vector<Points> blocks;
   blocks.reserve(mesh.n_cells());

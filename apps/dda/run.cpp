@@ -2,6 +2,7 @@
 
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
+#include "memory.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 
@@ -15,8 +16,9 @@
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/resumption.hpp>
 #include <ddacontact/scene/writer.hpp>
-#include <polyfem/core/stopwatch.hpp>
 #include <polyfem/assembly/blas.hpp>
+#include <polyfem/core/parallel.hpp>
+#include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -26,6 +28,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <new>
 
 namespace dda {
 
@@ -72,7 +75,7 @@ void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
   }
 }
 
-FrameOptions frame_options(const OutputOptions& output, int n_threads) {
+FrameOptions frame_options(const OutputOptions& output, bool skip, int n_threads) {
   const auto asked_for = [&](const char* field) { return std::ranges::count(output.fields, field) > 0; };
   return {.every = output.every,
           .displacement = asked_for("displacement"),
@@ -80,6 +83,7 @@ FrameOptions frame_options(const OutputOptions& output, int n_threads) {
           .stress = asked_for("stress"),
           .principal = asked_for("principal"),
           .n_threads = n_threads,
+          .skip = skip,
           .refine = output.refine};
 }
 
@@ -121,7 +125,8 @@ void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, P
   }
 }
 
-/// Everything that a run ends with: what can be written is, then the first failure is thrown.
+/// Everything that a run ends with: what can be written is, then the first failure is thrown. Where memory
+/// does not suffice for results the run counts as stopped, unless there is no checkpoint either.
 void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& checkpoints,
                RunSummary& summary, Clock::time_point start) {
   std::exception_ptr failure;
@@ -130,11 +135,16 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
       write();
     } catch (const OutputError&) {
       if (!failure) failure = std::current_exception();
+    } catch (const std::bad_alloc&) {
+      summary.status = "stopped";
+      summary.reason = "out of memory while results were written";
+      return false;
     }
+    return true;
   };
   {
     const polyfem::Stopwatch watch(summary.seconds_output);
-    attempt([&] { checkpoints.write(stepper, results); });
+    if (!attempt([&] { checkpoints.write(stepper, results); })) throw std::bad_alloc();
     attempt([&] { results.write_last_frame(stepper); });
   }
   summary.peak_memory_mb = peak_memory_mb();
@@ -219,10 +229,14 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   std::signal(SIGINT, note_signal);
   std::signal(SIGTERM, note_signal);
   const std::string blas = polyfem::pin_blas_to_one_thread();
+  polyfem::set_threads(arguments.threads);
   BuiltScene built = build(scene);
   built.stepper->interrupt_when([] { return signal_received != 0; });
-  if (from) built.stepper->restore(from->record);
   RunSummary summary;
+  if (from) {
+    built.stepper->restore(from->record);
+    summary.resumed_after = from->record.counts.steps;
+  }
   summary.seconds_setup = seconds_since(start);
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   const int steps = arguments.steps.value_or(scene.n_steps());
@@ -231,7 +245,8 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
                                               ? default_directory(arguments.scene)
                                               : std::filesystem::path(arguments.directory);
   ResultDirectory results =
-      open_results(arguments, directory, built.labels, frame_options(scene.output, arguments.threads), from);
+      open_results(arguments, directory, built.labels,
+                   frame_options(scene.output, scene.analysis.skip.output, arguments.threads), from);
   const std::string made_by = fmt::format("dda {}, {}, {}", POLYDDA_VERSION, blas, __VERSION__);
   Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every, made_by);
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt", from.has_value());
@@ -274,10 +289,19 @@ int run(const RunArguments& arguments) {
   const Clock::time_point start = Clock::now();
   const SceneReading reading = read_scene(arguments.scene, arguments.settings);
   if (const int status = report(reading); !reading.scene) return status;
+  if (const auto problem = memory_problem(*reading.scene)) {
+    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, *problem);
+    return wrong_input;
+  }
   try {
     return run_scene(arguments, *reading.scene, start);
   } catch (const OutputError& error) {
     print_error(error.what());
+    return file_error;
+  } catch (const std::bad_alloc& error) {
+    print_error(fmt::format(
+        "out of memory with {} blocks ({}) after {:.0f} MB: the last steps are not in a checkpoint",
+        reading.scene->blocks.size(), error.what(), peak_memory_mb()));
     return file_error;
   } catch (const Error& error) {
     fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, error.what());

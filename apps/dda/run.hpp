@@ -1,10 +1,8 @@
 /// \file `dda run`: runs a scene and writes its results.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace dda {
@@ -15,7 +13,7 @@ struct RunArguments {
   std::optional<int> steps;           ///< where to stop, in steps from the start
   std::vector<std::string> settings;  ///< PATH=VALUE
   std::string checkpoint;             ///< to go on from; empty: from the start
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int threads = 1;                    ///< results are the same for any number
   bool quiet = false;
 };
 

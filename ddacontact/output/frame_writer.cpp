@@ -97,6 +97,7 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameOpti
 }
 
 void FrameWriter::write_step(const Stepper& stepper, const Labels& labels) {
+  if (!options_.skip) (void)capture_frame(stepper, labels, {});
   if (options_.every > 0 && stepper.counts().steps % options_.every == 0)
     write(capture_frame(stepper, labels, options_.fields()));
 }

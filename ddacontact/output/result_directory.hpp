@@ -16,8 +16,9 @@ namespace ddacontact {
 
 /// What the program knows of a run beside the stepper.
 struct RunSummary {
-  std::string status;  ///< "completed", "stopped", "interrupted"
-  std::string reason;  ///< empty when completed
+  std::string status;      ///< "completed", "stopped", "interrupted"
+  std::string reason;      ///< empty when completed
+  long resumed_after = 0;  ///< the step of the checkpoint
   double seconds_total = 0, seconds_setup = 0, seconds_steps = 0, seconds_output = 0;
   double peak_memory_mb = 0;
   std::map<std::string, std::string> versions;

@@ -1,6 +1,7 @@
 #include <ddacontact/scene/builder.hpp>
 
 #include <ddacontact/block/corotational_block.hpp>
+#include <ddacontact/scene/congruent_shapes.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
@@ -145,7 +146,7 @@ class Builder {
  public:
   /// \param[in] reasons  why blocks have the models that the scene states; empty ones: it was asked for
   Builder(const Scene& scene, const std::vector<std::string>& reasons)
-      : scene_(scene), reasons_(reasons), origin_(low_corner(scene)) {
+      : scene_(scene), reasons_(reasons), origin_(low_corner(scene)), shapes_(scene.analysis.skip.congruent) {
     for (const BlockDescription& block : scene.blocks) placed_.push_back(place(block, origin_));
     holds_ = collect_holds(scene, placed_);
   }
@@ -217,8 +218,7 @@ class Builder {
     std::unique_ptr<Block> block;
     if (corotational())
       block = std::make_unique<CorotationalBlock>(
-          material, outline,
-          std::make_shared<CorotationalShape>(polygon_shape(material, outline, basis, integration)));
+          material, outline, shapes_.polygon(description.material, material, outline, basis, integration));
     else
       block = std::make_unique<VertexBlock>(material, outline, integration, basis);
     for (int v = 0; v < outline.cols(); ++v)
@@ -248,7 +248,7 @@ class Builder {
     }
     return std::make_unique<CorotationalBlock>(
         material, mesh.places,
-        std::make_shared<CorotationalShape>(mesh_shape(material, mesh, scene_.analysis.gradient_correction)));
+        shapes_.mesh(scene_.blocks[b].material, material, mesh, scene_.analysis.gradient_correction));
   }
 
   std::unique_ptr<Block> make_affine_block(int b, const BlockMaterial& material) {
@@ -257,7 +257,7 @@ class Builder {
                             held_y = held_along(holds_[b].vertices, 1);
     const auto n_x = std::count(held_x.begin(), held_x.end(), true),
                n_y = std::count(held_y.begin(), held_y.end(), true);
-    if (n_x + n_y == 0) return affine_block(material, outline, std::nullopt);
+    if (n_x + n_y == 0) return affine_block(b, material, std::nullopt);
 
     const bool wholly_held = n_x >= 3 && n_y >= 3;
     if (scene_.analysis.preset == Preset::paper && !wholly_held) {
@@ -265,7 +265,7 @@ class Builder {
         for (int axis = 0; axis < 2; ++axis)
           if (holds_[b].vertices[v][axis])
             springs_.push_back({b, v, axis == 0, axis == 1, *holds_[b].vertices[v][axis]});
-      return affine_block(material, outline, std::nullopt);
+      return affine_block(b, material, std::nullopt);
     }
     const ControlVertices control = choose_control_vertices(outline, held_x, held_y);
     for (int axis = 0; axis < 2; ++axis) {
@@ -275,16 +275,17 @@ class Builder {
         if (const auto& motion = holds_[b].vertices[vertices[k]][axis])
           local_holds_[b].push_back({2 * k + axis, vertices[k], axis, *motion});
     }
-    return affine_block(material, outline, control);
+    return affine_block(b, material, control);
   }
 
   bool corotational() const { return scene_.analysis.kinematics == Kinematics::corotational; }
 
-  std::unique_ptr<Block> affine_block(const BlockMaterial& material, const Points& outline,
-                                      const std::optional<ControlVertices>& control) const {
+  std::unique_ptr<Block> affine_block(int b, const BlockMaterial& material,
+                                      const std::optional<ControlVertices>& control) {
+    const Points& outline = placed_[b].outline;
     if (!corotational()) return std::make_unique<AffineBlock>(material, outline, control);
     return std::make_unique<CorotationalBlock>(
-        material, outline, std::make_shared<CorotationalShape>(affine_shape(material, outline, control)));
+        material, outline, shapes_.affine(scene_.blocks[b].material, material, outline, control));
   }
 
   void hold(BlockSystem& system) const {
@@ -408,6 +409,7 @@ class Builder {
   const Scene& scene_;
   const std::vector<std::string>& reasons_;
   Vec2 origin_;
+  CongruentShapes shapes_;
   std::vector<Placed> placed_;
   std::vector<Holds> holds_;
   std::vector<std::vector<LocalHold>> local_holds_ =

@@ -189,6 +189,7 @@ Document document_of(const Scene& scene) {
   fill(document.loads, scene.loads, scene);
   fill(document.monitors, scene.monitors, scene);
   fill(document.stages, scene.stages, scene);
+  document.solver.skip = scene.analysis.skip;
   document.output.options = scene.output;
   return document;
 }

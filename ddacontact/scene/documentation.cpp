@@ -24,7 +24,14 @@ class RowWriter {
   void operator()(const Key& key, const std::optional<T>&) {
     row(key, expected_text(key, T{}), key.default_text ? key.default_text : "none");
   }
-  void operator()(const Key& key, const NotAvailable&) { row(key, "", not_available_text); }
+  void operator()(const Key& key, const Skips& skips) {
+    Skips defaults = skips;
+    describe(defaults, [&](Key inner, bool skip) {
+      const std::string name = std::string(key.name) + '.' + inner.name;
+      inner.name = name.c_str();
+      (*this)(inner, skip);
+    });
+  }
   void operator()(const Key&, const OfTheWholeRun&) {}
 
   std::string take() && {

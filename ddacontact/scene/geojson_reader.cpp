@@ -49,8 +49,9 @@ class GeoJsonReader {
       return false;
     }
     int index = 0;
-    for (const JsonValue& feature : features->elements())
-      read_feature(feature, "feature " + std::to_string(index++));
+    const std::vector<JsonValue> all = features->elements();
+    file_.blocks.reserve(all.size());
+    for (const JsonValue& feature : all) read_feature(feature, "feature " + std::to_string(index++));
     return true;
   }
 

@@ -52,7 +52,10 @@ bool add_geometry(const std::filesystem::path& directory, Document& document, Pr
   GeometryBlocks file = read_geometry_file((directory / *document.geometry_file).string(),
                                            document.places.of("blocks"), problems);
   document.has_all_blocks = file.complete;
-  std::move(file.blocks.begin(), file.blocks.end(), std::back_inserter(document.blocks));
+  if (document.blocks.empty())
+    document.blocks = std::move(file.blocks);
+  else
+    std::move(file.blocks.begin(), file.blocks.end(), std::back_inserter(document.blocks));
   return !file.unreadable;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace ddacontact::scene_format {
 
@@ -49,7 +50,11 @@ std::string cure(std::string_view word, std::string_view what) {
 class JsonTreeBuilder {
  public:
   JsonTreeBuilder(const std::string& text, JsonTree& tree, ProblemList& problems)
-      : text_(text), cursor_(text), tree_(tree), problems_(problems) {}
+      : text_(text), cursor_(text), tree_(tree), problems_(problems) {
+    // Every value but the whole stands behind one of these.
+    tree_.nodes.reserve(1 + static_cast<std::size_t>(std::ranges::count_if(
+                                text, [](char c) { return c == '[' || c == '{' || c == ',' || c == ':'; })));
+  }
 
   using number_integer_t = nlohmann::json::number_integer_t;
   using number_unsigned_t = nlohmann::json::number_unsigned_t;
@@ -63,9 +68,8 @@ class JsonTreeBuilder {
   bool number_unsigned(number_unsigned_t value) { return add(JsonKind::number, static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) { return add(JsonKind::number, value); }
   bool string(string_t& value) {
-    tree_.texts.push_back(std::move(value));
     add(JsonKind::string);
-    tree_.nodes.back().text = static_cast<int>(tree_.texts.size()) - 1;
+    tree_.nodes.back().text = index_of(value);
     return true;
   }
   bool binary(binary_t&) { return false; }
@@ -91,6 +95,17 @@ class JsonTreeBuilder {
   }
 
  private:
+  /// Of a text among those of the tree. The first ones, keys among them, are kept once.
+  int index_of(std::string& text) {
+    constexpr std::size_t most_known = 100;
+    const auto known = known_.find(text);
+    if (known != known_.end()) return known->second;
+    const int index = static_cast<int>(tree_.texts.size());
+    if (known_.size() < most_known) known_.emplace(text, index);
+    tree_.texts.push_back(std::move(text));
+    return index;
+  }
+
   bool add(JsonKind kind, double number = 0) {
     cursor_.skip_any_of(" \t\r\n,:");
     JsonTree::Node node{kind, cursor_.line(), cursor_.column(), static_cast<int>(tree_.nodes.size()) + 1};
@@ -151,6 +166,7 @@ class JsonTreeBuilder {
   JsonTree& tree_;
   ProblemList& problems_;
   std::vector<int> open_;
+  std::unordered_map<std::string, int> known_;
 };
 
 }  // namespace

@@ -40,12 +40,6 @@ struct Key {
   const char* default_text = nullptr;  ///< what the documentation says when the default is no constant
 };
 
-/// Stands for the value of a key of the format that this version does not have.
-struct NotAvailable {};
-
-/// What the message of every such key and word says.
-inline constexpr const char* not_available_text = "not available in this version";
-
 /// Stands for the value of a key of [analysis] that no stage may change.
 struct OfTheWholeRun {};
 

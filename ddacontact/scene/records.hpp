@@ -208,6 +208,11 @@ struct StageRecord {
   Places places;
 };
 
+struct SolverRecord {
+  Skips skip;
+  Places places;
+};
+
 struct OutputRecord {
   OutputOptions options;
   Places places;
@@ -227,6 +232,7 @@ struct Document {
   std::vector<LoadRecord> loads;
   std::vector<MonitorRecord> monitors;
   std::vector<StageRecord> stages;
+  SolverRecord solver;
   OutputRecord output;
   Places places;
 };

@@ -74,6 +74,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   Scene scene;
   scene.title = document.title;
   scene.analysis = resolve_analysis(document.analysis, problems);
+  scene.analysis.skip = document.solver.skip;
   NameTable materials("material");
   scene.materials = resolve_materials(document, materials, problems);
   scene.contact =

@@ -74,6 +74,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     StageDescription& stage = stages.emplace_back();
     stage.name = record.name.value_or("");
     stage.analysis = resolve_analysis(document.analysis, record, problems);
+    stage.analysis.skip = document.solver.skip;
     check_n_steps(record, n_steps, problems);
     stage.joints = changed_joints(record, joints, document.contact, method, problems);
     stage.reset_displacements = record.reset_displacements;

@@ -321,6 +321,34 @@ void describe(StageRecord& r, Visit&& visit) {
 }
 
 template <class Visit>
+void describe(Skips& s, Visit&& visit) {
+  visit(
+      Key{.name = "friction_rows", .what = "Tangential terms of contacts with neither friction nor a bond."},
+      s.friction_rows);
+  visit(Key{.name = "fixed_blocks", .what = "Matrices and forces of blocks that are wholly held."},
+        s.fixed_blocks);
+  visit(Key{.name = "unchanged_factor", .what = "Factorizing a matrix that is the same as before."},
+        s.unchanged_factor);
+  visit(Key{.name = "congruent", .what = "Reference matrices of a block that is congruent to another."},
+        s.congruent);
+  visit(Key{.name = "output", .what = "Stresses and pictures that are not asked for."}, s.output);
+  visit(Key{.name = "stale_factor",
+            .what = "Factorizing while few springs changed: an older factor is the preconditioner."},
+        s.stale_factor);
+  visit(Key{.name = "cg", .what = "Factorizing where inertia dominates: conjugate gradients do without."},
+        s.cg);
+  visit(Key{.name = "islands", .what = "Solving blocks together that do not touch."}, s.islands);
+  visit(Key{.name = "sleep", .what = "Islands at rest, until something reaches them."}, s.sleep);
+  visit(Key{.name = "skin", .what = "Looking for pairs of blocks anew before they moved beyond a margin."},
+        s.skin);
+}
+
+template <class Visit>
+void describe(SolverRecord& r, Visit&& visit) {
+  visit(Key{.name = "skip", .what = "What is left out where the scene does not need it."}, r.skip);
+}
+
+template <class Visit>
 void describe(OutputRecord& r, Visit&& visit) {
   OutputOptions& o = r.options;
   visit(Key{.name = "every",
@@ -367,7 +395,7 @@ void describe(Document& d, Visit&& visit) {
   visit.tables(Key{.name = "monitor", .what = "Points whose motion is written at every step."}, d.monitors);
   visit.tables(Key{.name = "stage", .what = "Parts of a run with other options, one after the other."},
                d.stages);
-  visit(Key{.name = "solver", .what = "What the solver may skip."}, NotAvailable{});
+  visit.table(Key{.name = "solver", .what = "What the solver may skip."}, d.solver);
   visit.table(Key{.name = "output", .what = "What is written while running."}, d.output);
 }
 

@@ -6,12 +6,24 @@
 
 namespace ddacontact::scene_format {
 
-void TableReader::operator()(const Key& key, NotAvailable) {
-  refuse(key, std::string("is ") + not_available_text, "leave it out");
-}
-
 void TableReader::operator()(const Key& key, OfTheWholeRun) {
   refuse(key, "in " + std::string(title_) + " belongs to the whole run", "write it in [analysis]");
+}
+
+void TableReader::operator()(const Key& key, Skips& skips) {
+  const toml::node* node = find(key);
+  if (!node) return;
+  const toml::table* table = node->as_table();
+  places_.add(key.name, place_of(*node, problems_), table != nullptr);
+  if (!table)
+    return problems_.error(place_of(*node, problems_),
+                           "'" + std::string(key.name) + "' is " + description_of(*node),
+                           "expected " + type_text(skips));
+  const std::string quoted_title = "'" + std::string(key.name) + "'";
+  Places places;
+  TableReader reader(*table, quoted_title, places, problems_);
+  describe(skips, reader);
+  reader.refuse_other_keys();
 }
 
 void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) {

@@ -32,8 +32,8 @@ class TableReader {
     read(key, *node, *value);
   }
 
-  void operator()(const Key& key, NotAvailable);
   void operator()(const Key& key, OfTheWholeRun);
+  void operator()(const Key& key, Skips& skips);
   void operator()(const Key& key, std::vector<JointChange>& changes);
 
   /// To be called after all keys: complains about those that no one asked for.

@@ -64,6 +64,12 @@ std::string value_text(const MeshRecord& value) {
   if (value.edge_nodes) keys.emplace_back("edge_nodes", value_text(*value.edge_nodes));
   return table_text(keys);
 }
+std::string value_text(const Skips& value) {
+  Keys keys;
+  Skips skips = value;
+  describe(skips, [&](const Key& key, bool skip) { keys.emplace_back(key.name, value_text(skip)); });
+  return table_text(keys);
+}
 std::string value_text(const Vec2& value) {
   return array_text(value);
 }
@@ -139,6 +145,9 @@ std::string type_text(const RayleighDamping&) {
 }
 std::string type_text(const MeshRecord&) {
   return "{ kind, cells or cell_size, edge_nodes }";
+}
+std::string type_text(const Skips&) {
+  return "a table of true or false";
 }
 std::string type_text(const Vec2&) {
   return "[x, y]";

@@ -24,7 +24,6 @@ class DocumentWriter {
   void operator()(const Key& key, const std::optional<T>& value) {
     if (value) (*this)(key, *value);
   }
-  void operator()(const Key&, const NotAvailable&) {}
   void operator()(const Key&, const OfTheWholeRun&) {}
 
   template <class Record>

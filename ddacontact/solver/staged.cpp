@@ -153,11 +153,12 @@ class Staged {
                                                                                               : at_lower);
   }
 
-  unsigned char state_at_d(const ContactTerm& term) const {
+  unsigned char state_at_d(std::size_t c) const {
+    const ContactTerm& term = terms_[c];
     const ClippedSpring n = normal_spring(term, d_), t = tangential_spring(term, d_);
     if (!n.acts() && term.bound < infinity) return open;
     const unsigned char closed = n.acts() ? pressed : open;
-    if (!term.sheared) return closed;
+    if (!term.sheared || (term.bound == 0 && !contacts_[c].law.has_friction())) return closed;
     return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
   }
 
@@ -209,7 +210,7 @@ class Staged {
     term.normal = !possible                              ? ContactTerm::Normal::absent
                   : multiplier.bonded && law.tension > 0 ? ContactTerm::Normal::bilateral
                                                          : ContactTerm::Normal::unilateral;
-    term.sheared = multiplier.bonded || law.has_friction();
+    term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
     set_bound(multiplier, term,
               multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false));
   }
@@ -235,7 +236,7 @@ class Staged {
   }
 
   void follow_states_from_here() {
-    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     best_ = infinity;
     since_best_ = changes_ = solutions_of_states_ = lost_ = 0;
     fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
@@ -246,7 +247,7 @@ class Staged {
 
   /// Whether the law gives another force than the springs of the state, by what counts.
   bool disagrees(std::size_t c) const {
-    if (state_at_d(terms_[c]) == states_[c]) return false;
+    if (state_at_d(c) == states_[c]) return false;
     const ContactForce law = contact_force(terms_[c], d_);
     return std::hypot(forces_[c].normal - law.normal, forces_[c].shear - law.shear) >
            negligible_force * report_.residual.scale;
@@ -261,7 +262,7 @@ class Staged {
 
   /// The state of the law at d; from sliding one way to the other only by way of sticking.
   unsigned char next_state(std::size_t c) const {
-    const unsigned char next = state_at_d(terms_[c]);
+    const unsigned char next = state_at_d(c);
     const bool turns = ((states_[c] | next) & (at_upper | at_lower)) == (at_upper | at_lower);
     return turns ? static_cast<unsigned char>((next & pressed) | stuck) : next;
   }
@@ -273,7 +274,7 @@ class Staged {
     Residual residual;
     system_.compute_residual(d_, contacts_, forces, residual);
     if (!(residual.own <= options_.residual_aim)) return false;
-    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(terms_[c]);
+    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     forces_ = std::move(forces);
     report_.residual = std::move(residual);
     return true;
@@ -413,7 +414,7 @@ class Staged {
     look();
 
     std::vector<unsigned char> now(terms_.size());
-    for (std::size_t c = 0; c < terms_.size(); ++c) now[c] = state_at_d(terms_[c]);
+    for (std::size_t c = 0; c < terms_.size(); ++c) now[c] = state_at_d(c);
     if (now == settled_states_ && returns_ < most_returns) {
       ++returns_;
       follow_states_from_here();  // they stay as they are: stage 0 converges faster from here

@@ -5,6 +5,7 @@
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/core/out_of_memory.hpp>
 #include <polyfem/core/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -82,7 +83,18 @@ bool Stepper::step() {
     const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
     const double dt = remaining / pieces;
     const bool last_resort = dt * analysis_.cutting_factor < shortest;
-    const Try result = try_step(dt);
+    Try result;
+    try {
+      result = try_step(dt);
+    } catch (const std::bad_alloc& error) {
+      if (accepting_) throw;
+      forget_tries();
+      stop_reason_ = dynamic_cast<const polyfem::OutOfMemory*>(&error)
+                         ? error.what()
+                         : "out of memory with " + std::to_string(blocks_.n_equations()) + " unknowns and " +
+                               std::to_string(trial_contacts_.size()) + " contacts";
+      return false;
+    }
     if (result == Try::accepted) {
       substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
       accepted_ = {substep_, counts_};
@@ -116,12 +128,16 @@ bool Stepper::step() {
 
 bool Stepper::is_interrupted() {
   if (!interrupted_ || !interrupted_()) return false;
+  forget_tries();
+  stop_reason_ = "interrupted";
+  return true;
+}
+
+void Stepper::forget_tries() {
   substep_ = accepted_.substep;
   counts_ = accepted_.counts;
   detected_ = false;
   reach_scale_ = 1;
-  stop_reason_ = "interrupted";
-  return true;
 }
 
 Stepper::Try Stepper::try_step(double dt) {
@@ -221,7 +237,8 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
   for (Contact& contact : tried_) contact.damping = contact.law.dashpot / dt;
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
-  const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations();
+  const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
+            analyses = cholesky.n_analyses();
   const polyfem::CholeskySeconds seconds = cholesky.seconds();
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
@@ -229,6 +246,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
     solve_by_stages(solution);
   counts_.linear_solves += cholesky.n_solves() - solves;
   counts_.factorizations += cholesky.n_factorizations() - factorizations;
+  times_.analyses += cholesky.n_analyses() - analyses;
   times_.analysis += cholesky.seconds().analysis - seconds.analysis;
   times_.factorization += cholesky.seconds().factorization - seconds.factorization;
   times_.solution += cholesky.seconds().solution - seconds.solution;
@@ -348,6 +366,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
 }
 
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
+  accepting_ = true;
   record_reactions(solution.d, solution.residual);
   record_contacts(solution.d);
   account_step(blocks_, *system_,
@@ -384,6 +403,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   last_dt_ = dt;
   detected_ = false;
   reach_scale_ = 1;
+  accepting_ = false;
 }
 
 void Stepper::prepare_and_keep_momentum() {

@@ -22,6 +22,7 @@ namespace ddacontact {
 struct StepTimes {
   double detection = 0, assembly = 0, solver = 0, update = 0;
   double analysis = 0, factorization = 0, solution = 0;  ///< of the solver, on the factors of (13)
+  long analyses = 0;  ///< of the pattern of (13); going on from a record takes one more
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.
@@ -42,7 +43,8 @@ class Stepper {
 
   /// Carries the state over one time_step, in as many substeps as it takes; first goes on to the next stage
   /// when the last one has made its steps. False when it has to stop: the state is then that of the last
-  /// accepted substep and `stop_reason` says why.
+  /// accepted substep and `stop_reason` says why; also where memory does not suffice for a try. Throws
+  /// std::bad_alloc where it fails between two states: the record is of no use then.
   [[nodiscard]] bool step();
   /// Asked after every try of a step: when it says so the step is left, as if the tries since the last
   /// accepted substep had not been made; `step` returns false and `stop_reason` is "interrupted".
@@ -91,6 +93,8 @@ class Stepper {
   void set_flight_acceleration();
   Try try_step(double dt);
   bool is_interrupted();
+  /// As if the tries since the last accepted substep had not been made.
+  void forget_tries();
   void detect(double dt);
   /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
   /// can).
@@ -152,7 +156,8 @@ class Stepper {
   struct {
     double substep;
     StepCounts counts;
-  } accepted_;  ///< as it was after the last accepted substep
+  } accepted_;              ///< as it was after the last accepted substep
+  bool accepting_ = false;  ///< the state is neither that before the substep nor that after it
   std::function<bool()> interrupted_;
   double last_dt_ = 0;
   StepCounts counts_;

@@ -1,5 +1,6 @@
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/core/error.hpp>
+#include <polyfem/core/out_of_memory.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
 #include <cholmod.h>
@@ -34,10 +35,17 @@ struct Cholesky::Factor {
   Factor(const Factor&) = delete;
   Factor& operator=(const Factor&) = delete;
 
-  void check(const char* action) const {
-    if (common.status < CHOLMOD_OK)
-      throw Error(std::string("CHOLMOD could not ") + action + " the matrix (status " +
-                  std::to_string(common.status) + "; -2: out of memory, -3: too large for 32-bit indices)");
+  void check(const char* action, Index n_rows) const {
+    if (common.status >= CHOLMOD_OK) return;
+    const std::string what =
+        std::string("CHOLMOD could not ") + action + " a matrix of " + std::to_string(n_rows) + " rows";
+    const std::string entries =
+        common.lnz > 0 ? " with " + std::to_string(static_cast<long>(common.lnz)) + " entries" : "";
+    if (common.status == CHOLMOD_OUT_OF_MEMORY)
+      throw OutOfMemory(what + ": not enough memory for its factor" + entries);
+    if (common.status == CHOLMOD_TOO_LARGE)
+      throw OutOfMemory(what + ": its factor" + entries + " is too large for 32-bit indices");
+    throw Error(what + " (status " + std::to_string(common.status) + ")");
   }
 };
 
@@ -99,7 +107,7 @@ void Cholesky::analyze(const SparseMatrix& lower) {
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
   factor_->L = cholmod_analyze(&A, &factor_->common);
-  factor_->check("analyze");
+  factor_->check("analyze", lower.rows());
 }
 
 void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
@@ -114,7 +122,7 @@ void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
   factor_->L = cholmod_analyze_p(&A, const_cast<int*>(order.data()), nullptr, 0, &factor_->common);
   factor_->common.nmethods = n_methods;
   factor_->common.method[0].ordering = ordering;
-  factor_->check("analyze");
+  factor_->check("analyze", lower.rows());
 }
 
 bool Cholesky::factorize(const SparseMatrix& lower) {
@@ -125,7 +133,7 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
   cholmod_sparse A = view_of_lower(lower);
   cholmod_factorize(&A, factor_->L, &factor_->common);
-  factor_->check("factorize");
+  factor_->check("factorize", lower.rows());
   return factor_->L->minor == factor_->L->n;
 }
 
@@ -139,7 +147,7 @@ void Cholesky::solve(const VectorXd& b, VectorXd& x) {
   cholmod_dense rhs = view_of(b);
   cholmod_solve2(CHOLMOD_A, factor_->L, &rhs, nullptr, &factor_->solution, nullptr, &factor_->work_y,
                  &factor_->work_e, &factor_->common);
-  factor_->check("solve with");
+  factor_->check("solve with", b.size());
   std::copy_n(static_cast<const double*>(factor_->solution->x), b.size(), x.data());
 }
 

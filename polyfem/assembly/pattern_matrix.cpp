@@ -1,8 +1,10 @@
 #include <polyfem/assembly/pattern_matrix.hpp>
+#include <polyfem/core/out_of_memory.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <string>
 
 namespace polyfem {
 namespace {
@@ -55,7 +57,9 @@ SparseMatrix make_pattern(int n_rows, const Connectivity& connectivity) {
     const auto last = columns.row.begin() + static_cast<std::ptrdiff_t>(columns.first[c + 1]);
     std::sort(first, last);
     kept = std::unique_copy(first, last, kept);
-    assert(kept - columns.row.begin() <= std::numeric_limits<int>::max());
+    if (kept - columns.row.begin() > std::numeric_limits<int>::max())
+      throw OutOfMemory("a matrix of " + std::to_string(n_rows) +
+                        " rows has more entries than 32-bit indices can count");
     pattern.outerIndexPtr()[c + 1] = static_cast<int>(kept - columns.row.begin());
   }
   pattern.resizeNonZeros(pattern.outerIndexPtr()[n_rows]);

@@ -120,7 +120,8 @@ TEST_F(Results, AreToldInWords) {
   for (const char* words :
        {"Arch bridge", "completed after 10 steps", "7 blocks", "largest displacement", "block crown",
         "Pa in block", "12 stick", "of the smallest block's size", "kinetic", "balance closes",
-        "the blocks weigh 2.412 kN/m", "wall time", "3: steps 0, 5, 10", "monitors.csv"})
+        "the blocks weigh 2.412 kN/m", "wall time", "; of each block ", "detection ",
+        "of the solver: analysis ", "3: steps 0, 5, 10", "monitors.csv"})
     EXPECT_NE(out_.find(words), std::string::npos) << words << "\n" << out_;
 }
 

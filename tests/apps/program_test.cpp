@@ -60,9 +60,30 @@ TEST_F(Program, SummarySaysWhatHappened) {
   EXPECT_DOUBLE_EQ(s["time"].get<double>(), 0.1);
   EXPECT_GE(s["linear_solves"].get<int>(), 10);
   EXPECT_GT(s["peak_memory_mb"].get<double>(), 0);
-  for (const char* key : {"total", "setup", "steps", "detection", "assembly", "solver", "update", "output"})
+  for (const char* key : {"total", "setup", "steps", "detection", "assembly", "solver", "analysis",
+                          "factorization", "solution", "update", "output"})
     EXPECT_TRUE(s["wall_seconds"].contains(key)) << key;
+  const nlohmann::json& seconds = s["wall_seconds"];
+  const auto number = [&](const char* key) { return seconds[key].get<double>(); };
+  EXPECT_LE(number("analysis") + number("factorization") + number("solution"), number("solver"));
+  EXPECT_GE(s["analyses"].get<int>(), 1);
   EXPECT_TRUE(s["versions"].contains("blas"));
+}
+
+TEST_F(Program, TwoThreadsWriteTheSameBytes) {
+  ASSERT_EQ(dda("make voronoi --cells 150 -o blocks.toml"), 0) << err_;
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(dda("run blocks.toml --steps 2 --quiet --threads " + std::string(threads) + " -o " + threads),
+              0)
+        << err_;
+  int n_files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(directory_ / "1")) {
+    if (!entry.is_regular_file() || entry.path().filename() == "summary.json") continue;
+    ++n_files;
+    const fs::path name = fs::relative(entry.path(), directory_ / "1");
+    EXPECT_TRUE(read_file(entry.path()) == read_file(directory_ / "2" / name)) << name;
+  }
+  EXPECT_GE(n_files, 10);
 }
 
 TEST_F(Program, DefaultDirectoryIsTheScenesNameWithOut) {

@@ -6,6 +6,8 @@
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <random>
 #include <set>
 
@@ -49,6 +51,23 @@ class FrameWriterTest : public testing::Test {
   std::filesystem::path directory = std::filesystem::path(testing::TempDir()) /
                                     ("frame_writer_test" + std::to_string(std::random_device()()));
 };
+
+TEST_F(FrameWriterTest, WhatIsComputedThoughNotAskedForIsNotWritten) {
+  const auto files = [&] {
+    std::map<std::string, std::string> bytes;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(directory)) {
+      std::ifstream in(file.path(), std::ios::binary);
+      if (file.is_regular_file()) bytes[file.path().string()] = {std::istreambuf_iterator<char>(in), {}};
+    }
+    return bytes;
+  };
+  FrameOptions options{.every = 2, .velocity = false, .stress = false, .principal = false};
+  write(5, options);
+  const auto skipped = files();
+  options.skip = false;
+  write(5, options);
+  EXPECT_EQ(files(), skipped);
+}
 
 TEST_F(FrameWriterTest, EveryKStepsFromTheStartAndAlwaysTheLast) {
   write(6, {.every = 1});

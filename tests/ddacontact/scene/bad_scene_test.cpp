@@ -20,8 +20,6 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.name;
 }
 
-constexpr const char* unavailable = "not available in this version";
-
 const Case cases[] = {
     // TOML itself: these stand alone.
     {"SyntaxError", "steps = 35", "steps 35", 5, 7, {"TOML"}},
@@ -580,8 +578,25 @@ const Case cases[] = {
      {"monitor", "1 m outside block 'slider'"}},
     {"MonitorJustOutside", "at = [3.0, 2.0]", "at = [3.0, 2.00000001]", 79, 6, {"outside"}},
 
-    // The format has it, this version has not.
-    {"Solver", "[output]", "[solver]\n[output]", 80, 2, {"'solver'", unavailable}},
+    {"SkipKey",
+     "[output]",
+     "[solver]\nskip = { slep = true }\n[output]",
+     81,
+     10,
+     {"unknown key 'slep' in 'skip'", "did you mean 'sleep'"}},
+    {"SkipType", "[output]", "[solver]\nskip = true\n[output]", 81, 8, {"'skip' is", "expected a table"}},
+    {"SkipValue",
+     "[output]",
+     "[solver]\nskip = { islands = \"no\" }\n[output]",
+     81,
+     20,
+     {"'islands' is", "expected true or false"}},
+    {"SolverKey",
+     "[output]",
+     "[solver]\nskips = {}\n[output]",
+     81,
+     1,
+     {"unknown key 'skips' in [solver]", "did you mean 'skip'"}},
 };
 
 class BadScene : public testing::TestWithParam<Case> {};

@@ -153,7 +153,7 @@ TEST_F(GeometryFile, IsNotNeededByTheSceneWrittenBack) {
       scene_with("a.geojson", three_features, std::string(without_blocks) + std::string(actions));
   std::filesystem::remove(path("a.geojson"));
   const std::string text = written(scene);
-  EXPECT_EQ(text.find("blocks ="), std::string::npos);
+  EXPECT_EQ(text.find("\nblocks ="), std::string::npos);
   const SceneReading again = read(text);
   ASSERT_TRUE(again.scene) << all_text(again.problems);
   EXPECT_EQ(written(*again.scene), text);

@@ -87,7 +87,10 @@ TEST(RoundTrip, StatesEveryDefault) {
                            "penetration_tolerance = 1e-06",
                            "damping = { mass = 0.0, stiffness = 0.0 }",
                            "restitution = 0.0",
-                           "dashpot = 0.0"})
+                           "dashpot = 0.0",
+                           "skip = { friction_rows = true, fixed_blocks = true, unchanged_factor = true, "
+                           "congruent = true, output = true, stale_factor = true, cg = true, islands = true, "
+                           "sleep = true, skin = true }"})
     EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
   EXPECT_EQ(text.find("beta ="), std::string::npos) << "a key of another scheme is no default";
   EXPECT_EQ(text.find("mesh ="), text.rfind("mesh =")) << "a block says what differs from the analysis";
@@ -113,6 +116,18 @@ TEST(RoundTrip, KeepsTheMechanics) {
     EXPECT_EQ(again.contact.method, scene.contact.method);
     EXPECT_EQ(again.contact.penetration_tolerance, scene.contact.penetration_tolerance);
     EXPECT_EQ(again.joints[0].restitution, scene.joints[0].restitution);
+  }
+}
+
+TEST(RoundTrip, KeepsTheSkips) {
+  const std::vector<std::string> off{
+      "friction_rows", "fixed_blocks", "unchanged_factor", "congruent", "output",
+      "stale_factor",  "cg",           "islands",          "sleep",     "skin"};
+  for (const std::string& skip : off) {
+    const Scene scene = scene_of(in_stages, {"solver.skip." + skip + "=false"});
+    EXPECT_NE(scene.analysis.skip, ddacontact::Skips{}) << skip;
+    for (const auto& stage : scene.stages) EXPECT_EQ(stage.analysis.skip, scene.analysis.skip) << skip;
+    EXPECT_EQ(scene_of(written(scene)).analysis.skip, scene.analysis.skip) << skip;
   }
 }
 

@@ -44,6 +44,16 @@ TEST(Settings, ReachIntoDamping) {
   EXPECT_EQ(scene_of(text, {"analysis.damping={ mass = 1 }"}).analysis.damping.stiffness, 0);
 }
 
+TEST(Settings, ReachIntoSkips) {
+  const Scene scene = scene_of(minimal, {"solver.skip.sleep=false"});
+  ddacontact::Skips expected;
+  expected.sleep = false;
+  EXPECT_EQ(scene.analysis.skip, expected);
+  const std::string text = replaced(minimal, "[[material]]", "[solver]\nskip = { cg = false }\n[[material]]");
+  expected.cg = false;
+  EXPECT_EQ(scene_of(text, {"solver.skip.sleep=false"}).analysis.skip, expected);
+}
+
 TEST(Settings, ReachIntoMeshes) {
   const Scene added = scene_of(complete, {"analysis.mesh.cells=16", "block.slider.mesh.cells=8",
                                           "block.slider.mesh.edge_nodes=false", "block.2.mesh.kind=quads"});
@@ -151,7 +161,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"UnknownPart", "analysis.damping.mas=3", {"unknown key 'mas' in 'damping'", "'mass'"}},
         Case{"PartOfAPart", "analysis.damping.mass.x=3", {"'damping.mass' is a table"}},
         Case{"PartOutOfRange", "analysis.damping.mass=-3", {"'damping.mass' = '-3'", ">= 0"}},
-        Case{"TableNotAvailable", "solver.skip.sleep=true", {"'solver'", "not available in this version"}},
+        Case{"Skip", "solver.skip.slep=true", {"unknown key 'slep' in 'skip'", "'sleep'"}},
+        Case{"SkipNoTruth", "solver.skip.sleep=1", {"'sleep' is", "expected true or false"}},
+        Case{"SolverKey", "solver.skipp.sleep=true", {"'skipp'", "did you mean 'skip'"}},
         Case{"NoGeometryFile", "blocks=no/wall.geojson", {"'no/wall.geojson'", "cannot be read"}},
         Case{"NoGeometryFormat", "blocks=wall.shp", {"'.shp'", ".geojson"}},
         Case{"ValueForTable", "analysis=3", {"'analysis'", "table"}},

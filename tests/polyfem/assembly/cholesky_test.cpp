@@ -1,4 +1,5 @@
 #include <polyfem/assembly/cholesky.hpp>
+#include <polyfem/core/out_of_memory.hpp>
 
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <numeric>
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 using namespace polyfem;
@@ -178,6 +180,27 @@ TEST(Cholesky, CanBeAnalyzedAnewAndMoved) {
     cholesky = std::move(moved);
   }
   EXPECT_EQ(cholesky.n_analyses(), 3);
+}
+
+// Eliminating the hub of a star first makes a full matrix of its rim.
+TEST(Cholesky, AFactorOfTooManyEntriesIsRefusedByItsSize) {
+  const int n = 70000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int k = 0; k < n; ++k) entries.emplace_back(k, k, n);
+  for (int k = 1; k < n; ++k) entries.emplace_back(k, 0, -1);
+  SparseMatrix star(n, n);
+  star.setFromTriplets(entries.begin(), entries.end());
+  std::vector<int> hub_first(static_cast<std::size_t>(n));
+  std::iota(hub_first.begin(), hub_first.end(), 0);
+  Cholesky cholesky;
+  try {
+    cholesky.analyze(star, hub_first);
+    FAIL() << "accepted";
+  } catch (const OutOfMemory& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("70000 rows"), std::string::npos) << what;
+    EXPECT_NE(what.find("too large for 32-bit indices"), std::string::npos) << what;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+#include <ddacontact/scene/memory_estimate.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+// Bytes measured in runs of walls of 1e3 to 1e5 blocks of each model; see tests/apps/memory_test.cpp.
+constexpr double program = 16e6;
+constexpr double of_scene_block = 900, of_scene_vertex = 60;
+constexpr double of_block = 2400, of_vertex = 500, of_cell = 2500, of_unknown_pair = 24;
+constexpr double of_contact = 3500, contacts_of_vertex = 1.5;
+constexpr double of_matrix_entry = 40;
+/// Entries of the factor: so many n log2 n of n rows; bytes of each with what CHOLMOD works in.
+constexpr double fill = 7, of_factor_entry = 12;
+
+/// What counts of a block.
+struct Size {
+  double unknowns = 0, cells = 1;
+  double of_cell = 0;  ///< unknowns of each
+};
+
+Size size_of(const BlockDescription& block) {
+  const double n = static_cast<double>(block.vertices.cols());
+  if (block.model == BlockModel::affine) return {6, 1, 6};
+  if (block.model != BlockModel::mesh) return {2 * n, 1, 2 * n};
+  // A Voronoi cell brings two corners, a quadrilateral one.
+  const double cells = block.mesh.cells;
+  const bool quads = block.mesh.kind == CellKind::quads || (block.mesh.kind == CellKind::by_shape && n == 4);
+  return {2 * ((quads ? 1 : 2) * cells + 4 * std::sqrt(cells)), cells, quads ? 8. : 12.};
+}
+
+double factor_bytes(double n_rows) {
+  return n_rows > 1 ? of_factor_entry * fill * n_rows * std::log2(n_rows) : 0;
+}
+
+}  // namespace
+
+MemoryEstimate estimate_memory(const Scene& scene) {
+  MemoryEstimate e;
+  e.scene = program;
+  for (const BlockDescription& block : scene.blocks) {
+    const double n = static_cast<double>(block.vertices.cols());
+    const Size size = size_of(block);
+    const double pairs = size.cells * size.of_cell * size.of_cell;
+    e.scene += of_scene_block + of_scene_vertex * n;
+    e.blocks += of_block + of_vertex * n + of_cell * size.cells + of_unknown_pair * pairs;
+    e.contacts += of_contact * contacts_of_vertex * n;
+    const double of_a_contact = block.model == BlockModel::affine ? 36 : 8;
+    e.matrix += of_matrix_entry * (pairs / 2 + contacts_of_vertex * n * of_a_contact);
+    if (!block.fixed) e.n_rows += size.unknowns;
+  }
+  e.factor = factor_bytes(e.n_rows);
+  return e;
+}
+
+double part_that_fits(const MemoryEstimate& estimate, double bytes) {
+  const double proportional = estimate.total() - estimate.factor - program;
+  double fits = 0, too_much = 1;
+  while (too_much - fits > 1e-3) {
+    const double part = (fits + too_much) / 2;
+    (program + part * proportional + factor_bytes(part * estimate.n_rows) > bytes ? too_much : fits) = part;
+  }
+  return fits;
+}
+
+}  // namespace ddacontact

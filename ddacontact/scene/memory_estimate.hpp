@@ -1,0 +1,27 @@
+/// \file How much memory a run of a scene takes, told before anything of it is built.
+#pragma once
+
+#include <ddacontact/scene/scene.hpp>
+
+namespace ddacontact {
+
+/// Bytes, by what takes them.
+struct MemoryEstimate {
+  double scene = 0;     ///< as it is read and kept
+  double blocks = 0;    ///< shapes, states, forces
+  double contacts = 0;  ///< about three for two vertices
+  double matrix = 0;    ///< of a step, with the places of its parts
+  double factor = 0;    ///< c n log2 n entries of n rows, and what making it takes
+  double n_rows = 0;    ///< unknowns that are not held
+
+  double total() const { return scene + blocks + contacts + matrix + factor; }
+};
+
+/// From the numbers of vertices and of cells alone: blocks of the model "auto" count as undivided, contacts
+/// as in a dense packing.
+MemoryEstimate estimate_memory(const Scene& scene);
+
+/// What part of the blocks, or of their cells, takes `bytes`; 0 where the program itself does.
+double part_that_fits(const MemoryEstimate& estimate, double bytes);
+
+}  // namespace ddacontact
