@@ -81,7 +81,10 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
   } else {
     rigid_modes_ = Mat6::Identity().leftCols<3>();
   }
-  for (int v = 0; v < n_vertices(); ++v) vertex_maps_[v] = transformation(outline.col(v) - centroid) * basis_;
+  for (int v = 0; v < n_vertices(); ++v) {
+    const Eigen::Matrix<double, 2, 6> map = transformation(outline.col(v) - centroid) * basis_;
+    for (int k = 0; k < 6; ++k) vertex_maps_[v][k] = {k, map.col(k)};
+  }
 
   const double area = moments().area;
   Mat6 K = Mat6::Zero();
@@ -99,9 +102,7 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
 }
 
 PointMap AffineBlock::vertex_map(int vertex) const {
-  PointMap map;
-  for (int k = 0; k < 6; ++k) map.add(unknowns().first + k, vertex_maps_[vertex].col(k));
-  return map;
+  return PointMap(unknowns().first, vertex_maps_[vertex]);
 }
 
 void AffineBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {

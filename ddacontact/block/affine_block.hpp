@@ -36,8 +36,8 @@ class AffineBlock final : public IncrementalBlock {
   void prepare_shape(const PointsRef& outline) override;
 
   std::optional<ControlVertices> control_;
-  Mat6 basis_;                                            ///< (1) = basis_ * unknowns
-  std::vector<Eigen::Matrix<double, 2, 6>> vertex_maps_;  ///< T (3) * basis_ at each outline vertex
+  Mat6 basis_;                                              ///< (1) = basis_ * unknowns
+  std::vector<std::array<PointMap::Term, 6>> vertex_maps_;  ///< T (3) * basis_ at each outline vertex
 };
 
 /// Control vertices that include as many of the held ones (`held_x[v]`, `held_y[v]`) as three can be.

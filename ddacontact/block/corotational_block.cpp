@@ -54,6 +54,7 @@ CorotationalBlock::CorotationalBlock(const BlockMaterial& material, const Points
   const Points shift = Vec2::UnitX() * shape_->translation.transpose();
   mass_of_translation_ = weighted(shift).row(0).transpose();
   mass_total_ = shape_->translation.dot(mass_of_translation_);
+  map_places();
 }
 
 Points CorotationalBlock::nodes(const PointsRef& places) const {
@@ -80,27 +81,31 @@ VectorXd CorotationalBlock::forces_on_unknowns(const Points& on_nodes) const {
   return shape_->basis.transpose() * interleaved(on_nodes);
 }
 
-PointMap CorotationalBlock::vertex_map(int place) const {
-  PointMap map;
-  const auto add = [&](Index node, double weight) {
+void CorotationalBlock::map_places() {
+  if (shape_->places.size() == 0 && !shape_->has_basis()) return;
+  const auto add = [&](Index node, double weight, std::vector<PointMap::Term>& terms) {
     for (int axis = 0; axis < 2; ++axis) {
       const Index row = 2 * node + axis;
       const Vec2 column = weight * Vec2::Unit(axis);
       if (!shape_->has_basis()) {
-        map.add(unknowns().first + static_cast<int>(row), column);
+        add_term(static_cast<int>(row), column, terms);
         continue;
       }
       for (decltype(shape_->basis)::InnerIterator entry(shape_->basis, row); entry; ++entry)
-        map.add(unknowns().first + static_cast<int>(entry.col()), entry.value() * column);
+        add_term(static_cast<int>(entry.col()), entry.value() * column, terms);
     }
   };
-  if (shape_->places.size() == 0) {
-    add(place, 1);
-    return map;
+  place_maps_.resize(n_places());
+  for (int place = 0; place < n_places(); ++place) {
+    if (shape_->places.size() == 0) add(place, 1, place_maps_[place]);
+    for (Index a = 0; a < shape_->places.cols(); ++a)
+      if (shape_->places(place, a) != 0) add(a, shape_->places(place, a), place_maps_[place]);
   }
-  for (Index a = 0; a < shape_->places.cols(); ++a)
-    if (shape_->places(place, a) != 0) add(a, shape_->places(place, a));
-  return map;
+}
+
+PointMap CorotationalBlock::vertex_map(int place) const {
+  return place_maps_.empty() ? PointMap(unknowns().first + 2 * place)
+                             : PointMap(unknowns().first, place_maps_[place]);
 }
 
 void CorotationalBlock::add_of_cell(const VectorXd& f, int c, Points& on_nodes) const {

@@ -53,6 +53,7 @@ class CorotationalBlock final : public Block {
   /// Whether the only cell has all nodes in their order.
   bool is_one_cell() const { return shape_->cells[0].nodes.empty(); }
   void prepare_shape(const PointsRef& places) override;
+  void map_places();
   Points nodes(const PointsRef& places) const;
   Points nodes(const BlockState& state) const;
   Frames frames(const Points& y) const;
@@ -93,6 +94,7 @@ class CorotationalBlock final : public Block {
   MatrixXd rigid_mass() const;
 
   std::shared_ptr<const CorotationalShape> shape_;
+  std::vector<std::vector<PointMap::Term>> place_maps_;  ///< empty: each place has two unknowns of its own
   std::vector<int> first_point_;  ///< of each cell among the stress points, and their number
   VectorXd mass_of_translation_;  ///< M t
   double mass_total_;             ///< t M t

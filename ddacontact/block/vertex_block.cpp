@@ -59,10 +59,7 @@ void VertexBlock::prepare_shape(const PointsRef& outline) {
 }
 
 PointMap VertexBlock::vertex_map(int vertex) const {
-  PointMap map;
-  map.add(unknowns().first + 2 * vertex, Vec2::UnitX());
-  map.add(unknowns().first + 2 * vertex + 1, Vec2::UnitY());
-  return map;
+  return PointMap(unknowns().first + 2 * vertex);
 }
 
 void VertexBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {

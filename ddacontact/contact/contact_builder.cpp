@@ -4,8 +4,10 @@
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/entries.hpp>
 #include <ddacontact/detection/half_width.hpp>
+#include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace ddacontact {
@@ -20,6 +22,10 @@ constexpr double near_corner = 1e-2;
 constexpr double entered_depth = 1e-5;
 /// Gaps below this times the block size are round-off.
 constexpr double length_tolerance = 1e-12;
+/// Pairs of blocks are looked for so many reaches further than they have to be.
+constexpr double skin_of_reach = 4;
+/// What one thread works on at a time.
+constexpr Index blocks_of_range = 512, pairs_of_range = 256, contacts_of_range = 512;
 
 /// The contacts of one pair of blocks stand together: ordered by the pair, then by contact.
 Pair block_pair(const VertexEdge& contact) {
@@ -27,71 +33,111 @@ Pair block_pair(const VertexEdge& contact) {
           std::max(contact.vertex_block, contact.edge_block)};
 }
 
-std::span<const Contact> contacts_of_pair(const std::vector<Contact>& contacts, const Pair& pair) {
-  const auto range =
-      std::equal_range(contacts.begin(), contacts.end(), pair, [](const auto& a, const auto& b) {
-        const auto key = [](const auto& x) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Pair>)
-            return x;
-          else
-            return block_pair(x.pair);
-        };
-        return key(a) < key(b);
-      });
-  return {range.first, range.second};
-}
+/// Of contacts ordered by their pairs, those of one pair after the other.
+class ContactsByPair {
+ public:
+  /// Pairs from `first` on, in order.
+  ContactsByPair(const std::vector<Contact>& contacts, const Pair& first)
+      : end_(contacts.data() + contacts.size()),
+        from_(std::lower_bound(
+            contacts.data(), end_, first,
+            [](const Contact& contact, const Pair& pair) { return block_pair(contact.pair) < pair; })),
+        to_(from_) {}
+
+  std::span<const Contact> of(const Pair& pair) {
+    if (from_ != to_ && block_pair(from_->pair) == pair) return {from_, to_};
+    for (from_ = to_; from_ != end_ && block_pair(from_->pair) < pair;) ++from_;
+    for (to_ = from_; to_ != end_ && block_pair(to_->pair) == pair;) ++to_;
+    return {from_, to_};
+  }
+
+ private:
+  const Contact *end_, *from_, *to_;
+};
 
 }  // namespace
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
+  std::vector<int> n_vertices;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& v = blocks.block(b).vertices();
     half_width_.push_back(half_width(blocks.reference().middleCols(v.first, v.count)));
+    size_.push_back(blocks.block(b).size());
+    n_vertices.push_back(v.count);
   }
+  outlines_ = OutlineTable(n_vertices);
 }
 
 double ContactBuilder::pair_size(int a, int b) const {
-  const double size_a = blocks_.block(a).size(), size_b = blocks_.block(b).size();
-  if (!blocks_.is_movable(a)) return size_b;
-  if (!blocks_.is_movable(b)) return size_a;
-  return std::min(size_a, size_b);
+  if (!blocks_.is_movable(a)) return size_[b];
+  if (!blocks_.is_movable(b)) return size_[a];
+  return std::min(size_[a], size_[b]);
+}
+
+void ContactBuilder::find_pairs(const BlockState& state, const std::vector<double>& reach) {
+  const Index n = blocks_.n_blocks();
+  boxes_.resize(n);
+  margins_.resize(keeps_pairs_ ? n : 0);
+  const auto look_at_blocks = [&](Index begin, Index end) {
+    for (int b = static_cast<int>(begin); b < end; ++b) {
+      const Range& v = blocks_.block(b).vertices();
+      outlines_.set(b, state.position.middleCols(v.first, v.count));
+      const Box& box = outlines_[b].box;
+      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(reach[b]);
+      boxes_[b] = {box.low - margin + origin, box.high + margin + origin};
+      if (keeps_pairs_) margins_[b] = skin_of_reach * reach[b];
+    }
+  };
+  polyfem::for_ranges(n, blocks_of_range, std::ref(look_at_blocks));
+  pairs_.clear();
+  for (const Pair& pair : nearby_.overlapping_pairs(boxes_, margins_)) {
+    const auto [a, b] = pair;
+    if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
+    if (!blocks_.is_present(a) || !blocks_.is_present(b)) continue;
+    pairs_.push_back(pair);
+  }
+}
+
+void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
+                                      const std::vector<double>& reach, std::span<const VertexEdge> closed,
+                                      std::vector<VertexEdge>& found) const {
+  thread_local Points shifted;
+  const auto [a, b] = pair;
+  const PairLimits limits{.reach = reach[a] + reach[b],
+                          .max_depth = std::min(half_width_[a], half_width_[b]),
+                          .coincidence = coincidence * pair_size(a, b)};
+  // The origin of either block serves, as long as it is always that of the smaller index.
+  const Range &of_a = blocks_.block(a).vertices(), &of_b = blocks_.block(b).vertices();
+  if (shifted.cols() < of_b.count) shifted.resize(2, of_b.count);
+  const Vec2 shift = state.origin.col(b) - state.origin.col(a);
+  shifted.leftCols(of_b.count) = state.position.middleCols(of_b.first, of_b.count).colwise() + shift;
+  OutlineSides sides_b = outlines_[b];
+  sides_b.box = {sides_b.box.low + shift, sides_b.box.high + shift};
+  find_contacts({a, state.position.middleCols(of_a.first, of_a.count)}, outlines_[a],
+                {b, shifted.leftCols(of_b.count)}, sides_b, limits, closed, found);
 }
 
 const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
                                                       const std::vector<double>& reach,
                                                       const std::vector<Contact>& previous) {
-  boxes_.clear();
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    const Range& v = blocks_.block(b).vertices();
-    Box box = bounding_box(state.position.middleCols(v.first, v.count), reach[b]);
-    box.low += state.origin.col(b);
-    box.high += state.origin.col(b);
-    boxes_.push_back(box);
-  }
+  find_pairs(state, reach);
+  const Index n = static_cast<Index>(pairs_.size());
+  if (found_in_.size() < pairs_.size() / pairs_of_range + 1) found_in_.resize(n / pairs_of_range + 1);
+  for (auto& found : found_in_) found.clear();
+  const auto look_at_pairs = [&](Index begin, Index end) {
+    thread_local std::vector<VertexEdge> closed;
+    ContactsByPair old(previous, pairs_[begin]);
+    for (Index p = begin; p < end; ++p) {
+      closed.clear();
+      for (const Contact& contact : old.of(pairs_[p]))
+        if (contact.closed()) closed.push_back(contact.pair);
+      find_contacts_of(pairs_[p], state, reach, closed, found_in_[begin / pairs_of_range]);
+    }
+  };
+  polyfem::for_ranges(n, pairs_of_range, std::ref(look_at_pairs));
   found_.clear();
-  pairs_.clear();
-  auto old = previous.begin();
-  for (const Pair& pair : broad_phase_.overlapping_pairs(boxes_)) {
-    const auto [a, b] = pair;
-    if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
-    if (!blocks_.is_present(a) || !blocks_.is_present(b)) continue;
-    pairs_.push_back(pair);
-    kept_.clear();
-    while (old != previous.end() && block_pair(old->pair) < pair) ++old;
-    for (; old != previous.end() && block_pair(old->pair) == pair; ++old)
-      if (old->closed()) kept_.push_back(old->pair);
-    const PairLimits limits{.reach = reach[a] + reach[b],
-                            .max_depth = std::min(half_width_[a], half_width_[b]),
-                            .coincidence = coincidence * pair_size(a, b)};
-    // The origin of either block serves, as long as it is always that of the smaller index.
-    const Range &of_a = blocks_.block(a).vertices(), &of_b = blocks_.block(b).vertices();
-    if (shifted_.cols() < of_b.count) shifted_.resize(2, of_b.count);
-    const Vec2 shift = state.origin.col(b) - state.origin.col(a);
-    shifted_.leftCols(of_b.count) = state.position.middleCols(of_b.first, of_b.count).colwise() + shift;
-    find_contacts({a, state.position.middleCols(of_a.first, of_a.count)}, {b, shifted_.leftCols(of_b.count)},
-                  limits, kept_, found_);
-  }
+  for (const auto& found : found_in_) found_.insert(found_.end(), found.begin(), found.end());
   return found_;
 }
 
@@ -122,6 +168,8 @@ void ContactBuilder::set_law(Contact& contact) const {
   contact.law.friction = joint.friction;
   contact.law.friction_law = joint.friction_law ? &joint.friction_law : nullptr;
   contact.law.restitution = joint.restitution;
+  contact.law.dashpot = 0;
+  if (joint.dashpot == 0) return;
   double lighter = std::numeric_limits<double>::infinity();
   for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
     if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
@@ -135,11 +183,14 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.motion = motion(state, pair);
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
-  contact.edge_length = (k - j).norm();
+  contact.edge_length = outlines_[pair.edge_block].sides[pair.edge].length;
   const Range& v = blocks_.block(pair.edge_block).vertices();
-  const auto outline = state.position.middleCols(v.first, v.count);
-  contact.straight_before = straight_before_start(outline, pair.edge);
-  contact.straight_after = straight_beyond_end(outline, pair.edge);
+  const PointsRef outline = state.position.middleCols(v.first, v.count);
+  const auto sides = outlines_[pair.edge_block].sides;
+  if (sides[pair.edge].corner == Corner::straight)
+    contact.straight_before = straight_before_start(outline, pair.edge);
+  if (sides[next(pair.edge, outline)].corner == Corner::straight)
+    contact.straight_after = straight_beyond_end(outline, pair.edge);
   contact.augmented = properties_.method == ContactMethod::staged && properties_.penetration_tolerance > 0;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.end_tolerance = coincidence * contact.size;
@@ -216,42 +267,62 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
   return nullptr;
 }
 
-std::vector<Contact> ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
-                                           const std::vector<Contact>& previous) {
-  std::vector<Contact> contacts;
-  for (const VertexEdge& pair : detect(state, reach, previous)) {
-    Contact contact = make_contact(state, pair);
-    const double fraction = contact.history.lock;
-    const Contact* old = find_predecessor(state, pair, contacts_of_pair(previous, block_pair(pair)));
-    if (old && !old->closed()) {
-      contact.history.gap_offset = old->history.gap_offset;
-    } else if (old) {
-      contact.history = old->history;
-      contact.law.cohesion = old->law.cohesion;
-      contact.law.tension = old->law.tension;
-      if (old->pair != pair) {
-        // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
-        // their blocks.
-        const Range& v = blocks_.block(pair.edge_block).vertices();
-        const Vec2 edge =
-            state.position.col(v.first + (pair.edge + 1) % v.count) - state.position.col(v.first + pair.edge);
-        contact.history.lock = fraction - old->end_slip / edge.norm();
-      }
-      if (is_slipping(contact.history.state)) contact.history.lock = fraction;
-    }
-    make_forms(contact);
-    if (!contact.closed() && contact.gap.constant - contact.history.gap_offset < -contact.length_tolerance &&
-        contact.is_on_edge(contact.slip.constant))
-      contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
-    contacts.push_back(contact);
+Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair,
+                                 std::span<const Contact> previous) const {
+  Contact contact = make_contact(state, pair);
+  const double fraction = contact.history.lock;
+  const Contact* old = find_predecessor(state, pair, previous);
+  if (old && !old->closed()) {
+    contact.history.gap_offset = old->history.gap_offset;
+  } else if (old) {
+    contact.history = old->history;
+    contact.law.cohesion = old->law.cohesion;
+    contact.law.tension = old->law.tension;
+    // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
+    // their blocks.
+    if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length;
+    if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
-  return contacts;
+  make_forms(contact);
+  if (!contact.closed() && contact.gap.constant - contact.history.gap_offset < -contact.length_tolerance &&
+      contact.is_on_edge(contact.slip.constant))
+    contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+  return contact;
+}
+
+void ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
+                           const std::vector<Contact>& previous, std::vector<Contact>& contacts) {
+  detect(state, reach, previous);
+  contacts.resize(found_.size());
+  const auto carry_on_range = [&](Index begin, Index end) {
+    ContactsByPair old(previous, block_pair(found_[begin]));
+    for (Index c = begin; c < end; ++c)
+      contacts[c] = carry_on(state, found_[c], old.of(block_pair(found_[c])));
+  };
+  polyfem::for_ranges(static_cast<Index>(found_.size()), contacts_of_range, std::ref(carry_on_range));
+}
+
+bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const {
+  const Range& of_a = blocks_.block(a).vertices();
+  const Vec2 shift = end.origin.col(a) - end.origin.col(b),
+             depth = Vec2::Constant(entered_depth / 2 * pair_size(a, b));
+  const Box within{boxes_[b].low + depth, boxes_[b].high - depth};
+  for (int v = of_a.first; v < of_a.end(); ++v) {
+    const Vec2 x = end.position.col(v) + shift;
+    if (touch({x, x}, within)) return true;
+  }
+  return false;
 }
 
 bool ContactBuilder::add_entered(const BlockState& start, const BlockState& end,
                                  std::vector<Contact>& contacts) {
   found_.clear();
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Range& v = blocks_.block(b).vertices();
+    boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
+  }
   for (const auto& [a, b] : pairs_) {
+    if (!may_have_entered(a, b, end) && !may_have_entered(b, a, end)) continue;
     const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
       const Range& v = blocks_.block(block).vertices();
       const Vec2 shift = state.origin.col(block) - origin;

@@ -5,7 +5,8 @@
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/contact/joint_table.hpp>
 #include <ddacontact/core/options.hpp>
-#include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/nearby_pairs.hpp>
+#include <ddacontact/detection/outline_table.hpp>
 
 #include <span>
 #include <vector>
@@ -31,11 +32,17 @@ class ContactBuilder {
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
   /// an overlap is taken as stress-free.
   std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach);
-  /// The contacts that may close while no vertex of block b moves further than reach[b]. Those also in
-  /// `previous` carry on its history; so does a vertex that slid straight on onto the next edge, or across a
-  /// corner onto the neighbour's vertex.
-  std::vector<Contact> build(const BlockState& state, const std::vector<double>& reach,
-                             const std::vector<Contact>& previous);
+  /// Writes into `contacts`, which are not `previous`, those that may close while no vertex of block b moves
+  /// further than reach[b]. Those also in `previous` carry on its history; so does a vertex that slid
+  /// straight on onto the next edge, or across a corner onto the neighbour's vertex.
+  void build(const BlockState& state, const std::vector<double>& reach, const std::vector<Contact>& previous,
+             std::vector<Contact>& contacts);
+  /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
+  /// either way.
+  void keep_pairs(bool keep) { keeps_pairs_ = keep; }
+  /// How often pairs of blocks were looked for.
+  long n_searches() const { return nearby_.n_searches(); }
+
   /// Adds to the contacts of `start`, the last ones built, those of vertices that went into another block
   /// through an edge on the way to `end`, deeper than 1e-5 of the block size, and had no contact with it.
   /// False: there are none.
@@ -52,6 +59,13 @@ class ContactBuilder {
   /// the pairs of blocks; of `previous` those that are closed win ties. Valid until the next call.
   const std::vector<VertexEdge>& detect(const BlockState& state, const std::vector<double>& reach,
                                         const std::vector<Contact>& previous);
+  /// Outlines and boxes of the blocks; the pairs of those that may meet.
+  void find_pairs(const BlockState& state, const std::vector<double>& reach);
+  /// Appends the contacts of a pair; `closed` were so before.
+  void find_contacts_of(const Pair& pair, const BlockState& state, const std::vector<double>& reach,
+                        std::span<const VertexEdge> closed, std::vector<VertexEdge>& found) const;
+  /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
+  Contact carry_on(const BlockState& state, const VertexEdge& pair, std::span<const Contact> previous) const;
   /// The closed contact of the step before whose history this one carries on: the same, or that of the same
   /// vertex with an edge that goes straight on into this one, or, where vertex meets vertex, the one that the
   /// other vertex made with this vertex's edge.
@@ -66,19 +80,24 @@ class ContactBuilder {
     return properties_.joints.between(properties_.materials[pair.vertex_block],
                                       properties_.materials[pair.edge_block]);
   }
+  /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
+  bool may_have_entered(int a, int b, const BlockState& end) const;
   void make_forms(Contact& contact) const;
   MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;
 
   const BlockSystem& blocks_;
   ContactProperties properties_;
-  std::vector<double> half_width_;  ///< of each block
+  std::vector<double> half_width_, size_;  ///< of each block
+  bool keeps_pairs_ = true;
 
   // Working arrays of `detect`.
-  BroadPhase broad_phase_;
+  OutlineTable outlines_;
+  NearbyPairs nearby_;
   std::vector<Box> boxes_;
-  std::vector<Pair> pairs_;  ///< of blocks that may meet
-  std::vector<VertexEdge> found_, kept_;
-  Points shifted_;
+  std::vector<double> margins_;
+  std::vector<Pair> pairs_;                        ///< of blocks that may meet
+  std::vector<std::vector<VertexEdge>> found_in_;  ///< of each range of pairs
+  std::vector<VertexEdge> found_;
 };
 
 }  // namespace ddacontact

@@ -1,5 +1,7 @@
 #include <ddacontact/contact/edge_motion.hpp>
 
+#include <utility>
+
 namespace ddacontact {
 
 namespace {
@@ -54,6 +56,35 @@ struct MeanEdge {
   double inverse_length;
 };
 
+double gap_change(const Edge& start, const EdgeChange& by) {
+  return turned_clockwise(start.t() + by.t).dot(by.b) + turned_clockwise(by.t).dot(start.b);
+}
+double slip_of(const Edge& edge, double lock) {
+  return edge.along_t() - lock * edge.l;
+}
+double slip_change(const Edge& start, const EdgeChange& by, double lock) {
+  return (start.t() + by.t).dot(by.b) + by.t.dot(start.b) - lock * by.l;
+}
+
+VertexEdgeGradient gap_gradient(const Edge& edge) {
+  return by_places(edge.n(), -edge.along_t() / edge.l * edge.n());
+}
+VertexEdgeGradient slip_gradient(const Edge& edge, double lock) {
+  return by_places(edge.t(), edge.along_n() / edge.l * edge.n() - lock * edge.t());
+}
+
+VertexEdgeGradient gap_mean_gradient(const Edge& start, const Edge& end) {
+  const MeanEdge mean(start, end);
+  const double by_length = -(start.along_n() / end.l + end.along_n() / start.l) / 2;
+  return by_places(mean.inverse_length * turned_clockwise(mean.a),
+                   by_length * mean.length_by_a - mean.inverse_length * turned_clockwise(mean.b));
+}
+VertexEdgeGradient slip_mean_gradient(const Edge& start, const Edge& end, double lock) {
+  const MeanEdge mean(start, end);
+  const double by_length = -(start.along_t() / end.l + end.along_t() / start.l) / 2 - lock;
+  return by_places(mean.inverse_length * mean.a, by_length * mean.length_by_a + mean.inverse_length * mean.b);
+}
+
 }  // namespace
 
 double gap(const VertexEdgePlace& place) {
@@ -61,53 +92,65 @@ double gap(const VertexEdgePlace& place) {
 }
 
 double slip(const VertexEdgePlace& place, double lock) {
-  const Edge edge(place);
-  return edge.along_t() - lock * edge.l;
+  return slip_of(Edge(place), lock);
 }
 
 double gap_change(const VertexEdgePlace& start, const VertexEdgePlace& by) {
   const Edge edge(start);
-  const EdgeChange change(edge, by);
-  return turned_clockwise(edge.t() + change.t).dot(change.b) + turned_clockwise(change.t).dot(edge.b);
+  return gap_change(edge, EdgeChange(edge, by));
 }
 
 double slip_change(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock) {
   const Edge edge(start);
-  const EdgeChange change(edge, by);
-  return (edge.t() + change.t).dot(change.b) + change.t.dot(edge.b) - lock * change.l;
+  return slip_change(edge, EdgeChange(edge, by), lock);
 }
 
 VertexEdgeGradient gap_gradient(const VertexEdgePlace& place) {
-  const Edge edge(place);
-  return by_places(edge.n(), -edge.along_t() / edge.l * edge.n());
+  return gap_gradient(Edge(place));
 }
 
 VertexEdgeGradient slip_gradient(const VertexEdgePlace& place, double lock) {
-  const Edge edge(place);
-  return by_places(edge.t(), edge.along_n() / edge.l * edge.n() - lock * edge.t());
+  return slip_gradient(Edge(place), lock);
 }
 
 VertexEdgeGradient gap_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end) {
-  const Edge edge0(start), edge1(end);
-  const MeanEdge mean(edge0, edge1);
-  const double by_length = -(edge0.along_n() / edge1.l + edge1.along_n() / edge0.l) / 2;
-  return by_places(mean.inverse_length * turned_clockwise(mean.a),
-                   by_length * mean.length_by_a - mean.inverse_length * turned_clockwise(mean.b));
+  return gap_mean_gradient(Edge(start), Edge(end));
 }
 
 VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end, double lock) {
-  const Edge edge0(start), edge1(end);
-  const MeanEdge mean(edge0, edge1);
-  const double by_length = -(edge0.along_t() / edge1.l + edge1.along_t() / edge0.l) / 2 - lock;
-  return by_places(mean.inverse_length * mean.a, by_length * mean.length_by_a + mean.inverse_length * mean.b);
+  return slip_mean_gradient(Edge(start), Edge(end), lock);
+}
+
+GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean) {
+  const Edge edge0(start), edge1({start.i + by.i, start.j + by.j, start.k + by.k});
+  const EdgeChange change(edge0, by);
+  const double start_gap = edge0.along_n();
+  return {start_gap, start_gap + gap_change(edge0, change),
+          slip_of(edge0, lock) + slip_change(edge0, change, lock),
+          mean ? gap_mean_gradient(edge0, edge1) : gap_gradient(edge1),
+          mean ? slip_mean_gradient(edge0, edge1, lock) : slip_gradient(edge1, lock)};
+}
+
+AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
+                         const PointMap& k) {
+  AffineForm form;
+  const int a = i.first_unknown(), b = j.first_unknown(), c = k.first_unknown();
+  if (i.is_own() && j.is_own() && k.is_own() && a != b && b != c && c != a) {
+    for (const auto& [first, by] : {std::pair(a, &gradient.i), {b, &gradient.j}, {c, &gradient.k}}) {
+      form.append(first, by->x());
+      form.append(first + 1, by->y());
+    }
+    return form;
+  }
+  i.add_to(form, gradient.i);
+  j.add_to(form, gradient.j);
+  k.add_to(form, gradient.k);
+  return form;
 }
 
 AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                        const PointMap& k, const VectorXd& d) {
-  AffineForm form;
-  i.add_to(form, gradient.i);
-  j.add_to(form, gradient.j);
-  k.add_to(form, gradient.k);
+  AffineForm form = gradient_form(gradient, i, j, k);
   form.constant = value - form.change(d);
   return form;
 }

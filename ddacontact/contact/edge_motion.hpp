@@ -49,6 +49,17 @@ VertexEdgeGradient gap_mean_gradient(const VertexEdgePlace& start, const VertexE
 /// Discrete gradient of `slip` of one lock point, with the properties of `gap_mean_gradient`.
 VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end, double lock);
 
+/// Gap and slip at the end of a motion, with the derivatives that forces there act by.
+struct GapAndSlip {
+  double start_gap, gap, slip;
+  VertexEdgeGradient by_gap, by_slip;
+};
+/// All of the above at once, for the motion `by` from `start`; `mean`: discrete gradients.
+GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean);
+
+/// gradient.i . u_i + gradient.j . u_j + gradient.k . u_k
+AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
+                         const PointMap& k);
 /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j, k
 /// of the places by the unknowns. It returns the value to the rounding of its terms at d.
 AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,

@@ -1,5 +1,7 @@
 #include <ddacontact/contact/kinematics.hpp>
 
+#include <ddacontact/contact/edge_motion.hpp>
+
 namespace ddacontact {
 
 AffineForm gap_form(const MovingPoint& i, const MovingPoint& j, const MovingPoint& k) {
@@ -9,22 +11,17 @@ AffineForm gap_form(const MovingPoint& i, const MovingPoint& j, const MovingPoin
   const Vec2 e_i = Vec2(j.x.y() - k.x.y(), k.x.x() - j.x.x()) / l;
   const Vec2 e_j = Vec2(k.x.y() - i.x.y(), i.x.x() - k.x.x()) / l;
   const Vec2 e_k = Vec2(i.x.y() - j.x.y(), j.x.x() - i.x.x()) / l;
-  AffineForm gap;
+  AffineForm gap = gradient_form({-e_i, -e_j, -e_k}, i.map, j.map, k.map);
   gap.constant = -S0 / l;
-  i.map.add_to(gap, -e_i);
-  j.map.add_to(gap, -e_j);
-  k.map.add_to(gap, -e_k);
   return gap;
 }
 
 AffineForm slip_form(const MovingPoint& i, const MovingPoint& j, const MovingPoint& k, double lock) {
   const Vec2 t = (k.x - j.x).normalized();
   const Vec2 o = (1 - lock) * j.x + lock * k.x;
-  AffineForm slip;
+  // (45), with the signed weights of (43)
+  AffineForm slip = gradient_form({t, -(1 - lock) * t, -lock * t}, i.map, j.map, k.map);
   slip.constant = t.dot(i.x - o);  // (42) over l
-  i.map.add_to(slip, t);           // (45), with the signed weights of (43)
-  j.map.add_to(slip, -(1 - lock) * t);
-  k.map.add_to(slip, -lock * t);
   return slip;
 }
 

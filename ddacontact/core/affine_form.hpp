@@ -25,6 +25,10 @@ class AffineForm {
         return;
       }
     }
+    append(unknown, c);
+  }
+  /// The same for an unknown that has no term yet.
+  void append(int unknown, double c) {
     assert(size_ < capacity);
     unknowns_[size_] = unknown;
     coefficients_[size_++] = c;

@@ -14,11 +14,6 @@ constexpr int n_levels = 40;
 /// Cells per box, at most: bounds the memory of a grid over a sparse scene.
 constexpr double max_cells_per_item = 2;
 
-bool touch(const Box& a, const Box& b) {
-  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-         b.low.y() <= a.high.y();
-}
-
 double extent_of(const Box& box) {
   return (box.high - box.low).maxCoeff();
 }

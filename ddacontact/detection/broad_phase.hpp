@@ -16,6 +16,12 @@ struct Box {
   Vec2 low, high;
 };
 
+/// Whether two boxes have a point in common.
+inline bool touch(const Box& a, const Box& b) {
+  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
+         b.low.y() <= a.high.y();
+}
+
 /// The bounding box of a polygon, widened by `margin` on every side.
 Box bounding_box(const PointsRef& polygon, double margin = 0);
 

@@ -6,7 +6,6 @@
 namespace ddacontact {
 
 using polyfem::cross;
-using polyfem::Vec2;
 
 namespace {
 
@@ -17,14 +16,14 @@ Vec2 along(const PointsRef& polygon, int edge) {
   return polygon.col(next(edge, polygon)) - polygon.col(edge);
 }
 
-Corner turn_between(const Vec2& from, const Vec2& to) {
-  const double sine = cross(from, to), cosine = from.dot(to);
-  if (cosine > 0 && sine * sine <= sin_parallel * sin_parallel * from.squaredNorm() * to.squaredNorm())
+}  // namespace
+
+Corner turn_between(const Vec2& before, const Vec2& after) {
+  const double sine = cross(before, after), cosine = before.dot(after);
+  if (cosine > 0 && sine * sine <= sin_parallel * sin_parallel * before.squaredNorm() * after.squaredNorm())
     return Corner::straight;
   return sine < 0 ? Corner::reflex : Corner::convex;
 }
-
-}  // namespace
 
 Corner corner_at(const PointsRef& polygon, int vertex) {
   return turn_between(along(polygon, previous(vertex, polygon)), along(polygon, vertex));

@@ -6,6 +6,7 @@
 namespace ddacontact {
 
 using polyfem::PointsRef;
+using polyfem::Vec2;
 
 /// Sine of 3 degrees: edges that turn by no more count as one straight line.
 inline constexpr double sin_parallel = 0.0523;
@@ -26,6 +27,8 @@ inline int previous(int k, const PointsRef& polygon) {
   return (k == 0 ? static_cast<int>(polygon.cols()) : k) - 1;
 }
 
+/// Between the edges before and after a vertex, as vectors.
+Corner turn_between(const Vec2& before, const Vec2& after);
 /// Of a vertex.
 Corner corner_at(const PointsRef& polygon, int vertex);
 

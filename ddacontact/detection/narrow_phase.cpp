@@ -1,13 +1,10 @@
 #include <ddacontact/detection/narrow_phase.hpp>
 
-#include <ddacontact/detection/broad_phase.hpp>
-#include <ddacontact/detection/corner.hpp>
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 namespace ddacontact {
@@ -21,6 +18,8 @@ struct Edge {
   Vec2 start, tangent, normal;  // outward normal of a counter-clockwise polygon
   double length;
 
+  Edge(const Vec2& from, const Side& side)
+      : start(from), tangent(side.tangent), normal(side.normal()), length(side.length) {}
   Edge(const PointsRef& polygon, int edge) : start(polygon.col(edge)) {
     const Vec2 along = polygon.col(next(edge, polygon)) - start;
     length = along.norm();
@@ -41,10 +40,8 @@ struct VertexCorner {
   std::array<Vec2, 2> sides;
   std::array<double, 2> lengths;
 
-  VertexCorner(const PointsRef& polygon, int vertex) : x(polygon.col(vertex)) {
-    sides = {polygon.col(next(vertex, polygon)) - x, polygon.col(previous(vertex, polygon)) - x};
-    lengths = {sides[0].norm(), sides[1].norm()};
-  }
+  VertexCorner(const Vec2& at, const Side& before, const Side& after)
+      : x(at), sides{after.along(), -before.along()}, lengths{after.length, before.length} {}
   /// Whether it lies on the outer side of an edge with this normal, or may be turned there within the step.
   bool admissible(const Vec2& normal, double reach) const {
     for (int k : {0, 1})
@@ -75,68 +72,70 @@ struct NumberedEdge {
 /// Working arrays, kept between calls: pairs are many.
 struct Workspace {
   std::vector<NumberedEdge> edges;
-  std::vector<Candidate> at_vertex, of_a, of_b;
+  std::vector<Candidate> at_vertex, in_b, in_a;
 };
 
 bool is_kept(std::span<const VertexEdge> kept, const VertexEdge& contact) {
   return std::find(kept.begin(), kept.end(), contact) != kept.end();
 }
 
-bool turns_right_somewhere(const PointsRef& polygon) {
-  for (int k = 0; k < polygon.cols(); ++k) {
-    const Vec2 x = polygon.col(k);
-    if (cross(x - polygon.col(previous(k, polygon)), polygon.col(next(k, polygon)) - x) < 0) return true;
-  }
-  return false;
-}
-
-double distance_to_edge(const Edge& edge, const Vec2& x) {
-  return std::hypot(edge.gap(x), std::max(edge.overshoot(x), 0.0));
+bool is_within(double distance, const Vec2& x) {
+  return x.squaredNorm() <= distance * distance;
 }
 
 /// The entrance edges of the vertices of one polygon into another.
 class Entrances {
  public:
-  Entrances(const Outline& a, const Outline& b, const PairLimits& limits, std::span<const VertexEdge> kept,
-            Workspace& work)
+  Entrances(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
+            const PairLimits& limits, std::span<const VertexEdge> kept, Workspace& work)
       : a_(a),
         b_(b),
+        of_a_(of_a),
+        of_b_(of_b),
         limits_(limits),
         kept_(kept),
         edges_(work.edges),
         near_(work.at_vertex),
         margin_(std::max(limits.reach, limits.max_depth) + 2 * limits.coincidence) {}
 
-  void find(const Box& box_a, const Box& box_b, std::vector<Candidate>& found) {
+  void find(std::vector<Candidate>& found) {
     found.clear();
     edges_.clear();
-    const Vec2 low = box_a.low.array() - margin_, high = box_a.high.array() + margin_;
-    for (int e = 0; e < b_.vertices.cols(); ++e) {
-      const Vec2 p = b_.vertices.col(e), q = b_.vertices.col(next(e, b_.vertices));
-      const bool far =
-          (p.cwiseMin(q).array() > high.array()).any() || (p.cwiseMax(q).array() < low.array()).any();
-      if (!far) edges_.push_back({e, Edge(b_.vertices, e)});
-    }
-    if (edges_.empty()) return;
+    // A vertex further from the polygon than the reach is met by none of its edges.
+    const double margin = limits_.reach + 2 * limits_.coincidence;
+    const Box near_b = widened(of_b_.box, margin);
     for (int i = 0; i < a_.vertices.cols(); ++i) {
       const Vec2 x = a_.vertices.col(i);
-      const bool far =
-          (x.array() < box_b.low.array() - margin_).any() || (x.array() > box_b.high.array() + margin_).any();
-      if (far || corner_at(a_.vertices, i) == Corner::reflex) continue;
+      if (!touch({x, x}, near_b) || of_a_.sides[i].corner == Corner::reflex) continue;
+      if (edges_.empty()) collect_edges();
       add_entrances_of(i, found);
     }
   }
 
  private:
+  static Box widened(const Box& box, double margin) {
+    return {box.low.array() - margin, box.high.array() + margin};
+  }
+
+  void collect_edges() {
+    const Box near_a = widened(of_a_.box, margin_);
+    for (int e = 0; e < b_.vertices.cols(); ++e) {
+      const Vec2 p = b_.vertices.col(e), q = b_.vertices.col(next(e, b_.vertices));
+      if (touch({p.cwiseMin(q), p.cwiseMax(q)}, near_a)) edges_.push_back({e, Edge(p, of_b_.sides[e])});
+    }
+  }
+
   void add_entrances_of(int i, std::vector<Candidate>& found) {
-    const VertexCorner corner(a_.vertices, i);
+    const VertexCorner corner(a_.vertices.col(i), of_a_.sides[previous(i, a_.vertices)], of_a_.sides[i]);
     const Vec2& x = corner.x;
     near_.clear();
     bool behind = false;
     for (const auto& [e, edge] : edges_) {
-      const double gap = edge.gap(x), overshoot = edge.overshoot(x);
+      const double gap = edge.gap(x);
+      if (gap < -limits_.max_depth || gap > limits_.reach) continue;
+      const double overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
-      if (gap < -limits_.max_depth || std::hypot(off, aside) > limits_.reach) continue;
+      if (!is_within(limits_.reach, {off, aside})) continue;
       if (!corner.admissible(edge.normal, limits_.reach)) continue;
       const VertexEdge contact{a_.block, i, b_.block, e};
       const bool stays = overshoot <= limits_.coincidence && is_kept(kept_, contact);
@@ -159,22 +158,16 @@ class Entrances {
 
   bool is_behind(const Candidate& c) const { return c.gap < -limits_.coincidence; }
 
-  bool is_concave() {
-    if (!concave_) concave_ = turns_right_somewhere(b_.vertices);
-    return *concave_;
-  }
-
   /// Whether x is no nearer to b than the coincidence: of a convex polygon beyond the line of an edge.
   bool is_outside(const Vec2& x) {
-    const int n = static_cast<int>(b_.vertices.cols());
-    if (!is_concave()) {
-      for (int e = 0; e < n; ++e)
-        if (Edge(b_.vertices, e).gap(x) > limits_.coincidence) return true;
+    if (!of_b_.concave) {
+      for (int e = 0; e < b_.vertices.cols(); ++e)
+        if (Edge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > limits_.coincidence) return true;
       return false;
     }
     if (polyfem::contains(b_.vertices, x)) return false;
     return std::none_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
-      return distance_to_edge(of.edge, x) <= limits_.coincidence;
+      return is_within(limits_.coincidence, {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
     });
   }
 
@@ -206,7 +199,7 @@ class Entrances {
 
   /// Leaves of edges that a vertex can enter only one of the one with the largest gap, or the one kept.
   void choose(bool inside) {
-    if (!is_concave()) {
+    if (!of_b_.concave) {
       near_.front() = *std::max_element(near_.begin(), near_.end(), comes_later);
       near_.resize(1);
       return;
@@ -260,12 +253,12 @@ class Entrances {
   }
 
   const Outline &a_, &b_;
+  const OutlineSides &of_a_, &of_b_;
   const PairLimits& limits_;
   std::span<const VertexEdge> kept_;
   std::vector<NumberedEdge>& edges_;  ///< of b that a may be near
   std::vector<Candidate>& near_;      ///< of the vertex at hand
   double margin_;
-  std::optional<bool> concave_;
 };
 
 /// The end of an edge that is nearer to x.
@@ -320,16 +313,24 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
 
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                    std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts) {
+  OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
+  table.set(0, a.vertices);
+  table.set(1, b.vertices);
+  find_contacts(a, table[0], b, table[1], limits, kept, contacts);
+}
+
+void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
+                   const PairLimits& limits, std::span<const VertexEdge> kept,
+                   std::vector<VertexEdge>& contacts) {
   thread_local Workspace work;
-  auto &of_a = work.of_a, &of_b = work.of_b;
-  const Box box_a = bounding_box(a.vertices), box_b = bounding_box(b.vertices);
-  Entrances(a, b, limits, kept, work).find(box_a, box_b, of_a);
-  Entrances(b, a, limits, kept, work).find(box_b, box_a, of_b);
-  for (Candidate& p : of_a)
-    for (Candidate& q : of_b)
+  auto &in_b = work.in_b, &in_a = work.in_a;
+  Entrances(a, of_a, b, of_b, limits, kept, work).find(in_b);
+  Entrances(b, of_b, a, of_a, limits, kept, work).find(in_a);
+  for (Candidate& p : in_b)
+    for (Candidate& q : in_a)
       if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.reach))
         resolve_corner(p, a, q, b, limits);
-  for (const auto* candidates : {&of_a, &of_b})
+  for (const auto* candidates : {&in_b, &in_a})
     for (const Candidate& c : *candidates)
       if (!c.dropped) contacts.push_back(c.contact);
 }

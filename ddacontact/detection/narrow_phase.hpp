@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/core/types.hpp>
+#include <ddacontact/detection/outline_table.hpp>
 
 #include <compare>
 #include <span>
@@ -43,6 +44,10 @@ struct PairLimits {
 /// where the choice is a tie they win, so that a resting contact keeps its lock point.
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                    std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts);
+/// The same where the sides are known; their boxes are relative to the origin of the vertices.
+void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
+                   const PairLimits& limits, std::span<const VertexEdge> kept,
+                   std::vector<VertexEdge>& contacts);
 
 /// The length over which a vertex contact stands for two touching edges: half the overlap of its edge with
 /// the neighbouring edge of its vertex that lies along it, of both where its vertex is on a straight line; 0

@@ -188,13 +188,8 @@ class Staged {
 
   void look_at(Contact& contact, const Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
-    const VertexEdgePlace &begin = m.start, finish = m.at(d_), by = m.moved(d_);
-    const double lock = contact.history.lock, start_gap = gap(begin), g = start_gap + gap_change(begin, by),
-                 s = slip(begin, lock) + slip_change(begin, by, lock);
-    const VertexEdgeGradient dg =
-        options_.mean_forces ? gap_mean_gradient(begin, finish) : gap_gradient(finish);
-    const VertexEdgeGradient ds =
-        options_.mean_forces ? slip_mean_gradient(begin, finish, lock) : slip_gradient(finish, lock);
+    const auto [start_gap, g, s, dg, ds] =
+        gap_and_slip(m.start, m.moved(d_), contact.history.lock, options_.mean_forces);
     contact.gap = linear_form(g, dg, m.i, m.j, m.k, d_);
     contact.slip = linear_form(s, ds, m.i, m.j, m.k, d_);
 

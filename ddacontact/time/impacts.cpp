@@ -48,11 +48,7 @@ VectorXd as_velocity(const Block& block, const RigidVelocity& v) {
 }
 
 AffineForm rate_form(const VertexEdgeGradient& gradient, const MovingVertexEdge& motion) {
-  AffineForm form;
-  motion.i.add_to(form, gradient.i);
-  motion.j.add_to(form, gradient.j);
-  motion.k.add_to(form, gradient.k);
-  return form;
+  return gradient_form(gradient, motion.i, motion.j, motion.k);
 }
 
 VertexEdgePlace place_in(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {

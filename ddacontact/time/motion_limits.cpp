@@ -29,53 +29,54 @@ double MotionLimits::largest_reach(int block) const {
 
 double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
   const Block& of = blocks_.block(block);
-  double fastest = 0;
+  double fastest = 0;  // squared
   for (int v = 0; v < of.n_vertices(); ++v)
-    fastest = std::max(fastest, of.vertex_map(v)(state.velocity).norm());
-  return fastest;
+    fastest = std::max(fastest, of.vertex_map(v)(state.velocity).squaredNorm());
+  return std::sqrt(fastest);
 }
 
-std::vector<double> MotionLimits::speeds(const BlockState& state, const std::vector<Contact>& met) const {
-  std::vector<double> own(blocks_.n_blocks());
-  for (int b = 0; b < blocks_.n_blocks(); ++b) own[b] = fastest_vertex(state, b);
-  std::vector<double> speeds = own;
+void MotionLimits::find_speeds(const BlockState& state, const std::vector<Contact>& met) {
+  own_speed_.resize(blocks_.n_blocks());
+  for (int b = 0; b < blocks_.n_blocks(); ++b) own_speed_[b] = fastest_vertex(state, b);
+  speed_ = own_speed_;
   for (const Contact& contact : met) {
     const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
-    speeds[a] = std::max(speeds[a], own[b]);
-    speeds[b] = std::max(speeds[b], own[a]);
+    speed_[a] = std::max(speed_[a], own_speed_[b]);
+    speed_[b] = std::max(speed_[b], own_speed_[a]);
   }
-  return speeds;
 }
 
-std::vector<double> MotionLimits::reach(const BlockState& state, const std::vector<Contact>& met, double dt,
-                                        double scale) const {
-  const std::vector<double> speed = speeds(state, met);
-  std::vector<double> reach(blocks_.n_blocks());
-  const VectorXd prescribed = blocks_.prescribed(state, state.time + dt);
+const std::vector<double>& MotionLimits::reach(const BlockState& state, const std::vector<Contact>& met,
+                                               double dt, double scale) {
+  find_speeds(state, met);
+  reach_.assign(blocks_.n_blocks(), 0);
+  VectorXd prescribed;
   const double fall = analysis_.gravity.norm() * dt * dt;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     const Block& block = blocks_.block(b);
+    if (blocks_.is_unchanging(b)) continue;
     if (!blocks_.is_movable(b)) {
+      if (prescribed.size() == 0) prescribed = blocks_.prescribed(state, state.time + dt);
       double furthest = 0;
       for (int v = 0; v < block.n_vertices(); ++v)
         furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
-      reach[b] = furthest;
+      reach_[b] = furthest;
     } else {
-      const double expected = 2 * (speed[b] * dt + fall) + least_reach * block.size();
-      reach[b] = std::min(scale * expected, largest_reach(b));
+      const double expected = 2 * (speed_[b] * dt + fall) + least_reach * block.size();
+      reach_[b] = std::min(scale * expected, largest_reach(b));
     }
   }
-  return reach;
+  return reach_;
 }
 
-double MotionLimits::foreseen_step(const BlockState& state, const std::vector<Contact>& met) const {
+double MotionLimits::foreseen_step(const BlockState& state, const std::vector<Contact>& met) {
   double longest = std::numeric_limits<double>::infinity();
   if (analysis_.mode == Mode::statics) return longest;
-  const std::vector<double> speed = speeds(state, met);
+  find_speeds(state, met);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     // v dt + g dt^2 / 2 = what is allowed, with v for the fastest vertex
-    const double v = speed[b], g = analysis_.gravity.norm(), allowed = foreseen_part * largest_reach(b);
+    const double v = speed_[b], g = analysis_.gravity.norm(), allowed = foreseen_part * largest_reach(b);
     if (v + g > 0) longest = std::min(longest, 2 * allowed / (v + std::sqrt(v * v + 2 * g * allowed)));
   }
   return longest;

@@ -23,11 +23,12 @@ class MotionLimits {
   /// How far from each block to look for contacts in a step of length dt: twice the motion expected from its
   /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
   /// `scale`, m. \param[in] met  contacts of the last step: who may meet whom
-  std::vector<double> reach(const BlockState& state, const std::vector<Contact>& met, double dt,
-                            double scale) const;
+  /// Valid until the next call.
+  const std::vector<double>& reach(const BlockState& state, const std::vector<Contact>& met, double dt,
+                                   double scale);
   /// The longest step that present velocities allow, s; infinity when nothing moves. A block that is hit is
   /// as fast as what hits it.
-  double foreseen_step(const BlockState& state, const std::vector<Contact>& met) const;
+  double foreseen_step(const BlockState& state, const std::vector<Contact>& met);
 
   /// No vertex of any block may move further than this in a step, m.
   double largest_displacement() const { return largest_displacement_; }
@@ -36,11 +37,13 @@ class MotionLimits {
 
  private:
   double fastest_vertex(const BlockState& state, int block) const;
-  std::vector<double> speeds(const BlockState& state, const std::vector<Contact>& met) const;
+  /// Of each block or, where that is faster, of those that it may meet: in speed_.
+  void find_speeds(const BlockState& state, const std::vector<Contact>& met);
 
   const BlockSystem& blocks_;
   AnalysisOptions analysis_;
   double largest_displacement_ = 0;
+  std::vector<double> own_speed_, speed_, reach_;  ///< of each block
 };
 
 }  // namespace ddacontact

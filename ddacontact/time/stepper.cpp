@@ -186,8 +186,11 @@ Stepper::Try Stepper::try_step(double dt) {
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(times_.detection);
   reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
-  trial_contacts_ = !begun_ ? contact_builder_.build_first(state_, reach_)
-                            : contact_builder_.build(state_, reach_, contacts_);
+  contact_builder_.keep_pairs(analysis_.skip.skin);
+  if (begun_)
+    contact_builder_.build(state_, reach_, contacts_, trial_contacts_);
+  else
+    trial_contacts_ = contact_builder_.build_first(state_, reach_);
   detected_ = true;
 }
 

@@ -86,15 +86,22 @@ void whole(benchmark::State& state, const Blocks& blocks) {
   BroadPhase broad_phase;
   std::vector<Box> boxes(blocks.boxes.size());
   std::vector<VertexEdge> contacts;
+  std::vector<int> n_vertices;
+  for (const Points& outline : blocks.outlines) n_vertices.push_back(static_cast<int>(outline.cols()));
+  OutlineTable outlines(n_vertices);
   for (auto _ : state) {
-    for (std::size_t b = 0; b < boxes.size(); ++b)
-      boxes[b] = bounding_box(blocks.outlines[b], blocks.reaches[b]);
+    for (int b = 0; b < static_cast<int>(boxes.size()); ++b) {
+      outlines.set(b, blocks.outlines[b]);
+      const Vec2 margin = Vec2::Constant(blocks.reaches[b]);
+      boxes[b] = {outlines[b].box.low - margin, outlines[b].box.high + margin};
+    }
     contacts.clear();
     for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) {
       const PairLimits limits{blocks.reaches[a] + blocks.reaches[b],
                               std::min(blocks.half_widths[a], blocks.half_widths[b]),
                               1e-6 / reach * std::min(blocks.reaches[a], blocks.reaches[b])};
-      find_contacts({a, blocks.outlines[a]}, {b, blocks.outlines[b]}, limits, {}, contacts);
+      find_contacts({a, blocks.outlines[a]}, outlines[a], {b, blocks.outlines[b]}, outlines[b], limits, {},
+                    contacts);
     }
     benchmark::DoNotOptimize(contacts.data());
   }

@@ -1,4 +1,5 @@
 #include <ddacontact/contact/contact_builder.hpp>
+#include <polyfem/core/parallel.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <gtest/gtest.h>
@@ -33,6 +34,11 @@ struct BlockOnPlate {
   }
   void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }
   std::vector<Contact> first() { return builder.build_first(state, reach); }
+  std::vector<Contact> after(const std::vector<Contact>& previous) {
+    std::vector<Contact> contacts;
+    builder.build(state, reach, previous, contacts);
+    return contacts;
+  }
 };
 
 }  // namespace
@@ -70,7 +76,7 @@ TEST(ContactBuilder, StickingContactsKeepTheirLockPointAndSlidingOnesMoveIt) {
     auto previous = pair.first();
     for (Contact& c : previous) c.history.state = before;
     pair.move({0.01, -1e-5});
-    const auto contacts = pair.builder.build(pair.state, pair.reach, previous);
+    const auto contacts = pair.after(previous);
     ASSERT_EQ(contacts.size(), 2u);
     for (std::size_t c = 0; c < 2; ++c) {
       EXPECT_EQ(contacts[c].history.state, before);
@@ -87,7 +93,7 @@ TEST(ContactBuilder, AnOpenContactThatIsPenetratedAtDetectionBeginsClosed) {
   BlockOnPlate pair(0, 0.01);
   const auto previous = pair.first();
   pair.move({0, -0.011});
-  for (const Contact& c : pair.builder.build(pair.state, pair.reach, previous)) {
+  for (const Contact& c : pair.after(previous)) {
     EXPECT_EQ(c.history.state, stick);
     EXPECT_FALSE(c.history.bonded);
     EXPECT_EQ(c.history.gap_offset, 0);
@@ -104,7 +110,7 @@ TEST(ContactBuilder, AContactHandedOverAtACornerKeepsItsSlip) {
     ASSERT_EQ(previous.size(), 2u);
     for (Contact& c : previous) c.end_slip = 2e-4;
     pair.move({way * 2e-3, -1e-5});
-    const auto contacts = pair.builder.build(pair.state, pair.reach, previous);
+    const auto contacts = pair.after(previous);
     ASSERT_EQ(contacts.size(), 2u);
     int handed_over = 0;
     for (const Contact& c : contacts) {
@@ -138,12 +144,49 @@ TEST(ContactBuilder, AContactGoesStraightOnToTheNextEdge) {
   ASSERT_TRUE(corner(contacts).history.bonded);
   for (Contact& c : contacts) c.end_slip = 0.1;
   state.position.rightCols<4>().row(0).array() += 0.1;
-  const Contact moved = corner(builder.build(state, {0.1, 0.1}, contacts));
+  std::vector<Contact> later;
+  builder.build(state, {0.1, 0.1}, contacts, later);
+  const Contact moved = corner(later);
   EXPECT_EQ(moved.pair.edge, 2);
   EXPECT_EQ(moved.history.state, corner(contacts).history.state);
   EXPECT_TRUE(moved.history.bonded);
   EXPECT_EQ(moved.history.length, corner(contacts).history.length);
   EXPECT_NEAR(moved.slip.constant, corner(contacts).end_slip, 1e-12);
+}
+
+/// A wall: the same contacts, in their order, for any number of threads and with or without the margin that
+/// pairs are kept with, which are looked for once while it rests.
+TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
+  Scene scene = rock_scene(0.1, 1);
+  scene.blocks = {block(rectangle(-1, -1, 40, 1), true)};
+  for (int row = 0; row < 20; ++row)
+    for (int k = 0; k < 30; ++k) scene.blocks.push_back(block(rectangle(k + 0.5 * (row % 2), row, 1, 1)));
+  const BuiltScene built = build(scene);
+  BlockState state = built.stepper->state();
+  const std::vector<double> reach(scene.blocks.size(), 0.02);
+  ContactBuilder kept(built.stepper->blocks(), BlockOnPlate::properties(0.5)),
+      searched(built.stepper->blocks(), BlockOnPlate::properties(0.5));
+  searched.keep_pairs(false);
+  std::vector<Contact> before = kept.build_first(state, reach), by_kept, by_searched;
+  for (int step = 0; step < 6; ++step) {
+    state.position += 1e-3 * Points::Random(2, state.position.cols());
+    polyfem::set_threads(1 + step % 3);
+    kept.build(state, reach, before, by_kept);
+    polyfem::set_threads(1);
+    searched.build(state, reach, before, by_searched);
+    ASSERT_EQ(by_kept.size(), by_searched.size());
+    for (std::size_t c = 0; c < by_kept.size(); ++c) {
+      const Contact &p = by_kept[c], &q = by_searched[c];
+      ASSERT_EQ(p.pair, q.pair);
+      EXPECT_EQ(p.history.state, q.history.state);
+      EXPECT_EQ(p.history.lock, q.history.lock);
+      EXPECT_EQ(p.gap.constant, q.gap.constant);
+      EXPECT_EQ(p.slip.constant, q.slip.constant);
+    }
+    before = by_kept;
+  }
+  EXPECT_EQ(kept.n_searches(), 1);
+  EXPECT_EQ(searched.n_searches(), 6);
 }
 
 TEST(ContactBuilder, HeldBlocksDoNotCountForTheSizeOfAPair) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <complex>
 
 using namespace ddacontact;
@@ -91,16 +93,13 @@ double moment(const Vec6& x, const Vec6& force) {
 
 /// A point whose coordinates are the unknowns first and first + 1.
 PointMap free_point(int first) {
-  PointMap map;
-  map.add(first, Vec2::UnitX());
-  map.add(first + 1, Vec2::UnitY());
-  return map;
+  return PointMap(first);
 }
 
-PointMap random_map(int first_unknown, std::mt19937& random) {
-  PointMap map;
-  for (int u = 0; u < PointMap::capacity; ++u) map.add(first_unknown + u, random_vector(1, random));
-  return map;
+std::vector<PointMap::Term> random_terms(std::mt19937& random) {
+  std::vector<PointMap::Term> terms;
+  for (int u = 0; u < PointMap::capacity; ++u) terms.push_back({u, random_vector(1, random)});
+  return terms;
 }
 
 class EdgeMotion : public testing::TestWithParam<Measure> {
@@ -255,10 +254,50 @@ TEST_P(EdgeMotion, GradientsAreThoseOfThePaperAndATermProportionalToTheGap) {
 }
 
 /// Vertex and edge on blocks of six unknowns each, as when Newton's method solves a step.
+/// A point with unknowns of its own, and the same told by terms: the same form.
+TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
+  const std::vector<PointMap::Term> axes{{0, Vec2::UnitX()}, {1, Vec2::UnitY()}};
+  for (const auto& [a, b, c] : {std::array{6, 0, 2}, {6, 2, 0}, {6, 0, 0}}) {
+    const Vec6 x = random_place(0.5, random);
+    const VectorXd d = 0.05 * VectorXd::Random(8);
+    const auto [by_i, by_j, by_k] = place_at(measure.gradient(x));
+    const VertexEdgeGradient by{by_i, by_j, by_k};
+    const AffineForm own = linear_form(1, by, PointMap(a), PointMap(b), PointMap(c), d),
+                     any = linear_form(1, by, {a, axes}, {b, axes}, {c, axes}, d);
+    EXPECT_EQ(own.constant, any.constant);
+    ASSERT_TRUE(std::ranges::equal(own.unknowns(), any.unknowns()));
+    EXPECT_TRUE(std::ranges::equal(own.coefficients(), any.coefficients()));
+  }
+}
+
+/// All at once are the bytes of one after the other.
+TEST(GapAndSlip, AreThoseOfTheFunctionsOfEach) {
+  std::mt19937 random{7};
+  for (int trial = 0; trial < 100; ++trial) {
+    const VertexEdgePlace start = place_at(random_place(0.5, random)), by = place_at(0.1 * Vec6::Random()),
+                          end{start.i + by.i, start.j + by.j, start.k + by.k};
+    const double lock = 0.3;
+    for (const bool mean : {false, true}) {
+      const GapAndSlip all = gap_and_slip(start, by, lock, mean);
+      EXPECT_EQ(all.start_gap, gap(start));
+      EXPECT_EQ(all.gap, gap(start) + gap_change(start, by));
+      EXPECT_EQ(all.slip, slip(start, lock) + slip_change(start, by, lock));
+      const VertexEdgeGradient by_gap = mean ? gap_mean_gradient(start, end) : gap_gradient(end),
+                               by_slip =
+                                   mean ? slip_mean_gradient(start, end, lock) : slip_gradient(end, lock);
+      EXPECT_EQ(coordinates({all.by_gap.i, all.by_gap.j, all.by_gap.k}),
+                coordinates({by_gap.i, by_gap.j, by_gap.k}));
+      EXPECT_EQ(coordinates({all.by_slip.i, all.by_slip.j, all.by_slip.k}),
+                coordinates({by_slip.i, by_slip.j, by_slip.k}));
+    }
+  }
+}
+
 TEST_P(EdgeMotion, LinearFormHasTheValueAtItsUnknownsAndTheDerivativesByThem) {
   for (int trial = 0; trial < 20; ++trial) {
     const Vec6 x0 = random_place(0.5, random);
-    const PointMap i = random_map(6, random), j = random_map(0, random), k = random_map(0, random);
+    const auto of_i = random_terms(random), of_j = random_terms(random), of_k = random_terms(random);
+    const PointMap i(6, of_i), j(0, of_j), k(0, of_k);
     const auto value = [&](const VectorXd& d) { return measure.value(x0 + coordinates({i(d), j(d), k(d)})); };
     const VectorXd d = 0.05 * VectorXd::Random(12), change = VectorXd::Random(12);
     const auto [by_i, by_j, by_k] = place_at(measure.gradient(x0 + coordinates({i(d), j(d), k(d)})));

@@ -13,8 +13,7 @@ struct Trio {
 
   static MovingPoint moving(const Vec2& x, int first) {
     MovingPoint point{x, {}};
-    point.map.add(first, Vec2::UnitX());
-    point.map.add(first + 1, Vec2::UnitY());
+    point.map = PointMap(first);
     return point;
   }
   AffineForm gap() const { return gap_form(moving(i, 0), moving(j, 2), moving(k, 4)); }
@@ -160,9 +159,8 @@ TEST(Kinematics, CoefficientsAreThoseOfThePaper) {
 /// The forms know blocks only by their point maps: here a rigid one that can but translate, against a fixed
 /// edge and as the edge's own block.
 TEST(Kinematics, ABlockOfTwoUnknownsFits) {
-  PointMap translating;
-  translating.add(7, Vec2::UnitX());
-  translating.add(3, Vec2::UnitY());
+  const std::vector<PointMap::Term> terms{{7, Vec2::UnitX()}, {3, Vec2::UnitY()}};
+  const PointMap translating(0, terms);
   const MovingPoint vertex{{0.25, -0.5}, translating}, still{{0.25, -0.5}, {}};
   const AffineForm on_fixed = gap_form(vertex, {{0, 0}, {}}, {{1, 0}, {}});
   const AffineForm on_moving = gap_form(still, {{0, 0}, translating}, {{1, 0}, translating});

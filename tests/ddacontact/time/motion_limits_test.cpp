@@ -29,7 +29,7 @@ TEST(MotionLimits, NoVertexOutrunsItsLimitInASubstep) {
   for (Preset preset : {Preset::standard, Preset::paper}) {
     Scene scene = falling_blocks(preset);
     const BuiltScene built = build(scene);
-    const MotionLimits limits(built.stepper->blocks(), scene.analysis);
+    MotionLimits limits(built.stepper->blocks(), scene.analysis);
     long substeps = 0;
     Points before = built.stepper->blocks().positions(built.stepper->state());
     double furthest = 0;
@@ -50,7 +50,7 @@ TEST(MotionLimits, NoVertexOutrunsItsLimitInASubstep) {
 TEST(MotionLimits, ReachCoversTheMotionForeseenAndHeldBlocksNone) {
   const Scene scene = falling_blocks(Preset::standard);
   const BuiltScene built = build(scene);
-  const MotionLimits limits(built.stepper->blocks(), scene.analysis);
+  MotionLimits limits(built.stepper->blocks(), scene.analysis);
   const auto reach = limits.reach(built.stepper->state(), {}, 0.01, 1);
   EXPECT_GT(reach[1], 0.01);
   EXPECT_GT(reach[0], 0.0005);

@@ -1,0 +1,39 @@
+#include <ddacontact/detection/nearby_pairs.hpp>
+
+namespace ddacontact {
+
+bool lies_in(const Box& p, const Box& q) {
+  return p.low.x() >= q.low.x() && p.low.y() >= q.low.y() && p.high.x() <= q.high.x() &&
+         p.high.y() <= q.high.y();
+}
+
+bool NearbyPairs::holds(const std::vector<Box>& boxes) const {
+  if (boxes.size() != wide_.size()) return false;
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    if (!lies_in(boxes[b], wide_[b])) return false;
+  return true;
+}
+
+const std::vector<Pair>& NearbyPairs::overlapping_pairs(const std::vector<Box>& boxes,
+                                                        const std::vector<double>& margins) {
+  if (margins.empty()) {
+    wide_.clear();
+    ++n_searches_;
+    return broad_phase_.overlapping_pairs(boxes);
+  }
+  if (!holds(boxes)) {
+    wide_.resize(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+      const Vec2 margin = Vec2::Constant(margins[b]);
+      wide_[b] = {boxes[b].low - margin, boxes[b].high + margin};
+    }
+    candidates_ = broad_phase_.overlapping_pairs(wide_);
+    ++n_searches_;
+  }
+  near_.clear();
+  for (const Pair& pair : candidates_)
+    if (touch(boxes[pair[0]], boxes[pair[1]])) near_.push_back(pair);
+  return near_;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,31 @@
+/// \file Which pairs of boxes touch while they move little.
+#pragma once
+
+#include <ddacontact/detection/broad_phase.hpp>
+
+namespace ddacontact {
+
+/// Whether p lies in q.
+bool lies_in(const Box& p, const Box& q);
+
+/// The pairs that BroadPhase finds, in its order. They are looked for among wider boxes, and of these they
+/// are taken until a box leaves its wider one.
+class NearbyPairs {
+ public:
+  /// \param[in] margins  by how much each box is widened when pairs are looked for; none: looks each time
+  /// Valid until the next call.
+  const std::vector<Pair>& overlapping_pairs(const std::vector<Box>& boxes,
+                                             const std::vector<double>& margins);
+  /// How often pairs were looked for.
+  long n_searches() const { return n_searches_; }
+
+ private:
+  bool holds(const std::vector<Box>& boxes) const;
+
+  BroadPhase broad_phase_;
+  std::vector<Box> wide_;  ///< that `candidates_` overlap in
+  std::vector<Pair> candidates_, near_;
+  long n_searches_ = 0;
+};
+
+}  // namespace ddacontact

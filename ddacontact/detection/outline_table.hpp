@@ -1,0 +1,54 @@
+/// \file The sides of all outlines, computed once for all the pairs that they are compared in.
+#pragma once
+
+#include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/corner.hpp>
+
+#include <span>
+#include <vector>
+
+namespace ddacontact {
+
+/// From a vertex of an outline to the next.
+struct Side {
+  Vec2 tangent;
+  double length;
+  Corner corner;  ///< at the vertex where it starts
+
+  Vec2 along() const { return length * tangent; }
+  Vec2 normal() const { return {tangent.y(), -tangent.x()}; }  ///< outward of a counter-clockwise polygon
+};
+
+/// What is known of an outline besides its vertices.
+struct OutlineSides {
+  std::span<const Side> sides;
+  Box box;
+  bool concave;  ///< it turns right at some vertex, however little
+};
+
+/// Simple, counter-clockwise polygons, by their numbers.
+class OutlineTable {
+ public:
+  /// \param[in] n_vertices  of each polygon
+  explicit OutlineTable(std::span<const int> n_vertices = {});
+
+  /// The present places of a polygon's vertices, relative to any origin. Different polygons may be set at the
+  /// same time.
+  void set(int polygon, const PointsRef& vertices);
+
+  /// Its box is relative to the same origin.
+  OutlineSides operator[](int polygon) const {
+    const int first = first_[polygon];
+    return {{sides_.data() + first, static_cast<std::size_t>(first_[polygon + 1] - first)},
+            boxes_[polygon],
+            concave_[polygon] != 0};
+  }
+
+ private:
+  std::vector<int> first_{0};  ///< of each polygon, in sides_
+  std::vector<Side> sides_;
+  std::vector<Box> boxes_;
+  std::vector<char> concave_;
+};
+
+}  // namespace ddacontact
