@@ -13,7 +13,6 @@ namespace ddacontact {
 
 Block::Block(const BlockMaterial& material, const PointsRef& places, int n_vertices)
     : material_(material),
-      compliance_(material.elasticity.inverse()),
       reference_(places),
       reference_area_(polyfem::signed_area(places.leftCols(n_vertices))),
       grid_(std::exp2(std::floor(std::log2(reference_area_) / 2))),
@@ -26,6 +25,10 @@ void Block::place(int index, int first_place, int first_unknown, int first_stres
   places_ = {first_place, n_places()};
   unknowns_ = {first_unknown, n_unknowns()};
   stress_points_ = {first_stress_point, n_stress_points()};
+}
+
+Mat3 Block::compliance() const {
+  return material_.elasticity.inverse();
 }
 
 double Block::size() const {
@@ -54,9 +57,10 @@ void Block::follow_with_origin(BlockState& state) const {
 
 double Block::elastic_energy(const BlockState& state) const {
   const Tensors sigma = stress(state);
+  const Mat3 D_inverse = compliance();
   double energy = 0;
   for (int q = 0; q < stress_points_.count; ++q)
-    energy += integration_weights_[q] * sigma.col(q).dot(compliance_ * sigma.col(q)) / 2;
+    energy += integration_weights()[q] * sigma.col(q).dot(D_inverse * sigma.col(q)) / 2;
   return energy;
 }
 

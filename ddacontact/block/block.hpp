@@ -80,12 +80,16 @@ class Block {
   virtual MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const = 0;
   /// All of M, n_unknowns x n_unknowns.
   MatrixXd mass() const { return times_mass(MatrixXd::Identity(n_unknowns(), n_unknowns())); }
+  /// v M v / 2, J per m.
+  virtual double kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const {
+    return velocity.dot(times_mass(velocity).col(0)) / 2;
+  }
   /// Unknowns of a unit translation in x, in y and a unit rotation about the centroid: n_unknowns x 3.
   const Eigen::Matrix<double, Eigen::Dynamic, 3>& rigid_modes() const { return rigid_modes_; }
   /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.
   virtual Points integration_points() const = 0;
   /// Area that belongs to each integration point.
-  const VectorXd& integration_weights() const { return integration_weights_; }
+  virtual const VectorXd& integration_weights() const = 0;
   /// 1 for an unknown that is a displacement, the block's size for one that is an angle or a strain: forces
   /// conjugate to it divided by this are comparable.
   virtual VectorXd unknown_lengths() const = 0;
@@ -96,8 +100,8 @@ class Block {
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
 
   virtual void begin_step(const BlockState& state, const StepStart& start) = 0;
-  /// The displacements of a step without forces: where to look for those with them.
-  virtual VectorXd free_path() const = 0;
+  /// Writes the displacements of a step without forces: where to look for those with them.
+  virtual void free_path(Eigen::Ref<VectorXd> path) const = 0;
   /// The forces that resist displacements d of the block's unknowns.
   virtual void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const = 0;
   /// Their derivative by d, next to exact, symmetric positive definite, is a sum of matrices of some of the
@@ -126,7 +130,8 @@ class Block {
   /// What the step loses of the work of the block's elastic forces, J per m: by the identity of the scheme
   /// where there is one, so that a force that is not that of the energy leaves the ledger open; else what the
   /// work of `elastic` has more than is stored.
-  virtual double elastic_loss(const Eigen::Ref<const VectorXd>& d, const VectorXd& elastic) const {
+  virtual double elastic_loss(const Eigen::Ref<const VectorXd>& d,
+                              const Eigen::Ref<const VectorXd>& elastic) const {
     return d.dot(elastic) - stored_energy(d);
   }
   /// Integral of sigma D^-1 sigma / 2, J per m.
@@ -149,17 +154,15 @@ class Block {
   Block(const BlockMaterial& material, const PointsRef& places, int n_vertices);
 
   virtual void prepare_shape(const PointsRef& places) = 0;
-  const Mat3& compliance() const { return compliance_; }  ///< D^-1
+  Mat3 compliance() const;  ///< D^-1
   int index() const { return index_; }
   /// Moves the origin in `state` back to the block when it has gone far from it.
   void follow_with_origin(BlockState& state) const;
 
   Eigen::Matrix<double, Eigen::Dynamic, 3> rigid_modes_;
-  VectorXd integration_weights_;
 
  private:
   BlockMaterial material_;
-  Mat3 compliance_;
   Points reference_;
   double reference_area_;
   double grid_;  ///< spacing of the origins

@@ -1,5 +1,7 @@
 #include <ddacontact/block/block_system.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,9 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   for (const auto& block : blocks_)
     reference_.middleCols(block->places().first, block->places().count) = block->reference();
   for (int b = 0; b < n_blocks(); ++b) block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
-  start_ = zero_ = initial_state();
+  const BlockState initial = initial_state();
+  start_.position = zero_.position = initial.position;
+  start_.origin = zero_.origin = initial.origin;
   present_.assign(blocks_.size(), true);
   number_equations();
 }
@@ -96,8 +100,9 @@ BlockState BlockSystem::initial_state() const {
 }
 
 void BlockSystem::prepare(const BlockState& state, bool first_time) {
-  for (int b = 0; b < n_blocks(); ++b)
+  for_blocks(n_blocks(), [&](int b) {
     if (first_time || !unchanging_[b]) blocks_[b]->prepare(state);
+  });
 }
 
 void BlockSystem::add_gravity(VectorXd& F) const {
@@ -162,16 +167,17 @@ Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) 
 }
 
 void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
-  for (int b = 0; b < n_blocks(); ++b)
+  for_blocks(n_blocks(), [&](int b) {
     if (!is_unchanging(b)) blocks_[b]->begin_step(state, start);
+  });
 }
 
 void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const {
-  for (int b = 0; b < n_blocks(); ++b) {
-    if (is_unchanging(b)) continue;
+  for_blocks(n_blocks(), [&](int b) {
+    if (is_unchanging(b)) return;
     const Range& u = block(b).unknowns();
     blocks_[b]->end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), is_free(b), next);
-  }
+  });
 }
 
 Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_places) const {

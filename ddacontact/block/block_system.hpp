@@ -129,7 +129,7 @@ class BlockSystem {
 
   std::vector<std::unique_ptr<Block>> blocks_;
   Points reference_;
-  BlockState start_, zero_;
+  BlockState start_, zero_;  ///< places and origins alone
   std::vector<int> block_of_place_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;

@@ -89,7 +89,64 @@ void find_unknowns(CorotationalShape& shape) {
   }
 }
 
+/// What follows from nodes, cells and maps.
+void complete(CorotationalShape& shape) {
+  find_unknowns(shape);
+  int n_points = 0, n_nodes = 0;
+  for (ShapeCell& cell : shape.cells) {
+    cell.first_point = n_points;
+    cell.first_node = n_nodes;
+    n_points += static_cast<int>(cell.element.n_points());
+    n_nodes += static_cast<int>(cell.elastic.n_nodes());
+  }
+  shape.integration_weights.resize(n_points);
+  for (const ShapeCell& cell : shape.cells)
+    shape.integration_weights.segment(cell.first_point, cell.element.n_points()) = cell.element.rule.weights;
+  shape.mass_of_translation = shape.is_one_cell() ? VectorXd(shape.cells[0].mass * shape.translation)
+                                                  : VectorXd(shape.mass * shape.translation);
+  shape.mass_total = shape.translation.dot(shape.mass_of_translation);
+}
+
+/// A matrix of m nodes acting on x and y alike, 2m x 2m.
+MatrixXd both_axes(const MatrixXd& M) {
+  MatrixXd both = MatrixXd::Zero(2 * M.rows(), 2 * M.cols());
+  for (Index a = 0; a < M.rows(); ++a)
+    for (Index b = 0; b < M.cols(); ++b) both(2 * a, 2 * b) = both(2 * a + 1, 2 * b + 1) = M(a, b);
+  return both;
+}
+
+/// M Z (Z^T M Z)^-1 Z^T M of a shape of one cell.
+MatrixXd rigid_mass(const CorotationalShape& shape) {
+  const Vec2 centre = shape.nodes * shape.mass_of_translation / shape.mass_total;
+  const Points arms = shape.nodes - centre * shape.translation.transpose();
+  Eigen::Matrix<double, Eigen::Dynamic, 3> Z(2 * shape.nodes.cols(), 3);
+  for (Index a = 0; a < shape.nodes.cols(); ++a) {
+    Z.row(2 * a) << shape.translation[a], 0, -arms(1, a);
+    Z.row(2 * a + 1) << 0, shape.translation[a], arms(0, a);
+  }
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> MZ = both_axes(shape.cells[0].mass) * Z;
+  return MZ * (Z.transpose() * MZ).diagonal().cwiseInverse().asDiagonal() * MZ.transpose();
+}
+
+std::vector<MatrixXd> tangents(const CorotationalShape& shape, const StepRule& rule, double dt) {
+  const double end_share = rule.mean_forces() ? 0.5 + rule.decay() : 1;
+  std::vector<MatrixXd> tangents;
+  for (const ShapeCell& cell : shape.cells) {
+    tangents.push_back((end_share + rule.damping.stiffness / dt) * cell.elastic.stiffness() +
+                       (rule.inertia() / (dt * dt) + rule.damping.mass / dt) * both_axes(cell.mass));
+    if (rule.scheme == Scheme::decaying && shape.is_one_cell())
+      tangents.back() += (rigid_mass(shape) - both_axes(cell.mass)) / (dt * dt);
+  }
+  return tangents;
+}
+
 }  // namespace
+
+std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,
+                                                  double dt) {
+  return shape.step_matrices->get(
+      rule, dt, [&](const StepRule& of, double length) { return tangents(shape, of, length); });
+}
 
 CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& block_outline,
                                 const polyfem::Basis& basis, const Integration& integration) {
@@ -101,7 +158,7 @@ CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& 
                                      &basis == &polyfem::wachspress ? 0 : fine));
   shape.mean_gradient = polyfem::mean_gradient_weights(shape.nodes);
   shape.n_outline = static_cast<int>(n);
-  find_unknowns(shape);
+  complete(shape);
   return shape;
 }
 
@@ -153,7 +210,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
     shape.basis = MatrixXd(displacements.inverse()).sparseView(1, negligible);
     shape.inverse_basis = displacements.sparseView();
   }
-  find_unknowns(shape);
+  complete(shape);
   return shape;
 }
 
@@ -204,7 +261,7 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
     shape.inverse_basis.resize(2 * independent, 2 * n);
     shape.inverse_basis.setFromTriplets(inverse.begin(), inverse.end());
   }
-  find_unknowns(shape);
+  complete(shape);
   return shape;
 }
 

@@ -3,6 +3,7 @@
 
 #include <ddacontact/block/affine_block.hpp>
 #include <ddacontact/block/block_mesh.hpp>
+#include <ddacontact/block/step_matrices.hpp>
 #include <ddacontact/block/vertex_block.hpp>
 #include <polyfem/element/corotation.hpp>
 
@@ -20,6 +21,8 @@ struct ShapeCell {
   bool mean_dilatation = false;       ///< K and stresses by polyfem/element/b_bar
   std::vector<int> unknowns;          ///< of the block, that move its nodes
   MatrixXd nodes_by_unknowns;         ///< changes of its nodes by these; empty: they are the same
+  int first_point = 0;                ///< among the stress points of the block
+  int first_node = 0;                 ///< where the nodes of all cells stand one after another
 };
 
 /// A block's nodes are 2-vectors that turn with it; its unknowns are their changes in a step. For polygons
@@ -38,9 +41,21 @@ struct CorotationalShape {
   /// Changes of the nodes by the unknowns, 2m x u, and back; empty: they are the unknowns.
   Eigen::SparseMatrix<double, Eigen::RowMajor> basis, inverse_basis;
 
+  VectorXd mass_of_translation{};  ///< M t
+  double mass_total = 0;           ///< t M t
+  VectorXd integration_weights{};  ///< of the points of all cells
+  /// See StepMatrices, of the blocks of this shape.
+  std::unique_ptr<LastStepMatrices> step_matrices = std::make_unique<LastStepMatrices>();
+
+  /// Whether the only cell has all nodes in their order.
+  bool is_one_cell() const { return cells[0].nodes.empty(); }
   bool has_basis() const { return basis.size() > 0; }
   Index n_unknowns() const { return has_basis() ? basis.cols() : 2 * nodes.cols(); }
 };
+
+/// By its last step matrices, or made now.
+std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,
+                                                  double dt);
 
 /// One cell, the outline, by a basis that is suitable for it.
 CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& outline,

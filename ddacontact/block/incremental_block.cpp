@@ -16,6 +16,7 @@ void IncrementalBlock::begin_step(const BlockState& state, const StepStart& star
 }
 
 void IncrementalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const {
+  forces.resize(n_unknowns());
   const VectorXd Kd = stiffness_ * d;
   forces.elastic = stress_forces_ + Kd;
   forces.damping = rule_.damping.stiffness / dt_ * Kd + rule_.damping.mass / dt_ * (mass_ * d);

@@ -9,7 +9,7 @@ namespace ddacontact {
 class IncrementalBlock : public Block {
  public:
   void begin_step(const BlockState& state, const StepStart& start) override;
-  VectorXd free_path() const override { return path_; }
+  void free_path(Eigen::Ref<VectorXd> path) const override { path = path_; }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
   using Block::tangent;
   void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override;
@@ -22,6 +22,8 @@ class IncrementalBlock : public Block {
   Tensors stress(const BlockState& state) const override {
     return state.stress.middleCols(stress_points().first, stress_points().count);
   }
+
+  const VectorXd& integration_weights() const override { return integration_weights_; }
 
   /// K of (17), n_unknowns x n_unknowns.
   const MatrixXd& stiffness() const { return stiffness_; }
@@ -37,6 +39,7 @@ class IncrementalBlock : public Block {
   double current_density() const { return material().density * reference_area() / moments().area; }
 
   MatrixXd stiffness_, mass_;
+  VectorXd integration_weights_;
 
  private:
   StepRule rule_;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/core/types.hpp>
+
+#include <new>
 
 namespace ddacontact {
 
@@ -20,6 +23,11 @@ struct StepRule {
   double decay() const { return scheme == Scheme::decaying ? 0.5 : 0; }
   /// When within the step loads are taken.
   double load_time() const { return mean_forces() ? 0.5 : 1; }
+
+  bool operator==(const StepRule& other) const {
+    return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
+           damping.mass == other.damping.mass && damping.stiffness == other.damping.stiffness;
+  }
 };
 
 /// The scheme that the options ask for, with its numbers. Static steps of the conserving scheme, whose
@@ -42,9 +50,28 @@ struct StepStart {
   VectorXd jump, jump_path;
 };
 
-/// With what forces a block resists the displacements of a step, of its own unknowns.
-struct BlockForces {
-  VectorXd elastic, inertia, damping;
+/// With what forces a block resists the displacements of a step, of its own unknowns. Their storage serves
+/// blocks of all sizes, one after another.
+class BlockForces {
+ public:
+  BlockForces() = default;
+  BlockForces(BlockForces&&) = default;
+
+  void resize(Index n_unknowns) {
+    if (elastic.size() == n_unknowns) return;
+    if (storage_.size() < 3 * n_unknowns) storage_.resize(3 * n_unknowns);
+    double* numbers = storage_.data();
+    for (Forces* part : {&elastic, &inertia, &damping}) {
+      new (part) Forces(numbers, n_unknowns);  // how Eigen has a Map look elsewhere
+      numbers += n_unknowns;
+    }
+  }
+
+  using Forces = Eigen::Map<VectorXd>;
+  Forces elastic{nullptr, 0}, inertia{nullptr, 0}, damping{nullptr, 0};
+
+ private:
+  VectorXd storage_;
 };
 
 }  // namespace ddacontact

@@ -91,7 +91,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     block.forces(d.segment(u.first, u.count), forces_);
     auto r = residual.force.segment(u.first, u.count);
     double sum = magnitude_[b];
-    for (const VectorXd* f : {&forces_.elastic, &forces_.inertia, &forces_.damping}) {
+    for (const BlockForces::Forces* f : {&forces_.elastic, &forces_.inertia, &forces_.damping}) {
       r += *f;
       sum += f->cwiseQuotient(lengths).lpNorm<1>();
     }
@@ -125,10 +125,9 @@ VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
   for (int b : active_) {
     const Range& u = blocks_.block(b).unknowns();
-    const VectorXd path = blocks_.block(b).free_path();
-    for (int k = 0; k < u.count; ++k)
-      if (blocks_.equation()[u.first + k] >= 0) d[u.first + k] = path[k];
+    blocks_.block(b).free_path(d.segment(u.first, u.count));
   }
+  for (const HeldUnknown& held : blocks_.held_unknowns()) d[held.unknown] = prescribed_[held.unknown];
   return d;
 }
 

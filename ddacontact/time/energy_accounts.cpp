@@ -1,5 +1,7 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
+
 namespace ddacontact {
 
 namespace {
@@ -11,18 +13,17 @@ double shear_energy(const JointLaw& law, double slip) {
   return law.tangential_stiffness * slip * slip / 2;
 }
 
-/// What forces took from the block's motion less what it has of it after the step: elastic, and by inertia.
-void account_block(const Block& block, const AcceptedStep& step, Energy& energy) {
+/// What forces took from the block's motion less what it has of it after the step: elastic, and by inertia;
+/// and what its damping took.
+Vec2 block_losses(const Block& block, const AcceptedStep& step) {
   const Range& u = block.unknowns();
   const auto d = step.d.segment(u.first, u.count);
-  const auto v0 = step.start_velocity.segment(u.first, u.count),
-             v1 = step.end_velocity.segment(u.first, u.count);
-  BlockForces forces;
+  thread_local BlockForces forces;
   block.forces(d, forces);
-  energy.numerical_dissipated +=
-      block.elastic_loss(d, forces.elastic) + d.dot(forces.inertia) -
-      (v1.dot(block.times_mass(v1).col(0)) - v0.dot(block.times_mass(v0).col(0))) / 2;
-  energy.damping_dissipated += d.dot(forces.damping);
+  return {block.elastic_loss(d, forces.elastic) + d.dot(forces.inertia) -
+              (block.kinetic_energy(step.end_velocity.segment(u.first, u.count)) -
+               block.kinetic_energy(step.start_velocity.segment(u.first, u.count))),
+          d.dot(forces.damping)};
 }
 
 /// What the springs of a contact store when its gap and slip are these.
@@ -49,21 +50,17 @@ void account_contact(const Contact& before, const Contact& after, const VectorXd
 }  // namespace
 
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
-  double energy = 0;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (blocks.is_unchanging(b)) continue;
+  return sum_over_blocks(blocks.n_blocks(), [&](int b) {
     const Range& u = blocks.block(b).unknowns();
-    const auto v = velocity.segment(u.first, u.count);
-    energy += v.dot(blocks.block(b).times_mass(v).col(0)) / 2;
-  }
-  return energy;
+    return blocks.is_unchanging(b) ? 0 : blocks.block(b).kinetic_energy(velocity.segment(u.first, u.count));
+  });
 }
 
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<Contact>& contacts, double held_stiffness) {
-  double energy = 0;
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    if (blocks.is_present(b)) energy += blocks.block(b).elastic_energy(state);
+  double energy = sum_over_blocks(blocks.n_blocks(), [&](int b) {
+    return blocks.is_present(b) ? blocks.block(b).elastic_energy(state) : 0;
+  });
   for (const Contact& contact : contacts) {
     energy += stored_normal(contact, contact.end_gap) + stored_shear(contact, contact.end_slip);
   }
@@ -84,8 +81,14 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
   energy.external += system.load_forces().dot(step.d);
   for (const HeldUnknown& held : blocks.held_unknowns())
     energy.external += step.residual.force[held.unknown] * step.d[held.unknown];
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    if (!blocks.is_unchanging(b)) account_block(blocks.block(b), step, energy);
+  Points losses = Points::Zero(2, blocks.n_blocks());
+  for_blocks(blocks.n_blocks(), [&](int b) {
+    if (!blocks.is_unchanging(b)) losses.col(b) = block_losses(blocks.block(b), step);
+  });
+  for (const auto& of_block : losses.colwise()) {
+    energy.numerical_dissipated += of_block[0];
+    energy.damping_dissipated += of_block[1];
+  }
   for (const StepSystem::HeldSpring& spring : system.held_springs()) {
     const double change = spring.form.change(step.d) - spring.target_change;
     energy.numerical_dissipated += system.held_stiffness() * change * change / 2;

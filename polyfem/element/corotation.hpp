@@ -13,23 +13,39 @@
 
 namespace polyfem {
 
+/// Arrays of 2-vectors, one a node: as columns, and stacked (u1 v1 u2 v2 ...). Of any number of nodes; of N;
+/// or of at most `Most`, which like N live without the heap.
+template <int N, int Most = N>
+struct Nodal {
+  static constexpr int twice(int n) { return n == Eigen::Dynamic ? n : 2 * n; }
+  using Vectors = Eigen::Matrix<double, 2, N, Eigen::ColMajor, 2, Most>;
+  using Stacked = Eigen::Matrix<double, twice(N), 1, Eigen::ColMajor, twice(Most), 1>;
+  using Scalars = Eigen::Matrix<double, N, 1, Eigen::ColMajor, Most, 1>;
+  using Square = Eigen::Matrix<double, N, N, Eigen::ColMajor, Most, Most>;  ///< of one axis
+};
+using FourNodes = Nodal<4>;
+using FewNodes = Nodal<Eigen::Dynamic, 16>;
+using AnyNodes = Nodal<Eigen::Dynamic>;
+
 /// Where an element is: the frame that turns with it and its displacement seen from there.
-struct CorotatedFrame {
-  double angle = 0;  ///< theta in (-pi, pi]
+template <class Of>
+struct CorotatedFrameOf {
   /// s, the trace of U in F = R U: 2 without strain, the difference of the principal stretches where the
   /// element is inside out. Where it is 0 (collapsed, or a plain mirror image) no rotation is nearest: R is 1
   /// and there are no forces; near 0 they mean nothing.
   double stretch = 0;
   Mat2 rotation = Mat2::Identity();  ///< R
-  Points local;                      ///< R^T y from the element's centre, 2 x m
-  VectorXd u;                        ///< local displacements from centre to centre (u1 v1 u2 v2 ...), 2m
+  Of::Vectors local;                 ///< R^T y from the element's centre, 2 x m
+  Of::Stacked u;                     ///< local displacements from centre to centre (u1 v1 u2 v2 ...), 2m
 };
+using CorotatedFrame = CorotatedFrameOf<AnyNodes>;
 
 /// The rotation exp(D J / 2) R_start half way to the end, where D in (-pi, pi] is the turn between them.
 Mat2 mid_rotation(const Mat2& start, const Mat2& end);
 
 /// The stiffness of one element and the frame that it is carried in. Forces are 2m entries as u is, along the
-/// fixed axes; they have no resultant, and no moment about the shape that they act on.
+/// fixed axes; they have no resultant, and no moment about the shape that they act on. What is a template is
+/// there for FourNodes, FewNodes and AnyNodes.
 class CorotatedElement {
  public:
   /// Nodes at rest (2 x m), the weights b of F (2 x m, sum_a Y_a b_a^T = 1) and the symmetric K (2m x 2m),
@@ -48,13 +64,29 @@ class CorotatedElement {
   /// common translation is taken out of u, as large ones would leave K u a resultant of their round-off.
   /// Whoever tries places that may be collapsed or mirrored must look at the stretch before asking for
   /// forces.
-  void frame(const PointsRef& nodes, CorotatedFrame& frame) const;
+  template <class Of>
+  void frame(const Eigen::Ref<const typename Of::Vectors>& nodes, CorotatedFrameOf<Of>& frame) const;
+  /// The rest of a frame whose stretch, rotation and local places are known.
+  template <class Of>
+  void complete(CorotatedFrameOf<Of>& frame) const;
+  /// The rotation of the frame of nodes at y alone.
+  template <class Of>
+  Mat2 rotation(const typename Of::Vectors& nodes) const;
 
   /// E = u.Ku / 2 + f0.u per unit thickness. f0: the nodal forces of an initial stress in the rest shape.
-  double energy(const CorotatedFrame& frame, const VectorXd& initial_force) const;
+  template <class Of>
+  double energy(const CorotatedFrameOf<Of>& frame,
+                const Eigen::Ref<const typename Of::Stacked>& initial_force) const;
+  /// K u, the entries of u being those of a frame.
+  template <class Of>
+  Of::Stacked times_stiffness(const typename Of::Stacked& u) const;
 
   /// f = R P^T (K u + f0), the gradient of E. Asserts a stretch above 0.
-  void end_force(const CorotatedFrame& frame, const VectorXd& initial_force, VectorXd& f) const;
+  template <class Of>
+  void end_force(const CorotatedFrameOf<Of>& frame,
+                 const Eigen::Ref<const typename Of::Stacked>& initial_force, typename Of::Stacked& f) const {
+    mean_force(frame, frame, 0, initial_force, f);
+  }
 
   /// The gradient of `end_force`, symmetric: R (K + v beta^T + beta v^T) R^T with B(z) = beta.z. R K R^T
   /// (see `rotate`) leaves out v, which is of the order of the strain times K.
@@ -65,10 +97,15 @@ class CorotatedElement {
   /// u_w = (1/2 - chi) u0 + (1/2 + chi) u1, acting on the shape y_m = R_m^T (y0 + y1) / 2:
   /// P_m z = cos(D / 2) z - 2 B(z) / (s0 + s1) J y_m, for which P_m R_m^T (y1 - y0) = u1 - u0.
   /// (1/2 + chi) R_m K R_m^T is its gradient but for terms of the order of the strain and of D.
-  void mean_force(const CorotatedFrame& start, const CorotatedFrame& end, double chi,
-                  const VectorXd& initial_force, VectorXd& f) const;
+  template <class Of>
+  void mean_force(const CorotatedFrameOf<Of>& start, const CorotatedFrameOf<Of>& end, double chi,
+                  const Eigen::Ref<const typename Of::Stacked>& initial_force, typename Of::Stacked& f) const;
 
  private:
+  /// The nodes from the element's centre, and the sums A(y) and B(y) over them.
+  template <class Of>
+  Vec2 sums(const Eigen::Ref<const typename Of::Vectors>& nodes, typename Of::Vectors& centred) const;
+
   Points reference_, weights_;
   VectorXd translation_;
   MatrixXd K_;

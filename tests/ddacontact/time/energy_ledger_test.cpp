@@ -18,7 +18,6 @@ class MisjudgedBlock final : public Block {
                                  choose_integration(outline, GradientCorrection::on)))),
         factor_(factor) {
     right_.place(0, 0, 0, 0);
-    integration_weights_ = right_.integration_weights();
   }
 
   int n_unknowns() const override { return right_.n_unknowns(); }
@@ -29,7 +28,7 @@ class MisjudgedBlock final : public Block {
   void begin_step(const BlockState& state, const StepStart& start) override {
     right_.begin_step(state, start);
   }
-  VectorXd free_path() const override { return right_.free_path(); }
+  void free_path(Eigen::Ref<VectorXd> path) const override { right_.free_path(path); }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override {
     right_.forces(d, forces);
     forces.elastic *= factor_;
@@ -43,11 +42,13 @@ class MisjudgedBlock final : public Block {
     right_.end_step(d, external, is_free, next);
   }
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override { return right_.stored_energy(d); }
-  double elastic_loss(const Eigen::Ref<const VectorXd>& d, const VectorXd& elastic) const override {
+  double elastic_loss(const Eigen::Ref<const VectorXd>& d,
+                      const Eigen::Ref<const VectorXd>& elastic) const override {
     return right_.elastic_loss(d, elastic);
   }
   Tensors stress(const BlockState& state) const override { return right_.stress(state); }
   Points integration_points() const override { return right_.integration_points(); }
+  const VectorXd& integration_weights() const override { return right_.integration_weights(); }
   Points strain_displacement(const BlockState& state) const override {
     return right_.strain_displacement(state);
   }

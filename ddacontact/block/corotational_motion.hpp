@@ -1,0 +1,187 @@
+/// \file Motions of the nodes of a corotational block, and what is rigid in them.
+#pragma once
+
+#include <ddacontact/block/corotational_shape.hpp>
+
+#include <Eigen/Geometry>
+
+namespace ddacontact {
+
+/// A block's motion as a rigid body: momentum over mass, angular momentum over inertia, and what is left.
+template <class Of>
+struct NodalMotion {
+  Vec2 linear;
+  double angular;
+  Of::Vectors deformation;  ///< velocities of the nodes, 2 x m
+
+  NodalMotion<polyfem::AnyNodes> kept() const { return {linear, angular, deformation}; }
+};
+
+/// The nodes of a shape as arrays of a known size (polyfem::Nodal) and their mass.
+template <class Of>
+class NodalKinematics {
+ public:
+  using Vectors = Of::Vectors;
+  using Stacked = Of::Stacked;
+  using Motion = NodalMotion<Of>;
+
+  explicit NodalKinematics(const CorotationalShape& shape) : shape_(shape) {}
+
+  const CorotationalShape& shape() const { return shape_; }
+  Index n_nodes() const { return shape_.nodes.cols(); }
+
+  /// Changes or velocities of the nodes, 2 x m, by those of the unknowns, and back.
+  [[gnu::always_inline]] Vectors to_nodes(const Eigen::Ref<const VectorXd>& d) const {
+    if (!shape_.has_basis()) return Eigen::Map<const Vectors>(d.data(), 2, n_nodes());
+    return Stacked(shape_.basis * d).reshaped(2, n_nodes());
+  }
+  void to_unknowns(const Vectors& changes, Eigen::Ref<VectorXd> d) const {
+    if (!shape_.has_basis())
+      Eigen::Map<Vectors>(d.data(), 2, n_nodes()) = changes;
+    else
+      d = shape_.inverse_basis * Stacked(changes.reshaped());
+  }
+  void add_to_unknowns(const Vectors& changes, Eigen::Ref<VectorXd> d) const {
+    if (!shape_.has_basis())
+      Eigen::Map<Vectors>(d.data(), 2, n_nodes()) += changes;
+    else
+      d += shape_.inverse_basis * Stacked(changes.reshaped());
+  }
+  void forces_on_unknowns(const Vectors& on_nodes, Eigen::Ref<VectorXd> f) const {
+    if (!shape_.has_basis())
+      Eigen::Map<Vectors>(f.data(), 2, n_nodes()) = on_nodes;
+    else
+      f = shape_.basis.transpose() * Stacked(on_nodes.reshaped());
+  }
+  void add_forces_on_unknowns(const Vectors& on_nodes, Eigen::Ref<VectorXd> f) const {
+    if (!shape_.has_basis())
+      Eigen::Map<Vectors>(f.data(), 2, n_nodes()) += on_nodes;
+    else
+      f += shape_.basis.transpose() * Stacked(on_nodes.reshaped());
+  }
+  /// The work of forces of the unknowns on a motion of the nodes.
+  double work(const Eigen::Ref<const VectorXd>& forces, const Vectors& motion) const {
+    if (!shape_.has_basis())
+      return Eigen::Map<const Vectors>(forces.data(), 2, n_nodes()).cwiseProduct(motion).sum();
+    return forces.dot(shape_.inverse_basis * Stacked(motion.reshaped()));
+  }
+
+  /// The nodes by the places, and back.
+  Vectors of_places(const PointsRef& places) const {
+    if (shape_.places.size() == 0) return places;
+    return places * shape_.nodes_of_places.transpose();
+  }
+  void put_places(const Vectors& y, Eigen::Ref<Points> places) const {
+    if (shape_.places.size() == 0)
+      places = y;
+    else
+      places.noalias() = y * shape_.places.transpose();
+  }
+
+  /// v M
+  [[gnu::always_inline]] Vectors weighted(const Vectors& v) const {
+    if (!shape_.is_one_cell()) return v * shape_.mass;
+    const MatrixXd& M = shape_.cells[0].mass;
+    Vectors momenta = Vectors::Zero(2, v.cols());
+    for (Index a = 0; a < v.cols(); ++a)
+      momenta += v.col(a) * Eigen::Map<const typename Of::Scalars>(M.col(a).data(), v.cols()).transpose();
+    return momenta;
+  }
+  /// The forces on the nodes of an acceleration of all points.
+  Vectors weight(const Vec2& acceleration) const { return acceleration * mass_of_translation().transpose(); }
+  /// v M t / t M t
+  [[gnu::always_inline]] Vec2 mean(const Vectors& v) const {
+    return v.lazyProduct(mass_of_translation()) / shape_.mass_total;
+  }
+  /// The same for all points of the block.
+  [[gnu::always_inline]] Vectors everywhere(const Vec2& v) const {
+    return v * Eigen::Map<const typename Of::Scalars>(shape_.translation.data(), n_nodes()).transpose();
+  }
+  /// From the centre of mass.
+  [[gnu::always_inline]] Vectors arms(const Vectors& y) const { return y - everywhere(mean(y)); }
+  /// Velocities of a unit rotation about the centre of mass.
+  [[gnu::always_inline]] Vectors spin(const Vectors& y) const {
+    const Vectors r = arms(y);
+    Vectors turning(2, r.cols());
+    turning.row(0) = -r.row(1);
+    turning.row(1) = r.row(0);
+    return turning;
+  }
+
+  /// What is rigid in velocities of the nodes at y.
+  struct Rigid {
+    Vec2 linear;
+    double angular, inertia;
+    Vectors turning;  ///< velocities of a unit rotation
+  };
+  Rigid rigid(const Vectors& y, const Vectors& velocity) const {
+    Rigid rigid;
+    rigid.linear = mean(velocity);
+    rigid.turning = spin(y);
+    const Vectors momenta = weighted(rigid.turning);
+    rigid.inertia = momenta.cwiseProduct(rigid.turning).sum();
+    rigid.angular = momenta.cwiseProduct(velocity).sum() / rigid.inertia;
+    return rigid;
+  }
+  Motion split(const Vectors& y, const Vectors& velocity) const {
+    const Rigid r = rigid(y, velocity);
+    return {r.linear, r.angular, velocity - everywhere(r.linear) - r.angular * r.turning};
+  }
+  /// The velocities of a motion of the block in this place.
+  Vectors motion_at(const Vectors& y, const auto& motion) const {
+    return everywhere(motion.linear) + motion.angular * spin(y) + motion.deformation;
+  }
+
+  /// Adds what acts on the nodes of a cell.
+  void add_of_cell(const Stacked& f, std::size_t c, Vectors& on_nodes) const {
+    const std::vector<int>& nodes = shape_.cells[c].nodes;
+    if (nodes.empty()) {
+      on_nodes += f.reshaped(2, n_nodes());
+      return;
+    }
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      on_nodes.col(nodes[k]) += f.template segment<2>(2 * static_cast<Index>(k));
+  }
+  polyfem::CorotatedFrameOf<Of> frame(const Vectors& y, std::size_t c) const {
+    const ShapeCell& cell = shape_.cells[c];
+    polyfem::CorotatedFrameOf<Of> frame;
+    if (cell.nodes.empty())
+      cell.elastic.frame(y, frame);
+    else
+      cell.elastic.frame(Vectors(y(Eigen::all, cell.nodes)), frame);
+    return frame;
+  }
+  /// That of its frame.
+  Mat2 cell_rotation(const Vectors& y, std::size_t c) const {
+    const ShapeCell& cell = shape_.cells[c];
+    if (cell.nodes.empty()) return cell.elastic.template rotation<Of>(y);
+    return cell.elastic.template rotation<Of>(y(Eigen::all, cell.nodes));
+  }
+  /// Of the block's mean deformation gradient.
+  Mat2 rotation(const Vectors& y) const {
+    if (shape_.is_one_cell()) return shape_.cells[0].elastic.template rotation<Of>(y);
+    const Mat2 F = y.leftCols(shape_.n_outline) * shape_.mean_gradient.leftCols(shape_.n_outline).transpose();
+    const Vec2 turned = Vec2(F(0, 0) + F(1, 1), F(1, 0) - F(0, 1)).normalized();
+    Mat2 R;
+    R << turned.x(), -turned.y(), turned.y(), turned.x();
+    return R;
+  }
+
+ private:
+  Eigen::Map<const typename Of::Scalars> mass_of_translation() const {
+    return {shape_.mass_of_translation.data(), n_nodes()};
+  }
+
+  const CorotationalShape& shape_;
+};
+
+/// Calls work(NodalKinematics<Of>(shape)) with arrays that live without the heap where the nodes are few.
+template <class Work>
+decltype(auto) with_nodes(const CorotationalShape& shape, Work&& work) {
+  if (shape.is_one_cell() && shape.nodes.cols() == 4) return work(NodalKinematics<polyfem::FourNodes>(shape));
+  if (shape.is_one_cell() && shape.nodes.cols() <= polyfem::FewNodes::Vectors::MaxColsAtCompileTime)
+    return work(NodalKinematics<polyfem::FewNodes>(shape));
+  return work(NodalKinematics<polyfem::AnyNodes>(shape));
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,299 @@
+/// \file The forces and the end of a step of a corotational block, by its nodes.
+#pragma once
+
+#include <ddacontact/block/corotational_motion.hpp>
+#include <ddacontact/block/step_matrices.hpp>
+#include <polyfem/element/b_bar.hpp>
+#include <polyfem/element/matrices.hpp>
+
+#include <cmath>
+
+namespace ddacontact {
+
+/// A change of a block's motion within a step, and it times what is left of the step. Both turn with the
+/// block, see NodalKinematics::motion_at.
+struct CorotationalJump {
+  NodalMotion<polyfem::AnyNodes> velocity, path;
+};
+
+/// What a block keeps of the start of its step.
+struct CorotationalStart {
+  std::shared_ptr<const StepMatrices> matrices;
+  std::unique_ptr<CorotationalJump> jump;  ///< none: none
+  /// Of the nodes places, velocities, velocities of deformation in the block's frame (decaying scheme) and
+  /// accelerations (Newmark's); the first axis of that frame; of each cell the first axis of its frame,
+  /// (stretch, 0) and the places of its nodes there; and where there is any, the forces on the nodes of each
+  /// cell of the stress that the reference shape has.
+  Points arrays;
+};
+
+/// A step that was begun.
+template <class Of>
+class CorotationalStep {
+ public:
+  using Nodes = NodalKinematics<Of>;
+  using Vectors = Of::Vectors;
+  using Stacked = Of::Stacked;
+  using Motion = NodalMotion<Of>;
+  using Frame = polyfem::CorotatedFrameOf<Of>;
+  using Array = Eigen::Map<const Vectors, Eigen::Aligned16>;
+
+  CorotationalStep(const Nodes& nodes, const CorotationalStart& start)
+      : nodes_(nodes),
+        start_(start),
+        rule_(start.matrices->rule),
+        dt_(start.matrices->dt),
+        at_(nodes.shape(), rule_) {}
+
+  /// Writes `start`, whose matrices and jump are there.
+  static void begin(const Nodes& nodes, const Vectors& y, const Vectors& velocity,
+                    const Vectors& acceleration, const TensorsRef& initial_stress, CorotationalStart& start) {
+    const StepRule& rule = start.matrices->rule;
+    const std::vector<ShapeCell>& cells = nodes.shape().cells;
+    const Places at(nodes.shape(), rule);
+    const bool stressed = !initial_stress.isZero(0);
+    start.arrays.resize(2, stressed ? at.end : at.initial_forces);
+    const auto put = [&](const Vectors& array, Index column) {
+      Eigen::Map<Vectors, Eigen::Aligned16>(start.arrays.col(column).data(), 2, array.cols()) = array;
+    };
+    put(y, 0);
+    put(velocity, at.velocity);
+    const Mat2 R = nodes.rotation(y);
+    start.arrays.col(at.axis) = R.col(0);
+    if (rule.scheme == Scheme::decaying)
+      put(R.transpose() * nodes.split(y, velocity).deformation, at.deforming);
+    if (keeps_acceleration(rule)) put(acceleration, at.acceleration);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const Frame frame = nodes.frame(y, c);
+      const Index k = at.cell(cells[c], c), n = cells[c].elastic.n_nodes();
+      start.arrays.col(k) = frame.rotation.col(0);
+      start.arrays.col(k + 1) << frame.stretch, 0;
+      put(frame.local, k + 2);
+      if (!stressed) continue;
+      polyfem::stress_forces(
+          cells[c].element, initial_stress.middleCols(cells[c].first_point, cells[c].element.n_points()),
+          Eigen::Map<VectorXd>(start.arrays.col(at.initial_forces + cells[c].first_node).data(), 2 * n));
+    }
+  }
+
+  /// The nodes at the start.
+  Array y0() const { return array(0, nodes_.n_nodes()); }
+
+  void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const {
+    const Vectors step = nodes_.to_nodes(d), y1 = y0() + step;
+    Vectors elastic = Vectors::Zero(2, step.cols()), damping = elastic;
+    if (rule_.damping.mass != 0) damping = rule_.damping.mass / dt_ * nodes_.weighted(step);
+    Mat2 end;
+    Stacked f, damped;
+    for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
+      const Frame from = start_frame(c), to = nodes_.frame(y1, c);
+      if (nodes_.shape().is_one_cell()) end = to.rotation;
+      elastic_force(from, to, c, initial_force(c), f);
+      nodes_.add_of_cell(f, c, elastic);
+      if (rule_.damping.stiffness == 0) continue;
+      const Stacked rate = nodes_.shape().cells[c].elastic.template times_stiffness<Of>(to.u - from.u);
+      elastic_force(from, to, c, initial_force(c) + rule_.damping.stiffness / dt_ * rate, damped);
+      nodes_.add_of_cell(damped - f, c, damping);
+    }
+    if (!nodes_.shape().is_one_cell()) end = nodes_.rotation(y1);
+    forces.resize(d.size());
+    nodes_.forces_on_unknowns(elastic, forces.elastic);
+    nodes_.forces_on_unknowns(inertia_force(step, end), forces.inertia);
+    nodes_.forces_on_unknowns(damping, forces.damping);
+  }
+
+  void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const {
+    const Vectors y1 = y0() + nodes_.to_nodes(d);
+    for (std::size_t c = 0; c < parts.size(); ++c) {
+      const ShapeCell& cell = nodes_.shape().cells[c];
+      const Mat2 end = nodes_.cell_rotation(y1, c);
+      polyfem::rotate(start_.matrices->tangents[c],
+                      rule_.mean_forces() ? polyfem::mid_rotation(start_rotation(c), end) : end, parts[c]);
+      const MatrixXd& B = cell.nodes_by_unknowns;
+      if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
+    }
+  }
+
+  void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
+    const Vectors y = y0() + nodes_.to_nodes(d);
+    const Motion motion = nodes_.split(y, nodes_.to_nodes(change));
+    const Mat2 turn = Eigen::Rotation2Dd(motion.angular).toRotationMatrix() - Mat2::Identity();
+    const Vectors moved =
+        turn * (nodes_.arms(y) + motion.deformation) + motion.deformation + nodes_.everywhere(motion.linear);
+    nodes_.add_to_unknowns(moved, d);
+  }
+
+  /// The displacements of the nodes without forces.
+  Vectors free_path() const {
+    Vectors velocity = this->velocity();
+    if (start_.jump) velocity += nodes_.motion_at(y0(), start_.jump->path) / dt_;
+    const Motion motion = nodes_.split(y0(), velocity);
+    const Mat2 turn = Eigen::Rotation2Dd(2 * std::atan(dt_ * motion.angular / 2)).toRotationMatrix();
+    const Vectors r = nodes_.arms(y0());
+    return turn * r - r + nodes_.everywhere(dt_ * motion.linear);
+  }
+
+  /// Velocity and acceleration of the nodes after the step.
+  struct End {
+    Vectors velocity, acceleration;
+  };
+  End end(const Vectors& step) const {
+    const Vectors y1 = y0() + step;
+    End end;
+    end.acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step));
+    end.velocity = start_velocity();
+    if (keeps_acceleration(rule_)) {
+      end.acceleration -= rule_.history() * acceleration();
+      end.velocity += dt_ * (1 - rule_.gamma) * acceleration();
+    }
+    end.velocity += dt_ * rule_.gamma * end.acceleration;
+    if (rule_.scheme == Scheme::decaying) {
+      // Rigid motion goes on, deformation has the velocity of the step's mean.
+      const Mat2 R = nodes_.rotation(y1),
+                 half_turn = R * polyfem::mid_rotation(start_rotation(), R).transpose();
+      end.velocity += nodes_.split(y1, half_turn * mean_deforming(step) - end.velocity).deformation;
+    }
+    return end;
+  }
+
+  /// Gives a free block the momentum that forces of its unknowns have given it, instead of what is left of
+  /// it after K d has cancelled; by forces at the middle its angular momentum as well.
+  void keep_momenta(const Vectors& step, const Eigen::Ref<const VectorXd>& external, End& end) const {
+    const auto work = [&](const Vectors& motion) {
+      const double damped = rule_.damping.mass == 0
+                                ? 0
+                                : rule_.damping.mass / dt_ * nodes_.weighted(step).cwiseProduct(motion).sum();
+      return nodes_.work(external, motion) - damped;
+    };
+    const Vec2 force(work(nodes_.everywhere(Vec2::UnitX())), work(nodes_.everywhere(Vec2::UnitY())));
+    const Vec2 by_force = force / nodes_.shape().mass_total;
+    const typename Nodes::Rigid before = nodes_.rigid(y0(), start_velocity()),
+                                after = nodes_.rigid(y0() + step, end.velocity);
+    Vec2 linear = before.linear + dt_ * rule_.gamma * by_force;
+    if (keeps_acceleration(rule_)) linear += dt_ * (1 - rule_.gamma) * nodes_.mean(acceleration());
+    end.velocity += nodes_.everywhere(linear - after.linear);
+    if (rule_.history() != 0) end.acceleration += nodes_.everywhere(by_force - nodes_.mean(end.acceleration));
+    if (rule_.mean_forces()) {
+      const double torque = work(nodes_.spin(y0() + step / 2));
+      const double angular = (before.inertia * before.angular + dt_ * torque) / after.inertia;
+      end.velocity += (angular - after.angular) * after.turning;
+    }
+  }
+
+  double stored_energy(const Vectors& step) const {
+    const Vectors y1 = y0() + step;
+    double energy = 0;
+    for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
+      const polyfem::CorotatedElement& elastic = nodes_.shape().cells[c].elastic;
+      energy += elastic.energy(nodes_.frame(y1, c), initial_force(c)) -
+                elastic.energy(start_frame(c), initial_force(c));
+    }
+    return energy;
+  }
+
+  /// What the mean of the strains takes that has more of the end.
+  double decay(const Vectors& step) const {
+    const Vectors y1 = y0() + step;
+    double loss = 0;
+    for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
+      const Stacked strained = nodes_.frame(y1, c).u - start_frame(c).u;
+      loss += rule_.decay() *
+              strained.dot(nodes_.shape().cells[c].elastic.template times_stiffness<Of>(strained));
+    }
+    return loss;
+  }
+
+ private:
+  static bool keeps_acceleration(const StepRule& rule) { return rule.history() != 0 || rule.gamma != 1; }
+
+  /// Columns of CorotationalStart::arrays.
+  struct Places {
+    Places(const CorotationalShape& shape, const StepRule& rule) {
+      const Index m = shape.nodes.cols();
+      velocity = m;
+      deforming = 2 * m;
+      acceleration = deforming + (rule.scheme == Scheme::decaying ? m : 0);
+      axis = acceleration + (keeps_acceleration(rule) ? m : 0);
+      const ShapeCell& last = shape.cells.back();
+      initial_forces = cell(last, shape.cells.size() - 1) + 2 + last.elastic.n_nodes();
+      end = initial_forces + last.first_node + last.elastic.n_nodes();
+    }
+    Index cell(const ShapeCell& cell, std::size_t c) const {
+      return axis + 1 + cell.first_node + 2 * static_cast<Index>(c);
+    }
+    Index velocity, deforming, acceleration, axis, initial_forces, end;
+  };
+
+  Array array(Index column, Index n) const { return {start_.arrays.data() + 2 * column, 2, n}; }
+  Array velocity() const { return array(at_.velocity, nodes_.n_nodes()); }
+  Array acceleration() const { return array(at_.acceleration, nodes_.n_nodes()); }
+  Array deforming() const { return array(at_.deforming, nodes_.n_nodes()); }
+  Mat2 rotation_at(Index column) const {
+    const Vec2 axis = start_.arrays.col(column);
+    Mat2 R;
+    R << axis.x(), -axis.y(), axis.y(), axis.x();
+    return R;
+  }
+  Mat2 start_rotation() const { return rotation_at(at_.axis); }
+  Mat2 start_rotation(std::size_t c) const { return rotation_at(at_.cell(nodes_.shape().cells[c], c)); }
+  Frame start_frame(std::size_t c) const {
+    const ShapeCell& cell = nodes_.shape().cells[c];
+    const Index k = at_.cell(cell, c);
+    Frame frame;
+    frame.stretch = start_.arrays(0, k + 1);
+    frame.rotation = rotation_at(k);
+    frame.local = array(k + 2, cell.elastic.n_nodes());
+    cell.elastic.complete(frame);
+    return frame;
+  }
+  Stacked initial_force(std::size_t c) const {
+    const ShapeCell& cell = nodes_.shape().cells[c];
+    if (start_.arrays.cols() == at_.initial_forces) return Stacked::Zero(2 * cell.elastic.n_nodes());
+    return array(at_.initial_forces + cell.first_node, cell.elastic.n_nodes()).reshaped();
+  }
+
+  void elastic_force(const Frame& start, const Frame& end, std::size_t c,
+                     const Eigen::Ref<const Stacked>& initial, Stacked& f) const {
+    const polyfem::CorotatedElement& elastic = nodes_.shape().cells[c].elastic;
+    if (rule_.mean_forces())
+      elastic.mean_force(start, end, rule_.decay(), initial, f);
+    else
+      elastic.end_force(end, initial, f);
+  }
+
+  /// After the jump.
+  Vectors start_velocity() const {
+    if (!start_.jump) return velocity();
+    return velocity() + nodes_.motion_at(y0(), start_.jump->velocity);
+  }
+  /// Where the velocity at the start and a jump within the step lead, from the start.
+  Vectors path(const Vectors& step) const {
+    if (!start_.jump) return dt_ * velocity();
+    return dt_ * velocity() + nodes_.motion_at(y0() + step / 2, start_.jump->path);
+  }
+  /// Velocity of deformation within the step: its mean.
+  Vectors mean_deforming(const Vectors& step) const {
+    const Vectors middle = y0() + step / 2;
+    if (!start_.jump) return nodes_.split(middle, step / dt_).deformation;
+    return nodes_.split(middle, (step - nodes_.motion_at(middle, start_.jump->path)) / dt_).deformation;
+  }
+  /// That at the start, carried to the middle.
+  Vectors carried_deforming(const Mat2& end) const {
+    return polyfem::mid_rotation(start_rotation(), end) * deforming();
+  }
+  Vectors inertia_force(const Vectors& step, const Mat2& end) const {
+    Vectors acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step));
+    if (rule_.history() != 0) acceleration -= rule_.history() * this->acceleration();
+    if (rule_.scheme == Scheme::decaying)
+      acceleration -= (mean_deforming(step) - carried_deforming(end)) / dt_;
+    return nodes_.weighted(acceleration);
+  }
+
+  const Nodes& nodes_;
+  const CorotationalStart& start_;
+  const StepRule& rule_;
+  const double dt_;
+  const Places at_;
+};
+
+}  // namespace ddacontact
