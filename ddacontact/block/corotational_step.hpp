@@ -141,7 +141,8 @@ class CorotationalStep {
     const Vectors y1 = y0() + step;
     End end;
     end.acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step));
-    end.velocity = start_velocity();
+    end.velocity = velocity();
+    if (start_.jump) end.velocity += nodes_.motion_at(y1, start_.jump->velocity);  // it turns with the block
     if (keeps_acceleration(rule_)) {
       end.acceleration -= rule_.history() * acceleration();
       end.velocity += dt_ * (1 - rule_.gamma) * acceleration();

@@ -16,8 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// Where the step is local: forces change little in a step, and the equations are solved by iteration.
-constexpr double local_stiffness_ratio = 4;
 constexpr int anderson_depth = 8, bounds_depth = 5;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
@@ -117,9 +115,8 @@ class Staged {
     const double ratio = law.tangential_stiffness / law.normal_stiffness,
                  softer = std::min(of_vertex, of_edge);
     if (std::isfinite(softer))
-      law.normal_stiffness = options_.local ? local_stiffness_ratio * softer
-                                            : std::clamp(law.normal_stiffness, least_stiffness_ratio * softer,
-                                                         largest_stiffness_ratio * softer);
+      law.normal_stiffness =
+          std::clamp(law.normal_stiffness, least_stiffness_ratio * softer, largest_stiffness_ratio * softer);
     law.tangential_stiffness = ratio * law.normal_stiffness;
     if (!contact.closed()) return;
     multiplier.normal = history.normal;
