@@ -32,6 +32,8 @@ constexpr double sufficient_decrease = 1e-4;
 /// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
 /// that have turned since leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
+/// Relaxation is begun so often in a step.
+constexpr int most_relaxations = 6;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
 /// Solutions with frozen bounds without a better residual after which bounds are changed by a part only.
@@ -281,8 +283,9 @@ class Staged {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Multiplier& m = multipliers_[c];
       laws[c] = {&contacts_[c].law, m.shear, m.sliding};
-      forces_[c] = {m.normal, m.shear};
+      forces_[c] = n_relaxations_ == 0 ? ContactForce{m.normal, m.shear} : contact_force(terms_[c], d_);
     }
+    ++n_relaxations_;
     system_.compute_residual(d_, contacts_, forces_, report_.residual);
     VectorXd d = d_;
     report_.sweeps += relaxation.relax(terms_, laws, report_.residual.force, d, forces_);
@@ -309,16 +312,16 @@ class Staged {
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
       const int disagreeing = count_disagreeing();
-      if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return begin_minimizing();
+      if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return leave_states();
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       for (std::size_t c = 0; c < terms_.size(); ++c)
         if (disagrees(c)) states_[c] = next_state(c);
-      if (!seen_.insert(states_).second || ++changes_ > most_changes) return begin_minimizing();
+      if (!seen_.insert(states_).second || ++changes_ > most_changes) return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
       look();
     }
-    if (since_best_ > 3 * patience) return begin_minimizing();
+    if (since_best_ > 3 * patience) return leave_states();
     if (solutions_of_states_ == 0 || report_.residual.own > stale_factor_gain * last_own_) {
       system_.linearize(d_);
       if (solutions_of_states_ == 0) acceleration_.reset();
@@ -328,7 +331,7 @@ class Staged {
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
     if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
-      return begin_minimizing();
+      return leave_states();
     VectorXd next = d_;
     if (solutions_of_states_ >= first_accelerated)
       acceleration_.advance(-correction_, system_.unknown_lengths(), next);
@@ -338,7 +341,17 @@ class Staged {
     ++report_.iterations;
     ++solutions_of_states_;
     look();
-    if (!std::isfinite(report_.residual.largest)) return begin_minimizing();
+    if (!std::isfinite(report_.residual.largest)) return leave_states();
+    return true;
+  }
+
+  /// Goes on from what relaxation finds from here, where that serves; else from the start, by minimizing.
+  bool leave_states() {
+    if (!options_.local || n_relaxations_ == most_relaxations) return begin_minimizing();
+    relax();
+    changes_ = solutions_of_states_ = lost_ = 0;
+    fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
+    seen_.clear();
     return true;
   }
 
@@ -561,6 +574,7 @@ class Staged {
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
+  int n_relaxations_ = 0;
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
   AndersonAcceleration acceleration_;
