@@ -14,6 +14,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
     in_part_.push_back({{next.places.first, block.n_places()},
                         {next.unknowns.first, block.n_unknowns()},
                         {next.stress_points.first, block.n_stress_points()}});
+    for (int u = block.unknowns().first; u < block.unknowns().end(); ++u) unknowns_.push_back(u);
     next.places.first = in_part_.back().places.end();
     next.unknowns.first = in_part_.back().unknowns.end();
     next.stress_points.first = in_part_.back().stress_points.end();

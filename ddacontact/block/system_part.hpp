@@ -29,6 +29,8 @@ class SystemPart {
   /// The number in the part of a block of the whole, -1: it is none of the part.
   int number_of(int block) const;
   bool is_resting(int k) const { return resting_[k]; }
+  /// The numbers in the whole of the part's unknowns.
+  const std::vector<int>& unknowns() const { return unknowns_; }
   /// The places of the part's block k in the whole.
   const Range& places_in_whole(int k) const { return in_whole_[k].places; }
 
@@ -41,7 +43,7 @@ class SystemPart {
   void copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
             const std::vector<Ranges>& in_to, bool into_part) const;
 
-  std::vector<int> blocks_;
+  std::vector<int> blocks_, unknowns_;
   std::vector<bool> resting_;
   std::vector<Ranges> in_whole_, in_part_;
   BlockSystem system_;  ///< the one of the two that is not in place

@@ -282,7 +282,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
-    solve_by_stages(solution);
+    solve_by_stages(start, solution);
   counts_.linear_solves += cholesky.n_solves() - solves;
   counts_.factorizations += cholesky.n_factorizations() - factorizations;
   times_.analyses += cholesky.n_analyses() - analyses;
@@ -314,13 +314,25 @@ void Stepper::solve_by_open_close(Solution& solution) {
   }
 }
 
-void Stepper::solve_by_stages(Solution& solution) {
+void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
   staged_.local = !is_static() && std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
     return carries_waves(blocks_, contact, system_->dt());
   });
-  solution.d = system_->free_path();
   staged_.skip = analysis_.skip;
-  StagedReport report = solve_staged(*system_, staged_, tried_, solution.d);
+  solution.d = system_->free_path();
+  const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
+                     islands_.divide(blocks_, tried_);
+  StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)
+                              : solve_staged(*system_, staged_, tried_, solution.d);
+  if (apart) {
+    const IslandsApart::Work& work = islands_.last_work();
+    counts_.linear_solves += work.n_solves;
+    counts_.factorizations += work.n_factorizations;
+    times_.analyses += work.n_analyses;
+    times_.analysis += work.seconds.analysis;
+    times_.factorization += work.seconds.factorization;
+    times_.solution += work.seconds.solution;
+  }
   counts_.open_close_iterations += report.iterations;
   counts_.minimizations += report.minimizations;
   counts_.augmentations += report.augmentations;

@@ -4,6 +4,7 @@
 #include <ddacontact/block/system_part.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/solver/islands_apart.hpp>
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
@@ -95,6 +96,8 @@ class Stepper {
   void enter_stage(int stage);
   /// What changes of the blocks and of the way of stepping, but not the state.
   void apply(const Stage& stage);
+  /// (13) anew, for the blocks that take part now.
+  void make_system();
   void leave_stage();
   void start_accounts();
   /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
@@ -119,7 +122,7 @@ class Stepper {
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
   void solve_by_open_close(Solution& solution);
-  void solve_by_stages(Solution& solution);
+  void solve_by_stages(const StepStart& start, Solution& solution);
   std::string between(int contact) const;
   /// Whether outlines are still simple; notes convex ones that are no longer convex in `turned_concave_`.
   bool check_outline(int block, const BlockState& next);
@@ -177,6 +180,7 @@ class Stepper {
   ContactProperties properties_;
   std::optional<ContactBuilder> contact_builder_;
   std::optional<StepSystem> system_;  ///< of the blocks that are present
+  IslandsApart islands_;
   OpenCloseOptions open_close_;
   ContactMethod method_;
   StagedOptions staged_;
@@ -201,7 +205,7 @@ class Stepper {
     StepCounts counts;
     std::optional<SleepRecord> sleeping;  ///< if it is another now
   } accepted_;                            ///< as it was after the last accepted substep
-  bool accepting_ = false;  ///< the state is neither that before the substep nor that after it
+  bool accepting_ = false;                ///< the state is neither that before the substep nor that after it
 
   Sleeping sleeping_;
   /// What the whole has beside the part, while someone sleeps.

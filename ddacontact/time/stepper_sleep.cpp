@@ -225,7 +225,7 @@ void Stepper::regroup(const std::vector<Box>* around) {
     form_part(around);
   } else {
     contact_builder_.emplace(blocks_, properties_);
-    system_.emplace(blocks_);
+    make_system();
   }
 }
 
@@ -315,7 +315,7 @@ void Stepper::form_part(const std::vector<Box>* around) {
   properties.materials.clear();
   for (int b : asleep.part->blocks()) properties.materials.push_back(properties_.materials[b]);
   contact_builder_.emplace(blocks_, std::move(properties));
-  system_.emplace(blocks_);
+  make_system();
   detected_ = false;
   if (!in_step_) show_whole();
 }

@@ -10,12 +10,17 @@ void Stepper::apply(const Stage& stage) {
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
-  if (!system_ || !stage.removed.empty()) system_.emplace(blocks_);
+  if (!system_ || !stage.removed.empty()) make_system();
   std::erase_if(contacts_, [&](const Contact& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
   properties_.joints = stage.joints;
   contact_builder_->set_joints(stage.joints, contacts_);
+}
+
+void Stepper::make_system() {
+  system_.emplace(blocks_);
+  islands_.clear();
 }
 
 void Stepper::enter_stage(int stage) {
