@@ -1,0 +1,202 @@
+#include "case.hpp"
+
+#include "cholmod_limit.hpp"
+#include "step_matrix.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <ddacontact/scene/builder.hpp>
+#include <polyfem/assembly/blas.hpp>
+#include <polyfem/core/parallel.hpp>
+#include <tests/performance/scenes.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+
+namespace step_performance {
+
+namespace {
+
+using namespace ddacontact;
+
+/// Bytes of the heap in use, MB.
+double heap() {
+  const auto info = mallinfo2();
+  return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+Scene scene_of(const Case& what) {
+  Scene scene = performance::make_scene(what.scene, what.size);
+  performance::set_time_step(scene, what.time_step);
+  if (what.classic) performance::make_classic(scene);
+  for (const std::string& name : what.without) {
+    const auto skip = std::ranges::find(named_skips(), name, &NamedSkip::name);
+    if (skip == named_skips().end()) throw polyfem::Error("there is no skip \"" + name + "\"");
+    scene.analysis.skip.*(skip->member) = false;
+  }
+  if (what.settled) performance::settle_first(scene);
+  return scene;
+}
+
+struct Phase {
+  double Measurement::*seconds;
+  double StepTimes::*of_stepper;
+};
+constexpr std::array phases{Phase{&Measurement::detection, &StepTimes::detection},
+                            Phase{&Measurement::assembly, &StepTimes::assembly},
+                            Phase{&Measurement::analysis, &StepTimes::analysis},
+                            Phase{&Measurement::factorization, &StepTimes::factorization},
+                            Phase{&Measurement::solution, &StepTimes::solution},
+                            Phase{&Measurement::solver, &StepTimes::solver},
+                            Phase{&Measurement::update, &StepTimes::update}};
+
+/// Seconds of each step, in total and by phase.
+class Samples {
+ public:
+  void add(double total, const StepTimes& before, const StepTimes& after) {
+    totals_.push_back(total);
+    double rest = total;
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+      double seconds = after.*phases[p].of_stepper - before.*phases[p].of_stepper;
+      if (phases[p].seconds == &Measurement::solver)
+        for (const auto part : {&StepTimes::analysis, &StepTimes::factorization, &StepTimes::solution})
+          seconds -= after.*part - before.*part;
+      by_phase_[p].push_back(seconds);
+      rest -= seconds;
+    }
+    rest_.push_back(rest);
+  }
+
+  void write(Measurement& row) const {
+    row.steps = static_cast<double>(totals_.size());
+    row.total = median(totals_);
+    for (const double total : totals_) row.mean += total / row.steps;
+    for (std::size_t p = 0; p < phases.size(); ++p) row.*phases[p].seconds = median(by_phase_[p]);
+    row.rest = median(rest_);
+  }
+
+ private:
+  std::vector<double> totals_, rest_;
+  std::array<std::vector<double>, phases.size()> by_phase_;
+};
+
+void add_limit(const Stepper& stepper, double most_mb, Measurement& row) {
+  const polyfem::SparseMatrix matrix = step_matrix(stepper);
+  const CholmodTimes amd = cholmod_times(matrix, Ordering::amd, most_mb),
+                     metis = cholmod_times(matrix, Ordering::metis, most_mb);
+  row.amd_analysis = amd.analysis;
+  row.amd_factorization = amd.factorization;
+  row.amd_solution = amd.solution;
+  row.amd_factor = amd.factor;
+  row.metis_analysis = metis.analysis;
+  row.metis_factorization = metis.factorization;
+  row.metis_solution = metis.solution;
+  row.metis_factor = metis.factor;
+}
+
+}  // namespace
+
+std::span<const NamedSkip> named_skips() {
+  static constexpr std::array skips{NamedSkip{"friction_rows", &Skips::friction_rows},
+                                    NamedSkip{"fixed_blocks", &Skips::fixed_blocks},
+                                    NamedSkip{"unchanged_factor", &Skips::unchanged_factor},
+                                    NamedSkip{"congruent", &Skips::congruent},
+                                    NamedSkip{"output", &Skips::output},
+                                    NamedSkip{"stale_factor", &Skips::stale_factor},
+                                    NamedSkip{"cg", &Skips::cg},
+                                    NamedSkip{"islands", &Skips::islands},
+                                    NamedSkip{"sleep", &Skips::sleep},
+                                    NamedSkip{"skin", &Skips::skin}};
+  return skips;
+}
+
+Measurement row_of(const Case& what) {
+  Measurement row;
+  row.scene = what.scene;
+  row.start = what.settled ? "settled" : "sudden";
+  row.method = what.classic ? "classic" : "default";
+  row.without = fmt::format("{}", fmt::join(what.without, " "));
+  row.time_step = what.time_step;
+  row.threads = what.threads;
+  row.size = what.size;
+  return row;
+}
+
+Measurement measure(const Case& what, const Effort& effort) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  polyfem::pin_blas_to_one_thread();
+  polyfem::set_threads(what.threads);
+  Measurement row = row_of(what);
+  std::optional<Scene> scene = scene_of(what);
+  int to_settle = 0;
+  if (what.settled) to_settle = scene->stages.front().analysis.steps;
+  const double heap_before = heap();
+  const Clock::time_point setup_start = Clock::now();
+  const BuiltScene built = build(*scene);
+  row.setup = since(setup_start);
+  row.heap_blocks = heap() - heap_before;
+  scene.reset();
+  Stepper& stepper = *built.stepper;
+  for (int b = 0; b < stepper.blocks().n_blocks(); ++b) row.blocks += !stepper.blocks().is_unchanging(b);
+  row.unknowns = stepper.blocks().n_equations();
+
+  Samples samples;
+  StepCounts before_all;
+  long analyses_before = 0;
+  const Clock::time_point start = Clock::now();
+  const double heap_built = heap();
+  for (int step = -to_settle - effort.warm_steps; step < effort.steps; ++step) {
+    const bool late = since(start) > effort.seconds;
+    if (step > 0 && late) break;
+    if (late && step > -effort.warm_steps) step = std::max(step, 0);
+    const StepTimes before = stepper.times();
+    if (step <= 0) {
+      before_all = stepper.counts();
+      analyses_before = before.analyses;
+    }
+    const Clock::time_point step_start = Clock::now();
+    if (!stepper.step()) {
+      row.status = stepper.stop_reason();
+      std::ranges::replace(row.status, ',', ';');
+      break;
+    }
+    if (step >= 0) samples.add(since(step_start), before, stepper.times());
+  }
+  samples.write(row);
+  row.heap_steps = heap() - heap_built;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  row.peak = static_cast<double>(usage.ru_maxrss) * 1024e-6;
+  const StepCounts& counts = stepper.counts();
+  const auto each = [&](long StepCounts::*count) {
+    return row.steps > 0 ? static_cast<double>(counts.*count - before_all.*count) / row.steps : 0;
+  };
+  row.substeps = each(&StepCounts::substeps);
+  row.rejected = each(&StepCounts::rejected);
+  row.iterations = each(&StepCounts::open_close_iterations);
+  row.linear_solves = each(&StepCounts::linear_solves);
+  row.factorizations = each(&StepCounts::factorizations);
+  if (row.steps > 0)
+    row.analyses = static_cast<double>(stepper.times().analyses - analyses_before) / row.steps;
+  row.contacts = static_cast<double>(counts.contacts);
+  row.largest_speed =
+      stepper.state().velocity.size() > 0 ? stepper.state().velocity.cwiseAbs().maxCoeff() : 0;
+  if (effort.cholmod) add_limit(stepper, effort.factor_mb, row);
+  return row;
+}
+
+}  // namespace step_performance
