@@ -57,7 +57,7 @@ if wants skips; then
   measure skips --time-steps 1e-4 --without none cg skin --warm 2 --steps 5 --no-cholmod
   measure skips --scenes rain --without none islands skin --warm 2 --steps 5 --no-cholmod
   measure skips --scenes smooth_heap --without none friction_rows --warm 2 --steps 5 --no-cholmod
-  measure skips --scenes field --starts settled --without none islands sleep fixed_blocks skin --warm 5 --steps 5 \
+  measure skips --scenes field --without none islands sleep islands+sleep fixed_blocks skin --warm 30 --steps 5 \
     --no-cholmod
 fi
 if wants threads; then
@@ -67,8 +67,8 @@ if wants threads; then
 fi
 if wants field; then
   rm -f "$measured/field.csv"
-  measure field --scenes field --starts settled --sizes 0 10000 --warm 10 --steps 20 --no-cholmod
-  measure field --scenes field --starts settled --sizes 10000 --without sleep+islands --warm 2 --steps 5 --no-cholmod
+  measure field --scenes field --sizes 0 10000 --warm 30 --steps 20 --no-cholmod
+  measure field --scenes field --sizes 10000 --without sleep+islands --warm 30 --steps 5 --no-cholmod
 fi
 
 echo "$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), $(g++ --version | head -n 1)," \

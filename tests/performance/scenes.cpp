@@ -64,7 +64,7 @@ void add_bond(Scene& scene, int n_rows, int n_columns, double length, double hei
   }
 }
 
-/// A box whose corners are cut in four quarter-circle chords... each by an arc of `radius` of four vertices.
+/// A box with rounded corners of four vertices each.
 Points rounded_box(double left, double bottom, double right, double top) {
   constexpr int per_corner = 4;
   const double radius = 0.2 * (top - bottom);
@@ -207,7 +207,8 @@ Scene rain(int n) {
   const int side = whole_root(n);
   add_block(scene, box(-spacing, -1001, (side + 1) * spacing, -1000), true);
   for (int k = 0; k < side * side; ++k) {
-    const Vec2 centre(spacing * (k % side), spacing * (k / side));  // NOLINT: whole numbers on purpose
+    const int row = k / side, column = k % side;
+    const Vec2 centre(spacing * column, spacing * row);
     const double turn = uniform(std::numbers::pi);
     Points pentagon(2, 5);
     for (int v = 0; v < 5; ++v) {
@@ -234,8 +235,9 @@ Scene field_with_mover(int n) {
     add_block(scene, box(-spacing, shelf * storey - 1, per_shelf * spacing, shelf * storey), true);
   };
   for (int k = 0; k < n; ++k) {
-    if (k % per_shelf == 0) add_shelf(k / per_shelf);
-    const double left = k % per_shelf * spacing, bottom = k / per_shelf * storey;
+    const int shelf = k / per_shelf, place = k % per_shelf;
+    if (place == 0) add_shelf(shelf);
+    const double left = place * spacing, bottom = shelf * storey;
     add_block(scene, box(left, bottom, left + brick_length, bottom + brick_height));
   }
   add_shelf(n_shelves);

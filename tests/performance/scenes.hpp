@@ -48,7 +48,8 @@ Scene make_scene(const std::string& kind, int n);
 
 /// The scene in steps of this length, s, however many.
 void set_time_step(Scene& scene, double time_step);
-/// A few static steps before the first dynamic one: the scene starts from its equilibrium.
+/// A few static steps before the first dynamic one: the scene starts from its equilibrium, without its
+/// velocities.
 void settle_first(Scene& scene);
 /// Classical DDA: the paper's preset with blocks of six unknowns.
 void make_classic(Scene& scene);

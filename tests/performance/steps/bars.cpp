@@ -105,10 +105,9 @@ Table bars_table(const Tables& tables) {
   bars.add("memory without the factor at most 6 kB a block (stiff wall, 1e4 blocks)", 6,
            large ? std::optional(kilobytes(*large)) : std::nullopt,
            [](double kb) { return fmt::format("{:.2f} kB", kb); });
-  const Which field{.scene = "field", .start = "settled"};
+  const Which field{.scene = "field"};
   const auto alone = find(tables.field, field, 0), sleeping = find(tables.field, field, 1e4),
-             full =
-                 find(tables.field, {.scene = "field", .start = "settled", .without = "sleep islands"}, 1e4);
+             full = find(tables.field, {.scene = "field", .without = "sleep islands"}, 1e4);
   const bool has_field = alone && sleeping && full;
   bars.add(
       "10 000 resting blocks and a mover: at most 2 x the mover alone and 1 % of the full step", 1,

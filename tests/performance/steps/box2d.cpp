@@ -7,10 +7,11 @@
 // 0.01 s with 8 and 3 iterations as Box2D recommends, sleeping switched off. Settling: the first steps;
 // settled: those after two seconds.
 #include <tests/performance/scenes.hpp>
+#include <tests/performance/steps/clock.hpp>
 
 #include <box2d/box2d.h>
 #include <fmt/format.h>
-#include <polyfem/core/stopwatch.hpp>
+#include <polyfem/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,15 +56,10 @@ void fill(const ddacontact::Scene& scene, Wall& wall) {
   }
 }
 
-/// Median of seconds.
+/// Median of processor time, s.
 double step(Wall& wall, int n) {
-  std::vector<double> seconds(static_cast<std::size_t>(n), 0);
-  for (double& s : seconds) {
-    const polyfem::Stopwatch watch(s);
-    wall.world.Step(time_step, velocity_iterations, position_iterations);
-  }
-  std::ranges::sort(seconds);
-  return seconds[seconds.size() / 2];
+  return step_performance::median_time(
+      n, [&] { wall.world.Step(time_step, velocity_iterations, position_iterations); });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "case.hpp"
 
 #include "cholmod_limit.hpp"
+#include "clock.hpp"
 #include "step_matrix.hpp"
 
 #include <fmt/format.h>
@@ -27,13 +28,6 @@ using namespace ddacontact;
 double heap() {
   const auto info = mallinfo2();
   return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 Scene scene_of(const Case& what) {
@@ -64,14 +58,19 @@ constexpr std::array phases{Phase{&Measurement::detection, &StepTimes::detection
 /// Seconds of each step, in total and by phase.
 class Samples {
  public:
-  void add(double total, const StepTimes& before, const StepTimes& after) {
+  /// \param[in] total         of the step, s
+  /// \param[in] by_the_clock  what the clock on the wall says it took, as it does of the stepper's phases
+  void add(double total, double by_the_clock, const StepTimes& before, const StepTimes& after) {
+    const auto share = [&](double StepTimes::*part) {
+      return (after.*part - before.*part) * total / by_the_clock;
+    };
     totals_.push_back(total);
     double rest = total;
     for (std::size_t p = 0; p < phases.size(); ++p) {
-      double seconds = after.*phases[p].of_stepper - before.*phases[p].of_stepper;
+      double seconds = share(phases[p].of_stepper);
       if (phases[p].seconds == &Measurement::solver)
         for (const auto part : {&StepTimes::analysis, &StepTimes::factorization, &StepTimes::solution})
-          seconds -= after.*part - before.*part;
+          seconds -= share(part);
       by_phase_[p].push_back(seconds);
       rest -= seconds;
     }
@@ -169,12 +168,15 @@ Measurement measure(const Case& what, const Effort& effort) {
       analyses_before = before.analyses;
     }
     const Clock::time_point step_start = Clock::now();
+    const double processor_start = processor_time();
     if (!stepper.step()) {
       row.status = stepper.stop_reason();
       std::ranges::replace(row.status, ',', ';');
       break;
     }
-    if (step >= 0) samples.add(since(step_start), before, stepper.times());
+    const double processor = processor_time() - processor_start, by_the_clock = since(step_start);
+    if (step >= 0)
+      samples.add(what.threads == 1 ? processor : by_the_clock, by_the_clock, before, stepper.times());
   }
   samples.write(row);
   row.heap_steps = heap() - heap_built;

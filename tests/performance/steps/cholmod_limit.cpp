@@ -1,13 +1,12 @@
 #include "cholmod_limit.hpp"
 
+#include "clock.hpp"
+
 #include <polyfem/core/error.hpp>
-#include <polyfem/core/stopwatch.hpp>
 
 #include <cholmod.h>
 
 #include <algorithm>
-#include <array>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -77,16 +76,6 @@ std::vector<int> order_of(const SparseMatrix& lower, Ordering ordering, Common& 
   return of_rows;
 }
 
-double median_of_three(const std::function<void()>& work) {
-  std::array<double, 3> seconds{};
-  for (double& s : seconds) {
-    const polyfem::Stopwatch watch(s);
-    work();
-  }
-  std::ranges::sort(seconds);
-  return seconds[1];
-}
-
 }  // namespace
 
 CholmodTimes cholmod_times(const SparseMatrix& lower, Ordering ordering, double most_mb) {
@@ -98,21 +87,20 @@ CholmodTimes cholmod_times(const SparseMatrix& lower, Ordering ordering, double 
   common.method[0].ordering = CHOLMOD_GIVEN;
   cholmod_sparse A = view_of(lower);
   cholmod_factor* L = nullptr;
-  {
-    const polyfem::Stopwatch watch(times.analysis);
+  times.analysis = median_time(1, [&] {
     std::vector<int> order = order_of(lower, ordering, common);
     L = cholmod_analyze_p(&A, order.data(), nullptr, 0, &common);
-  }
+  });
   common.check();
   const auto free_factor = [&](cholmod_factor* factor) { cholmod_free_factor(&factor, &common); };
   const std::unique_ptr<cholmod_factor, decltype(free_factor)> owner(L, free_factor);
   if (8e-6 * common.lnz > most_mb) return {};
-  times.factorization = median_of_three([&] { cholmod_factorize(&A, L, &common); });
+  times.factorization = median_time(3, [&] { cholmod_factorize(&A, L, &common); });
   common.check();
   times.factor = 1e-6 * (L->is_super ? 8. * static_cast<double>(L->xsize) + 4. * static_cast<double>(L->ssize)
                                      : 12. * static_cast<double>(L->nzmax));
   cholmod_dense* b = cholmod_ones(L->n, 1, CHOLMOD_REAL, &common);
-  times.solution = median_of_three([&] {
+  times.solution = median_time(3, [&] {
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, L, b, &common);
     cholmod_free_dense(&x, &common);
   });

@@ -8,7 +8,7 @@ namespace step_performance {
 /// How the rows are ordered: both on the graph of vertices, of two rows each.
 enum class Ordering { amd, metis };
 
-/// Seconds, medians of three except the analysis; MB of the factor.
+/// Processor time in s, medians of three except the analysis; MB of the factor.
 struct CholmodTimes {
   double analysis = 0, factorization = 0, solution = 0;
   double factor = 0;

@@ -58,7 +58,8 @@ Measurement measure_apart(const Case& what, const Effort& effort) {
       run_in_child([&] { return line_of(measure(what, effort)); }, 3 * effort.seconds + 10);
   if (result.end == ChildResult::End::done) return measurement_of(result.text);
   Measurement row = row_of(what);
-  row.status = result.end == ChildResult::End::too_long ? "over the limit of time" : "failed: " + result.text;
+  row.status = result.end == ChildResult::End::too_long ? "over the limit of time"
+                                                        : fmt::format("failed: {}", result.text);
   std::ranges::replace(row.status, ',', ';');
   return row;
 }

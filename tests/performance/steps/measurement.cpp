@@ -68,7 +68,7 @@ const std::vector<Column>& columns() {
 
 std::string header_line() {
   std::string line;
-  for (const Column& column : columns()) line += (line.empty() ? "" : ",") + std::string(column.first);
+  for (const Column& column : columns()) line += fmt::format("{}{}", line.empty() ? "" : ",", column.first);
   return line;
 }
 

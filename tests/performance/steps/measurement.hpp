@@ -10,7 +10,8 @@
 namespace step_performance {
 
 /// Of one scene in one size, stepped in one way. Seconds are medians over the steps measured, counts means
-/// over them. What is not known is 0.
+/// over them. One thread's time is the processor's, so that others may use the machine too, several threads'
+/// is by the clock. What is not known is 0.
 struct Measurement {
   std::string scene;            ///< see performance::scene_kinds, or the directory of a result
   std::string start;            ///< "sudden": unstressed under sudden gravity | "settled": in equilibrium

@@ -40,7 +40,7 @@ std::vector<RigidWall> read_box2d(const std::filesystem::path& path) {
 
 std::string way_of(const Measurement& m) {
   std::string way = fmt::format("{}, {}, {} s", m.scene, m.start, m.time_step);
-  if (!m.without.empty()) way += ", without " + m.without;
+  if (!m.without.empty()) way += fmt::format(", without {}", m.without);
   return way;
 }
 
@@ -184,7 +184,7 @@ Table peer_table(const Tables& tables) {
   std::map<std::pair<std::string, double>, std::array<const Measurement*, 2>> ways;
   for (const Measurement& m : tables.walls) {
     std::string way = m.method == "classic" ? "classic DDA, six unknowns" : "polydda";
-    if (!m.without.empty()) way += ", without " + m.without;
+    if (!m.without.empty()) way += fmt::format(", without {}", m.without);
     ways[{way, m.size}][m.start == "settled"] = &m;
   }
   for (const auto& [way, starts] : ways) {

@@ -14,12 +14,13 @@ using ddacontact::Chart;
 using ddacontact::Series;
 
 Chart empty_chart() {
-  Chart chart;
-  chart.x_symbol = {"blocks", "", ""};
-  chart.y_symbol = {"time per block and step", "", ""};
-  chart.y_unit = "s";
-  chart.x_logarithmic = chart.y_logarithmic = true;
-  return chart;
+  return {.x_symbol = {"blocks", "", ""},
+          .y_symbol = {"time per block and step", "", ""},
+          .x_unit = "",
+          .y_unit = "s",
+          .series = {},
+          .x_logarithmic = true,
+          .y_logarithmic = true};
 }
 
 template <class SecondsOf>
@@ -42,8 +43,8 @@ std::vector<SizeSeries> size_series(std::span<const Measurement> table) {
   for (const Measurement& row : table) {
     if (row.total <= 0) continue;
     std::string name = fmt::format("{}, {}, {} s", row.scene, row.start, row.time_step);
-    if (row.method != "default") name += ", " + row.method;
-    if (!row.without.empty()) name += ", without " + row.without;
+    if (row.method != "default") name += fmt::format(", {}", row.method);
+    if (!row.without.empty()) name += fmt::format(", without {}", row.without);
     if (row.threads > 1) name += fmt::format(", {} threads", row.threads);
     auto same = std::ranges::find(all, name, &SizeSeries::name);
     if (same == all.end()) same = all.insert(all.end(), {name, {}});

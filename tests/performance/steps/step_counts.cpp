@@ -41,7 +41,7 @@ constexpr std::array runs{FixedRun{"wall_settling", "wall", 200, false, 0, 5},
                           FixedRun{"loose_heap_falling", "loose_heap", 50, false, 5, 5},
                           FixedRun{"rain", "rain", 200, false, 1, 5},
                           FixedRun{"slope_sliding", "slide", 100, false, 0, 5},
-                          FixedRun{"field_with_mover", "field", 50, true, 2, 5}};
+                          FixedRun{"field_with_mover", "field", 50, false, 15, 5}};
 
 /// Over all steps counted.
 struct NamedCount {
