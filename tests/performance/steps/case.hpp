@@ -18,14 +18,14 @@ struct Case {
   double time_step = 1e-2;  ///< s
   bool settled = false;     ///< from equilibrium instead of sudden gravity
   bool classic = false;     ///< see performance::make_classic
-  std::vector<std::string> without;
+  std::vector<std::string> without{};
   int threads = 1;
 };
 
 /// How thoroughly.
 struct Effort {
   int warm_steps = 3, steps = 10;
-  double seconds = 60;     ///< no further step is begun after these; one is measured in any case
+  double seconds = 60;     ///< of the processor: no step is begun after these but the first measured one
   bool cholmod = true;     ///< measures CHOLMOD's own time too
   double factor_mb = 4e3;  ///< unless its factor is larger
 };

@@ -12,8 +12,8 @@ struct ChildResult {
   std::string text;  ///< of `work`, or of its exception
 };
 
-/// Calls `work` in a child process, which is ended after so many seconds. Throws polyfem::Error when there is
-/// no further process to be had.
-ChildResult run_in_child(const std::function<std::string()>& work, double most_seconds);
+/// Calls `work` in a child process, which is ended after so many seconds of the processor. Throws
+/// polyfem::Error when there is no further process to be had.
+ChildResult run_in_child(const std::function<std::string()>& work, int most_seconds);
 
 }  // namespace step_performance

@@ -55,7 +55,7 @@ void print(const Measurement& m) {
 Measurement measure_apart(const Case& what, const Effort& effort) {
   // Setting up, a last step and CHOLMOD come on top of the seconds allowed.
   const ChildResult result =
-      run_in_child([&] { return line_of(measure(what, effort)); }, 3 * effort.seconds + 10);
+      run_in_child([&] { return line_of(measure(what, effort)); }, static_cast<int>(4 * effort.seconds) + 20);
   if (result.end == ChildResult::End::done) return measurement_of(result.text);
   Measurement row = row_of(what);
   row.status = result.end == ChildResult::End::too_long ? "over the limit of time"
