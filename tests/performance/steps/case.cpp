@@ -9,6 +9,7 @@
 #include <malloc.h>
 #include <sys/resource.h>
 #include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/schema.hpp>
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/core/parallel.hpp>
 #include <tests/performance/scenes.hpp>
@@ -30,15 +31,21 @@ double heap() {
   return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
 }
 
+void switch_off(Skips& skips, const std::string& name) {
+  bool known = false;
+  scene_format::describe(skips, [&](const scene_format::Key& key, bool& skip) {
+    if (key.name != name) return;
+    skip = false;
+    known = true;
+  });
+  if (!known) throw polyfem::Error(fmt::format("there is no skip \"{}\"", name));
+}
+
 Scene scene_of(const Case& what) {
   Scene scene = performance::make_scene(what.scene, what.size);
   performance::set_time_step(scene, what.time_step);
   if (what.classic) performance::make_classic(scene);
-  for (const std::string& name : what.without) {
-    const auto skip = std::ranges::find(named_skips(), name, &NamedSkip::name);
-    if (skip == named_skips().end()) throw polyfem::Error("there is no skip \"" + name + "\"");
-    scene.analysis.skip.*(skip->member) = false;
-  }
+  for (const std::string& name : what.without) switch_off(scene.analysis.skip, name);
   if (what.settled) performance::settle_first(scene);
   return scene;
 }
@@ -105,20 +112,6 @@ void add_limit(const Stepper& stepper, double most_mb, Measurement& row) {
 }
 
 }  // namespace
-
-std::span<const NamedSkip> named_skips() {
-  static constexpr std::array skips{NamedSkip{"friction_rows", &Skips::friction_rows},
-                                    NamedSkip{"fixed_blocks", &Skips::fixed_blocks},
-                                    NamedSkip{"unchanged_factor", &Skips::unchanged_factor},
-                                    NamedSkip{"congruent", &Skips::congruent},
-                                    NamedSkip{"output", &Skips::output},
-                                    NamedSkip{"stale_factor", &Skips::stale_factor},
-                                    NamedSkip{"cg", &Skips::cg},
-                                    NamedSkip{"islands", &Skips::islands},
-                                    NamedSkip{"sleep", &Skips::sleep},
-                                    NamedSkip{"skin", &Skips::skin}};
-  return skips;
-}
 
 Measurement row_of(const Case& what) {
   Measurement row;

@@ -3,9 +3,6 @@
 
 #include <tests/performance/steps/measurement.hpp>
 
-#include <ddacontact/core/skips.hpp>
-
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,10 +12,10 @@ namespace step_performance {
 struct Case {
   std::string scene = "wall";
   int size = 1000;
-  double time_step = 1e-2;  ///< s
-  bool settled = false;     ///< from equilibrium instead of sudden gravity
-  bool classic = false;     ///< see performance::make_classic
-  std::vector<std::string> without{};
+  double time_step = 1e-2;             ///< s
+  bool settled = false;                ///< from equilibrium instead of sudden gravity
+  bool classic = false;                ///< see performance::make_classic
+  std::vector<std::string> without{};  ///< skips switched off, by their names in scene files
   int threads = 1;
 };
 
@@ -29,13 +26,6 @@ struct Effort {
   bool cholmod = true;     ///< measures CHOLMOD's own time too
   double factor_mb = 4e3;  ///< unless its factor is larger
 };
-
-/// A skip by its name.
-struct NamedSkip {
-  const char* name;
-  bool ddacontact::Skips::*member;
-};
-std::span<const NamedSkip> named_skips();
 
 /// Runs and measures in this process, whose memory is the case's own if it does nothing else. Throws
 /// polyfem::Error for a scene or a skip that is not known.

@@ -5,6 +5,7 @@
 #include <polyfem/core/error.hpp>
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <memory>
@@ -81,6 +82,7 @@ std::vector<int> order_of(const SparseMatrix& lower, Ordering ordering, Common& 
 CholmodTimes cholmod_times(const SparseMatrix& lower, Ordering ordering, double most_mb) {
   CholmodTimes times;
   if (lower.rows() == 0) return times;
+  omp_set_num_threads(1);  // CHOLMOD's own would wait for each other
   Common common;
   common.print = 0;
   common.nmethods = 1;

@@ -8,10 +8,10 @@
 
 namespace step_performance {
 
-/// Processor time of this process so far, all threads together, s.
+/// Processor time of this thread so far, s. That of a process is coarse where it has a limit.
 inline double processor_time() {
   timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 

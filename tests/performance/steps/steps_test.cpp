@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <set>
 
 namespace step_performance {
 namespace {
@@ -25,11 +24,11 @@ using namespace ddacontact;
 
 TEST(Scenes, HaveAboutAsManyBlocksAsAskedFor) {
   for (const performance::SceneKind& kind : performance::scene_kinds())
-    for (const int n : {10, 100, 1000}) {
+    for (const int n : {100, 1000}) {
       const Scene scene = kind.make(n);
       long movable = 0;
       for (const BlockDescription& block : scene.blocks) movable += !block.fixed;
-      EXPECT_NEAR(static_cast<double>(movable), n, 0.25 * n + 3) << kind.name;
+      EXPECT_NEAR(static_cast<double>(movable), n, 0.2 * n) << kind.name;
     }
 }
 
@@ -42,7 +41,8 @@ TEST(Scenes, ConsistOfSoundBlocksThatStep) {
     }
     const BuiltScene built = build(scene);
     EXPECT_TRUE(built.stepper->step()) << kind.name << ": " << built.stepper->stop_reason();
-    EXPECT_EQ(built.stepper->counts().contacts == 0, kind.name == std::string("rain")) << kind.name;
+    const bool falls = kind.name == std::string("rain") || kind.name == std::string("loose_heap");
+    EXPECT_EQ(built.stepper->counts().contacts == 0, falls) << kind.name;
   }
 }
 
@@ -97,17 +97,6 @@ TEST(Measurements, ComeFromSummariesToo) {
   EXPECT_DOUBLE_EQ(m.rest, 0.4);
   EXPECT_DOUBLE_EQ(m.factorizations, 2);
   std::filesystem::remove_all(directory);
-}
-
-TEST(Skips, AreAllNamedOnce) {
-  std::set<std::string> names;
-  Skips skips;
-  for (const NamedSkip& skip : named_skips()) {
-    names.insert(skip.name);
-    EXPECT_TRUE(skips.*(skip.member)) << skip.name;
-    skips.*(skip.member) = false;
-  }
-  EXPECT_EQ(names.size(), sizeof(Skips));
 }
 
 TEST(Growth, IsThePowerOfAPowerLaw) {
