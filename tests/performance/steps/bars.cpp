@@ -59,7 +59,7 @@ void add_times(const std::vector<Measurement>& table, const Which& which, const 
                std::initializer_list<std::pair<double, double>> aims, Bars& bars) {
   for (const auto& [size, seconds] : aims) {
     const auto m = find(table, which, size);
-    bars.add(fmt::format("{}, {:.0e} blocks: at most {} a step", name, size, time_text(seconds)), seconds,
+    bars.add(fmt::format("{}, {:.0f} blocks: at most {} a step", name, size, time_text(seconds)), seconds,
              m ? std::optional(m->total) : std::nullopt, time_text);
   }
 }
@@ -84,7 +84,7 @@ Table bars_table(const Tables& tables) {
   for (const double size : {1e3, 1e4, 1e5}) {
     const auto m = find(tables.growth, settling, size);
     bars.add(
-        fmt::format("stiff wall, {:.0e} blocks: outside the linear solver at most 30 % of its time", size),
+        fmt::format("stiff wall, {:.0f} blocks: outside the linear solver at most 30 % of its time", size),
         0.3, m ? std::optional(m->outside() / m->linear()) : std::nullopt,
         [](double ratio) { return fmt::format("{:.0f} %", 100 * ratio); });
   }

@@ -74,6 +74,7 @@ std::string phase_picture(const SizeSeries& series) {
   Series limit =
       line_of_seconds("CHOLMOD, once", series.rows, [](const Measurement& row) { return row.limit(); });
   limit.guide = true;
+  limit.dots = false;
   chart.series.push_back(limit);
   return ddacontact::draw({chart}, {.title = series.name, .width = 720, .plot_height = 260});
 }
