@@ -20,7 +20,6 @@ double error(const Problem& problem, const std::string& method, double setting, 
 
 class EveryMethod : public testing::TestWithParam<std::string> {};
 
-/// Static problems have their own schemes; references of the slopes take long.
 TEST_P(EveryMethod, AnalysesTheCheapestOfEveryQuickProblem) {
   for (const Problem& problem : {sliding(), colliding(), wave()})
     EXPECT_LT(error(problem, GetParam(), problem.settings.front()), 1) << problem.name;
@@ -28,6 +27,27 @@ TEST_P(EveryMethod, AnalysesTheCheapestOfEveryQuickProblem) {
 INSTANTIATE_TEST_SUITE_P(ErrorTime, EveryMethod,
                          testing::Values("default", "classic", "paper", "midpoint", "dda", "backward_euler",
                                          "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8"));
+
+/// Their references take long.
+TEST(ErrorTime, SlopesAreAnalysedByTheMethodsThatMatterMost) {
+  const Judge unjudged = [](const ddacontact::Stepper&) { return std::vector{0.}; };
+  for (const Problem& problem : {resting_slope(), sliding_slope()})
+    for (const std::string method : {"default", "classic", "paper"})
+      EXPECT_EQ(measure(problem, unjudged, method_of(method), problem.settings.front(), false)[0].stopped, "")
+          << problem.name << ", " << method;
+}
+
+TEST(ErrorTime, TheDefaultBendsAnArchAndHasNoSpringsInIt) {
+  const Problem problem = arch();
+  const Judge judge = problem.judge();
+  const auto error = [&](const std::string& method) {
+    return measure(problem, judge, method_of(method), 4, false)[0].error;
+  };
+  const double found = error("default");
+  EXPECT_LT(error("mesh"), found);
+  EXPECT_LT(found, 0.5 * error("paper"));
+  EXPECT_LT(found, 0.5 * error("classic"));
+}
 
 TEST(ErrorTime, TheDefaultSlidesBetterThanClassicAndWithOrderTwo) {
   const double coarse = error(sliding(), "default", 0.02), fine = error(sliding(), "default", 0.01);

@@ -10,7 +10,7 @@ using namespace ddacontact;
 
 namespace {
 
-constexpr double settling_friction = 89;  // degrees
+constexpr double settling_friction = 45;  // degrees
 constexpr int cells_of_a_mesh = 16;
 
 }  // namespace

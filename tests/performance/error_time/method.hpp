@@ -24,7 +24,7 @@ const Method& method_of(const std::string& name);
 /// Sets the analysis, contacts and models of the blocks that are not fixed; of a scene without stages.
 void apply(const Method& method, ddacontact::Scene& scene);
 
-/// A static stage, in which friction is 89 degrees, before the scene's own steps.
+/// A static stage, in which friction is 45 degrees, before the scene's own steps.
 void settle_first(ddacontact::Scene& scene, int steps, double time_step);
 
 }  // namespace error_time
