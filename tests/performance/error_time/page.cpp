@@ -154,6 +154,7 @@ void write_page(const std::filesystem::path& directory, const std::vector<Measur
     report.heading(problem.title);
     report.paragraph(problem.description);
     for (const auto& [name, called] : problem.quantities) {
+      if (runs_of(all, name, "default").empty()) continue;  // not measured
       report.picture("dda_accuracy_" + name,
                      draw(charts_of(all, name), {.title = problem.title, .width = 760, .plot_height = 250}),
                      fmt::format("The {} over run time, s.", called));
