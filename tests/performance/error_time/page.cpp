@@ -42,9 +42,10 @@ constexpr const char* what_to_choose =
   bending is resolved where it matters, and what should come to rest does.
 - **`block_model = "mesh"`** where stress or deflection is the answer. What a polygon cannot do no step and no tolerance
   mends: errors of the arch and of the stresses in the slope hang on the model alone, and on the springs in `paper` and `classic`.
-- **`block_model = "wachspress"`** where motion is the answer: the blocks' ways are the same as with meshes, for a part of the time.
-  `auto` divides blocks that bend, though how they move does not ask for it. `affine` saves little more, and costs more where blocks
-  are held at some vertices or press on each other hard.
+- **`block_model = "wachspress"`** where motion is the answer: the ways of a block that slides or is hit are the same as with meshes, for a part of
+  the time.
+  `auto` divides blocks that bend, though how they move does not ask for it. `affine` costs as much, and many times as much where
+  blocks bear each other at rest (arch, slope): it takes more solutions to find their contacts.
 - **`scheme = "midpoint"`** for waves and vibrations that must live: its fronts are the sharpest. Not for what should come to rest.
   `dda` and `backward_euler` are of first order wherever blocks turn or collide; nothing here asks for them.
 - **Steps**: of rigid motion halving the step costs twice the time and leaves a quarter of the error. Static steps should be long: they
@@ -154,7 +155,10 @@ void write_page(const std::filesystem::path& directory, const std::vector<Measur
     report.heading(problem.title);
     report.paragraph(problem.description);
     for (const auto& [name, called] : problem.quantities) {
-      if (runs_of(all, name, "default").empty()) continue;  // not measured
+      if (runs_of(all, name, "default").empty()) {
+        report.paragraph("Not in this table of measurements.");
+        continue;
+      }
       report.picture("dda_accuracy_" + name,
                      draw(charts_of(all, name), {.title = problem.title, .width = 760, .plot_height = 250}),
                      fmt::format("The {} over run time, s.", called));
