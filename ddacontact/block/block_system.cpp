@@ -32,6 +32,7 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   start_.position = zero_.position = initial.position;
   start_.origin = zero_.origin = initial.origin;
   present_.assign(blocks_.size(), true);
+  resting_.assign(blocks_.size(), false);
   number_equations();
 }
 
@@ -58,7 +59,7 @@ int BlockSystem::n_present() const {
 void BlockSystem::number_equations() {
   equation_.assign(n_unknowns_, 0);
   for (int b = 0; b < n_blocks(); ++b)
-    if (!present_[b])
+    if (!present_[b] || resting_[b])
       std::fill_n(equation_.begin() + block(b).unknowns().first, block(b).unknowns().count, -1);
   for (const HeldUnknown& h : held_unknowns_) equation_[h.unknown] = -1;
   n_equations_ = 0;
@@ -72,7 +73,7 @@ void BlockSystem::number_equations() {
   for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
   for (int b = 0; b < n_blocks(); ++b) {
     const Range& u = block(b).unknowns();
-    if (!present_[b]) {
+    if (!present_[b] || resting_[b]) {
       free_[b] = false;
       continue;
     }

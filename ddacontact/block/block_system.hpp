@@ -125,6 +125,9 @@ class BlockSystem {
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
 
  private:
+  friend class SystemPart;
+
+  BlockSystem() = default;
   void number_equations();
 
   std::vector<std::unique_ptr<Block>> blocks_;
@@ -135,6 +138,7 @@ class BlockSystem {
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;
   std::vector<bool> present_;
+  std::vector<bool> resting_;  ///< left where they are for a while, as if wholly held
   std::vector<bool> movable_;
   std::vector<bool> free_;
   std::vector<bool> unchanging_;

@@ -36,7 +36,8 @@ void visit_counts(Archive& visit, Counts& c) {
   for (auto* count :
        {&c.steps, &c.substeps, &c.rejected, &c.overlap_rejections, &c.unconverged, &c.open_close_iterations,
         &c.linear_solves, &c.factorizations, &c.minimizations, &c.augmentations, &c.broken_bonds, &c.impacts,
-        &c.limited_impacts, &c.unsettled_impacts, &c.frictionless_holds, &c.contacts_max, &c.contacts})
+        &c.limited_impacts, &c.unsettled_impacts, &c.frictionless_holds, &c.contacts_max, &c.contacts,
+        &c.asleep, &c.equations})
     visit(*count);
   visit(c.max_penetration);
   visit(c.max_residual);
@@ -58,6 +59,12 @@ void visit_record(Archive& visit, Record& r) {
   visit(state.acceleration);
   visit(state.stress);
   visit(state.rotation);
+  for (auto* numbers : {&r.step.sleeping.island, &r.step.sleeping.rested})
+    visit.list(*numbers, [&](auto& number) { visit(number); });
+  visit.list(r.step.sleeping.around, [&](auto& box) {
+    visit(box.low);
+    visit(box.high);
+  });
   visit.list(r.step.contacts, [&](auto& contact) { visit_contact(visit, contact); });
   visit_counts(visit, r.counts);
   EnergyLedger::visit_numbers(r.energy, visit);

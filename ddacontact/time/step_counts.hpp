@@ -26,6 +26,8 @@ struct StepCounts {
   long frictionless_holds = 0;  ///< steps whose closed contacts were held without the friction of that
   long contacts_max = 0;        ///< closed at the end of a substep, at most
   long contacts = 0;            ///< closed at the end of the last one
+  long asleep = 0;              ///< blocks asleep at the end of the last substep
+  long equations = 0;           ///< of (13) in the last substep
   double max_penetration = 0;   ///< m, at the end of any substep
   double max_residual = 0;      ///< Residual::own of any accepted substep, at most
 };

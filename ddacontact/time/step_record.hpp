@@ -3,6 +3,7 @@
 
 #include <ddacontact/block/state.hpp>
 #include <ddacontact/contact/contact.hpp>
+#include <ddacontact/time/sleeping.hpp>
 
 #include <iosfwd>
 #include <vector>
@@ -25,9 +26,11 @@ struct StepRecord {
   StageProgress progress;
   BlockState state;
   std::vector<Contact> contacts;  ///< of the last substep
+  SleepRecord sleeping;           ///< without entries: all are awake
 };
 
-/// Text, with numbers in hexadecimal: read_record returns the same bits. For runs of one stage.
+/// Text, with numbers in hexadecimal: read_record returns the same bits. For runs of one stage,
+/// all of whose blocks are awake.
 void write_record(std::ostream& out, const StepRecord& record);
 /// Throws Error for what write_record has not written.
 StepRecord read_record(std::istream& in);

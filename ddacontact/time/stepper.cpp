@@ -48,17 +48,37 @@ double velocity_at(const HeldUnknown& held, double time, double dt, double end_t
 
 }  // namespace
 
+/// While it lives a step is made.
+class Stepper::PartInPlace {
+ public:
+  explicit PartInPlace(Stepper& stepper) : stepper_(stepper) {
+    stepper_.in_step_ = true;
+    stepper_.show_part();
+  }
+  ~PartInPlace() {
+    stepper_.in_step_ = false;
+    stepper_.show_whole();
+  }
+  PartInPlace(const PartInPlace&) = delete;
+  PartInPlace& operator=(const PartInPlace&) = delete;
+
+ private:
+  Stepper& stepper_;
+};
+
 Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
                  std::vector<Stage> stages)
     : blocks_(std::move(blocks)),
       stages_(std::move(stages)),
       limits_(blocks_, stages_.front().analysis),
-      contact_builder_(blocks_, contacts),
+      properties_(contacts),
       method_(contacts.method),
       staged_{.penetration_tolerance = contacts.penetration_tolerance},
       held_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
-      reactions_(Points::Zero(2, state_.position.cols())) {
+      reactions_(Points::Zero(2, state_.position.cols())),
+      sleeping_(blocks_.n_blocks()) {
+  contact_builder_.emplace(blocks_, properties_);
   apply(stages_.front());
   substep_ = analysis_.time_step;
   blocks_.prepare(state_, true);
@@ -66,8 +86,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     convex_.push_back(blocks_.block(b).cell(0).basis == &polyfem::wachspress &&
                       !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
                           blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
-  contacts_ = contact_builder_.build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
-  accepted_ = {substep_, counts_};
+  contacts_ = contact_builder_->build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
+  accepted_ = {substep_, counts_, {}};
   set_flight_acceleration();
   start_accounts();
 }
@@ -75,6 +95,16 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
 bool Stepper::step() {
   const bool more_stages = progress_.stage + 1 < static_cast<int>(stages_.size());
   if (more_stages && progress_.steps == analysis_.steps) enter_stage(progress_.stage + 1);
+  bool made = false;
+  {
+    const PartInPlace while_stepping(*this);
+    made = carry_on();
+  }
+  if (made && ++progress_.steps == analysis_.steps) leave_stage();
+  return made;
+}
+
+bool Stepper::carry_on() {
   const double end = progress_.start_time + static_cast<double>(progress_.steps + 1) * analysis_.time_step;
   while (true) {
     const double remaining = end - state_.time;
@@ -97,17 +127,17 @@ bool Stepper::step() {
     }
     if (result == Try::accepted) {
       substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
-      accepted_ = {substep_, counts_};
+      accepted_ = {substep_, counts_, {}};
       if (pieces > 1 && is_interrupted()) return false;
       if (pieces > 1) continue;
       state_.time = end;
       ++counts_.steps;
       accepted_.counts = counts_;
-      if (++progress_.steps == analysis_.steps) leave_stage();
       return true;
     }
     ++counts_.rejected;
     if (is_interrupted()) return false;
+    if (result == Try::woke_blocks) continue;
     if (result == Try::missed_contacts) {
       ++counts_.overlap_rejections;
       continue;
@@ -136,15 +166,21 @@ bool Stepper::is_interrupted() {
 void Stepper::forget_tries() {
   substep_ = accepted_.substep;
   counts_ = accepted_.counts;
+  if (accepted_.sleeping) {
+    sleeping_ = Sleeping(*accepted_.sleeping);
+    regroup(&accepted_.sleeping->around);
+  }
   detected_ = false;
   reach_scale_ = 1;
 }
 
 Stepper::Try Stepper::try_step(double dt) {
+  wake_changing(dt);
   if (!detected_) detect(dt);
   const Solution solution = solve(dt);
 
   const polyfem::Stopwatch watch(times_.update);
+  if (wake_hit(solution)) return Try::woke_blocks;
   rejection_ = solution.objection;
   const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * analysis_.time_step;
   if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Try::rejected;
@@ -173,7 +209,7 @@ Stepper::Try Stepper::try_step(double dt) {
   BlockState next = state_;
   if (!advance(dt, solution, next)) return Try::rejected;
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
-  if (analysis_.preset != Preset::paper && contact_builder_.add_entered(state_, next, trial_contacts_))
+  if (analysis_.preset != Preset::paper && contact_builder_->add_entered(state_, next, trial_contacts_))
     return Try::missed_contacts;
   if (solution.friction_unsettled) {
     ++counts_.unconverged;
@@ -185,12 +221,12 @@ Stepper::Try Stepper::try_step(double dt) {
 
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(times_.detection);
-  reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
-  contact_builder_.keep_pairs(analysis_.skip.skin);
+  look_around(dt);
+  contact_builder_->keep_pairs(analysis_.skip.skin);
   if (begun_)
-    contact_builder_.build(state_, reach_, contacts_, trial_contacts_);
+    contact_builder_->build(state_, reach_, contacts_, trial_contacts_);
   else
-    trial_contacts_ = contact_builder_.build_first(state_, reach_);
+    trial_contacts_ = contact_builder_->build_first(state_, reach_);
   detected_ = true;
 }
 
@@ -246,7 +282,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
-    solve_by_stages(solution);
+    solve_by_stages(start, solution);
   counts_.linear_solves += cholesky.n_solves() - solves;
   counts_.factorizations += cholesky.n_factorizations() - factorizations;
   times_.analyses += cholesky.n_analyses() - analyses;
@@ -278,13 +314,25 @@ void Stepper::solve_by_open_close(Solution& solution) {
   }
 }
 
-void Stepper::solve_by_stages(Solution& solution) {
+void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
   staged_.local = !is_static() && std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
     return carries_waves(blocks_, contact, system_->dt());
   });
-  solution.d = system_->free_path();
   staged_.skip = analysis_.skip;
-  StagedReport report = solve_staged(*system_, staged_, tried_, solution.d);
+  solution.d = system_->free_path();
+  const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
+                     islands_.divide(blocks_, tried_);
+  StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)
+                              : solve_staged(*system_, staged_, tried_, solution.d);
+  if (apart) {
+    const IslandsApart::Work& work = islands_.last_work();
+    counts_.linear_solves += work.n_solves;
+    counts_.factorizations += work.n_factorizations;
+    times_.analyses += work.n_analyses;
+    times_.analysis += work.seconds.analysis;
+    times_.factorization += work.seconds.factorization;
+    times_.solution += work.seconds.solution;
+  }
   counts_.open_close_iterations += report.iterations;
   counts_.minimizations += report.minimizations;
   counts_.augmentations += report.augmentations;
@@ -331,7 +379,7 @@ bool Stepper::check_outline(int b, const BlockState& next) {
     rejection_ = "the outline of block " + quoted(blocks_.names[b]) + " crosses itself";
     return false;
   }
-  if (convex_[b]) turned_concave_.push_back(b);
+  if (convex_[in_whole(b)]) turned_concave_.push_back(b);
   return true;
 }
 
@@ -387,7 +435,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   if (!solution.impact.settled) ++counts_.unsettled_impacts;
   if (!held_.settled) ++counts_.frictionless_holds;
   for (int b : turned_concave_) {
-    convex_[b] = false;
+    convex_[in_whole(b)] = false;
     notes_.push_back("block " + quoted(blocks_.names[b]) + " is no longer convex at time " +
                      std::to_string(next.time) + " s: it goes on with " +
                      (analysis_.kinematics == Kinematics::corotational
@@ -399,6 +447,8 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
+  const bool some_fell_asleep = fall_asleep(dt);
   energy_.close_step();
   ++counts_.substeps;
   counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
@@ -406,6 +456,10 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   last_dt_ = dt;
   detected_ = false;
   reach_scale_ = 1;
+  all_contacts_known_ = false;
+  counts_.equations = blocks_.n_equations();
+  if (some_fell_asleep) regroup();
+  counts_.asleep = sleeping_.n_asleep();
   accepting_ = false;
 }
 
@@ -428,18 +482,26 @@ void Stepper::prepare_and_keep_momentum() {
 }
 
 void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
-  reactions_.setZero();
+  Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
+  reactions.setZero(2, state_.position.cols());
   for (const HeldUnknown& held : blocks_.held_unknowns())
-    reactions_(held.axis, held.vertex) += residual.force[held.unknown];
+    reactions(held.axis, held.vertex) += residual.force[held.unknown];
   for (const StepSystem::HeldSpring& spring : system_->held_springs()) {
     const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
-    reactions_(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
+    reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
         system_->held_stiffness() * spring.form(d);
+  }
+  if (!asleep_) return;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (asleep_->part->is_resting(b)) continue;
+    const Range &from = blocks_.block(b).places(), &to = asleep_->part->places_in_whole(b);
+    reactions_.middleCols(to.first, to.count) =
+        reactions.middleCols(from.first, from.count) + asleep_->reactions.middleCols(to.first, to.count);
   }
 }
 
 void Stepper::record_contacts(const VectorXd& d) {
-  counts_.contacts = 0;
+  counts_.contacts = asleep_ ? asleep_->n_closed : 0;
   for (Contact& contact : tried_) {
     contact.end_gap = contact.gap(d) - contact.history.gap_offset;
     contact.end_slip = contact.slip(d);

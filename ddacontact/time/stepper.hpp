@@ -1,8 +1,10 @@
 /// \file One time step after another: detect, solve, accept or cut.
 #pragma once
 
+#include <ddacontact/block/system_part.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/solver/islands_apart.hpp>
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
@@ -10,6 +12,7 @@
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/run_record.hpp>
+#include <ddacontact/time/sleeping.hpp>
 #include <ddacontact/time/stage.hpp>
 
 #include <functional>
@@ -64,13 +67,16 @@ class Stepper {
   const BlockSystem& blocks() const { return blocks_; }
   const BlockState& state() const { return state_; }
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
-  const std::vector<Contact>& contacts() const { return contacts_; }
+  /// Those of sleeping blocks are as they were; forms and motions of any are of no use.
+  const std::vector<Contact>& contacts() const;
   const EnergyLedger& energy() const { return energy_; }
   /// Forces that the supports exert at the end of the last accepted substep, N per
   /// m, 2 x all outline vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
+  /// Whether a block sleeps: see Sleeping.
+  bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
   /// The present stage, or the one whose steps have all been made.
   int stage() const { return progress_.stage; }
   const std::string& stop_reason() const { return stop_reason_; }
@@ -82,11 +88,16 @@ class Stepper {
   double last_dt() const { return last_dt_; }
 
  private:
-  enum class Try { accepted, rejected, outran_detection, missed_contacts };
+  enum class Try { accepted, rejected, outran_detection, missed_contacts, woke_blocks };
+  class PartInPlace;
 
+  /// The steps of one time_step; false when it has to stop.
+  bool carry_on();
   void enter_stage(int stage);
   /// What changes of the blocks and of the way of stepping, but not the state.
   void apply(const Stage& stage);
+  /// (13) anew, for the blocks that take part now.
+  void make_system();
   void leave_stage();
   void start_accounts();
   /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
@@ -111,7 +122,7 @@ class Stepper {
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
   void solve_by_open_close(Solution& solution);
-  void solve_by_stages(Solution& solution);
+  void solve_by_stages(const StepStart& start, Solution& solution);
   std::string between(int contact) const;
   /// Whether outlines are still simple; notes convex ones that are no longer convex in `turned_concave_`.
   bool check_outline(int block, const BlockState& next);
@@ -127,13 +138,49 @@ class Stepper {
   VectorXd start_velocity() const;
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
+  // Blocks that sleep take no part in a step: blocks_, state_, contacts_ and all that is made for them are
+  // then those of a part of the whole, while a step is made.
+  bool may_sleep() const;
+  /// The number in the whole of one of blocks_.
+  int in_whole(int b) const { return part_in_place_ ? asleep_->part->blocks()[b] : b; }
+  /// Puts the islands to sleep that have rested enough by the end of the substep just made; false: none.
+  bool fall_asleep(double dt);
+  /// The blocks that may not fall asleep, whatever their speed: their contacts, loads or supports change.
+  std::vector<char> find_restless(double dt) const;
+  /// Wakes the islands whose loads or supports change within the next substep.
+  void wake_changing(double dt);
+  /// Wakes the islands that supports in motion may reach, and looks anew for what is near the blocks awake
+  /// when they may leave where that was done. After it `reach_` holds.
+  void look_around(double dt);
+  /// Wakes what blocks hit in a try; false: nothing sleeping.
+  bool wake_hit(const Solution& solution);
+  bool wake(int b);
+  void wake_all();
+  /// For an interruption before the next substep is accepted.
+  void remember_sleepers();
+  /// contacts_ with the numbers of the whole.
+  std::vector<Contact> contacts_in_whole() const;
+  /// After other blocks sleep: divides blocks and contacts anew into those that take part and those that do
+  /// not.
+  /// \param[in] around  see SleepRecord; null: to be made
+  void regroup(const std::vector<Box>* around = nullptr);
+  /// Takes stock of what sleeps.
+  void survey();
+  /// Makes the part of the blocks that are awake and what is near them.
+  void form_part(const std::vector<Box>* around);
+  void show_part();
+  void show_whole();
+  SleepRecord sleep_record() const;
+
   BlockSystem blocks_;
   std::vector<Stage> stages_;
   StageProgress progress_;
   AnalysisOptions analysis_;  ///< of the present stage
   MotionLimits limits_;
-  ContactBuilder contact_builder_;
+  ContactProperties properties_;
+  std::optional<ContactBuilder> contact_builder_;
   std::optional<StepSystem> system_;  ///< of the blocks that are present
+  IslandsApart islands_;
   OpenCloseOptions open_close_;
   ContactMethod method_;
   StagedOptions staged_;
@@ -156,8 +203,32 @@ class Stepper {
   struct {
     double substep;
     StepCounts counts;
-  } accepted_;              ///< as it was after the last accepted substep
-  bool accepting_ = false;  ///< the state is neither that before the substep nor that after it
+    std::optional<SleepRecord> sleeping;  ///< if it is another now
+  } accepted_;                            ///< as it was after the last accepted substep
+  bool accepting_ = false;                ///< the state is neither that before the substep nor that after it
+
+  Sleeping sleeping_;
+  /// What the whole has beside the part, while someone sleeps.
+  struct Asleep {
+    std::optional<SystemPart> part;
+    std::vector<Contact> contacts;  ///< without a block that is awake; numbers of the whole
+    std::vector<Box> boxes;         ///< of all blocks, valid for those at rest
+    std::vector<Box> around;        ///< see SleepRecord
+    std::vector<double> elastic;    ///< energy of each block at rest, J per m
+    double elastic_outside = 0;     ///< of what is not in the part
+    Points reactions;  ///< of supports to those who sleep, 2 x all places; only of wholly held blocks
+    struct Watched {
+      int block;
+      const TimeFunction* function;  ///< of a load or a support
+    };
+    std::vector<Watched> watched;  ///< what may wake sleepers: on them, or on held blocks that they touch
+    int n_closed = 0;              ///< of `contacts`
+    Points part_reactions;
+  };
+  std::optional<Asleep> asleep_;
+  bool in_step_ = false, part_in_place_ = false;
+  mutable std::vector<Contact> all_contacts_;  ///< while someone sleeps
+  mutable bool all_contacts_known_ = false;
   std::function<bool()> interrupted_;
   double last_dt_ = 0;
   StepCounts counts_;

@@ -10,14 +10,21 @@ void Stepper::apply(const Stage& stage) {
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
-  if (!system_ || !stage.removed.empty()) system_.emplace(blocks_);
+  if (!system_ || !stage.removed.empty()) make_system();
   std::erase_if(contacts_, [&](const Contact& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
-  contact_builder_.set_joints(stage.joints, contacts_);
+  properties_.joints = stage.joints;
+  contact_builder_->set_joints(stage.joints, contacts_);
+}
+
+void Stepper::make_system() {
+  system_.emplace(blocks_);
+  islands_.clear();
 }
 
 void Stepper::enter_stage(int stage) {
+  wake_all();
   const AnalysisOptions before = analysis_;
   apply(stages_[stage]);
   progress_ = {stage, 0, state_.time};
@@ -43,7 +50,7 @@ void Stepper::enter_stage(int stage) {
   if (analysis_.scheme != before.scheme || analysis_.mode != before.mode ||
       analysis_.gravity != before.gravity)
     set_flight_acceleration();
-  accepted_ = {substep_, counts_};
+  accepted_ = {substep_, counts_, {}};
 }
 
 void Stepper::set_flight_acceleration() {
@@ -73,7 +80,7 @@ void Stepper::start_accounts() {
 }
 
 StepRecord Stepper::record() const {
-  return {counts_.steps, begun_, substep_, progress_, state_, contacts_};
+  return {counts_.steps, begun_, substep_, progress_, state_, contacts(), sleep_record()};
 }
 
 void Stepper::restore(StepRecord record) {
@@ -85,6 +92,7 @@ void Stepper::restore(StepRecord record) {
       record.state.stress.cols() != state_.stress.cols() ||
       record.progress.stage >= static_cast<int>(stages_.size()))
     throw Error("the record is of other blocks or stages");
+  wake_all();
   while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);
   counts_.steps = record.steps;
   begun_ = record.begun;
@@ -95,8 +103,11 @@ void Stepper::restore(StepRecord record) {
   blocks_.prepare(state_, true);
   detected_ = false;
   reach_scale_ = 1;
-  accepted_ = {substep_, counts_};
+  accepted_ = {substep_, counts_, {}};
   start_accounts();
+  if (record.sleeping.island.empty()) return;
+  sleeping_ = Sleeping(record.sleeping);
+  if (sleeping_.n_asleep() > 0) regroup(&record.sleeping.around);
 }
 
 RunRecord Stepper::run_record() const {

@@ -1,0 +1,146 @@
+#include <ddacontact/block/system_part.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace ddacontact {
+
+SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting)
+    : blocks_(std::move(blocks)) {
+  Ranges next;
+  for (int b : blocks_) {
+    const Block& block = whole.block(b);
+    in_whole_.push_back({block.places(), block.unknowns(), block.stress_points()});
+    in_part_.push_back({{next.places.first, block.n_places()},
+                        {next.unknowns.first, block.n_unknowns()},
+                        {next.stress_points.first, block.n_stress_points()}});
+    for (int u = block.unknowns().first; u < block.unknowns().end(); ++u) unknowns_.push_back(u);
+    next.places.first = in_part_.back().places.end();
+    next.unknowns.first = in_part_.back().unknowns.end();
+    next.stress_points.first = in_part_.back().stress_points.end();
+    resting_.push_back(resting[b] != 0);
+    system_.names.push_back(whole.names[b]);
+  }
+  system_.n_unknowns_ = next.unknowns.first;
+  system_.n_stress_points_ = next.stress_points.first;
+  system_.present_.assign(blocks_.size(), true);
+  system_.resting_ = resting_;
+  system_.reference_.resize(2, next.places.first);
+  for (BlockState* state : {&system_.start_, &system_.zero_}) {
+    state->position.resize(2, next.places.first);
+    state->origin.resize(2, static_cast<Index>(blocks_.size()));
+  }
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Range &from = in_whole_[k].places, &to = in_part_[k].places;
+    const auto column = static_cast<Index>(k);
+    system_.block_of_place_.insert(system_.block_of_place_.end(), to.count, static_cast<int>(k));
+    system_.reference_.middleCols(to.first, to.count) = whole.reference_.middleCols(from.first, from.count);
+    for (auto [in, out] : {std::pair{&whole.start_, &system_.start_}, {&whole.zero_, &system_.zero_}}) {
+      out->position.middleCols(to.first, to.count) = in->position.middleCols(from.first, from.count);
+      out->origin.col(column) = in->origin.col(blocks_[k]);
+    }
+  }
+
+  const auto taking_part = [&](int block) {
+    const int k = number_of(block);
+    return k >= 0 && !resting_[k] ? k : -1;
+  };
+  for (PointLoad load : whole.point_loads)
+    if (const int k = taking_part(load.point.block); k >= 0) {
+      load.point.block = k;
+      system_.point_loads.push_back(std::move(load));
+    }
+  for (PressureLoad load : whole.pressure_loads)
+    if (const int k = taking_part(load.block); k >= 0) {
+      load.block = k;
+      system_.pressure_loads.push_back(load);
+    }
+  for (BodyLoad load : whole.body_loads)
+    if (const int k = taking_part(load.block); k >= 0) {
+      load.block = k;
+      system_.body_loads.push_back(std::move(load));
+    }
+  for (HeldVertex held : whole.held_vertices)
+    if (const int k = taking_part(held.block); k >= 0) {
+      held.block = k;
+      system_.held_vertices.push_back(std::move(held));
+    }
+  for (HeldUnknown held : whole.held_unknowns_)
+    if (const int k = taking_part(whole.block_of_place_[held.vertex]); k >= 0) {
+      held.unknown += in_part_[k].unknowns.first - in_whole_[k].unknowns.first;
+      held.vertex += in_part_[k].places.first - in_whole_[k].places.first;
+      system_.held_unknowns_.push_back(std::move(held));
+    }
+
+  state_.position.resize(2, next.places.first);
+  state_.origin.resize(2, static_cast<Index>(blocks_.size()));
+  state_.velocity.resize(next.unknowns.first);
+  state_.acceleration.resize(next.unknowns.first);
+  state_.stress.resize(3, next.stress_points.first);
+  state_.rotation.resize(static_cast<Index>(blocks_.size()));
+
+  system_.blocks_.resize(blocks_.size());
+  lend(whole, system_);
+  system_.number_equations();
+  give_back(system_, whole);
+}
+
+int SystemPart::number_of(int block) const {
+  const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), block);
+  return found != blocks_.end() && *found == block ? static_cast<int>(found - blocks_.begin()) : -1;
+}
+
+void SystemPart::lend(BlockSystem& whole, BlockSystem& part) const {
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Ranges& to = in_part_[k];
+    part.blocks_[k] = std::move(whole.blocks_[blocks_[k]]);
+    part.blocks_[k]->place(static_cast<int>(k), to.places.first, to.unknowns.first, to.stress_points.first);
+  }
+}
+
+void SystemPart::give_back(BlockSystem& part, BlockSystem& whole) const {
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Ranges& to = in_whole_[k];
+    const int b = blocks_[k];
+    whole.blocks_[b] = std::move(part.blocks_[k]);
+    whole.blocks_[b]->place(b, to.places.first, to.unknowns.first, to.stress_points.first);
+  }
+}
+
+void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
+                      const std::vector<Ranges>& in_to, bool into_part) const {
+  to.time = from.time;
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Ranges &source = in_from[k], &target = in_to[k];
+    const Index here = into_part ? blocks_[k] : static_cast<Index>(k),
+                there = into_part ? static_cast<Index>(k) : blocks_[k];
+    to.origin.col(there) = from.origin.col(here);
+    to.rotation[there] = from.rotation[here];
+    to.position.middleCols(target.places.first, target.places.count) =
+        from.position.middleCols(source.places.first, source.places.count);
+    to.velocity.segment(target.unknowns.first, target.unknowns.count) =
+        from.velocity.segment(source.unknowns.first, source.unknowns.count);
+    to.acceleration.segment(target.unknowns.first, target.unknowns.count) =
+        from.acceleration.segment(source.unknowns.first, source.unknowns.count);
+    to.stress.middleCols(target.stress_points.first, target.stress_points.count) =
+        from.stress.middleCols(source.stress_points.first, source.stress_points.count);
+  }
+}
+
+void SystemPart::put_in(BlockSystem& system, BlockState& state) {
+  system_.gravity = system.gravity;
+  system_.end_time = system.end_time;
+  copy(state, in_whole_, state_, in_part_, true);
+  lend(system, system_);
+  std::swap(system, system_);
+  std::swap(state, state_);
+}
+
+void SystemPart::take_out(BlockSystem& system, BlockState& state) {
+  std::swap(system, system_);
+  std::swap(state, state_);
+  give_back(system_, system);
+  copy(state_, in_part_, state, in_whole_, false);
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,53 @@
+/// \file Some blocks of a system as a system of their own.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// Some blocks of a system, lent to a system of their own that takes its place while steps are made: a step
+/// costs what the part needs, whatever the size of the whole.
+///
+/// Blocks have the same order in both; only their numbers and ranges differ. Loads and supports of the part
+/// are those of its blocks.
+class SystemPart {
+ public:
+  /// \param[in] whole    lends its blocks for as long as this takes
+  /// \param[in] blocks   ascending
+  /// \param[in] resting  of each block of the whole: left where it is, as if wholly held, without its loads
+  SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting);
+
+  /// The part takes the place of the whole, with its present state. Costs what the part's size does.
+  void put_in(BlockSystem& system, BlockState& state);
+  /// The whole takes its place again, with what has become of the part.
+  void take_out(BlockSystem& system, BlockState& state);
+
+  /// The blocks of the part by their numbers in the whole.
+  const std::vector<int>& blocks() const { return blocks_; }
+  /// The number in the part of a block of the whole, -1: it is none of the part.
+  int number_of(int block) const;
+  bool is_resting(int k) const { return resting_[k]; }
+  /// The numbers in the whole of the part's unknowns.
+  const std::vector<int>& unknowns() const { return unknowns_; }
+  /// The places of the part's block k in the whole.
+  const Range& places_in_whole(int k) const { return in_whole_[k].places; }
+
+ private:
+  struct Ranges {
+    Range places, unknowns, stress_points;
+  };
+  void lend(BlockSystem& whole, BlockSystem& part) const;
+  void give_back(BlockSystem& part, BlockSystem& whole) const;
+  void copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
+            const std::vector<Ranges>& in_to, bool into_part) const;
+
+  std::vector<int> blocks_, unknowns_;
+  std::vector<bool> resting_;
+  std::vector<Ranges> in_whole_, in_part_;
+  BlockSystem system_;  ///< the one of the two that is not in place
+  BlockState state_;
+};
+
+}  // namespace ddacontact

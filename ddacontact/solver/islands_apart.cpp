@@ -1,0 +1,203 @@
+#include <ddacontact/solver/islands_apart.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace ddacontact {
+
+namespace {
+
+int root(std::vector<int>& parent, int k) {
+  while (parent[k] != k) k = parent[k] = parent[parent[k]];
+  return k;
+}
+
+/// Adds what the contact's forces do to a block that does not move.
+void add_to_held(const Contact& contact, const Range& unknowns, VectorXd& external) {
+  for (const auto& [form, force] :
+       {std::pair{&contact.gap, contact.normal}, std::pair{&contact.slip, contact.shear}})
+    for (std::size_t k = 0; k < form->unknowns().size(); ++k) {
+      const int u = form->unknowns()[k];
+      if (u >= unknowns.first && u < unknowns.end()) external[u] += force * form->coefficients()[k];
+    }
+}
+
+IslandsApart::Work work_of(const StepSystem& system) {
+  const polyfem::Cholesky& cholesky = system.problem().cholesky();
+  return {cholesky.n_solves(), cholesky.n_factorizations(), cholesky.n_analyses(), cholesky.seconds()};
+}
+
+void add_difference(const IslandsApart::Work& now, const IslandsApart::Work& before,
+                    IslandsApart::Work& work) {
+  work.n_solves += now.n_solves - before.n_solves;
+  work.n_analyses += now.n_analyses - before.n_analyses;
+  work.n_factorizations += now.n_factorizations - before.n_factorizations;
+  for (double polyfem::CholeskySeconds::*phase :
+       {&polyfem::CholeskySeconds::analysis, &polyfem::CholeskySeconds::factorization,
+        &polyfem::CholeskySeconds::solution})
+    work.seconds.*phase += now.seconds.*phase - before.seconds.*phase;
+}
+
+}  // namespace
+
+struct IslandsApart::Island {
+  std::vector<int> blocks;    ///< and those at rest that they may touch, ascending
+  std::vector<int> contacts;  ///< of the step
+  std::optional<SystemPart> part;
+  std::optional<StepSystem> system;
+
+  /// Of the part's unknowns.
+  VectorXd of_part(const VectorXd& of_all) const { return of_all(part->unknowns()); }
+
+  Contact to_part(const BlockSystem& system_of_part, Contact contact) const {
+    VertexEdge& pair = contact.pair;
+    pair.vertex_block = part->number_of(pair.vertex_block);
+    pair.edge_block = part->number_of(pair.edge_block);
+    const Block& edge_block = system_of_part.block(pair.edge_block);
+    contact.motion.i = system_of_part.block(pair.vertex_block).vertex_map(pair.vertex);
+    contact.motion.j = edge_block.vertex_map(pair.edge);
+    contact.motion.k = edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices());
+    return contact;
+  }
+
+  void to_whole(Contact&& solved, Contact& contact) const {
+    solved.pair = contact.pair;
+    solved.motion = contact.motion;
+    for (AffineForm* form : {&solved.gap, &solved.slip}) {
+      AffineForm numbered;
+      numbered.constant = form->constant;
+      for (std::size_t k = 0; k < form->unknowns().size(); ++k)
+        numbered.add(part->unknowns()[form->unknowns()[k]], form->coefficients()[k]);
+      *form = numbered;
+    }
+    contact = std::move(solved);
+  }
+};
+
+IslandsApart::IslandsApart() = default;
+IslandsApart::~IslandsApart() = default;
+
+void IslandsApart::clear() {
+  islands_.clear();
+}
+
+bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& contacts) {
+  const int n_blocks = blocks.n_blocks();
+  std::vector<int> parent(n_blocks);
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<char> meets(n_blocks, 0);
+  for (const Contact& contact : contacts) {
+    const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
+    meets[a] = meets[b] = 1;
+    if (!blocks.is_unchanging(a) && !blocks.is_unchanging(b)) parent[root(parent, a)] = root(parent, b);
+  }
+  std::map<int, int> numbers;  // of roots; those that meet nothing are -1
+  std::vector<std::vector<int>> members;
+  const auto island_of = [&](int b) {
+    const auto [found, is_new] = numbers.try_emplace(meets[b] ? root(parent, b) : -1, members.size());
+    if (is_new) members.emplace_back();
+    return found->second;
+  };
+  for (int b = 0; b < n_blocks; ++b)
+    if (!blocks.is_unchanging(b)) members[island_of(b)].push_back(b);
+  if (members.size() < 2) return false;
+
+  std::vector<std::vector<int>> of_island(members.size());
+  for (int c = 0; c < static_cast<int>(contacts.size()); ++c) {
+    const int a = contacts[c].pair.vertex_block, b = contacts[c].pair.edge_block;
+    const int island = island_of(blocks.is_unchanging(a) ? b : a);
+    of_island[island].push_back(c);
+    for (int at_rest : {a, b})
+      if (blocks.is_unchanging(at_rest)) members[island].push_back(at_rest);
+  }
+  std::map<std::vector<int>, std::unique_ptr<Island>> before;
+  for (std::unique_ptr<Island>& island : islands_) before.emplace(island->blocks, std::move(island));
+  islands_.clear();
+  std::vector<char> resting(n_blocks);
+  for (int b = 0; b < n_blocks; ++b) resting[b] = blocks.is_unchanging(b);
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    std::ranges::sort(members[k]);
+    members[k].erase(std::unique(members[k].begin(), members[k].end()), members[k].end());
+    if (const auto same = before.find(members[k]); same != before.end()) {
+      islands_.push_back(std::move(same->second));
+    } else {
+      islands_.push_back(std::make_unique<Island>());
+      islands_.back()->blocks = members[k];
+      islands_.back()->part.emplace(blocks, members[k], resting);
+    }
+    islands_.back()->contacts = std::move(of_island[k]);
+  }
+  return true;
+}
+
+StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const StepStart& start,
+                                 const StepSystem& whole, const StagedOptions& options,
+                                 std::vector<Contact>& contacts, VectorXd& d) {
+  work_ = {};
+  StagedReport report;
+  report.status = StagedStatus::settled;
+  Residual& residual = report.residual;
+  residual.external = whole.load_forces() + whole.gravity_forces();
+  residual.force = -residual.external;
+  d = whole.prescribed();
+  for (const std::unique_ptr<Island>& island : islands_) {
+    SystemPart& part = *island->part;
+    StepStart of_part{start.rule,
+                      start.dt,
+                      island->of_part(start.velocity),
+                      island->of_part(start.acceleration),
+                      island->of_part(start.jump),
+                      island->of_part(start.jump_path)};
+    part.put_in(blocks, state);
+    if (!island->system) island->system.emplace(blocks);
+    StepSystem& system = *island->system;
+    const Work before = work_of(system);
+    system.set_step(state, of_part, whole.held_stiffness());
+    std::vector<Contact> own;
+    for (int c : island->contacts) own.push_back(island->to_part(blocks, contacts[c]));
+    VectorXd own_d = system.free_path();
+    StagedReport own_report = solve_staged(system, options, own, own_d);
+    part.take_out(blocks, state);
+    add_difference(work_of(system), before, work_);
+    for (std::size_t c = 0; c < own.size(); ++c)
+      island->to_whole(std::move(own[c]), contacts[island->contacts[c]]);
+    const Residual& of_own = own_report.residual;
+    d(part.unknowns()) = own_d;
+    residual.force(part.unknowns()) = of_own.force;
+    residual.external(part.unknowns()) = of_own.external;
+    report.iterations = std::max(report.iterations, own_report.iterations);
+    report.minimizations = std::max(report.minimizations, own_report.minimizations);
+    report.augmentations = std::max(report.augmentations, own_report.augmentations);
+    report.broken_bonds += own_report.broken_bonds;
+    for (double Residual::*measure :
+         {&Residual::largest, &Residual::scale, &Residual::floor, &Residual::over_floor})
+      residual.*measure = std::max(residual.*measure, of_own.*measure);
+    if (of_own.own > residual.own) {
+      residual.own = of_own.own;
+      residual.worst_block = of_own.worst_block < 0 ? -1 : part.blocks()[of_own.worst_block];
+    }
+    if (own_report.status == StagedStatus::settled) continue;
+    report.status = own_report.status;
+    report.worst_contact = own_report.worst_contact < 0 ? -1 : island->contacts[own_report.worst_contact];
+    return report;
+  }
+
+  // On blocks at rest contacts of several islands act.
+  for (const HeldUnknown& held : blocks.held_unknowns())
+    residual.external[held.unknown] =
+        blocks.is_unchanging(blocks.block_of_place(held.vertex))
+            ? whole.load_forces()[held.unknown] + whole.gravity_forces()[held.unknown]
+            : residual.external[held.unknown];
+  for (const Contact& contact : contacts)
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+      if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
+        add_to_held(contact, blocks.block(b).unknowns(), residual.external);
+  for (const HeldUnknown& held : blocks.held_unknowns())
+    if (blocks.is_unchanging(blocks.block_of_place(held.vertex)))
+      residual.force[held.unknown] = -residual.external[held.unknown];
+  return report;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,46 @@
+/// \file Blocks that do not touch, solved apart: each island converges on its own.
+#pragma once
+
+#include <ddacontact/block/system_part.hpp>
+#include <ddacontact/solver/staged.hpp>
+#include <polyfem/assembly/cholesky.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace ddacontact {
+
+/// The systems of a step's islands: blocks that may change, joined by contacts that are closed or may close.
+/// Blocks without any contact are one island together. Kept from step to step while islands are the same.
+class IslandsApart {
+ public:
+  IslandsApart();
+  ~IslandsApart();
+
+  /// Divides the blocks into islands; false: there are not two of them.
+  bool divide(BlockSystem& blocks, const std::vector<Contact>& contacts);
+  /// Solves the step as solve_staged does, island by island, each by its own system.
+  /// \param[in,out] blocks, state  as they were, with the step begun
+  /// \param[in] whole              with the step begun
+  /// \param[out] d                 of all unknowns
+  /// \return what any of the islands took at most, the worst of their residuals, and the first failure
+  StagedReport solve(BlockSystem& blocks, BlockState& state, const StepStart& start, const StepSystem& whole,
+                     const StagedOptions& options, std::vector<Contact>& contacts, VectorXd& d);
+  /// Forgets the systems: blocks have other numbers, or others take part.
+  void clear();
+
+  /// What the last call of `solve` took on factors, in all islands.
+  struct Work {
+    int n_solves = 0, n_factorizations = 0, n_analyses = 0;
+    polyfem::CholeskySeconds seconds;
+  };
+  const Work& last_work() const { return work_; }
+
+ private:
+  struct Island;
+
+  std::vector<std::unique_ptr<Island>> islands_;  ///< by their first blocks
+  Work work_;
+};
+
+}  // namespace ddacontact

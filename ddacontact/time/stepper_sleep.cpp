@@ -1,0 +1,339 @@
+// How a stepper leaves out the blocks that sleep.
+#include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/stepper.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// Neighbours are looked for as far as this times a block's size, and its reach, around it.
+constexpr double neighbourhood = 1;
+
+bool varies(const TimeFunction& function, double from, double to, double end_time) {
+  if (function.kind == TimeFunction::Kind::constant) return false;
+  const Vec2 before = function.at(from, end_time);
+  const double round_off = 8 * std::numeric_limits<double>::epsilon() * before.norm();
+  return (function.at((from + to) / 2, end_time) - before).norm() > round_off ||
+         (function.at(to, end_time) - before).norm() > round_off;
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+bool covers(const Box& outer, const Box& inner) {
+  return (outer.low.array() <= inner.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
+}
+
+Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double margin) {
+  const Range& v = blocks.block(b).vertices();
+  Box box = bounding_box(state.position.middleCols(v.first, v.count), margin);
+  box.low += state.origin.col(b);
+  box.high += state.origin.col(b);
+  return box;
+}
+
+Pair block_pair(const Contact& contact) {
+  const auto [first, second] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
+  return {first, second};
+}
+
+double fastest_vertex(const Block& block, const VectorXd& velocity) {
+  double fastest = 0;
+  for (int v = 0; v < block.n_vertices(); ++v)
+    fastest = std::max(fastest, block.vertex_map(v)(velocity).norm());
+  return fastest;
+}
+
+/// What a contact's forces do to the unknowns of its blocks.
+void add_forces(const BlockSystem& blocks, const BlockState& state, const Contact& contact, VectorXd& F) {
+  const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
+  const Block &of_vertex = blocks.block(vertex_block), &of_edge = blocks.block(edge_block);
+  const int next = (edge + 1) % of_edge.n_vertices();
+  const Vec2 shift = state.origin.col(vertex_block) - state.origin.col(edge_block);
+  const VertexEdgePlace place{state.position.col(of_vertex.vertices().first + vertex) + shift,
+                              state.position.col(of_edge.vertices().first + edge),
+                              state.position.col(of_edge.vertices().first + next)};
+  const VertexEdgeGradient across = gap_gradient(place), along = slip_gradient(place, contact.history.lock);
+  of_vertex.vertex_map(vertex).add_force(contact.normal * across.i + contact.shear * along.i, F);
+  of_edge.vertex_map(edge).add_force(contact.normal * across.j + contact.shear * along.j, F);
+  of_edge.vertex_map(next).add_force(contact.normal * across.k + contact.shear * along.k, F);
+}
+
+}  // namespace
+
+bool Stepper::may_sleep() const {
+  return analysis_.skip.sleep && analysis_.preset != Preset::paper && method_ == ContactMethod::staged &&
+         !is_static();
+}
+
+std::vector<Contact> Stepper::contacts_in_whole() const {
+  std::vector<Contact> contacts = contacts_;
+  for (Contact& contact : contacts)
+    for (int* b : {&contact.pair.vertex_block, &contact.pair.edge_block}) *b = asleep_->part->blocks()[*b];
+  return contacts;
+}
+
+const std::vector<Contact>& Stepper::contacts() const {
+  if (!asleep_) return contacts_;
+  if (!all_contacts_known_) {
+    all_contacts_.clear();
+    std::ranges::merge(contacts_in_whole(), asleep_->contacts, std::back_inserter(all_contacts_), {},
+                       block_pair, block_pair);
+    all_contacts_known_ = true;
+  }
+  return all_contacts_;
+}
+
+std::vector<char> Stepper::find_restless(double dt) const {
+  std::vector<char> restless(blocks_.n_blocks(), 0);
+  const double to = state_.time, from = to - dt, end_time = blocks_.end_time;
+  for (const PointLoad& load : blocks_.point_loads)
+    if (varies(load.force, from, to, end_time)) restless[load.point.block] = 1;
+  for (const BodyLoad& load : blocks_.body_loads)
+    if (varies(load.force, from, to, end_time)) restless[load.block] = 1;
+  for (const HeldUnknown& held : blocks_.held_unknowns())
+    if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_place(held.vertex)] = 1;
+  for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
+  for (std::size_t c = 0; c < tried_.size(); ++c) {
+    const auto [vertex_block, vertex, edge_block, edge] = tried_[c].pair;
+    const bool changed = trial_contacts_[c].history.state != tried_[c].history.state;
+    for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
+      if (changed || (tried_[c].closed() && !blocks_.is_movable(other) && restless[other])) restless[b] = 1;
+  }
+  return restless;
+}
+
+bool Stepper::fall_asleep(double dt) {
+  if (!may_sleep()) return false;
+  const std::vector<char> restless = find_restless(dt);
+  std::vector<int> awake;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!blocks_.is_movable(b)) continue;
+    awake.push_back(in_whole(b));
+    sleeping_.note(in_whole(b), !restless[b] && fastest_vertex(blocks_.block(b), state_.velocity) <=
+                                                    rest_speed(blocks_, b, dt));
+  }
+  std::vector<Pair> touching;
+  for (const Contact& contact : tried_)
+    if (contact.closed() && blocks_.is_movable(contact.pair.vertex_block) &&
+        blocks_.is_movable(contact.pair.edge_block))
+      touching.push_back({in_whole(contact.pair.vertex_block), in_whole(contact.pair.edge_block)});
+  const std::vector<int> falling = sleeping_.put_to_sleep(awake, touching);
+  for (int b : falling) {
+    const Range& u = blocks_.block(asleep_ ? asleep_->part->number_of(b) : b).unknowns();
+    state_.velocity.segment(u.first, u.count).setZero();
+    state_.acceleration.segment(u.first, u.count).setZero();
+  }
+  if (falling.empty()) return false;
+  const double before = energy_.now.kinetic;
+  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  energy_.now.numerical_dissipated += before - energy_.now.kinetic;
+  return true;
+}
+
+void Stepper::remember_sleepers() {
+  if (!accepted_.sleeping) accepted_.sleeping = sleep_record();
+}
+
+bool Stepper::wake(int b) {
+  if (!sleeping_.is_asleep(b)) return false;
+  remember_sleepers();
+  return sleeping_.wake(b);
+}
+
+void Stepper::wake_changing(double dt) {
+  if (!asleep_) return;
+  bool woken = false;
+  for (const auto& [block, function] : asleep_->watched) {
+    if (!varies(*function, state_.time, state_.time + dt, blocks_.end_time)) continue;
+    woken = wake(block) || woken;
+    for (const Contact& contact : asleep_->contacts) {
+      const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
+      if (contact.closed() && (vertex_block == block || edge_block == block))
+        woken = wake(vertex_block + edge_block - block) || woken;
+    }
+  }
+  if (woken) regroup();
+}
+
+void Stepper::look_around(double dt) {
+  while (true) {
+    reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
+    if (!asleep_) return;
+    bool woken = false, covered = true;
+    std::size_t k = 0;
+    const double round_off = 1e-12;
+    for (int b = 0; b < blocks_.n_blocks(); ++b) {
+      if (blocks_.is_unchanging(b)) continue;
+      const Box box = box_of(blocks_, state_, b, reach_[b]);
+      if (blocks_.is_movable(b))
+        covered = covers(asleep_->around[k++], box) && covered;
+      else if (reach_[b] > round_off * blocks_.block(b).size())
+        for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
+          if (overlap(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
+    }
+    if (woken) {
+      regroup();
+    } else if (!covered) {
+      remember_sleepers();
+      contacts_ = contacts_in_whole();
+      show_whole();
+      form_part(nullptr);
+    } else {
+      return;
+    }
+  }
+}
+
+bool Stepper::wake_hit(const Solution& solution) {
+  if (!asleep_) return false;
+  bool woken = false;
+  for (std::size_t c = 0; c < tried_.size(); ++c) {
+    const Contact& contact = tried_[c];
+    if (!asleep_->part->is_resting(contact.pair.vertex_block) &&
+        !asleep_->part->is_resting(contact.pair.edge_block))
+      continue;
+    const bool hit = !solution.impact.hit.empty() && solution.impact.hit[c];
+    const bool inside = contact.gap(solution.d) - contact.history.gap_offset < -contact.length_tolerance &&
+                        contact.is_on_edge(contact.slip(solution.d));
+    if (!contact.closed() && !hit && !inside) continue;
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) woken = wake(in_whole(b)) || woken;
+  }
+  if (woken) regroup();
+  return woken;
+}
+
+void Stepper::wake_all() {
+  sleeping_.wake_all();
+  if (asleep_) regroup();
+}
+
+void Stepper::regroup(const std::vector<Box>* around) {
+  contacts_ = std::vector(contacts());
+  show_whole();
+  asleep_.reset();
+  all_contacts_known_ = false;
+  detected_ = false;
+  if (sleeping_.n_asleep() > 0) {
+    survey();
+    form_part(around);
+  } else {
+    contact_builder_.emplace(blocks_, properties_);
+    make_system();
+  }
+}
+
+void Stepper::survey() {
+  Asleep& asleep = asleep_.emplace();
+  const auto takes_part = [&](int b) { return !blocks_.is_unchanging(b) && !sleeping_.is_asleep(b); };
+  const auto has_part = [&](const Contact& contact) {
+    return takes_part(contact.pair.vertex_block) || takes_part(contact.pair.edge_block);
+  };
+  std::ranges::copy_if(contacts_, std::back_inserter(asleep.contacts), std::not_fn(has_part));
+  std::erase_if(contacts_, std::not_fn(has_part));
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    asleep.boxes.push_back(box_of(blocks_, state_, b, 0));
+    asleep.elastic.push_back(
+        takes_part(b) || !blocks_.is_present(b) ? 0 : blocks_.block(b).elastic_energy(state_));
+  }
+  VectorXd forces = VectorXd::Zero(blocks_.n_unknowns());
+  std::vector<char> watched(blocks_.n_blocks(), 0);
+  for (int b = 0; b < blocks_.n_blocks(); ++b) watched[b] = sleeping_.is_asleep(b);
+  for (const Contact& contact : asleep.contacts) {
+    if (!contact.closed()) continue;
+    ++asleep.n_closed;
+    add_forces(blocks_, state_, contact, forces);
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) watched[b] = 1;
+  }
+  asleep.reactions = Points::Zero(2, state_.position.cols());
+  const auto watch = [&](int block, const TimeFunction& function) {
+    if (watched[block] && function.kind != TimeFunction::Kind::constant)
+      asleep.watched.push_back({block, &function});
+  };
+  for (const HeldUnknown& held : blocks_.held_unknowns()) {
+    const int b = blocks_.block_of_place(held.vertex);
+    if (!blocks_.is_movable(b)) asleep.reactions(held.axis, held.vertex) -= forces[held.unknown];
+    watch(b, held.motion);
+  }
+  for (const PointLoad& load : blocks_.point_loads) watch(load.point.block, load.force);
+  for (const BodyLoad& load : blocks_.body_loads) watch(load.block, load.force);
+}
+
+void Stepper::form_part(const std::vector<Box>* around) {
+  Asleep& asleep = *asleep_;
+  const int n_blocks = blocks_.n_blocks();
+  std::vector<char> resting(n_blocks, 0), takes_part(n_blocks, 0);
+  std::vector<Box> boxes;
+  for (int b = 0; b < n_blocks; ++b) {
+    resting[b] = sleeping_.is_asleep(b);
+    takes_part[b] = blocks_.is_present(b) && !resting[b] && !blocks_.is_unchanging(b);
+    if (takes_part[b] && blocks_.is_movable(b) && !around)
+      boxes.push_back(
+          box_of(blocks_, state_, b, neighbourhood * blocks_.block(b).size() + limits_.largest_reach(b)));
+  }
+  asleep.around = around ? *around : boxes;
+
+  // Those that rest near them: first within the box of all of them, then by pairs.
+  boxes = asleep.around;
+  std::vector<int> near;
+  if (!boxes.empty()) {
+    Box all = boxes.front();
+    for (const Box& box : boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+    for (int b = 0; b < n_blocks; ++b)
+      if (blocks_.is_present(b) && !takes_part[b] && overlap(all, asleep.boxes[b])) {
+        near.push_back(b);
+        boxes.push_back(asleep.boxes[b]);
+      }
+    const int n_around = static_cast<int>(asleep.around.size());
+    for (const auto& [a, b] : overlapping_pairs(boxes))
+      if (a < n_around && b >= n_around) takes_part[near[b - n_around]] = 1;
+  }
+  std::vector<int> part;
+  asleep.elastic_outside = 0;
+  for (int b = 0; b < n_blocks; ++b) {
+    if (takes_part[b])
+      part.push_back(b);
+    else
+      asleep.elastic_outside += asleep.elastic[b];
+  }
+  asleep.part.emplace(blocks_, std::move(part), resting);
+
+  std::erase_if(contacts_, [&](Contact& contact) {
+    int &a = contact.pair.vertex_block, &b = contact.pair.edge_block;
+    a = asleep.part->number_of(a);
+    b = asleep.part->number_of(b);
+    return a < 0 || b < 0;
+  });
+  show_part();
+  ContactProperties properties = properties_;
+  properties.materials.clear();
+  for (int b : asleep.part->blocks()) properties.materials.push_back(properties_.materials[b]);
+  contact_builder_.emplace(blocks_, std::move(properties));
+  make_system();
+  detected_ = false;
+  if (!in_step_) show_whole();
+}
+
+void Stepper::show_part() {
+  if (!asleep_ || part_in_place_) return;
+  asleep_->part->put_in(blocks_, state_);
+  part_in_place_ = true;
+}
+
+void Stepper::show_whole() {
+  if (!part_in_place_) return;
+  asleep_->part->take_out(blocks_, state_);
+  part_in_place_ = false;
+}
+
+SleepRecord Stepper::sleep_record() const {
+  return {sleeping_.islands(), sleeping_.rested(), asleep_ ? asleep_->around : std::vector<Box>{}};
+}
+
+}  // namespace ddacontact

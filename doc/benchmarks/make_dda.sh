@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Measures what steps cost and makes doc/benchmarks/dda.md anew:
+#   bash doc/benchmarks/make_dda.sh BUILD_DIRECTORY [--long]
+# About five minutes on a quiet machine; --long goes to a million blocks and takes half an hour. Measurements stay in the folder
+# "benchmarks/dda" of the build directory; a set that is named (SETS="walls field") is measured alone, the others are taken from there.
+set -euo pipefail
+source_directory=$(cd "$(dirname "$0")/../.." && pwd)
+build=${1:?usage: make_dda.sh BUILD_DIRECTORY [--long]}
+long=${2:-}
+targets=(step_performance step_page dda)
+cmake --build "$build" --target help | grep -q '^box2d_performance:' && targets+=(box2d_performance)
+cmake --build "$build" --target "${targets[@]}"
+export OPENBLAS_NUM_THREADS=1
+
+measured=$build/benchmarks/dda
+steps=$build/tests/performance/steps
+mkdir -p "$measured"
+sets=${SETS:-growth scenes skips walls threads field}
+seconds=12 large=() million=()
+if [ "$long" = --long ]; then
+  seconds=120 large=(100000) million=(1000000)
+fi
+
+wants() { [[ " $sets " == *" $1 "* ]]; }
+# measure TABLE OPTIONS...: adds to the table.
+measure() {
+  local table=$1
+  shift
+  "$steps/step_performance" run -o "$measured/$table.csv" --append --seconds "$seconds" "$@"
+}
+
+# Others use the machine too: the wall by each method and its rigid peer one after another.
+if wants walls; then
+  rm -f "$measured/walls.csv" "$measured/box2d.csv"
+  [ -x "$steps/box2d_performance" ] && "$steps/box2d_performance" "$measured/box2d.csv"
+  measure walls --sizes 200 1000 10000 --starts sudden --no-cholmod --warm 0 --steps 20
+  measure walls --sizes 200 1000 10000 --starts settled --without none sleep --no-cholmod --warm 10 --steps 20
+  measure walls --sizes 200 1000 10000 --starts sudden settled --classic --no-cholmod --warm 0 --steps 20
+fi
+if wants growth; then
+  rm -f "$measured/growth.csv"
+  measure growth --time-steps 1e-4 --sizes 1000 10000 100000 "${million[@]}" --warm 2 --steps 5
+  measure growth --sizes 1000 10000 "${large[@]}" --warm 2 --steps 5
+  measure growth --starts settled --without sleep --sizes 1000 10000 "${large[@]}" --warm 3 --steps 5
+  measure growth --scenes slide --sizes 1000 10000 --warm 2 --steps 5
+fi
+if wants scenes; then
+  rm -f "$measured/scenes.csv"
+  measure scenes --scenes arch heap loose_heap slope slide rain field columns --sizes 100 1000 "${large[@]/100000/10000}" \
+    --warm 2 --steps 5 --no-cholmod
+fi
+if wants skips; then
+  rm -f "$measured/skips.csv"
+  measure skips --without none unchanged_factor stale_factor cg skin congruent --warm 2 --steps 5 --no-cholmod
+  measure skips --starts settled --without none unchanged_factor stale_factor islands sleep islands+sleep \
+    --warm 5 --steps 5 --no-cholmod
+  measure skips --time-steps 1e-4 --without none cg skin --warm 2 --steps 5 --no-cholmod
+  measure skips --scenes rain --without none islands skin --warm 2 --steps 5 --no-cholmod
+  measure skips --scenes smooth_heap --without none friction_rows --warm 2 --steps 5 --no-cholmod
+  measure skips --scenes field --without none islands sleep islands+sleep fixed_blocks skin --warm 30 --steps 5 \
+    --no-cholmod
+fi
+if wants threads; then
+  rm -f "$measured/threads.csv"
+  measure threads --time-steps 1e-4 --sizes 100000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
+  measure threads --sizes 10000 "${large[@]}" --threads 1 2 --warm 1 --steps 3 --no-cholmod
+fi
+if wants field; then
+  rm -f "$measured/field.csv"
+  measure field --scenes field --sizes 0 10000 --warm 30 --steps 20 --no-cholmod
+  measure field --scenes field --sizes 10000 --without sleep+islands --warm 30 --steps 5 --no-cholmod
+fi
+
+echo "$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), $(g++ --version | head -n 1)," \
+  "$(uname -sm), $(date +%Y-%m-%d)${long:+, with --long}." > "$measured/machine.txt"
+"$steps/step_page" "$measured" "$source_directory/doc/benchmarks/dda.md"
+echo "made doc/benchmarks/dda.md"

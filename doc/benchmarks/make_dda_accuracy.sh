@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Measures anew and makes doc/benchmarks/dda_accuracy.md, its table and its pictures, in some minutes on one core:
+#   bash doc/benchmarks/make_dda_accuracy.sh [BUILD_DIRECTORY]
+# BUILD_DIRECTORY, build/release unless stated, is one that CMake has configured for release.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${1:-build/release}
+cmake --build "$build" --target error_time
+program=$build/tests/performance/error_time/error_time
+"$program" measure doc/benchmarks/dda_accuracy.csv
+"$program" page doc/benchmarks/dda_accuracy.csv doc/benchmarks

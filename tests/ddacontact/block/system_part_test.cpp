@@ -1,0 +1,63 @@
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <ddacontact/block/system_part.hpp>
+
+using namespace support;
+
+namespace {
+
+Scene four_blocks() {
+  Scene scene = rock_scene(0.01, 1);
+  scene.analysis.kinematics = Kinematics::corotational;
+  for (int k = 0; k < 4; ++k) scene.blocks.push_back(block(rectangle(2 * k, 0, 1 + 0.1 * k, 1), k == 1));
+  scene.loads = {point_load(0, Vec2(0.5, 0.5), constant(Vec2(1, 0))),
+                 point_load(2, Vec2(4.5, 0.5), constant(Vec2(0, 3)))};
+  return scene;
+}
+
+}  // namespace
+
+TEST(SystemPart, TakesThePlaceOfTheWholeAndGivesItBack) {
+  BuiltScene built = build(four_blocks());
+  BlockSystem& system = blocks_of(built);
+  BlockState state = built.stepper->state();
+  state.velocity = VectorXd::LinSpaced(32, 0, 31);
+  state.rotation = VectorXd::LinSpaced(4, 0, 3);
+  const BlockState before = state;
+  SystemPart part(system, {1, 2, 3}, {0, 0, 0, 1});
+  EXPECT_EQ(part.number_of(2), 1);
+  EXPECT_EQ(part.number_of(0), -1);
+  EXPECT_EQ(system.n_unknowns(), 32) << "the blocks are the whole's until it is put in";
+  EXPECT_EQ(system.block(3).unknowns().first, 24);
+
+  part.put_in(system, state);
+  EXPECT_EQ(system.n_blocks(), 3);
+  EXPECT_EQ(system.n_unknowns(), 24);
+  EXPECT_EQ(system.n_equations(), 8) << "one is held and one rests";
+  EXPECT_TRUE(system.is_movable(1) && system.is_free(1));
+  EXPECT_FALSE(system.is_movable(0) || system.is_movable(2) || system.is_free(2));
+  EXPECT_TRUE(system.is_unchanging(0) && system.is_unchanging(2));
+  EXPECT_EQ(system.block(1).unknowns().first, 8);
+  EXPECT_EQ(state.velocity, before.velocity.tail(24));
+  EXPECT_EQ(system.positions(state), built.stepper->blocks().positions(state));
+  EXPECT_EQ(system.names[0], "1");
+  VectorXd F = VectorXd::Zero(24);
+  system.add_loads(state, 0, F);
+  EXPECT_NEAR(F.sum(), 3, 1e-12);
+  EXPECT_NEAR(F.segment(8, 8).sum(), 3, 1e-12);
+  EXPECT_EQ(system.prescribed(state, 0).norm(), 0);
+
+  state.velocity.segment(8, 8).setConstant(7);
+  state.position(0, 5) += 1;
+  state.time = 5;
+  part.take_out(system, state);
+  EXPECT_EQ(system.n_blocks(), 4);
+  EXPECT_EQ(system.block(3).unknowns().first, 24);
+  EXPECT_EQ(state.time, 5);
+  BlockState expected = before;
+  expected.velocity.segment(16, 8).setConstant(7);
+  expected.position(0, 9) += 1;
+  EXPECT_EQ(state.velocity, expected.velocity);
+  EXPECT_EQ(state.position, expected.position);
+  EXPECT_EQ(state.rotation, expected.rotation);
+}

@@ -1,0 +1,181 @@
+#include <tests/performance/error_time/page.hpp>
+
+#include <tests/performance/error_time/comparison.hpp>
+
+#include <fmt/format.h>
+#include <ddacontact/picture/chart.hpp>
+#include <mechanics_scenes.hpp>
+#include <report.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace error_time {
+
+namespace {
+
+using ddacontact::Chart;
+using ddacontact::Series;
+using verification::text;
+
+constexpr const char* front = R"(# Error against run time
+
+What a second of computing buys in whole analyses: the error of the number that a user wants over the time that the steps take, for
+the default, for the preset `paper`, for classical DDA, and for the default with one thing changed. Made by
+`bash doc/benchmarks/make_dda_accuracy.sh BUILD_DIRECTORY`, figures and verdicts included. Times are the processor's, of the steps
+alone (a run on one thread of a quiet machine takes as long), medians of 3 to 9 runs unless a run takes more than 2 s; every
+measurement is in [dda_accuracy.csv](dda_accuracy.csv).
+
+)";
+
+constexpr const char* why_behind =
+    "Where it is behind, the cause is the cost of a step and not its error: step by step the default is the "
+    "more "
+    "accurate one but for short waves, which its scheme damps no less than Newmark (1/2, 1). Per step it "
+    "finds the "
+    "velocities of contacts that stay closed, judges residuals on the geometry at the end of the step and "
+    "sets the "
+    "multipliers anew, and `auto` divides blocks that bend into cells.";
+
+constexpr const char* what_to_choose =
+    R"(- **Nothing stated** where it is not known which of the following matters: rigid motion is of second order, collisions are exact,
+  bending is resolved where it matters, and what should come to rest does.
+- **`block_model = "mesh"`** where stress or deflection is the answer. What a polygon cannot do no step and no tolerance
+  mends: errors of the arch and of the stresses in the slope hang on the model alone, and on the springs in `paper` and `classic`.
+- **`block_model = "wachspress"`** where motion is the answer: the ways of a block that slides or is hit are the same as with meshes, for a part of
+  the time.
+  `auto` divides blocks that bend, though how they move does not ask for it. `affine` costs as much, and many times as much where
+  blocks bear each other at rest (arch, slope): it takes more solutions to find their contacts.
+- **`scheme = "midpoint"`** for waves and vibrations that must live: its fronts are the sharpest. Not for what should come to rest.
+  `dda` and `backward_euler` are of first order wherever blocks turn or collide; nothing here asks for them.
+- **Steps**: of rigid motion halving the step costs twice the time and leaves a quarter of the error. Static steps should be long: they
+  keep the blocks' masses over the square of their length, and short ones creep to the answer.
+- **`penetration_tolerance`** stays as it is: 1e-4 saves next to nothing, 1e-8 changes next to nothing.
+- **`preset = "paper"`, `classic`** to compare with, and for a cheap first look at sliding: a step costs less, forces and restitution
+  hang on the springs and the step.
+)";
+
+/// What differs in the two charts of a picture.
+const std::vector<std::vector<std::string>> panels{
+    {"default", "classic", "paper", "midpoint", "dda", "backward_euler"},
+    {"default", "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8"}};
+
+std::vector<Measurement> runs_of(const std::vector<Measurement>& all, const std::string& quantity,
+                                 const std::string& method) {
+  std::vector<Measurement> found;
+  for (const Measurement& m : all)
+    if (m.quantity == quantity && m.method == method) found.push_back(m);
+  return found;
+}
+
+/// As a logarithmic axis can show it: 1 at most, and for runs that did not end; 1e-12 at least.
+double shown(double error) {
+  return std::isfinite(error) ? std::clamp(error, 1e-12, 1.) : 1.;
+}
+
+std::vector<Chart> charts_of(const std::vector<Measurement>& all, const std::string& quantity) {
+  std::vector<Chart> charts;
+  for (const auto& methods : panels) {
+    Chart chart{.x_symbol = {"run time", "", ""},
+                .y_symbol = {"error", "", ""},
+                .x_unit = "s",
+                .y_unit = "",
+                .series = {},
+                .x_logarithmic = true,
+                .y_logarithmic = true};
+    for (const std::string& method : methods) {
+      Series series{.name = method, .x = {}, .y = {}, .dots = true};
+      for (const Measurement& m : runs_of(all, quantity, method))
+        if (m.seconds > 0) {
+          series.x.push_back(m.seconds);
+          series.y.push_back(shown(m.error));
+        }
+      if (!series.x.empty()) chart.series.push_back(series);
+    }
+    charts.push_back(chart);
+  }
+  return charts;
+}
+
+std::string cell(const Measurement& m) {
+  if (!m.stopped.empty()) return m.seconds > 0 ? fmt::format("stopped, {:.2g} s", m.seconds) : "refused";
+  return fmt::format("{} in {:.3g} ms", text(m.error), 1e3 * m.seconds);
+}
+
+std::vector<std::vector<std::string>> table_of(const std::vector<Measurement>& all, const Problem& problem,
+                                               const std::string& quantity) {
+  std::vector<std::vector<std::string>> rows{{problem.setting}};
+  for (const double setting : problem.settings) rows[0].push_back(fmt::format("{:g}", setting));
+  for (const Method& method : all_methods()) {
+    const std::vector<Measurement> runs = runs_of(all, quantity, method.name);
+    if (runs.empty()) continue;
+    rows.push_back({method.name});
+    for (const double setting : problem.settings) {
+      const auto found = std::ranges::find_if(
+          runs, [setting](const Measurement& m) { return std::abs(m.setting / setting - 1) < 1e-4; });
+      rows.back().push_back(found == runs.end() ? "" : cell(*found));
+    }
+  }
+  return rows;
+}
+
+std::string ahead(const std::string& quantity, const std::vector<Measurement>& all,
+                  const std::string& other) {
+  const auto lead = lead_of(frontier(all, quantity, "default"), frontier(all, quantity, other));
+  if (!lead) return "no run";
+  const auto factor = [&](double ratio, double at) {
+    return ratio >= 1
+               ? fmt::format("{:.3g} × more accurate than {} at {:.2g} ms", ratio, other, 1e3 * at)
+               : fmt::format("{:.3g} × less accurate than {} at {:.2g} ms", 1 / ratio, other, 1e3 * at);
+  };
+  return fmt::format("{} to {}", factor(lead->least, lead->least_at), factor(lead->most, lead->most_at));
+}
+
+bool never_behind(const std::string& quantity, const std::vector<Measurement>& all,
+                  const std::string& other) {
+  const auto lead = lead_of(frontier(all, quantity, "default"), frontier(all, quantity, other));
+  return lead && lead->least >= 1;
+}
+
+}  // namespace
+
+void write_page(const std::filesystem::path& directory, const std::vector<Measurement>& all) {
+  verification::Report report(directory, "asked");
+  std::vector<std::vector<std::string>> methods{{"method", "what it is"}};
+  for (const Method& method : all_methods()) methods.push_back({method.name, method.description});
+  report.table(methods);
+  report.paragraph(
+      "Methods below the first three are the default with that one thing changed. Contact springs are 40 E. "
+      "At equal "
+      "run time: each method's best run that takes no longer, interpolated between runs by logarithms. "
+      "Errors above 1 "
+      "and runs that stop are drawn at 1.");
+  std::vector<verification::Claim> claims;
+  for (const Problem& problem : all_problems()) {
+    report.heading(problem.title);
+    report.paragraph(problem.description);
+    for (const auto& [name, called] : problem.quantities) {
+      if (runs_of(all, name, "default").empty()) {
+        report.paragraph("Not in this table of measurements.");
+        continue;
+      }
+      report.picture("dda_accuracy_" + name,
+                     draw(charts_of(all, name), {.title = problem.title, .width = 760, .plot_height = 250}),
+                     fmt::format("The {} over run time, s.", called));
+      report.table(table_of(all, problem, name));
+      report.paragraph(fmt::format("At equal run time the default is {}; {}.", ahead(name, all, "classic"),
+                                   ahead(name, all, "paper")));
+      claims.push_back({fmt::format("{}: {}", problem.title, called), never_behind(name, all, "classic"),
+                        "default " + ahead(name, all, "classic")});
+    }
+  }
+  report.heading("The default against `classic` at equal run time");
+  report.paragraph("Asked: the default is at least as accurate at every run time at which both have runs.");
+  report.claims(claims);
+  report.paragraph(why_behind);
+  report.heading("What to choose when");
+  report.paragraph(what_to_choose);
+  report.write("dda_accuracy", front);
+}
+
+}  // namespace error_time

@@ -1,0 +1,42 @@
+#include "step_matrix.hpp"
+
+#include <polyfem/assembly/pattern_matrix.hpp>
+
+namespace step_performance {
+
+using namespace ddacontact;
+
+polyfem::SparseMatrix step_matrix(const Stepper& stepper) {
+  const BlockSystem& blocks = stepper.blocks();
+  polyfem::Connectivity connectivity;
+  std::vector<int> active, rows;
+  std::vector<const Contact*> closed;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (blocks.is_unchanging(b)) continue;
+    const Range& u = blocks.block(b).unknowns();
+    active.push_back(b);
+    connectivity.append({blocks.equation().data() + u.first, static_cast<std::size_t>(u.count)});
+  }
+  for (const Contact& contact : stepper.contacts()) {
+    if (!contact.closed()) continue;
+    closed.push_back(&contact);
+    rows.clear();
+    for (const int unknown : contact.gap.unknowns()) rows.push_back(blocks.equation()[unknown]);
+    connectivity.append(rows);
+  }
+  polyfem::PatternMatrix matrix;
+  matrix.set_connectivity(blocks.n_equations(), connectivity);
+  matrix.set_zero();
+  int element = 0;
+  for (const int b : active)
+    matrix.add(element++, blocks.block(b).tangent(VectorXd::Zero(blocks.block(b).n_unknowns())));
+  for (const Contact* contact : closed) {
+    matrix.add_outer(element, contact->law.normal_stiffness, contact->gap.coefficients());
+    if (contact->history.state == ContactState::stick)
+      matrix.add_outer(element, contact->law.tangential_stiffness, contact->slip.coefficients());
+    ++element;
+  }
+  return matrix.lower();
+}
+
+}  // namespace step_performance
