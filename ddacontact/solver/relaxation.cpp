@@ -29,7 +29,8 @@ struct LocalProblem {
     const double an = 1 / term.normal_stiffness + wnn,
                  rn = term.normal_multiplier / term.normal_stiffness - g;
     const bool unilateral = term.normal == ContactTerm::Normal::unilateral;
-    if (!term.sheared) return {unilateral ? std::max(0.0, rn / an) : rn / an, 0};
+    if (!term.sheared || (term.bound == 0 && !law.joint->has_friction()))
+      return {unilateral ? std::max(0.0, rn / an) : rn / an, 0};
     const bool bonded = std::isinf(term.bound);
     const double bound_before =
         bonded ? term.bound : shear_bound(*law.joint, std::max(0.0, before.normal), false);

@@ -152,12 +152,16 @@ class Staged {
                                                                                               : at_lower);
   }
 
+  static bool bears_shear(const ContactTerm& term, const JointLaw& law) {
+    return term.sheared && (term.bound > 0 || law.has_friction());
+  }
+
   unsigned char state_at_d(std::size_t c) const {
     const ContactTerm& term = terms_[c];
     const ClippedSpring n = normal_spring(term, d_), t = tangential_spring(term, d_);
     if (!n.acts() && term.bound < infinity) return open;
     const unsigned char closed = n.acts() ? pressed : open;
-    if (!term.sheared || (term.bound == 0 && !contacts_[c].law.has_friction())) return closed;
+    if (!bears_shear(term, contacts_[c].law)) return closed;
     return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
   }
 
@@ -301,7 +305,7 @@ class Staged {
   static unsigned char state_of(const ContactTerm& term, const ContactForce& force, const JointLaw& law) {
     if (term.normal == ContactTerm::Normal::absent) return open;
     if (force.normal <= 0 && term.bound < infinity) return open;
-    if (!term.sheared) return pressed;
+    if (!bears_shear(term, law)) return pressed;
     const double bound = term.bound < infinity ? shear_bound(law, force.normal, false) : infinity;
     return pressed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -18,6 +19,8 @@ namespace {
 constexpr double negligible_rate = 1e-9;
 /// Of normal impulses and the friction that goes with them, when rates are taken out.
 constexpr int most_friction_rounds = 30, anderson_depth = 5;
+/// So many rounds have to bring them nearer by half, or it is given up.
+constexpr int patient_rounds = 4;
 /// They agree to this part of the largest.
 constexpr double settled_friction = 1e-9;
 
@@ -111,6 +114,8 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   AndersonAcceleration acceleration(anderson_depth);
   HeldReport report;
   report.settled = false;
+  double best = std::numeric_limits<double>::infinity();
+  int since_best = 0;
   for (int round = 0; round < most_friction_rounds && !report.settled; ++round) {
     VectorXd change = VectorXd::Zero(normal.size());
     double largest = 0, scale = 0;
@@ -126,6 +131,12 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     }
     report.settled = largest <= settled_friction * scale;
     if (report.settled) break;
+    if (largest <= best / 2) {
+      best = largest;
+      since_best = 0;
+    } else if (++since_best == patient_rounds) {
+      break;
+    }
     const VectorXd was = shear;
     acceleration.advance(change, VectorXd::Ones(change.size()), shear);
     VectorXd impulses = VectorXd::Zero(next.velocity.size());
