@@ -217,6 +217,7 @@ class Stepper {
     std::vector<double> elastic;    ///< energy of each block at rest, J per m
     double elastic_outside = 0;     ///< of what is not in the part
     Points reactions;  ///< of supports to those who sleep, 2 x all places; only of wholly held blocks
+    /// A function of time on a block.
     struct Watched {
       int block;
       const TimeFunction* function;  ///< of a load or a support

@@ -10,6 +10,7 @@ namespace polyfem {
 /// How many threads `for_ranges` may use from now on, in the calling thread; 1 until this is called. What is
 /// < 1 counts as 1.
 void set_threads(int n);
+/// How many that is.
 int n_threads();
 
 /// Calls work(begin, end) for 0 .. n - 1 in pieces of `grain`, each piece once, in any order and by any

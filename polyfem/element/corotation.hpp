@@ -23,8 +23,11 @@ struct Nodal {
   using Scalars = Eigen::Matrix<double, N, 1, Eigen::ColMajor, Most, 1>;
   using Square = Eigen::Matrix<double, N, N, Eigen::ColMajor, Most, Most>;  ///< of one axis
 };
+/// Arrays of quadrilaterals.
 using FourNodes = Nodal<4>;
+/// Arrays of up to 16 nodes, without the heap.
 using FewNodes = Nodal<Eigen::Dynamic, 16>;
+/// Arrays of any number of nodes.
 using AnyNodes = Nodal<Eigen::Dynamic>;
 
 /// Where an element is: the frame that turns with it and its displacement seen from there.
@@ -38,6 +41,7 @@ struct CorotatedFrameOf {
   Of::Vectors local;                 ///< R^T y from the element's centre, 2 x m
   Of::Stacked u;                     ///< local displacements from centre to centre (u1 v1 u2 v2 ...), 2m
 };
+/// The same for any number of nodes.
 using CorotatedFrame = CorotatedFrameOf<AnyNodes>;
 
 /// The rotation exp(D J / 2) R_start half way to the end, where D in (-pi, pi] is the turn between them.
