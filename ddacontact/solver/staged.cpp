@@ -279,10 +279,11 @@ class Staged {
   }
 
   /// Moves d and the states to where relaxation of the forces of the step before finds them.
-  void relax() {
+  /// False: it does not serve these blocks.
+  bool relax() {
     system_.linearize(d_);
     ContactRelaxation relaxation;
-    if (!relaxation.set_matrices(system_.problem())) return;
+    if (!relaxation.set_matrices(system_.problem())) return false;
     std::vector<RelaxedLaw> laws(contacts_.size());
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Multiplier& m = multipliers_[c];
@@ -299,6 +300,7 @@ class Staged {
     best_ = infinity;
     since_best_ = 0;
     look();
+    return true;
   }
 
   /// The state in which a contact exerts this force.
@@ -351,8 +353,7 @@ class Staged {
 
   /// Goes on from what relaxation finds from here, where that serves; else from the start, by minimizing.
   bool leave_states() {
-    if (!options_.local || n_relaxations_ == most_relaxations) return begin_minimizing();
-    relax();
+    if (!options_.local || n_relaxations_ == most_relaxations || !relax()) return begin_minimizing();
     changes_ = solutions_of_states_ = lost_ = 0;
     fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
     seen_.clear();
