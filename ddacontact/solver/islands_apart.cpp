@@ -171,6 +171,8 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     report.minimizations = std::max(report.minimizations, own_report.minimizations);
     report.augmentations = std::max(report.augmentations, own_report.augmentations);
     report.broken_bonds += own_report.broken_bonds;
+    report.sweeps += own_report.sweeps;
+    report.tangent += own_report.tangent;
     for (double Residual::*measure :
          {&Residual::largest, &Residual::scale, &Residual::floor, &Residual::over_floor})
       residual.*measure = std::max(residual.*measure, of_own.*measure);

@@ -13,6 +13,14 @@ struct TangentCounts {
   int with_stale_factor = 0;  ///< solutions by Krylov iteration on an older factor
   int iterations = 0;         ///< of Krylov in both
   int fallbacks = 0;  ///< solutions of those two kinds that did not get there, and were made by a factor
+
+  TangentCounts& operator+=(const TangentCounts& more) {
+    without_factor += more.without_factor;
+    with_stale_factor += more.with_stale_factor;
+    iterations += more.iterations;
+    fallbacks += more.fallbacks;
+    return *this;
+  }
 };
 
 /// Solves (A + springs that act + friction that follows normal forces) x = b: where a step is local without a
