@@ -27,7 +27,10 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   reference_.resize(2, n_places);
   for (const auto& block : blocks_)
     reference_.middleCols(block->places().first, block->places().count) = block->reference();
-  for (int b = 0; b < n_blocks(); ++b) block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
+  for (int b = 0; b < n_blocks(); ++b) {
+    block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
+    block_of_unknown_.insert(block_of_unknown_.end(), block(b).n_unknowns(), b);
+  }
   const BlockState initial = initial_state();
   start_.position = zero_.position = initial.position;
   start_.origin = zero_.origin = initial.origin;

@@ -78,6 +78,7 @@ class BlockSystem {
   const std::vector<int>& equation() const { return equation_; }
   int n_equations() const { return n_equations_; }
   int block_of_place(int place) const { return block_of_place_[place]; }
+  int block_of_unknown(int unknown) const { return block_of_unknown_[unknown]; }
   /// Whether a block has an unknown that is not held.
   bool is_movable(int b) const { return movable_[b]; }
   /// Whether a block has no unknown that is held.
@@ -133,7 +134,7 @@ class BlockSystem {
   std::vector<std::unique_ptr<Block>> blocks_;
   Points reference_;
   BlockState start_, zero_;  ///< places and origins alone
-  std::vector<int> block_of_place_;
+  std::vector<int> block_of_place_, block_of_unknown_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;

@@ -34,6 +34,8 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
     const Range &from = in_whole_[k].places, &to = in_part_[k].places;
     const auto column = static_cast<Index>(k);
     system_.block_of_place_.insert(system_.block_of_place_.end(), to.count, static_cast<int>(k));
+    system_.block_of_unknown_.insert(system_.block_of_unknown_.end(), in_part_[k].unknowns.count,
+                                     static_cast<int>(k));
     system_.reference_.middleCols(to.first, to.count) = whole.reference_.middleCols(from.first, from.count);
     for (auto [in, out] : {std::pair{&whole.start_, &system_.start_}, {&whole.zero_, &system_.zero_}}) {
       out->position.middleCols(to.first, to.count) = in->position.middleCols(from.first, from.count);

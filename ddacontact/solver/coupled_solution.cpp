@@ -1,15 +1,12 @@
 #include <ddacontact/solver/coupled_solution.hpp>
 
-#include <Eigen/QR>
-
-#include <algorithm>
+#include <ddacontact/solver/krylov.hpp>
 
 namespace ddacontact {
 
 namespace {
 
-constexpr double tolerance = 1e-10;
-constexpr Index most_iterations = 60;
+constexpr int most_iterations = 60;
 
 /// column^T x of every coupling.
 VectorXd along_columns(const std::vector<Coupling>& couplings, const VectorXd& x) {
@@ -19,41 +16,29 @@ VectorXd along_columns(const std::vector<Coupling>& couplings, const VectorXd& x
   return z;
 }
 
-/// A^-1 (sum of row * rate * z).
-VectorXd moved_by(FrictionProblem& problem, const std::vector<Coupling>& couplings, const VectorXd& z,
-                  Index n_unknowns) {
-  VectorXd force = VectorXd::Zero(n_unknowns), x;
+/// sum of row * rate * z.
+void sum_of_rows(const std::vector<Coupling>& couplings, const VectorXd& z, VectorXd& force) {
+  force.setZero();
   for (std::size_t c = 0; c < couplings.size(); ++c)
     couplings[c].row->add_gradient(couplings[c].rate * z[static_cast<Index>(c)], force);
-  problem.solve(force, x);
-  return x;
 }
 
 }  // namespace
 
-int solve_coupled(FrictionProblem& problem, const std::vector<Coupling>& couplings, const VectorXd& b,
-                  VectorXd& x) {
-  problem.solve(b, x);
-  if (couplings.empty()) return 1;
-  const VectorXd rhs = along_columns(couplings, x);
-  const Index n = rhs.size(), most = std::min(n, most_iterations);
-  // Columns of V: an orthogonal basis of the Krylov space; of X: what A^-1 makes of them; of W: z + column^T
-  // x.
-  MatrixXd V(n, most), W(n, most), X(b.size(), most);
-  VectorXd v = rhs, y;
-  Index k = 0;
-  while (k < most && v.norm() > 0) {
-    V.col(k) = v.normalized();
-    X.col(k) = moved_by(problem, couplings, V.col(k), b.size());
-    W.col(k) = V.col(k) + along_columns(couplings, X.col(k));
-    ++k;
-    y = W.leftCols(k).colPivHouseholderQr().solve(rhs);
-    if ((rhs - W.leftCols(k) * y).norm() <= tolerance * rhs.norm()) break;
-    v = W.col(k - 1);
-    for (int twice = 0; twice < 2; ++twice) v -= V.leftCols(k) * (V.leftCols(k).transpose() * v);
-  }
-  if (k > 0) x -= X.leftCols(k) * y;
-  return 1 + static_cast<int>(k);
+void solve_coupled(const LinearSolution& solve, const std::vector<Coupling>& couplings, const VectorXd& b,
+                   double tolerance, VectorXd& x) {
+  solve(b, x);
+  if (couplings.empty()) return;
+  VectorXd z, force(b.size()), moved;
+  const auto apply = [&](const VectorXd& in, VectorXd& out) {
+    sum_of_rows(couplings, in, force);
+    solve(force, moved);
+    out = in + along_columns(couplings, moved);
+  };
+  gmres(apply, along_columns(couplings, x), tolerance, most_iterations, z);
+  sum_of_rows(couplings, z, force);
+  solve(force, moved);
+  x -= moved;
 }
 
 }  // namespace ddacontact

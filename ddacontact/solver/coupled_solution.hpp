@@ -1,14 +1,27 @@
 /// \file Solutions with friction that follows the normal forces: what makes the matrix unsymmetric.
 #pragma once
 
-#include <ddacontact/solver/friction_problem.hpp>
+#include <ddacontact/solver/contact_term.hpp>
+
+#include <functional>
+#include <vector>
 
 namespace ddacontact {
 
-/// x with (A + sum of row * rate * column^T) x = b, A being what `problem` last factorized. GMRES on the
-/// values of column^T x, with a solution of A an iteration and no more iterations than couplings; returns the
-/// solutions of A it took.
-int solve_coupled(FrictionProblem& problem, const std::vector<Coupling>& couplings, const VectorXd& b,
-                  VectorXd& x);
+/// A term row * rate * column^T of the matrix: `row` is the slip that friction acts along, `column` the gap
+/// that it follows.
+struct Coupling {
+  const AffineForm* row;
+  const AffineForm* column;
+  double rate;
+};
+
+/// x = A^-1 b of a symmetric A that is factorized.
+using LinearSolution = std::function<void(const VectorXd& b, VectorXd& x)>;
+
+/// x with (A + sum of row * rate * column^T) x = b. GMRES on the values of column^T x, with a solution of A
+/// an iteration, to `tolerance` of what they are without the couplings.
+void solve_coupled(const LinearSolution& solve, const std::vector<Coupling>& couplings, const VectorXd& b,
+                   double tolerance, VectorXd& x);
 
 }  // namespace ddacontact

@@ -1,7 +1,7 @@
 /// \file What is left of a step when rotations, contact normals and friction bounds are frozen.
 #pragma once
 
-#include <ddacontact/solver/contact_term.hpp>
+#include <ddacontact/solver/coupled_solution.hpp>
 #include <ddacontact/solver/line_search.hpp>
 #include <polyfem/assembly/pattern_matrix.hpp>
 
@@ -9,14 +9,6 @@
 #include <vector>
 
 namespace ddacontact {
-
-/// A term row * rate * column^T of the matrix: `row` is the slip that friction acts along, `column` the gap
-/// that it follows.
-struct Coupling {
-  const AffineForm* row;
-  const AffineForm* column;
-  double rate;
-};
 
 /// When FrictionProblem::minimize ends.
 struct MinimizeOptions {

@@ -169,12 +169,6 @@ class Staged {
   static double friction_under(const JointLaw& law, double N) {
     return N < 0 ? law.friction * N : shear_bound(law, N, false);
   }
-  /// Its derivative by N.
-  static double friction_rate(const JointLaw& law, double N) {
-    if (!law.friction_law || N <= 0) return law.friction;
-    const double step = 1e-6 * N;
-    return (shear_bound(law, N + step, false) - shear_bound(law, N - step, false)) / (2 * step);
-  }
 
   /// The forces when the springs of this state act, however far: not clipped.
   ContactForce force_in_state(std::size_t c) const {

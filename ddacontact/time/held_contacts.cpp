@@ -1,14 +1,13 @@
 #include <ddacontact/time/held_contacts.hpp>
 
-#include <ddacontact/solver/anderson.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
-#include <ddacontact/time/rigid_velocities.hpp>
+#include <ddacontact/time/hold.hpp>
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace ddacontact {
@@ -17,12 +16,15 @@ namespace {
 
 /// Rates of closed contacts below this part of what gravity makes in the step are left to themselves.
 constexpr double negligible_rate = 1e-9;
-/// Of normal impulses and the friction that goes with them, when rates are taken out.
-constexpr int most_friction_rounds = 30, anderson_depth = 5;
-/// So many rounds have to bring them nearer by half, or it is given up.
-constexpr int patient_rounds = 4;
-/// They agree to this part of the largest.
-constexpr double settled_friction = 1e-9;
+/// What friction follows the impulses is found in so many rounds.
+constexpr int most_friction_rounds = 6;
+
+/// How the friction of a contact that is not held along its edge goes with the impulses.
+enum class Rubs : char {
+  follows,   ///< it is at its bound under what the contact bears then
+  relieved,  ///< the contact bears nothing then, and no friction
+  stays      ///< to follow would make energy: the contact sticks by its elasticity
+};
 
 /// How velocities change gap and slip at the end of a step.
 HeldContact rates_at(const Contact& contact, const VectorXd& d) {
@@ -42,14 +44,6 @@ std::pair<int, int> blocks_of(const Contact& contact) {
   return std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
 }
 
-/// Adds the impulses of a jump, by contact.
-void add_impulses(const JumpReport& report, VectorXd& normal, VectorXd& sticking) {
-  for (std::size_t c = 0; c < report.impulses.size(); ++c) {
-    normal[static_cast<Index>(c)] += report.impulses[c].normal;
-    sticking[static_cast<Index>(c)] += report.impulses[c].shear;
-  }
-}
-
 /// What supports in motion do through impulses, J per m.
 double work_of_supports(const BlockSystem& blocks, const std::vector<HeldContact>& contacts,
                         const VectorXd& normal, const VectorXd& shear, const VectorXd& velocity) {
@@ -63,17 +57,11 @@ double work_of_supports(const BlockSystem& blocks, const std::vector<HeldContact
   return work;
 }
 
-/// Impulses on the unknowns of free blocks, as rigid bodies.
-void push(const BlockSystem& blocks, const VectorXd& impulses, VectorXd& velocity) {
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (!blocks.is_free(b)) continue;
-    const Block& block = blocks.block(b);
-    const Range& u = block.unknowns();
-    const auto& modes = block.rigid_modes();
-    const Vec3 inertia = (modes.transpose() * block.times_mass(modes)).diagonal();
-    velocity.segment(u.first, u.count) +=
-        modes * (modes.transpose() * impulses.segment(u.first, u.count)).cwiseQuotient(inertia);
-  }
+HeldFriction friction_of(const Contact& contact, Rubs rubs, double dt) {
+  const auto& [law, N, T] = std::tie(contact.law, contact.normal, contact.shear);
+  if (rubs == Rubs::stays) return {};
+  if (rubs == Rubs::relieved) return {0, -dt * T};
+  return {std::copysign(friction_rate(law, N), T), dt * (std::copysign(shear_bound(law, N, false), T) - T)};
 }
 
 }  // namespace
@@ -84,15 +72,18 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   std::vector<HeldContact> held;
   std::vector<const Contact*> contacts;
   bool moves = false;
-  // Where one contact of two blocks slides the others slide with it, rigid as the blocks are here.
-  std::set<std::pair<int, int>> sliding;
+  // Where one contact of two blocks slides the others slide with it, rigid as the blocks are here. By blocks:
+  // what friction has taken in the step, which impulses may give back.
+  std::map<std::pair<int, int>, double> rubbed;
   for (const Contact& contact : all)
-    if (contact.normal > 0 && is_slipping(contact.history.state)) sliding.insert(blocks_of(contact));
+    if (contact.normal > 0 && is_slipping(contact.history.state))
+      rubbed[blocks_of(contact)] -= contact.shear * contact.slip.change(d);
   for (std::size_t c = 0; c < all.size(); ++c) {
     const Contact& contact = all[c];
     if (contact.normal <= 0 || (!parted.empty() && parted[c]) || carries_waves(blocks, contact, dt)) continue;
     HeldContact rates = rates_at(contact, d);
-    rates.tangential = contact.history.state == ContactState::stick && !sliding.contains(blocks_of(contact));
+    rates.tangential = contact.history.state == ContactState::stick &&
+                       !rubbed.contains(blocks_of(contact));
     const double negligible =
         std::max(negligible_rate * blocks.gravity.norm() * dt, 1e-12 * contact.size / dt);
     moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
@@ -103,70 +94,47 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   if (!moves) return {};
   blocks.prepare(next);
   const VectorXd moving = next.velocity;
-  Hold hold(blocks, held);
-  const JumpReport first = hold.jump(moving);
-  next.velocity += first.jump;
-  const VectorXd without_friction = next.velocity;
+  const Hold hold(blocks, held);
+  const VectorXd jump = hold.jump(moving);
+  next.velocity += jump;
 
-  // Friction of sliding contacts follows the normal impulses, which follow it.
-  VectorXd normal = VectorXd::Zero(static_cast<Index>(held.size())), sticking = normal, shear = normal;
-  add_impulses(first, normal, sticking);
-  AndersonAcceleration acceleration(anderson_depth);
-  HeldReport report;
-  report.settled = false;
-  double best = std::numeric_limits<double>::infinity();
-  int since_best = 0;
+  std::vector<std::size_t> rubbing;
+  for (std::size_t c = 0; c < held.size(); ++c)
+    if (!held[c].tangential && contacts[c]->law.has_friction()) rubbing.push_back(c);
+  if (rubbing.empty()) return {};
+  std::vector<Rubs> rubs(held.size(), Rubs::stays);
+  std::vector<HeldFriction> friction(held.size());
+  for (std::size_t c : rubbing) rubs[c] = Rubs::follows;
+  HeldReport report{0, false};
   for (int round = 0; round < most_friction_rounds && !report.settled; ++round) {
-    VectorXd change = VectorXd::Zero(normal.size());
-    double largest = 0, scale = 0;
-    for (std::size_t c = 0; c < held.size(); ++c) {
-      const Contact& contact = *contacts[c];
-      if (held[c].tangential || !contact.law.has_friction()) continue;
-      const Index k = static_cast<Index>(c);
-      const double N = std::max(0.0, contact.normal + normal[k] / dt);
-      change[k] =
-          dt * (std::copysign(shear_bound(contact.law, N, false), contact.shear) - contact.shear) - shear[k];
-      largest = std::max(largest, std::abs(change[k]));
-      scale = std::max(scale, dt * std::abs(contact.shear) + std::abs(shear[k]));
+    for (std::size_t c : rubbing) friction[c] = friction_of(*contacts[c], rubs[c], dt);
+    const HeldJump with_friction = hold.with_friction(jump, friction);
+    next.velocity = moving + with_friction.velocity;
+    report = {0, true};
+    for (std::size_t c : rubbing) {
+      const auto k = static_cast<Index>(c);
+      const double loss = -with_friction.shear[k] *
+                          (held[c].slip.change(moving) + held[c].slip.change(next.velocity)) / 2;
+      report.friction_loss += loss;
+      const auto of_blocks = rubbed.find(blocks_of(*contacts[c]));
+      const double given_back = std::max(0.0, of_blocks == rubbed.end() ? 0 : of_blocks->second);
+      Rubs now = contacts[c]->normal + with_friction.normal[k] / dt < 0 ? Rubs::relieved : Rubs::follows;
+      if (rubs[c] == Rubs::stays || loss + given_back < 0) now = Rubs::stays;
+      if (now != rubs[c]) report.settled = false;
+      rubs[c] = now;
     }
-    report.settled = largest <= settled_friction * scale;
-    if (report.settled) break;
-    if (largest <= best / 2) {
-      best = largest;
-      since_best = 0;
-    } else if (++since_best == patient_rounds) {
-      break;
-    }
-    const VectorXd was = shear;
-    acceleration.advance(change, VectorXd::Ones(change.size()), shear);
-    VectorXd impulses = VectorXd::Zero(next.velocity.size());
-    for (std::size_t c = 0; c < held.size(); ++c) {
-      const Index k = static_cast<Index>(c);
-      held[c].slip.add_gradient(shear[k] - was[k], impulses);
-    }
-    push(blocks, impulses, next.velocity);
-    const JumpReport again = hold.jump(next.velocity);
-    next.velocity += again.jump;
-    add_impulses(again, normal, sticking);
+    double rubbed_at_all = 0;
+    for (const auto& [of, loss] : rubbed) rubbed_at_all += loss;
+    // Written so that what is not a number is refused.
+    if (report.settled)
+      report.settled =
+          kinetic_energy(blocks, next.velocity) <=
+          kinetic_energy(blocks, moving) + std::max(rubbed_at_all, 0.0) +
+              work_of_supports(blocks, held, with_friction.normal, with_friction.shear, next.velocity);
   }
-  // It may give back friction of the step that was too much, but no more.
-  double rubbed = 0;
-  for (std::size_t c = 0; c < held.size(); ++c) {
-    const Contact& contact = *contacts[c];
-    const double rates = held[c].slip.change(moving) + held[c].slip.change(next.velocity);
-    report.friction_loss -= shear[static_cast<Index>(c)] * rates / 2;
-    if (is_slipping(contact.history.state)) rubbed -= contact.shear * contact.slip.change(d);
-  }
-  // Written so that what is not a number is refused.
-  const bool sound = report.friction_loss + rubbed >= 0 &&
-                     kinetic_energy(blocks, next.velocity) <=
-                         kinetic_energy(blocks, moving) + std::max(rubbed, 0.0) +
-                             work_of_supports(blocks, held, normal, shear + sticking, next.velocity);
-  if (!report.settled || !sound) {
-    next.velocity = without_friction;
-    report = {0, false};
-  }
-  return report;
+  if (report.settled) return report;
+  next.velocity = moving + jump;
+  return {0, false};
 }
 
 }  // namespace ddacontact

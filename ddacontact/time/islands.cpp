@@ -6,13 +6,11 @@ namespace ddacontact {
 
 Islands::Islands(const BlockSystem& blocks) : blocks_(&blocks), parent_(blocks.n_blocks()) {
   std::iota(parent_.begin(), parent_.end(), 0);
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    block_of_unknown_.insert(block_of_unknown_.end(), blocks.block(b).n_unknowns(), b);
 }
 
 int Islands::first_movable(const AffineForm& form) const {
   for (int u : form.unknowns())
-    if (blocks_->is_movable(block_of_unknown_[u])) return block_of_unknown_[u];
+    if (blocks_->is_movable(blocks_->block_of_unknown(u))) return blocks_->block_of_unknown(u);
   return -1;
 }
 
@@ -24,7 +22,7 @@ int Islands::root(int b) const {
 void Islands::join(const AffineForm& form) {
   const int first = first_movable(form);
   for (int u : form.unknowns())
-    if (const int b = block_of_unknown_[u]; blocks_->is_movable(b)) parent_[root(b)] = root(first);
+    if (const int b = blocks_->block_of_unknown(u); blocks_->is_movable(b)) parent_[root(b)] = root(first);
 }
 
 void Islands::hit(const AffineForm& form) {

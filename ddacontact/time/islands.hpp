@@ -14,7 +14,6 @@ class Islands {
   explicit Islands(const BlockSystem& blocks);
 
   const BlockSystem& blocks() const { return *blocks_; }
-  int block_of_unknown(int unknown) const { return block_of_unknown_[unknown]; }
 
   /// The movable blocks on which a contact's form depends are of one island.
   void join(const AffineForm& form);
@@ -31,7 +30,6 @@ class Islands {
   const BlockSystem* blocks_;
   mutable std::vector<int>
       parent_;  ///< towards the block that stands for the island; paths are cut on the way
-  std::vector<int> block_of_unknown_;
   std::set<int> hit_;  ///< roots
 };
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 
 namespace ddacontact {
@@ -16,8 +15,6 @@ namespace ddacontact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-constexpr double hold_tolerance = 1e-12;  ///< of the largest rate to take out
 
 NormalAndShear zeros(Index n) {
   return {VectorXd::Zero(n), VectorXd::Zero(n)};
@@ -43,7 +40,7 @@ NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& v
 VectorXd rigid_part(const Islands& islands, const std::vector<ContactTerm>& terms, const VectorXd& v) {
   std::set<int> touched;
   for (const ContactTerm& term : terms)
-    for (int u : term.gap.unknowns()) touched.insert(islands.block_of_unknown(u));
+    for (int u : term.gap.unknowns()) touched.insert(islands.blocks().block_of_unknown(u));
   VectorXd rigid = VectorXd::Zero(v.size());
   for (int b : touched) {
     const Block& block = islands.blocks().block(b);
@@ -225,75 +222,6 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   for (std::size_t k = 0; k < of.contacts.size(); ++k)
     report.impulses[of.contacts[k]] = {total.normal[static_cast<Index>(k)],
                                        total.shear[static_cast<Index>(k)]};
-  setting.finish(total, report);
-  return report;
-}
-
-struct Hold::Problem {
-  Islands islands;
-  std::vector<std::size_t> holding;  ///< indices of contacts
-  std::vector<bool> tangential_alone;
-  std::vector<ContactTerm> terms;
-  std::optional<Setting> setting;
-  std::size_t n_contacts;
-  int n_unknowns;
-
-  Problem(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
-      : islands(blocks), n_contacts(contacts.size()), n_unknowns(blocks.n_unknowns()) {
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const HeldContact& contact = contacts[c];
-      if (!contact.normal && !contact.tangential) continue;
-      islands.join(contact.gap);
-      ContactTerm term{.gap = contact.normal ? contact.gap : contact.slip, .slip = contact.slip};
-      term.normal = ContactTerm::Normal::bilateral;
-      term.sheared = contact.normal && contact.tangential;
-      term.bound = infinity;
-      holding.push_back(c);
-      tangential_alone.push_back(!contact.normal);
-      terms.push_back(term);
-    }
-    for (const ContactTerm& term : terms) islands.hit(term.gap);
-    if (!terms.empty()) setting.emplace(blocks, islands, terms);
-  }
-
-  double largest_rate(const VectorXd& v) const {
-    double largest = 0;
-    for (const ContactTerm& term : terms) {
-      largest = std::max(largest, std::abs(term.gap.change(v)));
-      if (term.sheared) largest = std::max(largest, std::abs(term.slip.change(v)));
-    }
-    return largest;
-  }
-};
-
-Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
-    : problem_(std::make_unique<Problem>(blocks, contacts)) {}
-Hold::~Hold() = default;
-
-JumpReport Hold::jump(const VectorXd& v) {
-  auto& [islands, holding, tangential_alone, terms, held, n_contacts, n_unknowns] = *problem_;
-  JumpReport report;
-  report.jump = VectorXd::Zero(n_unknowns);
-  report.impulses.resize(n_contacts);
-  const double largest = problem_->largest_rate(v);
-  if (largest == 0) return report;
-
-  Setting& setting = *held;
-  setting.set_velocity(islands, terms, v);
-  const NormalAndShear none = zeros(static_cast<Index>(terms.size()));
-  setting.problem.set_impulses(none);
-  report.settled = setting.problem.solve(setting.rates, hold_tolerance * largest);
-  report.solves = 1;
-  report.largest_rate = setting.problem.largest_rate();
-  const NormalAndShear whole = setting.problem.impulses();
-  const double part = setting.largest_part(none, whole);
-  report.limited = part < 1;
-  const NormalAndShear total = between(none, whole, part);
-  for (std::size_t k = 0; k < holding.size(); ++k) {
-    const double normal = total.normal[static_cast<Index>(k)], shear = total.shear[static_cast<Index>(k)];
-    report.impulses[holding[k]] =
-        tangential_alone[k] ? ContactImpulse{0, normal} : ContactImpulse{normal, shear};
-  }
   setting.finish(total, report);
   return report;
 }

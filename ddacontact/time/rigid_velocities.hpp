@@ -1,9 +1,8 @@
-/// \file Jumps of velocity of blocks as rigid bodies: impacts, and rates taken out of closed contacts.
+/// \file Jumps of velocity of blocks as rigid bodies that collide.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
 
-#include <memory>
 #include <vector>
 
 namespace ddacontact {
@@ -53,29 +52,5 @@ struct JumpReport {
 /// rises.
 JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
                   const ImpactOptions& options);
-
-/// A contact whose rates shall vanish.
-struct HeldContact {
-  AffineForm gap, slip;  ///< over the same unknowns in the same order
-  bool normal = true, tangential = false;
-};
-
-/// Contacts whose rates are to be taken out, of velocities as many as it takes.
-class Hold {
- public:
-  /// \param[in] blocks  prepared for the shapes meant; they must stay so
-  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts);
-  ~Hold();
-  Hold(const Hold&) = delete;
-  Hold& operator=(const Hold&) = delete;
-
-  /// The jump of least kinetic energy of the velocities v, rigid in each block, after which the rates named
-  /// vanish. Contacts may say the same more than once. The kinetic energy never rises.
-  JumpReport jump(const VectorXd& v);
-
- private:
-  struct Problem;
-  std::unique_ptr<Problem> problem_;
-};
 
 }  // namespace ddacontact

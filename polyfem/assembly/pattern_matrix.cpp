@@ -97,6 +97,11 @@ void PatternMatrix::set_zero() {
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.);
 }
 
+void PatternMatrix::set_identity() {
+  set_zero();
+  for (int c = 0; c < lower_.cols(); ++c) lower_.valuePtr()[lower_.outerIndexPtr()[c]] = 1;
+}
+
 // A pair i > j stands for the entries (i, j) and (j, i) of the element. They fall on (r, c) and (c, r), of
 // which only the lower one is stored, unless both rows are the same: then both fall on the diagonal.
 

@@ -37,6 +37,8 @@ class PatternMatrix {
   bool set_connectivity(int n_rows, const Connectivity& connectivity);
 
   void set_zero();
+  /// 1 on the diagonal.
+  void set_identity();
   /// Adds a dense symmetric matrix (k x k for the k rows of the element, left-out rows included).
   void add(int element, const Eigen::Ref<const MatrixXd>& matrix);
   /// Adds factor * a a^T.

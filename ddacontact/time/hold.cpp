@@ -1,0 +1,143 @@
+#include <ddacontact/time/hold.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace ddacontact {
+
+namespace {
+
+/// Springs against rates over the largest mass: a round leaves the inverse of this of an error, more in long
+/// chains, and round-off times it.
+constexpr double stiffness_factor = 1e6;
+constexpr int most_rounds = 10;
+/// The last round is that after which one would move less than this part of all, or that gains less than half.
+constexpr double small_motion = 1e-9;
+constexpr double friction_tolerance = 1e-6;
+
+/// The movable blocks that contacts depend on, ascending.
+std::vector<int> blocks_of(const BlockSystem& blocks, const std::vector<HeldContact>& contacts) {
+  std::vector<char> touched(static_cast<std::size_t>(blocks.n_blocks()), 0);
+  for (const HeldContact& contact : contacts)
+    for (int u : contact.gap.unknowns()) touched[blocks.block_of_unknown(u)] = 1;
+  std::vector<int> found;
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    if (touched[b] && blocks.is_movable(b)) found.push_back(b);
+  return found;
+}
+
+}  // namespace
+
+Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
+    : blocks_(blocks),
+      contacts_(contacts),
+      motions_(blocks, blocks_of(blocks, contacts)),
+      stiffness_(stiffness_factor * motions_.largest_mass()) {
+  for (const HeldContact& contact : contacts)
+    of_coefficients_.push_back(
+        {motions_.rate_form(contact.gap), motions_.rate_form(contact.slip), contact.tangential});
+  factorize();
+}
+
+void Hold::factorize() {
+  polyfem::Connectivity elements;
+  for (const HeldContact& contact : of_coefficients_) elements.append(contact.gap.unknowns());
+  const int n = motions_.n_coefficients();
+  polyfem::PatternMatrix matrix;
+  matrix.set_connectivity(n, elements);
+  matrix.set_identity();
+  for (std::size_t c = 0; c < of_coefficients_.size(); ++c) {
+    const HeldContact& contact = of_coefficients_[c];
+    const int element = static_cast<int>(c);
+    matrix.add_outer(element, stiffness_, contact.gap.coefficients());
+    if (contact.tangential) matrix.add_outer(element, stiffness_, contact.slip.coefficients());
+  }
+  cholesky_.analyze(matrix.lower());
+  if (!cholesky_.factorize(matrix.lower())) throw std::logic_error("a sum of squares is not positive");
+}
+
+Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v) const {
+  const auto n = static_cast<Index>(forms.size());
+  Rates rates{VectorXd(n), VectorXd(n)};
+  for (Index c = 0; c < n; ++c) {
+    const HeldContact& form = forms[static_cast<std::size_t>(c)];
+    rates.gap[c] = form.gap.change(v);
+    rates.slip[c] = form.tangential ? form.slip.change(v) : 0;
+  }
+  return rates;
+}
+
+/// The motion q with q + sum of gradient * stiffness * (rate + change by q) = 0, in rounds: the springs'
+/// forces of a round are added to the impulses, which the next one starts from. With friction the gap's
+/// force acts along the slip too.
+VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, Rates& impulses) const {
+  const auto n = static_cast<Index>(of_coefficients_.size());
+  std::vector<Coupling> couplings;
+  for (std::size_t c = 0; c < friction.size(); ++c)
+    if (friction[c].rate != 0)
+      couplings.push_back(
+          {&of_coefficients_[c].slip, &of_coefficients_[c].gap, friction[c].rate * stiffness_});
+  impulses = {VectorXd::Zero(n), VectorXd::Zero(n)};
+  VectorXd q = VectorXd::Zero(motions_.n_coefficients()), force(q.size()), move;
+  const auto solve = [&](const VectorXd& b, VectorXd& x) { cholesky_.solve(b, x); };
+  double last = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds; ++round) {
+    force.setZero();
+    for (Index c = 0; c < n; ++c) {
+      const HeldContact& form = of_coefficients_[static_cast<std::size_t>(c)];
+      const double normal = -stiffness_ * left.gap[c], shear = -stiffness_ * left.slip[c];
+      form.gap.add_gradient(normal, force);
+      if (form.tangential) form.slip.add_gradient(shear, force);
+      if (friction.empty()) continue;
+      const HeldFriction& by = friction[static_cast<std::size_t>(c)];
+      form.slip.add_gradient(by.rate * normal + (round == 0 ? by.given : 0), force);
+    }
+    solve_coupled(solve, couplings, force, friction_tolerance, move);
+    q += move;
+    const Rates change = rates(of_coefficients_, move);
+    left.gap += change.gap;
+    left.slip += change.slip;
+    impulses.gap -= stiffness_ * left.gap;
+    impulses.slip -= stiffness_ * left.slip;
+    const double moved = move.norm();
+    const double next = moved * std::min(1.0, moved / last);
+    if (next <= small_motion * q.norm() || moved > last / 2) break;
+    last = moved;
+  }
+  return q;
+}
+
+VectorXd Hold::jump(const VectorXd& v) const {
+  Rates left = rates(contacts_, v), impulses;
+  VectorXd q = take_out(left, {}, impulses);
+
+  // What it takes from the kinetic energy and from what moves the supports is linear - quadratic in q.
+  double taken = -q.dot(motions_.coefficients(v));
+  VectorXd of_supports = VectorXd::Zero(v.size());
+  for (const HeldUnknown& held : blocks_.held_unknowns()) of_supports[held.unknown] = v[held.unknown];
+  if (!of_supports.isZero(0)) {
+    const Rates by_supports = rates(contacts_, of_supports);
+    Rates like = rates(of_coefficients_, -q);
+    take_out(like, {}, impulses);
+    taken -= impulses.gap.dot(by_supports.gap) + impulses.slip.dot(by_supports.slip);
+  }
+  const double most = q.squaredNorm() / 2;
+  if (taken < most) q *= std::max(0.0, taken / most);
+  VectorXd jump = VectorXd::Zero(v.size());
+  motions_.add_motion(q, jump);
+  return jump;
+}
+
+HeldJump Hold::with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction) const {
+  Rates left = rates(contacts_, -jump), impulses;
+  const VectorXd q = take_out(left, friction, impulses);
+  HeldJump result{VectorXd::Zero(jump.size()), impulses.gap, impulses.slip};
+  for (std::size_t c = 0; c < friction.size(); ++c)
+    result.shear[static_cast<Index>(c)] +=
+        friction[c].rate * impulses.gap[static_cast<Index>(c)] + friction[c].given;
+  motions_.add_motion(q, result.velocity);
+  return result;
+}
+
+}  // namespace ddacontact

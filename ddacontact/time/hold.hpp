@@ -1,0 +1,60 @@
+/// \file Rates of contacts taken out of velocities by rigid motions of the blocks.
+#pragma once
+
+#include <ddacontact/solver/coupled_solution.hpp>
+#include <ddacontact/time/rigid_motions.hpp>
+#include <polyfem/assembly/pattern_matrix.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// A contact whose gap's rate shall vanish.
+struct HeldContact {
+  AffineForm gap, slip;     ///< over the same unknowns in the same order; of them only coefficients matter
+  bool tangential = false;  ///< the slip's rate shall vanish too
+};
+
+/// What normal impulses make friction do: shear impulse = rate * normal impulse + given.
+struct HeldFriction {
+  double rate = 0, given = 0;
+};
+
+/// Impulses, N s per m of thickness, and the change of all velocities that they make.
+struct HeldJump {
+  VectorXd velocity;
+  VectorXd normal, shear;  ///< of every contact, on its gap and on its slip
+};
+
+/// Contacts that are held. The rates of deforming blocks may contradict each other as far as rigid motions
+/// go, so that impulses that move nothing would grow without end: springs that resist what is left of the
+/// rates find motions of least squares instead, in rounds, each on what the last one left.
+class Hold {
+ public:
+  /// \param[in] blocks  prepared for the shapes meant; they must stay so
+  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts);
+
+  /// The change of velocity, a rigid motion of each block of least kinetic energy, that leaves the least
+  /// squares of the rates that velocities v have. Shortened where it would make energy.
+  VectorXd jump(const VectorXd& v) const;
+  /// The impulses of a jump, and what they move with the friction that they make, one for every contact.
+  HeldJump with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction) const;
+
+ private:
+  /// Of every contact that is held in this direction; 0 of others.
+  struct Rates {
+    VectorXd gap, slip;
+  };
+  Rates rates(const std::vector<HeldContact>& forms, const VectorXd& v) const;
+  void factorize();
+  VectorXd take_out(Rates& left, const std::vector<HeldFriction>& friction, Rates& impulses) const;
+
+  const BlockSystem& blocks_;
+  const std::vector<HeldContact>& contacts_;
+  RigidMotions motions_;
+  std::vector<HeldContact> of_coefficients_;  ///< contacts_ as forms of the coefficients of motions_
+  double stiffness_;
+  mutable polyfem::Cholesky cholesky_;  ///< of 1 + stiffness_ * sum of gradient * gradient^T
+};
+
+}  // namespace ddacontact
