@@ -21,14 +21,14 @@ constexpr int anderson_depth = 8, bounds_depth = 5;
 /// forces on a block.
 constexpr double negligible_force = 1e-9;
 /// Stage 0 gives up after so many changes of the states, and may be returned to so often.
-constexpr int most_changes = 12, most_returns = 3;
-/// It also gives up when so many changes left no fewer contacts in a state that is not theirs.
-constexpr int most_losses = 1;
+constexpr int most_changes = 25, most_returns = 3;
+/// It also gives up when so many changes in a row left no fewer contacts in a state that is not theirs.
+constexpr int most_losses = 4;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
 constexpr int most_solutions_of_states = 6;
-constexpr double sufficient_decrease = 1e-4;
+constexpr double sufficient_decrease = 1e-2;
 /// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
 /// that have turned since leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
@@ -237,12 +237,15 @@ class Staged {
     look();
   }
 
-  /// Whether the law gives another force than the springs of the state, by what counts.
-  bool disagrees(std::size_t c) const {
-    if (state_at_d(c) == states_[c]) return false;
+  /// The force by which the law differs from the springs of the state.
+  double distance_from_law(std::size_t c) const {
+    if (state_at_d(c) == states_[c]) return 0;
     const ContactForce law = contact_force(terms_[c], d_);
-    return std::hypot(forces_[c].normal - law.normal, forces_[c].shear - law.shear) >
-           negligible_force * report_.residual.scale;
+    return std::hypot(forces_[c].normal - law.normal, forces_[c].shear - law.shear);
+  }
+  /// Whether that counts.
+  bool disagrees(std::size_t c) const {
+    return distance_from_law(c) > negligible_force * report_.residual.scale;
   }
   int count_disagreeing() const {
     int count = 0;
@@ -257,6 +260,28 @@ class Staged {
     const unsigned char next = state_at_d(c);
     const bool turns = ((states_[c] | next) & (at_upper | at_lower)) == (at_upper | at_lower);
     return turns ? static_cast<unsigned char>((next & pressed) | stuck) : next;
+  }
+
+  /// Gives every contact that disagrees its next state; when that has been seen before, the one that is
+  /// furthest from its law. False: that too.
+  bool change_states() {
+    std::vector<unsigned char> all = states_;
+    std::size_t worst = 0;
+    double furthest = 0;
+    for (std::size_t c = 0; c < terms_.size(); ++c) {
+      const double off = distance_from_law(c);
+      if (off <= negligible_force * report_.residual.scale) continue;
+      all[c] = next_state(c);
+      if (off > furthest) {
+        furthest = off;
+        worst = c;
+      }
+    }
+    if (seen_.contains(all))
+      states_[worst] = next_state(worst);
+    else
+      states_ = std::move(all);
+    return seen_.insert(states_).second;
   }
 
   /// Whether the law's own forces at d leave balance: the states are then those of the law.
@@ -312,11 +337,9 @@ class Staged {
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
       const int disagreeing = count_disagreeing();
-      if (disagreeing >= fewest_disagreeing_ && ++lost_ > most_losses) return leave_states();
+      lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      for (std::size_t c = 0; c < terms_.size(); ++c)
-        if (disagrees(c)) states_[c] = next_state(c);
-      if (!seen_.insert(states_).second || ++changes_ > most_changes) return leave_states();
+      if (lost_ > most_losses || ++changes_ > most_changes || !change_states()) return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
       look();

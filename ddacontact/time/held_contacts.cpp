@@ -82,8 +82,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     const Contact& contact = all[c];
     if (contact.normal <= 0 || (!parted.empty() && parted[c]) || carries_waves(blocks, contact, dt)) continue;
     HeldContact rates = rates_at(contact, d);
-    rates.tangential = contact.history.state == ContactState::stick &&
-                       !rubbed.contains(blocks_of(contact));
+    rates.tangential = contact.history.state == ContactState::stick && !rubbed.contains(blocks_of(contact));
     const double negligible =
         std::max(negligible_rate * blocks.gravity.norm() * dt, 1e-12 * contact.size / dt);
     moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
@@ -113,8 +112,8 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     report = {0, true};
     for (std::size_t c : rubbing) {
       const auto k = static_cast<Index>(c);
-      const double loss = -with_friction.shear[k] *
-                          (held[c].slip.change(moving) + held[c].slip.change(next.velocity)) / 2;
+      const double loss =
+          -with_friction.shear[k] * (held[c].slip.change(moving) + held[c].slip.change(next.velocity)) / 2;
       report.friction_loss += loss;
       const auto of_blocks = rubbed.find(blocks_of(*contacts[c]));
       const double given_back = std::max(0.0, of_blocks == rubbed.end() ? 0 : of_blocks->second);

@@ -12,8 +12,8 @@ namespace {
 /// chains, and round-off times it.
 constexpr double stiffness_factor = 1e6;
 constexpr int most_rounds = 10;
-/// The last round is that after which one would move less than this part of all, or that gains less than half.
-constexpr double small_motion = 1e-9;
+/// A round that moves less than this part of all is the last one, and so is one that gains less than half.
+constexpr double small_motion = 1e-7;
 constexpr double friction_tolerance = 1e-6;
 
 /// The movable blocks that contacts depend on, ascending.
@@ -68,9 +68,9 @@ Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v
   return rates;
 }
 
-/// The motion q with q + sum of gradient * stiffness * (rate + change by q) = 0, in rounds: the springs'
-/// forces of a round are added to the impulses, which the next one starts from. With friction the gap's
-/// force acts along the slip too.
+/// The motion q that impulses make, q = sum of gradient * impulse, while springs against what is left of the
+/// rates add to the impulses in every round; normal impulses make friction along the slip. A round solves for
+/// what its equation lacks, so that it also repairs what the last solution left.
 VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, Rates& impulses) const {
   const auto n = static_cast<Index>(of_coefficients_.size());
   std::vector<Coupling> couplings;
@@ -79,21 +79,21 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
       couplings.push_back(
           {&of_coefficients_[c].slip, &of_coefficients_[c].gap, friction[c].rate * stiffness_});
   impulses = {VectorXd::Zero(n), VectorXd::Zero(n)};
-  VectorXd q = VectorXd::Zero(motions_.n_coefficients()), force(q.size()), move;
+  VectorXd q = VectorXd::Zero(motions_.n_coefficients()), lacking, move;
   const auto solve = [&](const VectorXd& b, VectorXd& x) { cholesky_.solve(b, x); };
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds; ++round) {
-    force.setZero();
+    lacking = -q;
     for (Index c = 0; c < n; ++c) {
-      const HeldContact& form = of_coefficients_[static_cast<std::size_t>(c)];
-      const double normal = -stiffness_ * left.gap[c], shear = -stiffness_ * left.slip[c];
-      form.gap.add_gradient(normal, force);
-      if (form.tangential) form.slip.add_gradient(shear, force);
-      if (friction.empty()) continue;
-      const HeldFriction& by = friction[static_cast<std::size_t>(c)];
-      form.slip.add_gradient(by.rate * normal + (round == 0 ? by.given : 0), force);
+      const std::size_t k = static_cast<std::size_t>(c);
+      const HeldContact& form = of_coefficients_[k];
+      const double normal = impulses.gap[c] - stiffness_ * left.gap[c];
+      double shear = form.tangential ? impulses.slip[c] - stiffness_ * left.slip[c] : 0;
+      if (!friction.empty()) shear += friction[k].rate * normal + friction[k].given;
+      form.gap.add_gradient(normal, lacking);
+      form.slip.add_gradient(shear, lacking);
     }
-    solve_coupled(solve, couplings, force, friction_tolerance, move);
+    solve_coupled(solve, couplings, lacking, friction_tolerance, move);
     q += move;
     const Rates change = rates(of_coefficients_, move);
     left.gap += change.gap;
@@ -101,8 +101,7 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
     impulses.gap -= stiffness_ * left.gap;
     impulses.slip -= stiffness_ * left.slip;
     const double moved = move.norm();
-    const double next = moved * std::min(1.0, moved / last);
-    if (next <= small_motion * q.norm() || moved > last / 2) break;
+    if (moved <= small_motion * q.norm() || moved > last / 2) break;
     last = moved;
   }
   return q;

@@ -1,145 +1,10 @@
-#include <ddacontact/contact/kinematics.hpp>
-#include <ddacontact/time/rigid_velocities.hpp>
-#include <tests/ddacontact/simple_scenes.hpp>
+#include <tests/ddacontact/time/touching_blocks.hpp>
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 using namespace support;
-
-namespace {
-
-/// Blocks with velocities that are rigid motions, and their contacts where they touch.
-struct Impact {
-  BuiltScene built;
-  const BlockSystem& blocks;
-  VectorXd v;
-  std::vector<ImpactContact> contacts;
-
-  explicit Impact(const std::vector<BlockDescription>& of, double friction = 0, double restitution = 0,
-                  const std::vector<double>& densities = {2000, 2000, 2000})
-      : built(build(scene(of, densities))),
-        blocks(built.stepper->blocks()),
-        v(built.stepper->state().velocity) {
-    for (int a = 0; a < blocks.n_blocks(); ++a)
-      for (int b = 0; b < blocks.n_blocks(); ++b)
-        if (a != b) add_contacts(a, b, friction, restitution);
-  }
-
-  static Scene scene(const std::vector<BlockDescription>& of, const std::vector<double>& densities) {
-    Scene scene = rock_scene(0.01, 1);
-    scene.materials.resize(densities.size(), scene.materials[0]);
-    for (std::size_t m = 0; m < densities.size(); ++m) {
-      scene.materials[m].name = std::to_string(m);
-      scene.materials[m].density = densities[m];
-    }
-    scene.blocks = of;
-    return scene;
-  }
-
-  const Points& outlines() const { return blocks.reference(); }
-  Vec2 vertex(int b, int k) const {
-    const Range& of = blocks.block(b).vertices();
-    return outlines().col(of.first + k % of.count);
-  }
-  Vec2 centroid(int b) const { return blocks.block(b).centroid(); }
-
-  /// Vertices of a on edges of b; of two edges at a corner the one that faces a.
-  void add_contacts(int a, int b, double friction, double restitution) {
-    for (int i = 0; i < blocks.block(a).n_vertices(); ++i) {
-      int facing = -1;
-      double most = 0;
-      for (int e = 0; e < blocks.block(b).n_vertices(); ++e) {
-        const Vec2 j = vertex(b, e), along = (vertex(b, e + 1) - j).normalized(), x = vertex(a, i) - j;
-        const double s = x.dot(along), length = (vertex(b, e + 1) - j).norm();
-        if (std::abs(cross(along, x)) > 1e-9 || s < -1e-9 || s > length + 1e-9) continue;
-        const double faces = -cross(along, centroid(a) - vertex(a, i));
-        if (faces > most) {
-          most = faces;
-          facing = e;
-        }
-      }
-      if (facing >= 0) add_contact(a, i, b, facing, friction, restitution);
-    }
-  }
-  void add_contact(int a, int i, int b, int e, double friction, double restitution) {
-    const auto moving = [&](int of, int k) {
-      const int k_of = k % blocks.block(of).n_vertices();
-      return MovingPoint{vertex(of, k_of), blocks.block(of).vertex_map(k_of)};
-    };
-    const MovingPoint x = moving(a, i), j = moving(b, e), k = moving(b, e + 1);
-    ImpactContact contact;
-    contact.gap = gap_form(x, j, k);
-    contact.slip = slip_form(x, j, k, edge_fraction(x.x, j.x, k.x));
-    contact.friction = friction;
-    contact.restitution = restitution;
-    contacts.push_back(contact);
-  }
-
-  void set_velocity(int b, const Vec3& rigid) {
-    const Block& of = blocks.block(b);
-    v.segment(of.unknowns().first, of.n_unknowns()) = of.rigid_modes() * rigid;
-  }
-  JumpReport jump(double least_approach = 0) const {
-    return impact(blocks, contacts, v, {.least_approach = least_approach});
-  }
-  RigidVelocity velocity(int b, const VectorXd& of) const { return rigid_velocity(blocks.block(b), of); }
-
-  double energy(const VectorXd& of) const {
-    double sum = 0;
-    for (int b = 0; b < blocks.n_blocks(); ++b) {
-      const Range& u = blocks.block(b).unknowns();
-      const VectorXd part = of.segment(u.first, u.count);
-      sum += part.dot(blocks.block(b).mass() * part) / 2;
-    }
-    return sum;
-  }
-  /// And about the origin.
-  Vec3 momentum(const VectorXd& of) const {
-    Vec3 sum = Vec3::Zero();
-    for (int b = 0; b < blocks.n_blocks(); ++b) {
-      const Block& block = blocks.block(b);
-      const RigidVelocity rigid = velocity(b, of);
-      const Vec2 p = block.mass_total() * rigid.linear;
-      sum += Vec3(p.x(), p.y(), cross(centroid(b), p) + inertia(b) * rigid.angular);
-    }
-    return sum;
-  }
-  double inertia(int b) const {
-    const auto& modes = blocks.block(b).rigid_modes();
-    return modes.col(2).dot(blocks.block(b).mass() * modes.col(2));
-  }
-
-  /// What every outcome must satisfy: cone, energy and its accounts; nothing approaches.
-  void check(const JumpReport& report, double tolerance) const {
-    double fastest = 0;
-    for (const ImpactContact& contact : contacts)
-      fastest = std::max({fastest, std::abs(contact.gap.change(v)), std::abs(contact.slip.change(v))});
-    const VectorXd after = v + report.jump;
-    EXPECT_LE(energy(after), energy(v) * (1 + 1e-12));
-    EXPECT_NEAR(report.normal_loss + report.friction_loss, energy(v) - energy(after), 1e-10 * energy(v));
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const auto [N, T] = report.impulses[c];
-      if (!contacts[c].bonded) {
-        EXPECT_GE(N, 0);
-        EXPECT_LE(std::abs(T), contacts[c].friction * N * (1 + 1e-12));
-      }
-      if (report.settled) {
-        EXPECT_GE(contacts[c].gap.change(after), -tolerance * fastest);
-      }
-    }
-  }
-};
-
-BlockDescription of_material(int material, BlockDescription described) {
-  described.material = material;
-  return described;
-}
-
-const BlockDescription floor_block = block(rectangle(-50, -1, 100, 1), true);
-
-}  // namespace
 
 class Restitution : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Range, Restitution, testing::Values(0., 0.5, 0.8, 1.));
@@ -149,7 +14,7 @@ TEST_P(Restitution, OfABlockThatFallsFlatIsThatOfItsVelocity) {
   for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
     BlockDescription brick = block(rectangle(0, 0, 2, 1));
     brick.model = model;
-    Impact hit({floor_block, brick}, 0.5, e);
+    TouchingBlocks hit({floor_block, brick}, 0.5, e);
     ASSERT_EQ(hit.contacts.size(), 2u);
     hit.set_velocity(1, {0, -3, 0});
     const JumpReport report = hit.jump();
@@ -167,7 +32,7 @@ TEST_P(Restitution, OfACornerTurnsTheBlock) {
   const double e = GetParam();
   for (double angle : {0.1, 0.4, 0.7}) {
     Points brick = turned(rectangle(0, 0, 2, 1), angle);
-    Impact hit({floor_block, block(brick)}, 0, e);
+    TouchingBlocks hit({floor_block, block(brick)}, 0, e);
     ASSERT_EQ(hit.contacts.size(), 1u);
     hit.set_velocity(1, {1, -3, 0.5});
     const double r = hit.vertex(1, 0).x() - hit.centroid(1).x(), m = 4000, u = -3 + 0.5 * r;
@@ -187,7 +52,7 @@ TEST_P(Restitution, OfACornerTurnsTheBlock) {
 TEST_P(Restitution, SlidesOrSticksUnderFriction) {
   const double e = GetParam(), h = std::sqrt(0.5), m = 2000, speed = 2;
   for (double friction : {0.05, 0.1, 0.3, 1.}) {
-    Impact hit({floor_block, block(turned(rectangle(0, 0, 1, 1), radians(45)))}, friction, e);
+    TouchingBlocks hit({floor_block, block(turned(rectangle(0, 0, 1, 1), radians(45)))}, friction, e);
     ASSERT_EQ(hit.contacts.size(), 1u);
     hit.set_velocity(1, {speed, -3, 0});
     const double to_stick = speed / (1 / m + h * h / hit.inertia(1));
@@ -205,7 +70,7 @@ TEST_P(Restitution, OfTwoBlocksKeepsTheirMomentum) {
   const double e = GetParam();
   for (double offset : {0., 0.3, -0.6})
     for (double friction : {0., 0.4}) {
-      Impact hit({block(rectangle(-1, 0, 1, 1)), block(rectangle(0, offset, 1, 1))}, friction, e);
+      TouchingBlocks hit({block(rectangle(-1, 0, 1, 1)), block(rectangle(0, offset, 1, 1))}, friction, e);
       ASSERT_GE(hit.contacts.size(), 2u);
       hit.set_velocity(0, {4, 0.5, 0});
       hit.set_velocity(1, {-1, 0, 0});
@@ -224,7 +89,7 @@ TEST_P(Restitution, OfABlockHeldAtAVertexTurnsItAboutThatVertex) {
   const double e = GetParam();
   BlockDescription pendulum = block(rectangle(0, 0, 1, 2));
   pendulum.fixed_vertices = {3};  // (0, 2)
-  Impact hit({block(rectangle(-1, 0.2, 1, 0.4)), pendulum}, 0, e);
+  TouchingBlocks hit({block(rectangle(-1, 0.2, 1, 0.4)), pendulum}, 0, e);
   ASSERT_EQ(hit.contacts.size(), 2u);
   hit.set_velocity(0, {3, 0, 0});
   const JumpReport report = hit.jump();
@@ -246,7 +111,7 @@ TEST_P(Restitution, OfABlockHeldAtAVertexTurnsItAboutThatVertex) {
 /// A floor that rises throws up what rests on it; the energy is that of whatever moves the floor.
 TEST_P(Restitution, OfASupportThatMovesThrowsABlockUp) {
   const double e = GetParam();
-  Impact hit({floor_block, block(rectangle(0, 0, 1, 1))}, 0.5, e);
+  TouchingBlocks hit({floor_block, block(rectangle(0, 0, 1, 1))}, 0.5, e);
   hit.set_velocity(0, {0, 2, 0});
   const JumpReport report = hit.jump();
   EXPECT_TRUE(report.settled);
@@ -260,7 +125,7 @@ TEST(RigidVelocities, WhatNoImpulseCanMoveTakesNone) {
   for (const std::vector<int>& held : {std::vector<int>{0}, std::vector<int>{0, 1}}) {
     BlockDescription pendulum = block(rectangle(0, 0, 1, 1));
     pendulum.fixed_vertices = held;
-    Impact hit({floor_block, pendulum, block(rectangle(0.2, 1, 0.6, 1))});
+    TouchingBlocks hit({floor_block, pendulum, block(rectangle(0.2, 1, 0.6, 1))});
     hit.set_velocity(2, {0, -1, 0});
     if (held.size() == 2) hit.set_velocity(0, {0, 0.1, 0});
     const JumpReport report = hit.jump();
@@ -277,7 +142,7 @@ TEST(RigidVelocities, WhatNoImpulseCanMoveTakesNone) {
 TEST(RigidVelocities, AStackHitAtItsEndMovesOnAsOne) {
   std::vector<BlockDescription> blocks;
   for (int b = 0; b < 21; ++b) blocks.push_back(block(rectangle(0, b, 2, 1)));
-  Impact hit(blocks, 0.3);
+  TouchingBlocks hit(blocks, 0.3);
   hit.set_velocity(20, {0, -21, 0});
   const JumpReport report = hit.jump();
   hit.check(report, 1e-9);
@@ -290,23 +155,10 @@ TEST(RigidVelocities, AStackHitAtItsEndMovesOnAsOne) {
   EXPECT_LE(report.rounds, 10);
 }
 
-namespace {
-
-/// Courses of bricks on a floor, each over the joints of the one below: most contacts say what others say.
-std::vector<BlockDescription> wall(int courses, int bricks) {
-  std::vector<BlockDescription> blocks{floor_block};
-  for (int row = 0; row < courses; ++row)
-    for (int k = 0; k < bricks; ++k)
-      blocks.push_back(of_material((row + k) % 3, block(rectangle(2 * k + row % 2, row, 2, 1))));
-  return blocks;
-}
-
-}  // namespace
-
 TEST(RigidVelocities, AWallOfBricksStopsWhatFallsOnIt) {
   std::vector<BlockDescription> blocks = wall(4, 5);
   blocks.push_back(block(rectangle(3, 4, 3, 3)));
-  Impact hit(blocks, 0.6);
+  TouchingBlocks hit(blocks, 0.6);
   hit.set_velocity(hit.blocks.n_blocks() - 1, {0.5, -5, 0});
   const JumpReport report = hit.jump();
   hit.check(report, 1e-9);
@@ -321,7 +173,7 @@ TEST(RigidVelocities, MassRatiosOfAMillionAreSolvedToTheSameTolerance) {
       std::vector<BlockDescription> blocks{floor_block, of_material(0, block(rectangle(0, 0, 2, 1))),
                                            of_material(1, block(rectangle(0, 1, 2, 1))),
                                            of_material(0, block(rectangle(0, 2, 2, 1)))};
-      Impact hit(blocks, 0.3, e, {2000, 2000 * ratio});
+      TouchingBlocks hit(blocks, 0.3, e, {2000, 2000 * ratio});
       hit.set_velocity(2, {0, -1, 0});
       hit.set_velocity(3, {0, -1, 0});
       const JumpReport report = hit.jump();
@@ -338,7 +190,7 @@ TEST(RigidVelocities, KineticEnergyNeverRises) {
   };
   int unsettled = 0, limited = 0;
   for (int scene = 0; scene < 10; ++scene) {
-    Impact hit(wall(1 + scene % 2, 2 + scene % 3), 0, 0, {500, 2000, 20000});
+    TouchingBlocks hit(wall(1 + scene % 2, 2 + scene % 3), 0, 0, {500, 2000, 20000});
     for (int trial = 0; trial < 100; ++trial) {
       for (int b = 1; b < hit.blocks.n_blocks(); ++b)
         hit.set_velocity(b, {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
@@ -364,7 +216,7 @@ TEST(RigidVelocities, EveryContactOpensSticksOrSlidesAgainstItsFriction) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
   };
-  Impact hit(wall(2, 3), 0.4);
+  TouchingBlocks hit(wall(2, 3), 0.4);
   int sliding = 0, sticking = 0, open = 0;
   for (int trial = 0; trial < 50; ++trial) {
     for (int b = 1; b < hit.blocks.n_blocks(); ++b)
@@ -397,7 +249,7 @@ TEST(RigidVelocities, EveryContactOpensSticksOrSlidesAgainstItsFriction) {
 }
 
 TEST(RigidVelocities, BondedBlocksMoveOnAsOneBody) {
-  Impact hit(
+  TouchingBlocks hit(
       {block(rectangle(0, 0, 1, 1)), block(rectangle(1, 0, 1, 1)), block(rectangle(0.2, 1, 0.6, 0.6))});
   for (ImpactContact& contact : hit.contacts) contact.bonded = true;
   for (std::size_t c = 0; c < hit.contacts.size(); ++c)
@@ -420,7 +272,7 @@ TEST(RigidVelocities, BondedBlocksMoveOnAsOneBody) {
 /// A block that only swells into the floor must not be thrown up by it.
 TEST(RigidVelocities, RatesOfDeformationMakeNoRigidEnergy) {
   for (double e : {0., 1.}) {
-    Impact hit({floor_block, block(rectangle(0, 0, 1, 1))}, 0, e);
+    TouchingBlocks hit({floor_block, block(rectangle(0, 0, 1, 1))}, 0, e);
     const Range& u = hit.blocks.block(1).unknowns();
     for (int k = 0; k < 4; ++k) hit.v.segment(u.first + 2 * k, 2) = hit.vertex(1, k) - hit.centroid(1);
     const VectorXd swelling = hit.v;
@@ -441,8 +293,8 @@ TEST(RigidVelocities, RatesOfDeformationMakeNoRigidEnergy) {
 }
 
 TEST(RigidVelocities, OnlyIslandsThatAreHitTakePart) {
-  Impact hit({floor_block, block(rectangle(0, 0, 1, 1)), block(rectangle(0, 1, 1, 1)),
-              block(rectangle(9, 0, 1, 1))});
+  TouchingBlocks hit({floor_block, block(rectangle(0, 0, 1, 1)), block(rectangle(0, 1, 1, 1)),
+                      block(rectangle(9, 0, 1, 1))});
   hit.set_velocity(2, {0, -1, 0});
   hit.set_velocity(3, {0, -1e-3, 0.1});
   const JumpReport report = hit.jump(0.5);
@@ -452,35 +304,4 @@ TEST(RigidVelocities, OnlyIslandsThatAreHitTakePart) {
   EXPECT_NEAR(hit.velocity(2, hit.v + report.jump).linear.y(), 0, 1e-9);
   EXPECT_EQ(hit.jump(2).n_contacts, 0);
   EXPECT_EQ(hit.jump(2).jump.norm(), 0);
-}
-
-TEST(RigidVelocities, HoldingTakesTheRatesOutAtLeastEnergy) {
-  std::mt19937 random(2);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
-  for (int trial = 0; trial < 30; ++trial) {
-    Impact scene(wall(3, 3), 0, 0, {500, 2000, 20000});
-    for (int b = 1; b < scene.blocks.n_blocks(); ++b)
-      scene.set_velocity(b, {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
-    std::vector<HeldContact> held;
-    for (const ImpactContact& contact : scene.contacts)
-      held.push_back({contact.gap, contact.slip, uniform(0, 1) < 0.5, uniform(0, 1) < 0.3});
-    const JumpReport report = Hold(scene.blocks, held).jump(scene.v);
-    EXPECT_TRUE(report.settled);
-    EXPECT_FALSE(report.limited);
-    const VectorXd after = scene.v + report.jump;
-    for (const HeldContact& contact : held) {
-      if (contact.normal) {
-        EXPECT_NEAR(contact.gap.change(after), 0, 1e-9);
-      }
-      if (contact.tangential) {
-        EXPECT_NEAR(contact.slip.change(after), 0, 1e-9);
-      }
-    }
-    // least: what is left is orthogonal to the jump, and the jump comes from impulses
-    const double lost = scene.energy(scene.v) - scene.energy(after);
-    EXPECT_NEAR(lost, scene.energy(report.jump), 1e-9 * scene.energy(scene.v));
-    EXPECT_NEAR(lost, report.normal_loss + report.friction_loss, 1e-9 * scene.energy(scene.v));
-  }
 }
