@@ -12,8 +12,6 @@ namespace ddacontact {
 class BlockInverse {
  public:
   static constexpr int largest_block = 16;  ///< unknowns
-  using Matrix =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_block, largest_block>;
 
   /// Takes A. False: its matrices share unknowns, or are larger.
   [[nodiscard]] bool set_matrices(FrictionProblem& problem);
@@ -22,19 +20,29 @@ class BlockInverse {
   /// False: a block is not positive definite.
   [[nodiscard]] bool invert();
 
-  /// x = inverse b on the free unknowns, 0 on the held ones.
+  /// x = inverse b on the free unknowns, 0 on the held ones, where b must be 0.
   void apply(const VectorXd& b, VectorXd& x) const;
 
   /// The block of an unknown, -1: it is held or of none; and its place in the block.
   int block_of(int unknown) const { return block_of_[static_cast<std::size_t>(unknown)]; }
   int place_in_block(int unknown) const { return place_[static_cast<std::size_t>(unknown)]; }
   /// After `invert`; of held unknowns the identity.
-  const Matrix& inverse(int block) const { return matrices_[static_cast<std::size_t>(block)]; }
+  Eigen::Map<const MatrixXd> inverse(int block) const {
+    return {values_.data() + first_[static_cast<std::size_t>(block)], size_of(block), size_of(block)};
+  }
 
  private:
+  using View = Eigen::Map<MatrixXd>;
+  View view(int block) {
+    return {values_.data() + first_[static_cast<std::size_t>(block)], size_of(block), size_of(block)};
+  }
+  Index size_of(int block) const { return static_cast<Index>(unknowns_->rows_of(block).size()); }
+
   const polyfem::Connectivity* unknowns_ = nullptr;
+  const std::vector<int>* equation_ = nullptr;
   std::vector<int> block_of_, place_;
-  std::vector<Matrix> matrices_;
+  std::vector<std::size_t> first_;  ///< of each block's matrix in values_, one after the other
+  std::vector<double> values_;
 };
 
 }  // namespace ddacontact

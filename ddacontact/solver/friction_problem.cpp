@@ -116,29 +116,6 @@ void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
   for (Index k = 0; k < residual.size(); ++k) correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
 }
 
-void FrictionProblem::multiply(const std::vector<ContactTerm>& contacts,
-                               const std::vector<unsigned char>& active,
-                               const std::vector<Coupling>& couplings, const VectorXd& x, VectorXd& y) const {
-  y.setZero(x.size());
-  for_elements([&](int e, std::span<const int> u) {
-    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
-    for (std::size_t l = 0; l < u.size(); ++l) {
-      const double value = x[u[l]];
-      for (std::size_t k = 0; k < u.size(); ++k)
-        y[u[k]] += A(static_cast<Index>(k), static_cast<Index>(l)) * value;
-    }
-  });
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const ContactTerm& contact = contacts[c];
-    if (active[c] & 1) contact.gap.add_gradient(contact.normal_stiffness * contact.gap.change(x), y);
-    if (active[c] & 2) contact.slip.add_gradient(contact.tangential_stiffness * contact.slip.change(x), y);
-  }
-  for (const Coupling& coupling : couplings)
-    coupling.row->add_gradient(coupling.rate * coupling.column->change(x), y);
-  for (std::size_t u = 0; u < equation_.size(); ++u)
-    if (equation_[u] < 0) y[static_cast<Index>(u)] = 0;
-}
-
 VectorXd FrictionProblem::free_part(const VectorXd& b) const {
   VectorXd part = b;
   for (std::size_t u = 0; u < equation_.size(); ++u)

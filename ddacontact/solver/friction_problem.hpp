@@ -57,9 +57,6 @@ class FrictionProblem {
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
-  /// y = (A + springs that act + couplings) x on the free unknowns, 0 on the held ones, where x must be 0.
-  void multiply(const std::vector<ContactTerm>& contacts, const std::vector<unsigned char>& active,
-                const std::vector<Coupling>& couplings, const VectorXd& x, VectorXd& y) const;
   /// b with 0 at held unknowns.
   VectorXd free_part(const VectorXd& b) const;
 

@@ -1,6 +1,7 @@
 #include <ddacontact/solver/tangent_solver.hpp>
 
 #include <ddacontact/solver/krylov.hpp>
+#include <ddacontact/solver/tangent_operator.hpp>
 
 #include <algorithm>
 
@@ -42,10 +43,10 @@ bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
     if (active[c] & 2) blocks_.add_spring(terms[c].tangential_stiffness, terms[c].slip);
   }
   if (!blocks_.invert()) return local_ = false;
-  const KrylovReport report = bicgstab(
-      [&](const VectorXd& in, VectorXd& out) { problem_.multiply(terms, active, couplings, in, out); },
-      [&](const VectorXd& in, VectorXd& out) { blocks_.apply(in, out); }, problem_.free_part(b), tolerance,
-      most_iterations, x);
+  const TangentOperator tangent(problem_, terms, active, couplings);
+  const KrylovReport report = bicgstab([&](const VectorXd& in, VectorXd& out) { tangent.multiply(in, out); },
+                                       [&](const VectorXd& in, VectorXd& out) { blocks_.apply(in, out); },
+                                       problem_.free_part(b), tolerance, most_iterations, x);
   counts_.iterations += report.iterations;
   if (report.converged) {
     ++counts_.without_factor;
@@ -63,10 +64,11 @@ bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& term
   std::size_t n_changed = 0;
   for (std::size_t c = 0; c < active.size(); ++c) n_changed += active[c] != factored_[c];
   if (static_cast<double>(n_changed) > most_changed * static_cast<double>(active.size())) return false;
+  const TangentOperator tangent(problem_, terms, active, couplings);
   VectorXd solved;
   const auto multiply = [&](const VectorXd& in, VectorXd& out) {
     problem_.solve(in, solved);
-    problem_.multiply(terms, active, couplings, solved, out);
+    tangent.multiply(solved, out);
   };
   VectorXd forces;
   const KrylovReport report =

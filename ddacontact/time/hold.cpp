@@ -11,7 +11,7 @@ namespace {
 /// Springs against rates over the largest mass: a round leaves the inverse of this of an error, more in long
 /// chains, and round-off times it.
 constexpr double stiffness_factor = 1e6;
-constexpr int most_rounds = 10;
+constexpr int most_rounds = 10, most_rounds_with_friction = 2;
 /// A round that moves less than this part of all is the last one, and so is one that gains less than half.
 constexpr double small_motion = 1e-7;
 constexpr double friction_tolerance = 1e-6;
@@ -82,7 +82,7 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
   VectorXd q = VectorXd::Zero(motions_.n_coefficients()), lacking, move;
   const auto solve = [&](const VectorXd& b, VectorXd& x) { cholesky_.solve(b, x); };
   double last = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < (friction.empty() ? most_rounds : most_rounds_with_friction); ++round) {
     lacking = -q;
     for (Index c = 0; c < n; ++c) {
       const std::size_t k = static_cast<std::size_t>(c);

@@ -1,0 +1,28 @@
+/// \file Products of the small dense matrices of blocks with vectors of all unknowns.
+#pragma once
+
+#include <ddacontact/core/types.hpp>
+
+#include <span>
+
+namespace ddacontact {
+
+/// y(unknowns) += A x(unknowns). Blocks whose unknowns are consecutive, of four vertices above all, are
+/// quick.
+inline void add_product(const Eigen::Ref<const MatrixXd>& A, std::span<const int> unknowns, const VectorXd& x,
+                        VectorXd& y) {
+  const auto n = static_cast<Index>(unknowns.size());
+  if (n == 0) return;
+  const int first = unknowns.front();
+  if (unknowns.back() - first + 1 != n) {
+    for (Index l = 0; l < n; ++l)
+      for (Index k = 0; k < n; ++k) y[unknowns[k]] += A(k, l) * x[unknowns[l]];
+  } else if (n == 8 && A.outerStride() == 8) {
+    const Eigen::Map<const Eigen::Matrix<double, 8, 8>> A8(A.data());
+    y.segment<8>(first).noalias() += A8 * x.segment<8>(first);
+  } else {
+    y.segment(first, n).noalias() += A * x.segment(first, n);
+  }
+}
+
+}  // namespace ddacontact
