@@ -19,7 +19,9 @@ inline void add_product(const Eigen::Ref<const MatrixXd>& A, std::span<const int
       for (Index k = 0; k < n; ++k) y[unknowns[k]] += A(k, l) * x[unknowns[l]];
   } else if (n == 8 && A.outerStride() == 8) {
     const Eigen::Map<const Eigen::Matrix<double, 8, 8>> A8(A.data());
-    y.segment<8>(first).noalias() += A8 * x.segment<8>(first);
+    Eigen::Matrix<double, 8, 1> sum = A8.col(0) * x[first];
+    for (Index l = 1; l < 8; ++l) sum += A8.col(l) * x[first + l];
+    y.segment<8>(first) += sum;
   } else {
     y.segment(first, n).noalias() += A * x.segment(first, n);
   }

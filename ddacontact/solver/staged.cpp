@@ -22,8 +22,9 @@ constexpr int anderson_depth = 8, bounds_depth = 5;
 constexpr double negligible_force = 1e-9;
 /// Stage 0 gives up after so many changes of the states, and may be returned to so often.
 constexpr int most_changes = 25, most_returns = 3;
-/// It also gives up when so many changes in a row left no fewer contacts in a state that is not theirs.
-constexpr int most_losses = 4;
+/// It also gives up when so many changes in a row left no fewer contacts in a state that is not theirs; where
+/// relaxation serves, which starts from there, sooner.
+constexpr int most_losses = 4, most_losses_before_relaxation = 1;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
@@ -339,7 +340,9 @@ class Staged {
       const int disagreeing = count_disagreeing();
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      if (lost_ > most_losses || ++changes_ > most_changes || !change_states()) return leave_states();
+      if (lost_ > (options_.local ? most_losses_before_relaxation : most_losses) ||
+          ++changes_ > most_changes || !change_states())
+        return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
       look();
