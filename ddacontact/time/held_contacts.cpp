@@ -64,6 +64,12 @@ HeldFriction friction_of(const Contact& contact, Rubs rubs, double dt) {
   return {std::copysign(friction_rate(law, N), T), dt * (std::copysign(shear_bound(law, N, false), T) - T)};
 }
 
+/// What the friction of a contact's impulses dissipates, J per m.
+double loss(const HeldContact& contact, std::size_t c, const VectorXd& moving, const HeldJump& jump) {
+  return -jump.shear[static_cast<Index>(c)] *
+         (contact.slip.change(moving) + contact.slip.change(jump.velocity) / 2);
+}
+
 }  // namespace
 
 HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all,
@@ -104,32 +110,34 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   std::vector<Rubs> rubs(held.size(), Rubs::stays);
   std::vector<HeldFriction> friction(held.size());
   for (std::size_t c : rubbing) rubs[c] = Rubs::follows;
-  HeldReport report{0, false};
-  for (int round = 0; round < most_friction_rounds && !report.settled; ++round) {
+  bool settled = false;
+  for (int round = 0; round < most_friction_rounds && !settled; ++round) {
     for (std::size_t c : rubbing) friction[c] = friction_of(*contacts[c], rubs[c], dt);
-    const HeldJump with_friction = hold.with_friction(jump, friction);
-    next.velocity = moving + with_friction.velocity;
-    report = {0, true};
+    const HeldJump with_friction = hold.with_friction(jump, friction, true);
+    settled = true;
     for (std::size_t c : rubbing) {
-      const auto k = static_cast<Index>(c);
-      const double loss =
-          -with_friction.shear[k] * (held[c].slip.change(moving) + held[c].slip.change(next.velocity)) / 2;
-      report.friction_loss += loss;
       const auto of_blocks = rubbed.find(blocks_of(*contacts[c]));
-      const double given_back = std::max(0.0, of_blocks == rubbed.end() ? 0 : of_blocks->second);
-      Rubs now = contacts[c]->normal + with_friction.normal[k] / dt < 0 ? Rubs::relieved : Rubs::follows;
-      if (rubs[c] == Rubs::stays || loss + given_back < 0) now = Rubs::stays;
-      if (now != rubs[c]) report.settled = false;
+      const double given_back = of_blocks == rubbed.end() ? 0 : std::max(0.0, of_blocks->second),
+                   left = contacts[c]->normal + with_friction.normal[static_cast<Index>(c)] / dt;
+      Rubs now = left < 0 ? Rubs::relieved : Rubs::follows;
+      if (rubs[c] == Rubs::stays || loss(held[c], c, moving, with_friction) + given_back < 0)
+        now = Rubs::stays;
+      settled = settled && now == rubs[c];
       rubs[c] = now;
     }
+  }
+  HeldReport report{0, false};
+  if (settled) {
+    const HeldJump with_friction = hold.with_friction(jump, friction);
+    double most_energy = kinetic_energy(blocks, moving);
+    for (std::size_t c : rubbing) report.friction_loss += loss(held[c], c, moving, with_friction);
     double rubbed_at_all = 0;
-    for (const auto& [of, loss] : rubbed) rubbed_at_all += loss;
+    for (const auto& [of, by_blocks] : rubbed) rubbed_at_all += by_blocks;
+    next.velocity = moving + with_friction.velocity;
+    most_energy += std::max(rubbed_at_all, 0.0) +
+                   work_of_supports(blocks, held, with_friction.normal, with_friction.shear, next.velocity);
     // Written so that what is not a number is refused.
-    if (report.settled)
-      report.settled =
-          kinetic_energy(blocks, next.velocity) <=
-          kinetic_energy(blocks, moving) + std::max(rubbed_at_all, 0.0) +
-              work_of_supports(blocks, held, with_friction.normal, with_friction.shear, next.velocity);
+    report.settled = kinetic_energy(blocks, next.velocity) <= most_energy;
   }
   if (report.settled) return report;
   next.velocity = moving + jump;

@@ -8,13 +8,22 @@ namespace ddacontact {
 
 namespace {
 
-/// Springs against rates over the largest mass: a round leaves the inverse of this of an error, more in long
-/// chains, and round-off times it.
-constexpr double stiffness_factor = 1e6;
-constexpr int most_rounds = 10, most_rounds_with_friction = 2;
+/// Springs against rates times what a unit of impulse changes them: the inverse of this is left of a rate in
+/// a round, and more of rates that hardly any motion of the blocks as wholes changes. Those are let be: what
+/// blocks do that slide along each other while they deform is such a motion.
+constexpr double stiffness_factor = 1e3;
+constexpr int most_rounds = 10;
 /// A round that moves less than this part of all is the last one, and so is one that gains less than half.
 constexpr double small_motion = 1e-7;
-constexpr double friction_tolerance = 1e-6;
+/// Of the rates that normal impulses answer.
+constexpr double friction_tolerance = 1e-6, rough_friction_tolerance = 1e-4;
+
+/// That takes out a rate by all but 1 / stiffness_factor when its contact is the only one.
+double stiffness_against(const AffineForm& rate) {
+  double answer = 0;
+  for (double c : rate.coefficients()) answer += c * c;
+  return answer > 0 ? stiffness_factor / answer : 0;
+}
 
 /// The movable blocks that contacts depend on, ascending.
 std::vector<int> blocks_of(const BlockSystem& blocks, const std::vector<HeldContact>& contacts) {
@@ -33,11 +42,19 @@ Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
     : blocks_(blocks),
       contacts_(contacts),
       motions_(blocks, blocks_of(blocks, contacts)),
-      stiffness_(stiffness_factor * motions_.largest_mass()) {
-  for (const HeldContact& contact : contacts)
+      stiffness_(zeros(contacts.size())) {
+  for (const HeldContact& contact : contacts) {
+    const auto c = static_cast<Index>(of_coefficients_.size());
     of_coefficients_.push_back(
         {motions_.rate_form(contact.gap), motions_.rate_form(contact.slip), contact.tangential});
+    stiffness_.gap[c] = stiffness_against(of_coefficients_.back().gap);
+    if (contact.tangential) stiffness_.slip[c] = stiffness_against(of_coefficients_.back().slip);
+  }
   factorize();
+}
+
+Hold::Rates Hold::zeros(std::size_t n) {
+  return {VectorXd::Zero(static_cast<Index>(n)), VectorXd::Zero(static_cast<Index>(n))};
 }
 
 void Hold::factorize() {
@@ -50,16 +67,17 @@ void Hold::factorize() {
   for (std::size_t c = 0; c < of_coefficients_.size(); ++c) {
     const HeldContact& contact = of_coefficients_[c];
     const int element = static_cast<int>(c);
-    matrix.add_outer(element, stiffness_, contact.gap.coefficients());
-    if (contact.tangential) matrix.add_outer(element, stiffness_, contact.slip.coefficients());
+    const auto k = static_cast<Index>(c);
+    matrix.add_outer(element, stiffness_.gap[k], contact.gap.coefficients());
+    if (contact.tangential) matrix.add_outer(element, stiffness_.slip[k], contact.slip.coefficients());
   }
   cholesky_.analyze(matrix.lower());
   if (!cholesky_.factorize(matrix.lower())) throw std::logic_error("a sum of squares is not positive");
 }
 
-Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v) const {
+Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v) {
   const auto n = static_cast<Index>(forms.size());
-  Rates rates{VectorXd(n), VectorXd(n)};
+  Rates rates = zeros(forms.size());
   for (Index c = 0; c < n; ++c) {
     const HeldContact& form = forms[static_cast<std::size_t>(c)];
     rates.gap[c] = form.gap.change(v);
@@ -71,37 +89,38 @@ Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v
 /// The motion q that impulses make, q = sum of gradient * impulse, while springs against what is left of the
 /// rates add to the impulses in every round; normal impulses make friction along the slip. A round solves for
 /// what its equation lacks, so that it also repairs what the last solution left.
-VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, Rates& impulses) const {
+VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool rough,
+                        Rates& impulses) const {
   const auto n = static_cast<Index>(of_coefficients_.size());
   std::vector<Coupling> couplings;
   for (std::size_t c = 0; c < friction.size(); ++c)
     if (friction[c].rate != 0)
-      couplings.push_back(
-          {&of_coefficients_[c].slip, &of_coefficients_[c].gap, friction[c].rate * stiffness_});
-  impulses = {VectorXd::Zero(n), VectorXd::Zero(n)};
+      couplings.push_back({&of_coefficients_[c].slip, &of_coefficients_[c].gap,
+                           friction[c].rate * stiffness_.gap[static_cast<Index>(c)]});
+  impulses = zeros(of_coefficients_.size());
   VectorXd q = VectorXd::Zero(motions_.n_coefficients()), lacking, move;
   const auto solve = [&](const VectorXd& b, VectorXd& x) { cholesky_.solve(b, x); };
   double last = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < (friction.empty() ? most_rounds : most_rounds_with_friction); ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     lacking = -q;
     for (Index c = 0; c < n; ++c) {
       const std::size_t k = static_cast<std::size_t>(c);
       const HeldContact& form = of_coefficients_[k];
-      const double normal = impulses.gap[c] - stiffness_ * left.gap[c];
-      double shear = form.tangential ? impulses.slip[c] - stiffness_ * left.slip[c] : 0;
+      const double normal = impulses.gap[c] - stiffness_.gap[c] * left.gap[c];
+      double shear = impulses.slip[c] - stiffness_.slip[c] * left.slip[c];
       if (!friction.empty()) shear += friction[k].rate * normal + friction[k].given;
       form.gap.add_gradient(normal, lacking);
       form.slip.add_gradient(shear, lacking);
     }
-    solve_coupled(solve, couplings, lacking, friction_tolerance, move);
+    solve_coupled(solve, couplings, lacking, rough ? rough_friction_tolerance : friction_tolerance, move);
     q += move;
     const Rates change = rates(of_coefficients_, move);
     left.gap += change.gap;
     left.slip += change.slip;
-    impulses.gap -= stiffness_ * left.gap;
-    impulses.slip -= stiffness_ * left.slip;
+    impulses.gap -= stiffness_.gap.cwiseProduct(left.gap);
+    impulses.slip -= stiffness_.slip.cwiseProduct(left.slip);
     const double moved = move.norm();
-    if (moved <= small_motion * q.norm() || moved > last / 2) break;
+    if (rough || moved <= small_motion * q.norm() || moved > last / 2) break;
     last = moved;
   }
   return q;
@@ -109,7 +128,7 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
 
 VectorXd Hold::jump(const VectorXd& v) const {
   Rates left = rates(contacts_, v), impulses;
-  VectorXd q = take_out(left, {}, impulses);
+  VectorXd q = take_out(left, {}, false, impulses);
 
   // What it takes from the kinetic energy and from what moves the supports is linear - quadratic in q.
   double taken = -q.dot(motions_.coefficients(v));
@@ -118,7 +137,7 @@ VectorXd Hold::jump(const VectorXd& v) const {
   if (!of_supports.isZero(0)) {
     const Rates by_supports = rates(contacts_, of_supports);
     Rates like = rates(of_coefficients_, -q);
-    take_out(like, {}, impulses);
+    take_out(like, {}, false, impulses);
     taken -= impulses.gap.dot(by_supports.gap) + impulses.slip.dot(by_supports.slip);
   }
   const double most = q.squaredNorm() / 2;
@@ -128,9 +147,10 @@ VectorXd Hold::jump(const VectorXd& v) const {
   return jump;
 }
 
-HeldJump Hold::with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction) const {
+HeldJump Hold::with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction,
+                             bool rough) const {
   Rates left = rates(contacts_, -jump), impulses;
-  const VectorXd q = take_out(left, friction, impulses);
+  const VectorXd q = take_out(left, friction, rough, impulses);
   HeldJump result{VectorXd::Zero(jump.size()), impulses.gap, impulses.slip};
   for (std::size_t c = 0; c < friction.size(); ++c)
     result.shear[static_cast<Index>(c)] +=

@@ -35,26 +35,31 @@ class Hold {
   Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts);
 
   /// The change of velocity, a rigid motion of each block of least kinetic energy, that leaves the least
-  /// squares of the rates that velocities v have. Shortened where it would make energy.
+  /// squares of the rates that velocities v have, and of those that it changes about a millionth. Shortened
+  /// where it would make energy.
   VectorXd jump(const VectorXd& v) const;
   /// The impulses of a jump, and what they move with the friction that they make, one for every contact.
-  HeldJump with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction) const;
+  /// \param[in] rough  a thousandth of the rates may be left
+  HeldJump with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction,
+                         bool rough = false) const;
 
  private:
   /// Of every contact that is held in this direction; 0 of others.
   struct Rates {
     VectorXd gap, slip;
   };
-  Rates rates(const std::vector<HeldContact>& forms, const VectorXd& v) const;
+  static Rates zeros(std::size_t n);
+  static Rates rates(const std::vector<HeldContact>& forms, const VectorXd& v);
   void factorize();
-  VectorXd take_out(Rates& left, const std::vector<HeldFriction>& friction, Rates& impulses) const;
+  VectorXd take_out(Rates& left, const std::vector<HeldFriction>& friction, bool rough,
+                    Rates& impulses) const;
 
   const BlockSystem& blocks_;
   const std::vector<HeldContact>& contacts_;
   RigidMotions motions_;
   std::vector<HeldContact> of_coefficients_;  ///< contacts_ as forms of the coefficients of motions_
-  double stiffness_;
-  mutable polyfem::Cholesky cholesky_;  ///< of 1 + stiffness_ * sum of gradient * gradient^T
+  Rates stiffness_;                           ///< of springs against the rates
+  mutable polyfem::Cholesky cholesky_;        ///< of 1 + sum of stiffness * gradient * gradient^T
 };
 
 }  // namespace ddacontact

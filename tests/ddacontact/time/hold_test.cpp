@@ -55,16 +55,16 @@ TEST(Hold, TakesTheRatesOutAtLeastEnergy) {
     const TouchingBlocks& scene = wall.scene;
     const VectorXd jump = Hold(scene.blocks, wall.held).jump(scene.v), after = scene.v + jump;
     for (const HeldContact& contact : wall.held) {
-      EXPECT_NEAR(contact.gap.change(after), 0, 1e-9);
+      EXPECT_NEAR(contact.gap.change(after), 0, 1e-6);
       if (contact.tangential) {
-        EXPECT_NEAR(contact.slip.change(after), 0, 1e-9);
+        EXPECT_NEAR(contact.slip.change(after), 0, 1e-6);
       }
     }
     // least: what is left is orthogonal to the jump, and the jump comes from impulses
     const double lost = scene.energy(scene.v) - scene.energy(after);
-    EXPECT_NEAR(lost, scene.energy(jump), 1e-7 * scene.energy(scene.v));
+    EXPECT_NEAR(lost, scene.energy(jump), 1e-6 * scene.energy(scene.v));
     const HeldJump again = Hold(scene.blocks, wall.held).with_friction(jump, {});
-    EXPECT_LE((again.velocity - jump).norm(), 1e-7 * jump.norm());
+    EXPECT_LE((again.velocity - jump).norm(), 1e-6 * jump.norm());
     EXPECT_LE((wall.moved_by(wall.force(again)) - jump).norm(), 1e-6 * jump.norm());
   }
 }
@@ -80,7 +80,7 @@ TEST(Hold, FrictionGoesWithTheImpulses) {
     const HeldJump jump = hold.with_friction(hold.jump(scene.v), friction);
     for (std::size_t c = 0; c < friction.size(); ++c) {
       const auto k = static_cast<Index>(c);
-      EXPECT_NEAR(wall.held[c].gap.change(scene.v + jump.velocity), 0, 1e-9);
+      EXPECT_NEAR(wall.held[c].gap.change(scene.v + jump.velocity), 0, 1e-6);
       if (wall.held[c].tangential) continue;
       EXPECT_NEAR(jump.shear[k], friction[c].rate * jump.normal[k] + friction[c].given,
                   1e-9 * jump.normal.norm());
