@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+
 namespace ddacontact {
 
 bool BlockInverse::set_matrices(FrictionProblem& problem) {
@@ -12,6 +14,12 @@ bool BlockInverse::set_matrices(FrictionProblem& problem) {
   matrices_.resize(static_cast<std::size_t>(unknowns_->n_elements()));
   for (int b = 0; b < unknowns_->n_elements(); ++b) {
     const std::span<const int> of_block = unknowns_->rows_of(b);
+    const bool held =
+        std::ranges::all_of(of_block, [&](int u) { return equation[static_cast<std::size_t>(u)] < 0; });
+    if (held) {
+      matrices_[static_cast<std::size_t>(b)].resize(0, 0);
+      continue;
+    }
     if (of_block.size() > largest_block) return false;
     Matrix& A = matrices_[static_cast<std::size_t>(b)];
     A = problem.elements()[static_cast<std::size_t>(b)];
@@ -46,6 +54,7 @@ void BlockInverse::add_spring(double stiffness, const AffineForm& form) {
 
 bool BlockInverse::invert() {
   for (Matrix& A : matrices_) {
+    if (A.size() == 0) continue;
     const Eigen::LLT<Matrix> factor(A);
     if (factor.info() != Eigen::Success) return false;
     A = factor.solve(Matrix::Identity(A.rows(), A.cols()));

@@ -15,7 +15,7 @@ class BlockInverse {
   using Matrix =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_block, largest_block>;
 
-  /// Takes A. False: its matrices share unknowns, or are larger.
+  /// Takes A. False: its matrices share unknowns, or are larger; those without a free unknown do not count.
   [[nodiscard]] bool set_matrices(FrictionProblem& problem);
   /// Adds the parts of stiffness * a a^T that lie within blocks.
   void add_spring(double stiffness, const AffineForm& form);
