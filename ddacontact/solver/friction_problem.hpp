@@ -62,6 +62,9 @@ class FrictionProblem {
   /// what the last factor is of. False: not positive definite.
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
                                const std::vector<unsigned char>& active);
+  /// Whether `factorize` leaves the last factor as it is when that is of the same matrix (it does unless told
+  /// otherwise), or makes the same one again.
+  void keep_factor(bool keep) { keeps_factor_ = keep; }
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
@@ -104,6 +107,7 @@ class FrictionProblem {
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;
   int n_iterations_ = 0;
+  bool keeps_factor_ = true;
   bool has_pattern_ = false;                     ///< matrix_ is that of the present contacts
   std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
