@@ -58,13 +58,14 @@ class FrictionProblem {
   /// another matrix's then.
   void matrices_changed() { factored_springs_.clear(); }
 
-  /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), unless that is
-  /// what the last factor is of. False: not positive definite.
-  [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
-                               const std::vector<unsigned char>& active);
   /// Whether `factorize` leaves the last factor as it is when that is of the same matrix (it does unless told
   /// otherwise), or makes the same one again.
   void keep_factor(bool keep) { keeps_factor_ = keep; }
+  /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), unless that is
+  /// what the last factor is of: as long as `matrices_changed` says nothing and the same springs act.
+  /// False: not positive definite.
+  [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
+                               const std::vector<unsigned char>& active);
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
