@@ -105,7 +105,7 @@ BlockState BlockSystem::initial_state() const {
 
 void BlockSystem::prepare(const BlockState& state, bool first_time) {
   for_blocks(n_blocks(), [&](int b) {
-    if (first_time || !unchanging_[b]) blocks_[b]->prepare(state);
+    if (first_time || has_matrices(b)) blocks_[b]->prepare(state);
   });
 }
 
@@ -172,7 +172,7 @@ Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) 
 
 void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
   for_blocks(n_blocks(), [&](int b) {
-    if (!is_unchanging(b)) blocks_[b]->begin_step(state, start);
+    if (has_matrices(b)) blocks_[b]->begin_step(state, start);
   });
 }
 

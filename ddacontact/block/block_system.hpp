@@ -83,8 +83,15 @@ class BlockSystem {
   bool is_movable(int b) const { return movable_[b]; }
   /// Whether a block has no unknown that is held.
   bool is_free(int b) const { return free_[b]; }
-  /// Whether a block is wholly held where it is: it costs nothing but its outline.
+  /// Whether a block is wholly held where it is: it has neither equations nor forces of its own.
   bool is_unchanging(int b) const { return unchanging_[b]; }
+  /// Whether the matrices of a block are computed: it may change, or it is fixed and `compute_fixed` asks.
+  bool has_matrices(int b) const {
+    return !unchanging_[b] || (computes_fixed_ && present_[b] && !resting_[b]);
+  }
+  /// Whether blocks that are wholly held where they are have matrices like all others, although these have no
+  /// equations; not unless this says so. To be called before a StepSystem is made.
+  void compute_fixed(bool all) { computes_fixed_ = all; }
 
   /// All blocks at rest and free of stress in their reference places; held points at their start.
   BlockState initial_state() const;
@@ -93,7 +100,7 @@ class BlockSystem {
   void remove(int b);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const;
-  /// Prepares the blocks for a state; `first_time` includes those that can never change.
+  /// Prepares the blocks that have matrices for a state; `first_time` includes all others.
   void prepare(const BlockState& state, bool first_time = false);
 
   /// F += gravity, Eq. (23).
@@ -120,7 +127,7 @@ class BlockSystem {
   /// The displacement of a material point for unknowns d, or its velocity for velocities.
   Vec2 displacement(const MaterialPoint& point, const VectorXd& d) const;
 
-  /// Begins a step of every block that may change.
+  /// Begins a step of every block that has matrices.
   void begin_step(const BlockState& state, const StepStart& start);
   /// Ends it: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
@@ -143,6 +150,7 @@ class BlockSystem {
   std::vector<bool> movable_;
   std::vector<bool> free_;
   std::vector<bool> unchanging_;
+  bool computes_fixed_ = false;
 };
 
 /// Best-fit rotation of a polygon against its reference, radians in (-pi, pi].

@@ -25,6 +25,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   system_.n_stress_points_ = next.stress_points.first;
   system_.present_.assign(blocks_.size(), true);
   system_.resting_ = resting_;
+  system_.computes_fixed_ = whole.computes_fixed_;
   system_.reference_.resize(2, next.places.first);
   for (BlockState* state : {&system_.start_, &system_.zero_}) {
     state->position.resize(2, next.places.first);

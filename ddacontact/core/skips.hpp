@@ -8,7 +8,7 @@ namespace ddacontact {
 struct Skips {
   // the same bytes
   bool friction_rows = true;     ///< no tangential terms where there is neither friction nor a bond
-  bool fixed_blocks = true;      ///< no unknowns for blocks that are wholly held
+  bool fixed_blocks = true;      ///< no matrices of blocks that are wholly held
   bool unchanged_factor = true;  ///< the factor is used again while the matrix is the same
   bool congruent = true;         ///< congruent blocks share their reference matrices
   bool output = true;            ///< stresses and pictures only where asked for

@@ -325,11 +325,10 @@ void describe(Skips& s, Visit&& visit) {
   visit(
       Key{.name = "friction_rows", .what = "Tangential terms of contacts with neither friction nor a bond."},
       s.friction_rows);
-  visit(Key{.name = "fixed_blocks",
-            .what = "Matrices and forces of blocks that are wholly held; so far always skipped."},
+  visit(Key{.name = "fixed_blocks", .what = "Matrices of blocks that are wholly held where they are."},
         s.fixed_blocks);
   visit(Key{.name = "unchanged_factor",
-            .what = "Factorizing a matrix that is the same as before; so far always skipped."},
+            .what = "Factorizing a matrix once more that is still the one last factorized."},
         s.unchanged_factor);
   visit(Key{.name = "congruent", .what = "Reference matrices of a block that is congruent to another."},
         s.congruent);

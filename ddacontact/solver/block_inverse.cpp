@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+
 namespace ddacontact {
 
 bool BlockInverse::set_matrices(FrictionProblem& problem) {
@@ -12,13 +14,18 @@ bool BlockInverse::set_matrices(FrictionProblem& problem) {
   block_of_.assign(equation_->size(), -1);
   place_.assign(equation_->size(), -1);
   first_.assign(1, 0);
+  size_.clear();
   for (int b = 0; b < unknowns_->n_elements(); ++b) {
     const std::span<const int> of_block = unknowns_->rows_of(b);
-    if (of_block.size() > largest_block) return false;
-    first_.push_back(first_.back() + of_block.size() * of_block.size());
+    const bool held =
+        std::ranges::all_of(of_block, [&](int u) { return (*equation_)[static_cast<std::size_t>(u)] < 0; });
+    if (!held && of_block.size() > largest_block) return false;
+    size_.push_back(held ? 0 : static_cast<int>(of_block.size()));
+    first_.push_back(first_.back() + static_cast<std::size_t>(size_.back()) * size_.back());
   }
   values_.resize(first_.back());
   for (int b = 0; b < unknowns_->n_elements(); ++b) {
+    if (size_[static_cast<std::size_t>(b)] == 0) continue;
     const std::span<const int> of_block = unknowns_->rows_of(b);
     View A = view(b);
     A = problem.elements()[static_cast<std::size_t>(b)];
@@ -55,6 +62,7 @@ bool BlockInverse::invert() {
   using Small =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_block, largest_block>;
   for (int b = 0; b < unknowns_->n_elements(); ++b) {
+    if (size_[static_cast<std::size_t>(b)] == 0) continue;
     View A = view(b);
     const Eigen::LLT<Small> factor(A);
     if (factor.info() != Eigen::Success) return false;
@@ -66,7 +74,8 @@ bool BlockInverse::invert() {
 void BlockInverse::apply(const VectorXd& b, VectorXd& x) const {
   x.setZero(b.size());
   for (int block = 0; block < unknowns_->n_elements(); ++block)
-    add_product(inverse(block), unknowns_->rows_of(block), b, x);
+    if (size_[static_cast<std::size_t>(block)] > 0)
+      add_product(inverse(block), unknowns_->rows_of(block), b, x);
   for (std::size_t u = 0; u < equation_->size(); ++u)
     if ((*equation_)[u] < 0) x[static_cast<Index>(u)] = 0;
 }

@@ -13,7 +13,7 @@ class BlockInverse {
  public:
   static constexpr int largest_block = 16;  ///< unknowns
 
-  /// Takes A. False: its matrices share unknowns, or are larger.
+  /// Takes A. False: its matrices share unknowns, or are larger; those without a free unknown do not count.
   [[nodiscard]] bool set_matrices(FrictionProblem& problem);
   /// Adds the parts of stiffness * a a^T that lie within blocks.
   void add_spring(double stiffness, const AffineForm& form);
@@ -36,11 +36,12 @@ class BlockInverse {
   View view(int block) {
     return {values_.data() + first_[static_cast<std::size_t>(block)], size_of(block), size_of(block)};
   }
-  Index size_of(int block) const { return static_cast<Index>(unknowns_->rows_of(block).size()); }
+  Index size_of(int block) const { return size_[static_cast<std::size_t>(block)]; }
 
   const polyfem::Connectivity* unknowns_ = nullptr;
   const std::vector<int>* equation_ = nullptr;
   std::vector<int> block_of_, place_;
+  std::vector<int> size_;           ///< of each block's matrix; 0: wholly held
   std::vector<std::size_t> first_;  ///< of each block's matrix in values_, one after the other
   std::vector<double> values_;
 };

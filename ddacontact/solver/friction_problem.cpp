@@ -89,7 +89,7 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
                                 const std::vector<unsigned char>& active) {
   if (!factored_springs_.empty() &&
       std::equal(active.begin(), active.end(), factored_springs_.begin(), factored_springs_.end() - 1))
-    return true;
+    return keeps_factor_ || cholesky_.factorize(matrix_.lower());
   factored_springs_.clear();
   if (!has_pattern_) set_pattern(contacts);
   matrix_.set_zero();

@@ -50,8 +50,12 @@ class FrictionProblem {
   /// another matrix's then.
   void matrices_changed() { factored_springs_.clear(); }
 
+  /// Whether `factorize` leaves the last factor as it is when that is of the same matrix (it does unless told
+  /// otherwise), or makes the same one again.
+  void keep_factor(bool keep) { keeps_factor_ = keep; }
   /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), unless that is
-  /// what the last factor is of. False: not positive definite.
+  /// what the last factor is of: as long as `matrices_changed` says nothing and the same springs act.
+  /// False: not positive definite.
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
                                const std::vector<unsigned char>& active);
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
@@ -93,6 +97,7 @@ class FrictionProblem {
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;
   int n_iterations_ = 0;
+  bool keeps_factor_ = true;
   bool has_pattern_ = false;                     ///< matrix_ is that of the present contacts
   std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;

@@ -155,6 +155,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     StepSystem& system = *island->system;
     const Work before = work_of(system);
     system.set_step(state, of_part, whole.held_stiffness());
+    system.problem().keep_factor(options.skip.unchanged_factor);
     std::vector<Contact> own;
     for (int c : island->contacts) own.push_back(island->to_part(blocks, contacts[c]));
     VectorXd own_d = system.free_path();

@@ -20,8 +20,9 @@ StepSystem::StepSystem(BlockSystem& blocks)
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
     unknown_lengths_.segment(u.first, u.count) = blocks.block(b).unknown_lengths();
-    if (blocks.is_unchanging(b)) continue;
-    active_.push_back(b);
+    if (!blocks.is_unchanging(b)) active_.push_back(b);
+    if (!blocks.has_matrices(b)) continue;
+    assembled_.push_back(b);
     first_element_.push_back(elements_.n_elements());
     for (int p = 0; p < blocks.block(b).n_parts(); ++p) {
       std::vector<int> of_part = blocks.block(b).part_unknowns(p);
@@ -145,19 +146,19 @@ VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
 
 void StepSystem::linearize(const VectorXd& d) {
   diagonal_ = VectorXd::Zero(blocks_.n_unknowns());
-  for (std::size_t a = 0; a < active_.size(); ++a) {
-    const Block& block = blocks_.block(active_[a]);
+  for (std::size_t a = 0; a < assembled_.size(); ++a) {
+    const Block& block = blocks_.block(assembled_[a]);
     const Range& u = block.unknowns();
     block.tangent(d.segment(u.first, u.count),
                   problem_.elements().subspan(first_element_[a], block.n_parts()));
   }
   for (const HeldSpring& spring : held_springs_) {
     const int b = blocks_.held_vertices[spring.held_vertex].block;
-    const auto active = std::lower_bound(active_.begin(), active_.end(), b);
+    const auto assembled = std::lower_bound(assembled_.begin(), assembled_.end(), b);
     const Range& u = blocks_.block(b).unknowns();
     VectorXd a = VectorXd::Zero(u.end());
     spring.form.add_gradient(1, a);
-    problem_.elements()[first_element_[active - active_.begin()]] +=
+    problem_.elements()[first_element_[assembled - assembled_.begin()]] +=
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
   for (int e = 0; e < elements_.n_elements(); ++e)

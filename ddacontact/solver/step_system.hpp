@@ -76,10 +76,11 @@ class StepSystem {
  private:
   BlockSystem& blocks_;
   std::vector<int> active_;         ///< blocks that may change
-  std::vector<int> first_element_;  ///< of the matrix, of each of them; and their number
+  std::vector<int> assembled_;      ///< blocks that have matrices: these and, where asked for, fixed ones
+  std::vector<int> first_element_;  ///< of the matrix, of each of those
   VectorXd unknown_lengths_;
   FrictionProblem problem_;
-  polyfem::Connectivity elements_;  ///< the parts of the active blocks, one after another
+  polyfem::Connectivity elements_;  ///< the parts of the assembled blocks, one after another
   VectorXd diagonal_;               ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
   double held_stiffness_ = 0;

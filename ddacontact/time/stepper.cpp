@@ -270,6 +270,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
   {
     const polyfem::Stopwatch watch(times_.assembly);
     system_->set_step(state_, start, held_stiffness_);
+    system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
   tried_ = trial_contacts_;

@@ -253,6 +253,23 @@ TEST(FrictionProblem, FactorizesOnlyWhatHasChanged) {
   EXPECT_EQ(problem.cholesky().n_analyses(), 1);
 }
 
+TEST(FrictionProblem, FactorizesOnceMoreToTheSameFactorWhenNoneIsKept) {
+  RandomProblem p(3);
+  FrictionProblem kept = p.problem(), anew = p.problem();
+  anew.keep_factor(false);
+  const std::vector<unsigned char> active(p.contacts.size(), 3);
+  VectorXd of_kept, of_anew;
+  for (int times = 1; times <= 3; ++times) {
+    ASSERT_TRUE(kept.factorize(p.contacts, active) && anew.factorize(p.contacts, active));
+    EXPECT_EQ(kept.cholesky().n_factorizations(), 1);
+    EXPECT_EQ(anew.cholesky().n_factorizations(), times);
+    kept.solve(p.g0, of_kept);
+    anew.solve(p.g0, of_anew);
+    EXPECT_EQ(of_kept, of_anew);
+    for (ContactTerm& contact : p.contacts) contact.gap.constant += 1;  // the matrix knows nothing of it
+  }
+}
+
 /// A direction that only an open contact would stop.
 TEST(FrictionProblem, SaysWhenNothingHoldsAnUnknown) {
   ContactTerm wall;

@@ -203,6 +203,37 @@ TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
   EXPECT_EQ(problem.cholesky().n_analyses(), analyses + 1);
 }
 
+TEST(StepSystem, MatricesOfFixedBlocksAreMadeWhereAskedAndHaveNoEffect) {
+  Scene scene = loaded_scene();
+  Prepared without(scene);
+  scene.analysis.skip.fixed_blocks = false;
+  Prepared with(scene);
+  ASSERT_TRUE(with.blocks.is_unchanging(0));
+  const int n = without.system.problem().unknowns().n_elements();
+  ASSERT_EQ(with.system.problem().unknowns().n_elements(), n + 1);
+  Residual residuals[2];
+  VectorXd corrections[2];
+  int k = 0;
+  for (Prepared* p : {&without, &with}) {
+    p->set_states({stick, slip_forward});
+    const VectorXd d = p->system.prescribed();
+    p->system.linearize(d);
+    p->system.compute_residual(d, p->contacts, p->spring_forces(d), residuals[k]);
+    ASSERT_TRUE(p->system.problem().factorize(p->terms(), p->springs()));
+    p->system.problem().solve(residuals[k].force, corrections[k]);
+    ++k;
+  }
+  const Range& fixed = with.blocks.block(0).unknowns();
+  EXPECT_EQ(with.system.problem().elements()[0], with.blocks.block(0).tangent(VectorXd::Zero(fixed.count)));
+  EXPECT_GT(with.system.problem().elements()[0].norm(), 0);
+  for (int e = 0; e < n; ++e)
+    EXPECT_EQ(with.system.problem().elements()[e + 1], without.system.problem().elements()[e]);
+  EXPECT_EQ(residuals[0].force, residuals[1].force);
+  EXPECT_EQ(residuals[0].scale, residuals[1].scale);
+  EXPECT_EQ(residuals[0].floor, residuals[1].floor);
+  EXPECT_EQ(corrections[0], corrections[1]);
+}
+
 /// All forces on the system but those of supports are in the residual of its free and held unknowns: the sum
 /// over rigid translations of everything knows no contact.
 TEST(StepSystem, ContactForcesCancelInTheSumOverAllBlocks) {
