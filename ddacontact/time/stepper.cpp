@@ -240,13 +240,15 @@ void Stepper::detect(double dt) {
 }
 
 Stepper::Solution Stepper::solve(double dt) {
-  StepImpact none;
-  none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
-  if (method_ == ContactMethod::classic || is_static()) return solve_with(dt, none);
+  if (method_ == ContactMethod::classic || is_static()) {
+    StepImpact none;
+    none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
+    return solve_with(dt, none);
+  }
   std::vector<char> also;
   Solution solution;
   for (int round = 0; round < most_impact_rounds; ++round) {
-    StepImpact impact = none;
+    StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
       impact = foresee_impact(blocks_, state_, trial_contacts_, state_.velocity, dt, also);
@@ -259,14 +261,16 @@ Stepper::Solution Stepper::solve(double dt) {
 }
 
 bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const {
-  const std::vector<char> before = also;
+  bool found = false;
   also.resize(tried_.size(), 0);
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const Contact &start = trial_contacts_[c], &end = tried_[c];
-    if (start.closed() || !end.closed() || solution.impact.hit[c]) continue;
-    if (-start.gap.change(state_.velocity) > least_approach(blocks_, start, dt)) also[c] = 1;
+    if (also[c] || start.closed() || !end.closed() || solution.impact.hit[c]) continue;
+    if (-start.gap.change(state_.velocity) <= least_approach(blocks_, start, dt)) continue;
+    also[c] = 1;
+    found = true;
   }
-  return also != before && std::find(also.begin(), also.end(), 1) != also.end();
+  return found;
 }
 
 Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
