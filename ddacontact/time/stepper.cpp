@@ -261,16 +261,14 @@ Stepper::Solution Stepper::solve(double dt) {
 }
 
 bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const {
-  bool found = false;
+  const std::vector<char> before = also;
   also.resize(tried_.size(), 0);
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const Contact &start = trial_contacts_[c], &end = tried_[c];
-    if (also[c] || start.closed() || !end.closed() || solution.impact.hit[c]) continue;
-    if (-start.gap.change(state_.velocity) <= least_approach(blocks_, start, dt)) continue;
-    also[c] = 1;
-    found = true;
+    if (start.closed() || !end.closed() || solution.impact.hit[c]) continue;
+    if (-start.gap.change(state_.velocity) > least_approach(blocks_, start, dt)) also[c] = 1;
   }
-  return found;
+  return also != before && std::find(also.begin(), also.end(), 1) != also.end();
 }
 
 Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
