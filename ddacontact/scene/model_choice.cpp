@@ -56,6 +56,12 @@ ChoiceByShape choose_by_shape(const PointsRef& outline) {
           cross(in, out) < -least_turn * in.norm() * out.norm() ? "concave" : "a corner is next to straight"};
 }
 
+bool rests_throughout(const Scene& scene) {
+  const auto rests = [](const AnalysisOptions& analysis) { return analysis.mode == Mode::statics; };
+  return scene.stages.empty() ? rests(scene.analysis)
+                              : std::ranges::all_of(scene.stages, rests, &StageDescription::analysis);
+}
+
 }  // namespace
 
 double slenderness(const PointsRef& outline) {
@@ -71,6 +77,7 @@ ChosenModels choose_models(
     const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing) {
   ChosenModels chosen{scene, std::vector<std::string>(scene.blocks.size())};
   std::vector<std::size_t> may_bend;
+  const bool at_rest = rests_throughout(scene);
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     BlockDescription& block = chosen.scene.blocks[b];
     if (block.model != BlockModel::automatic) continue;
@@ -81,7 +88,8 @@ ChosenModels choose_models(
     chosen.reasons[b] = by_shape.reason;
     if (block.fixed)
       chosen.reasons[b] = "held, " + chosen.reasons[b];
-    else if (scene.analysis.kinematics == Kinematics::corotational)
+    else if (scene.analysis.kinematics == Kinematics::corotational &&
+             (at_rest || slenderness(outline) > least_slenderness))
       may_bend.push_back(b);
   }
   Budget squat{most_unknowns_of_squat}, slender{most_unknowns_of_slender};

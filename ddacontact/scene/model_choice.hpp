@@ -8,10 +8,10 @@
 ///    carry. The forces are those of a first look at the scene at rest, and of another one with the meshes
 ///    chosen, at most three.
 /// 3. A block is slender when its principal radii of gyration differ by a factor of more than 2.5. One
-/// polygon
-///    cannot bend then: a rectangle of 4:1 has 15 % of the compliance of a beam. It gets four cells across
-///    (400 cells at most), others two. Where the first look finds no forces on a block (it falls, or waits
-///    for others), a slender one is divided and another is not.
+///    polygon cannot bend then: a rectangle of 4:1 has 15 % of the compliance of a beam. It gets four cells
+///    across (400 cells at most). Where the first look finds no forces on it (it falls, or waits for others),
+///    it is divided. Others get two cells across, only where forces are known, and only if all stages are
+///    static: what bending does to how a squat block moves is small against what its mesh costs in each step.
 /// 4. Meshes of slender blocks have 200 000 unknowns at most in all and those of others 4 000: where that is
 ///    not enough none of them is divided. What many blocks carry together depends little on how each bends.
 #pragma once

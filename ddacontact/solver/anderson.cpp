@@ -15,8 +15,8 @@ void AndersonAcceleration::advance(const VectorXd& f, const VectorXd& weights, V
     dx_.push_back(x - last_x_);
     df_.push_back(f - last_f_);
     if (dx_.size() > depth_) {
-      dx_.pop_front();
-      df_.pop_front();
+      dx_.erase(dx_.begin());
+      df_.erase(df_.begin());
     }
   }
   last_x_ = x;

@@ -3,7 +3,7 @@
 
 #include <ddacontact/core/types.hpp>
 
-#include <deque>
+#include <vector>
 
 namespace ddacontact {
 
@@ -22,7 +22,7 @@ class AndersonAcceleration {
 
  private:
   std::size_t depth_;
-  std::deque<VectorXd> dx_, df_;
+  std::vector<VectorXd> dx_, df_;  ///< the oldest first
   VectorXd last_x_, last_f_;
 };
 

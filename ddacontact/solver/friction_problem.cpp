@@ -126,7 +126,14 @@ VectorXd FrictionProblem::free_part(const VectorXd& b) const {
 void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
                                        const VectorXd& g0, const VectorXd& d, VectorXd& residual) const {
   residual = g0;
-  for_elements([&](int e, std::span<const int> u) { residual(u) += matrices_[e] * (d(u) - d0(u)); });
+  for_elements([&](int e, std::span<const int> u) {
+    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
+    for (std::size_t l = 0; l < u.size(); ++l) {
+      const double change = d[u[l]] - d0[u[l]];
+      for (std::size_t k = 0; k < u.size(); ++k)
+        residual[u[k]] += A(static_cast<Index>(k), static_cast<Index>(l)) * change;
+    }
+  });
   for (const ContactTerm& contact : contacts) {
     const ContactForce force = contact_force(contact, d);
     if (force.normal != 0) contact.gap.add_gradient(-force.normal, residual);
@@ -149,7 +156,12 @@ bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, con
                                    const VectorXd& g0, const VectorXd& d) {
   magnitudes_ = g0.cwiseAbs();
   for_elements([&](int e, std::span<const int> u) {
-    magnitudes_(u) += matrices_[e].cwiseAbs() * (d(u) - d0(u)).cwiseAbs();
+    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
+    for (std::size_t l = 0; l < u.size(); ++l) {
+      const double change = std::abs(d[u[l]] - d0[u[l]]);
+      for (std::size_t k = 0; k < u.size(); ++k)
+        magnitudes_[u[k]] += std::abs(A(static_cast<Index>(k), static_cast<Index>(l))) * change;
+    }
   });
   for (const ContactTerm& c : contacts) {
     if (c.normal == ContactTerm::Normal::absent) continue;
@@ -167,8 +179,13 @@ bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, con
 double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d) {
   double slope = step_.dot(residual_), curvature = 0;
   for_elements([&](int e, std::span<const int> u) {
-    const VectorXd change = step_(u);
-    curvature += change.dot(matrices_[e] * change);
+    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
+    for (std::size_t l = 0; l < u.size(); ++l) {
+      double force = 0;
+      for (std::size_t k = 0; k < u.size(); ++k)
+        force += A(static_cast<Index>(k), static_cast<Index>(l)) * step_[u[k]];
+      curvature += step_[u[l]] * force;
+    }
   });
   line_search_.clear();
   const auto add = [&](const ClippedSpring& spring, double rate) {

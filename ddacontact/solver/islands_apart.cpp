@@ -93,12 +93,15 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
     meets[a] = meets[b] = 1;
     if (!blocks.is_unchanging(a) && !blocks.is_unchanging(b)) parent[root(parent, a)] = root(parent, b);
   }
-  std::map<int, int> numbers;  // of roots; those that meet nothing are -1
+  std::vector<int> numbers(n_blocks + 1, -1);  // of islands by their roots; last of those that meet nothing
   std::vector<std::vector<int>> members;
   const auto island_of = [&](int b) {
-    const auto [found, is_new] = numbers.try_emplace(meets[b] ? root(parent, b) : -1, members.size());
-    if (is_new) members.emplace_back();
-    return found->second;
+    int& number = numbers[meets[b] ? root(parent, b) : n_blocks];
+    if (number < 0) {
+      number = static_cast<int>(members.size());
+      members.emplace_back();
+    }
+    return number;
   };
   for (int b = 0; b < n_blocks; ++b)
     if (!blocks.is_unchanging(b)) members[island_of(b)].push_back(b);

@@ -11,6 +11,17 @@ namespace {
 /// What is left of forces by the round-off of the lengths that they follow from.
 constexpr double floor_factor = 64 * std::numeric_limits<double>::epsilon();
 
+/// Whether an unknown of the block by itself moves it without straining it.
+bool moves_as_a_whole(const Block& block, int unknown) {
+  const auto& modes = block.rigid_modes();
+  for (Index mode = 0; mode < modes.cols(); ++mode) {
+    bool by_itself = modes(unknown, mode) != 0;
+    for (Index k = 0; by_itself && k < modes.rows(); ++k) by_itself = k == unknown || modes(k, mode) == 0;
+    if (by_itself) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 StepSystem::StepSystem(BlockSystem& blocks)
@@ -190,12 +201,15 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {
   if (blocks_.is_unchanging(b)) return std::numeric_limits<double>::infinity();
   AffineForm form;
-  blocks_.block(b).vertex_map(vertex).add_to(form, normal);
-  // Of the unknowns that move the vertex those with the least stiffness for their lever give the estimate.
+  const Block& block = blocks_.block(b);
+  block.vertex_map(vertex).add_to(form, normal);
+  // Of the unknowns that move the vertex by straining the block those with the least stiffness for their
+  // lever give the estimate: what presses a vertex strains the block, whose mass alone may resist hardly.
   double softness = 0;
   for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
     const int unknown = form.unknowns()[k];
-    if (blocks_.equation()[unknown] < 0) continue;
+    if (blocks_.equation()[unknown] < 0 || moves_as_a_whole(block, unknown - block.unknowns().first))
+      continue;
     const double c = form.coefficients()[k];
     softness += c * c / diagonal_[unknown];
   }

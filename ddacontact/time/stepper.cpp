@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ddacontact {
@@ -25,6 +26,14 @@ constexpr double tolerant_substep = 1e-2;
 constexpr double reach_growth = 4;
 /// A step is solved again so often for contacts that closed fast without having been foreseen.
 constexpr int most_impact_rounds = 4;
+
+/// The length of a step without the round-off of the times that it lies between: what was made for the step
+/// before serves again.
+double without_round_off(double dt, double time_step, double time) {
+  const double whole_part = time_step / std::round(time_step / dt);
+  const double round_off = 4 * std::numeric_limits<double>::epsilon() * std::abs(time);
+  return std::abs(dt - whole_part) <= round_off ? whole_part : dt;
+}
 
 std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
@@ -111,7 +120,7 @@ bool Stepper::carry_on() {
     const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
     const double shortest = shortest_substep * analysis_.time_step;
     const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
-    const double dt = remaining / pieces;
+    const double dt = without_round_off(remaining / pieces, analysis_.time_step, end);
     const bool last_resort = dt * analysis_.cutting_factor < shortest;
     Try result;
     try {
@@ -231,13 +240,15 @@ void Stepper::detect(double dt) {
 }
 
 Stepper::Solution Stepper::solve(double dt) {
-  StepImpact none;
-  none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
-  if (method_ == ContactMethod::classic || is_static()) return solve_with(dt, none);
+  if (method_ == ContactMethod::classic || is_static()) {
+    StepImpact none;
+    none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
+    return solve_with(dt, none);
+  }
   std::vector<char> also;
   Solution solution;
   for (int round = 0; round < most_impact_rounds; ++round) {
-    StepImpact impact = none;
+    StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
       impact = foresee_impact(blocks_, state_, trial_contacts_, state_.velocity, dt, also);

@@ -68,6 +68,7 @@ TEST(ModelChoice, DoesNotHangOnTheLastDigitOfAGap) {
   std::set<std::string> reasons;
   for (const double gap : {0., 1e-15, -1e-15, 1e-9, -1e-9}) {
     Scene scene = scene_of({R * box(0, gap, 4, 2)});
+    scene.analysis.mode = Mode::statics;
     scene.blocks[1].vertices = R * scene.blocks[1].vertices;
     const Chosen chosen = first(scene);
     EXPECT_EQ(chosen.model, "mesh") << gap;
@@ -90,6 +91,7 @@ TEST(ModelChoice, ABeamIsDividedAndAColumnIsNot) {
 TEST(ModelChoice, FewSquatBlocksAreDividedWhereTheyBend) {
   const auto leaning = [](int n) {
     Scene scene = scene_of({});
+    scene.analysis.mode = Mode::statics;
     scene.blocks.clear();
     for (int k = 0; k < n; ++k) {
       BlockDescription& block = scene.blocks.emplace_back();
@@ -109,6 +111,17 @@ TEST(ModelChoice, FewSquatBlocksAreDividedWhereTheyBend) {
   const Chosen of_many = first(leaning(300));
   EXPECT_EQ(of_many.model, "wachspress");
   EXPECT_NE(of_many.reason.find("too many"), std::string::npos) << of_many.reason;
+}
+
+TEST(ModelChoice, SquatBlocksAreDividedOnlyWhereNothingMoves) {
+  Scene scene = scene_of({box(0, 0, 4, 2)});
+  EXPECT_EQ(first(scene).model, "wachspress");
+  scene.analysis.mode = Mode::statics;
+  EXPECT_EQ(first(scene).model, "mesh");
+  scene.stages = {scene.stage("settle"), scene.stage("load")};
+  EXPECT_EQ(first(scene).model, "mesh");
+  scene.stages[1].analysis.mode = Mode::dynamic;
+  EXPECT_EQ(first(scene).model, "wachspress");
 }
 
 TEST(ModelChoice, AColumnPushedAsideBends) {

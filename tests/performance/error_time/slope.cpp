@@ -1,5 +1,6 @@
 /// \file Voronoi blocks on a slope: stresses at rest, and how they slide.
 #include <tests/performance/error_time/problem.hpp>
+#include <tests/performance/error_time/swaying.hpp>
 
 #include <ddacontact/output/block_summary.hpp>
 #include <mechanics_scenes.hpp>
@@ -13,24 +14,24 @@ using namespace verification;
 
 namespace {
 
-constexpr int n_cells = 30, settling_steps = 20, reference_steps = 8, reference_cells = 16;
-constexpr double slope = 25, friction_angle = 15;                   // degrees
-constexpr double settling_step = 0.5, duration = 0.1, young = 1e9;  // s, s, Pa
-constexpr double reference_step = 5e-4;
+constexpr int resting_cells = 30, sliding_cells = 8, settling_steps = 20, reference_steps = 8,
+              reference_cells = 16;
+constexpr SwayingSlide slide{.slope = 25, .friction = 15};
+constexpr double friction_between = 40;              // degrees
+constexpr double settling_step = 0.5, duration = 1;  // s
 
-/// Block 0 is the slope.
-Scene pile(double time_step, int steps) {
-  Scene scene = rock_scene(time_step, steps, young);
-  scene.joints[0].friction_angle = friction_angle;
-  scene.blocks = {block(turned(rectangle(-20, -1, 40, 1), -radians(slope)), true)};
-  const polyfem::PolygonMesh cells = polyfem::voronoi(rectangle(0, 0, 6, 3), {.n_cells = n_cells});
+/// Cells of a rectangle that lies on the slope, block 0.
+Scene pile(double width, double height, int n_cells, double young) {
+  Scene scene = rock_scene(settling_step, 0, young);
+  scene.blocks = {block(turned(rectangle(-20, -1, 40, 1), -radians(slide.slope)), true)};
+  const polyfem::PolygonMesh cells = polyfem::voronoi(rectangle(0, 0, width, height), {.n_cells = n_cells});
   for (int c = 0; c < cells.n_cells(); ++c)
-    scene.blocks.push_back(block(turned(cells.outline(c), -radians(slope))));
+    scene.blocks.push_back(block(turned(cells.outline(c), -radians(slide.slope))));
   return scene;
 }
 
 Scene resting_scene(const Method& method, double n_steps) {
-  Scene scene = pile(settling_step, 0);
+  Scene scene = pile(6, 3, resting_cells, 1e9);
   apply(method, scene);
   settle_first(scene, static_cast<int>(n_steps), settling_step);
   scene.stages.pop_back();
@@ -38,7 +39,19 @@ Scene resting_scene(const Method& method, double n_steps) {
 }
 
 Scene sliding_scene(const Method& method, double time_step) {
-  Scene scene = pile(time_step, static_cast<int>(std::lround(duration / time_step)));
+  Scene scene = pile(3, 2, sliding_cells, 35e9);
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = static_cast<int>(std::lround(duration / time_step));
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].name = "slope";
+  scene.blocks[0].material = 1;
+  scene.joints[0].friction_angle = friction_between;
+  scene.joints.push_back(scene.joints[0]);
+  scene.joints[1].between = {0, 1};
+  scene.joints[1].friction_angle = slide.friction;
+  for (int b = 1; b < static_cast<int>(scene.blocks.size()); ++b)
+    scene.loads.push_back(
+        slide.force(b, scene.materials[0].density, settling_steps * settling_step, duration));
   apply(method, scene);
   settle_first(scene, settling_steps, settling_step);
   scene.stages[0].reset_displacements = true;
@@ -55,16 +68,15 @@ Eigen::Matrix3Xd stresses(const Stepper& stepper) {
   return found;
 }
 
-/// How far the middles of the blocks have come since they were let go: the mean of their outlines' vertices.
-Points ways(const Stepper& stepper) {
+/// How far the centre of mass of all has come down the slope since they were let go, m.
+double way_down(const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
-  const Points displacements = blocks.displacements(stepper.state());
-  Points found(2, blocks.n_blocks() - 1);
+  double sum = 0, area = 0;
   for (int b = 1; b < blocks.n_blocks(); ++b) {
-    const auto [first, count] = blocks.block(b).vertices();
-    found.col(b - 1) = displacements.middleCols(first, count).rowwise().mean();
+    sum += blocks.block(b).reference_area() * way(stepper, b).dot(slide.down());
+    area += blocks.block(b).reference_area();
   }
-  return found;
+  return sum / area;
 }
 
 Judge resting_judge() {
@@ -79,10 +91,8 @@ Judge resting_judge() {
 }
 
 Judge sliding_judge() {
-  Method fine = method_of("tolerance 1e-8");
-  const BuiltScene built = run(sliding_scene(fine, reference_step));
-  return [expected = ways(*built.stepper)](const Stepper& stepper) {
-    return std::vector{(ways(stepper) - expected).norm() / expected.norm()};
+  return [](const Stepper& stepper) {
+    return std::vector{std::abs(way_down(stepper) / slide.way(duration) - 1)};
   };
 }
 
@@ -94,10 +104,11 @@ Problem resting_slope() {
       .title = "Voronoi blocks on a slope, at rest",
       .description =
           "30 Voronoi cells of a rectangle of 6 x 3 m, E = 1 GPa, on a rigid slope of 25 degrees get their "
-          "weight "
-          "at once, with a friction angle of 45 degrees; static steps of 0.5 s. The blocks' mean stresses "
-          "(root of the sum over their areas of the squares) against 16 cells in every block, penetration to "
-          "1e-8 and 8 steps: `mesh` has the same cells, so that its error is that of its steps alone.",
+          "weight at once, with a friction angle of 45 degrees; static steps of 0.5 s. The blocks' mean "
+          "stresses (root of the sum over their areas of the squares) against 16 cells in every block, "
+          "penetration to 1e-8 and 8 steps: `mesh` has the same cells, so that its error is that of its "
+          "steps alone. Friction at rest may be shared out in more than one way: errors of a few per cent do "
+          "not tell models apart.",
       .quantities = {{"slope_stress", "error of the blocks' mean stresses"}},
       .setting = "static steps",
       .settings = {1, 2, 4, 8, 16},
@@ -111,13 +122,14 @@ Problem sliding_slope() {
       .name = "sliding_slope",
       .title = "Voronoi blocks that slide",
       .description =
-          "The same blocks, settled in 20 steps, are let go by a friction angle of 15 degrees. How far they "
-          "have "
-          "come after 0.1 s (root of the sum of the squares) against the default with steps of 5e-4 s and "
-          "penetration to 1e-8.",
-      .quantities = {{"slope_ways", "error of the blocks' ways"}},
+          "8 Voronoi cells of a rectangle of 3 x 2 m, E = 35 GPa, have settled on a rigid slope of 25 "
+          "degrees. "
+          "With a friction angle of 40 degrees between them and 15 on the slope they slide as one under a "
+          "force along it of 1.5 m/s2 sin 4πt on all of them: how far their centre of mass has come after "
+          "one second is known, as that of the block above is.",
+      .quantities = {{"slope_way", "error of the way of the blocks' centre of mass"}},
       .setting = "Δt, s",
-      .settings = {0.02, 0.01, 0.005, 0.002},
+      .settings = {0.05, 0.02, 0.01, 0.005, 0.0025, 0.00125},
       .scene = sliding_scene,
       .judge = sliding_judge,
       .settles = true};
