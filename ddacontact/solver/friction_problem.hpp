@@ -46,6 +46,7 @@ class FrictionProblem {
   const polyfem::Connectivity& unknowns() const { return elements_; }
   /// The row of each unknown, -1: held.
   const std::vector<int>& equation() const { return equation_; }
+  int n_equations() const { return n_equations_; }
   /// Must be called after A, or coefficients or stiffnesses of the contacts have changed: the last factor is
   /// another matrix's then.
   void matrices_changed() { factored_springs_.clear(); }

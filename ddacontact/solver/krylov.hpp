@@ -69,45 +69,45 @@ KrylovReport gmres(const Multiply& multiply, const VectorXd& b, double tolerance
   const double scale = b.norm();
   if (scale == 0) return {true, 0};
   std::vector<VectorXd> basis{b / scale};
-  // R x = g in the space: the last column of H turned by all rotations.
-  MatrixXd R = MatrixXd::Zero(most_iterations, most_iterations);
-  VectorXd g = VectorXd::Zero(most_iterations + 1), cosine(most_iterations), sine(most_iterations), w;
-  g[0] = scale;
+  // R x = g in the space, R by its columns: those of H turned by all rotations.
+  std::vector<VectorXd> R;
+  std::vector<double> g{scale}, cosine, sine;
+  VectorXd w;
   while (report.iterations < most_iterations && !report.converged) {
-    const int k = report.iterations++;
+    const std::size_t k = R.size();
     multiply(basis[k], w);
-    VectorXd h = VectorXd::Zero(k + 2);
+    VectorXd h = VectorXd::Zero(static_cast<Index>(k) + 2);
     for (int twice = 0; twice < 2; ++twice)
-      for (int i = 0; i <= k; ++i) {
+      for (std::size_t i = 0; i <= k; ++i) {
         const double along = basis[i].dot(w);
         w -= along * basis[i];
-        h[i] += along;
+        h[static_cast<Index>(i)] += along;
       }
-    h[k + 1] = w.norm();
-    for (int i = 0; i < k; ++i) {
-      const double upper = cosine[i] * h[i] + sine[i] * h[i + 1];
-      h[i + 1] = cosine[i] * h[i + 1] - sine[i] * h[i];
-      h[i] = upper;
+    const double left = h[static_cast<Index>(k) + 1] = w.norm();
+    for (std::size_t i = 0; i < k; ++i) {
+      double &upper = h[static_cast<Index>(i)], &lower = h[static_cast<Index>(i) + 1];
+      const double before = upper;
+      upper = cosine[i] * before + sine[i] * lower;
+      lower = cosine[i] * lower - sine[i] * before;
     }
-    const double length = std::hypot(h[k], h[k + 1]);
-    if (!(length > 0) || !std::isfinite(length)) {
-      --report.iterations;
-      break;
-    }
-    cosine[k] = h[k] / length;
-    sine[k] = h[k + 1] / length;
-    R.col(k).head(k) = h.head(k);
-    R(k, k) = length;
-    g[k + 1] = -sine[k] * g[k];
+    const double length = std::hypot(h[static_cast<Index>(k)], left);
+    if (!(length > 0) || !std::isfinite(length)) break;
+    cosine.push_back(h[static_cast<Index>(k)] / length);
+    sine.push_back(left / length);
+    h[static_cast<Index>(k)] = length;
+    R.push_back(std::move(h));
+    g.push_back(-sine[k] * g[k]);
     g[k] *= cosine[k];
+    ++report.iterations;
     report.converged = std::abs(g[k + 1]) <= tolerance * scale;
-    if (h[k + 1] == 0) break;
-    basis.push_back(w / h[k + 1]);
+    if (left == 0) break;
+    basis.push_back(w / left);
   }
-  const int n = report.iterations;
-  if (n == 0) return report;
-  const VectorXd y = R.topLeftCorner(n, n).template triangularView<Eigen::Upper>().solve(g.head(n));
-  for (int i = 0; i < n; ++i) x += y[i] * basis[i];
+  for (std::size_t i = R.size(); i-- > 0;) {
+    g[i] /= R[i][static_cast<Index>(i)];
+    for (std::size_t k = 0; k < i; ++k) g[k] -= R[i][static_cast<Index>(k)] * g[i];
+    x += g[i] * basis[i];
+  }
   return report;
 }
 

@@ -12,6 +12,8 @@ namespace {
 /// Of |b|: Newton's method repairs what is left.
 constexpr double tolerance = 1e-4;
 constexpr int most_iterations = 60, most_stale_iterations = 12;
+/// Of so few equations a factor is cheaper than so many iterations.
+constexpr int few_equations = 2000, many_iterations = 8;
 /// A factor serves as preconditioner as long as no more than this part of the springs has changed.
 constexpr double most_changed = 0.02;
 
@@ -50,6 +52,7 @@ bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
   counts_.iterations += report.iterations;
   if (report.converged) {
     ++counts_.without_factor;
+    local_ = problem_.n_equations() > few_equations || report.iterations <= many_iterations;
   } else {
     ++counts_.fallbacks;
     local_ = false;

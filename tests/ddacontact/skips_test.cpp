@@ -151,11 +151,14 @@ INSTANTIATE_TEST_SUITE_P(OfTheSameBits, Skip,
                                          &Skips::unchanged_factor),
                          name_of);
 
-TEST(UnchangedFactor, SavesFactorizations) {
+/// Open-close iterations solve the same matrix again; the default mechanics turns it with the blocks first.
+TEST(UnchangedFactor, SavesFactorizationsOfThePaper) {
   const auto factorizations = [](bool kept) {
     long sum = 0;
     for (const auto& [name, scene] : support::made_scenes())
-      sum += after(with(&Skips::unchanged_factor, kept, scene), 6).stepper->counts().factorizations;
+      sum += after(with(&Skips::unchanged_factor, kept, support::paper_mechanics(scene)), 6)
+                 .stepper->counts()
+                 .factorizations;
     return sum;
   };
   EXPECT_LT(factorizations(true), factorizations(false));

@@ -16,8 +16,8 @@ namespace {
 /// Of the forces on a block: what a step may leave unbalanced, besides round-off.
 constexpr double residual_tolerance = 1e-8;
 constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
-/// Of a block's size, m: a thousandth of what contacts may penetrate.
-constexpr double place_tolerance = 1e-9;
+/// Of a block's size, m: a hundredth of what contacts may penetrate.
+constexpr double place_tolerance = 1e-8;
 
 using Solutions = long StepCounts::*;
 
