@@ -11,7 +11,7 @@ void Stepper::apply(const Stage& stage) {
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
   if (!system_ || !stage.removed.empty()) make_system();
-  std::erase_if(contacts_, [&](const Contact& contact) {
+  std::erase_if(contacts_, [&](const ContactRecord& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
   properties_.joints = stage.joints;
@@ -56,7 +56,7 @@ void Stepper::enter_stage(int stage) {
 void Stepper::set_flight_acceleration() {
   if (is_static()) return;
   std::vector<bool> touches(static_cast<std::size_t>(blocks_.n_blocks()), false);
-  for (const Contact& contact : contacts_)
+  for (const ContactRecord& contact : contacts_)
     if (contact.closed())
       for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
         touches[static_cast<std::size_t>(b)] = true;

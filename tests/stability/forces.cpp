@@ -9,7 +9,7 @@ namespace stability {
 
 namespace {
 
-double bond(double strength, const Contact& contact) {
+double bond(double strength, const ContactRecord& contact) {
   return contact.history.bonded ? strength : 0;
 }
 
@@ -28,9 +28,9 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
     }
     largest_energy = std::max({largest_energy, energy.kinetic, energy.elastic, std::abs(energy.gravity)});
     double largest = 0;
-    for (const Contact& contact : stepper.contacts())
+    for (const ContactRecord& contact : stepper.contacts())
       largest = std::max(largest, std::hypot(contact.normal, contact.shear));
-    for (const Contact& contact : stepper.contacts()) {
+    for (const ContactRecord& contact : stepper.contacts()) {
       if (!contact.closed() || largest == 0) continue;
       ++check.contacts;
       const JointLaw& law = contact.law;

@@ -70,7 +70,7 @@ struct Reaction {
 std::array<Reaction, 2> reactions(const Groove& groove, const Stepper& stepper) {
   std::array<Reaction, 2> reactions;
   const double weight = stepper.blocks().block(2).mass_total() * gravity;
-  for (const Contact& contact : stepper.contacts()) {
+  for (const ContactRecord& contact : stepper.contacts()) {
     if (!contact.closed()) continue;
     const bool on_vertex = contact.pair.vertex_block == 2;
     const int side = on_vertex ? contact.pair.edge_block : contact.pair.vertex_block;

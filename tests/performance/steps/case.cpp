@@ -97,7 +97,7 @@ class Samples {
   std::array<std::vector<double>, phases.size()> by_phase_;
 };
 
-void add_limit(const Stepper& stepper, double most_mb, Measurement& row) {
+void add_limit(Stepper& stepper, double most_mb, Measurement& row) {
   const polyfem::SparseMatrix matrix = step_matrix(stepper);
   const CholmodTimes amd = cholmod_times(matrix, Ordering::amd, most_mb),
                      metis = cholmod_times(matrix, Ordering::metis, most_mb);
