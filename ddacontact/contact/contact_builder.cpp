@@ -1,6 +1,8 @@
 #include <ddacontact/contact/contact_builder.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/contact/kinematics.hpp>
+#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/entries.hpp>
 #include <ddacontact/detection/half_width.hpp>
@@ -338,10 +340,10 @@ bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const
 bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end,
                                   const std::vector<Contact>& contacts) {
   found_.clear();
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+  for_blocks(blocks_.n_blocks(), [&](int b) {
     const Range& v = blocks_.block(b).vertices();
     boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
-  }
+  });
   for (const auto& [a, b] : pairs_) {
     if (!may_have_entered(a, b, end) && !may_have_entered(b, a, end)) continue;
     const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
@@ -366,6 +368,14 @@ void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& 
     make_forms(contact);
     contacts.insert(same_pair.end(), contact);
   }
+}
+
+double ContactBuilder::memory() const {
+  double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
+                 outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
+                 bytes_of(pairs_) + bytes_of(found_in_) + bytes_of(found_);
+  for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
+  return bytes;
 }
 
 }  // namespace ddacontact

@@ -55,6 +55,9 @@ class ContactBuilder {
   /// From now on contacts follow these joints, the bonds of `contacts` too.
   void set_joints(JointTable joints, std::vector<ContactRecord>& contacts);
 
+  /// Bytes of the heap.
+  double memory() const;
+
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
 

@@ -12,9 +12,6 @@ namespace ddacontact {
 class BlockInverse {
  public:
   static constexpr int largest_block = 16;  ///< unknowns
-  using Matrix =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_block, largest_block>;
-
   /// Takes A. False: its matrices share unknowns, or are larger.
   [[nodiscard]] bool set_matrices(FrictionProblem& problem);
   /// Adds the parts of stiffness * a a^T that lie within blocks.
@@ -29,12 +26,21 @@ class BlockInverse {
   int block_of(int unknown) const { return block_of_[static_cast<std::size_t>(unknown)]; }
   int place_in_block(int unknown) const { return place_[static_cast<std::size_t>(unknown)]; }
   /// After `invert`; of held unknowns the identity.
-  const Matrix& inverse(int block) const { return matrices_[static_cast<std::size_t>(block)]; }
+  Eigen::Map<const MatrixXd> inverse(int block) const {
+    const Index n = unknowns_->first[block + 1] - unknowns_->first[block];
+    return {values_.data() + first_[static_cast<std::size_t>(block)], n, n};
+  }
 
  private:
+  Eigen::Map<MatrixXd> matrix(int block) {
+    const Eigen::Map<const MatrixXd> inverse = this->inverse(block);
+    return {values_.data() + first_[static_cast<std::size_t>(block)], inverse.rows(), inverse.cols()};
+  }
+
   const polyfem::Connectivity* unknowns_ = nullptr;
   std::vector<int> block_of_, place_;
-  std::vector<Matrix> matrices_;
+  std::vector<double> values_;      ///< of all matrices
+  std::vector<std::size_t> first_;  ///< of each block
 };
 
 }  // namespace ddacontact

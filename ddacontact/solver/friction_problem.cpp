@@ -1,5 +1,7 @@
 #include <ddacontact/solver/friction_problem.hpp>
 
+#include <ddacontact/core/bytes_of.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -137,6 +139,16 @@ void FrictionProblem::multiply(const std::vector<ContactTerm>& contacts,
     coupling.row->add_gradient(coupling.rate * coupling.column->change(x), y);
   for (std::size_t u = 0; u < equation_.size(); ++u)
     if (equation_[u] < 0) y[static_cast<Index>(u)] = 0;
+}
+
+double FrictionProblem::memory() const {
+  double bytes = bytes_of(equation_) + bytes_of(elements_.first) + bytes_of(elements_.rows) +
+                 bytes_of(matrices_) + matrix_.memory() + bytes_of(factored_springs_) + bytes_of(active_) +
+                 bytes_of(pieces_) + bytes_of(trial_pieces_);
+  for (const MatrixXd& matrix : matrices_) bytes += bytes_of(matrix);
+  for (const VectorXd* vector : {&rhs_, &solution_, &residual_, &step_, &trial_, &magnitudes_})
+    bytes += bytes_of(*vector);
+  return bytes;
 }
 
 VectorXd FrictionProblem::free_part(const VectorXd& b) const {

@@ -75,7 +75,7 @@ void ContactRelaxation::set_contact(const ContactTerm& term, Local& local) const
   each([&](int block, int place, double normal, double shear) {
     Answer& answer = local.answers[local.answers[0].block < 0 || local.answers[0].block == block ? 0 : 1];
     answer.block = block;
-    const BlockInverse::Matrix& inverse = inverse_.inverse(block);
+    const auto inverse = inverse_.inverse(block);
     for (Index k = 0; k < inverse.rows(); ++k) {
       answer.of_normal[static_cast<std::size_t>(k)] += inverse(k, place) * normal;
       answer.of_shear[static_cast<std::size_t>(k)] += inverse(k, place) * shear;

@@ -1,5 +1,7 @@
 #include <ddacontact/time/motion_limits.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,7 +39,7 @@ double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
 
 void MotionLimits::find_speeds(const BlockState& state, const std::vector<ContactRecord>& met) {
   own_speed_.resize(blocks_.n_blocks());
-  for (int b = 0; b < blocks_.n_blocks(); ++b) own_speed_[b] = fastest_vertex(state, b);
+  for_blocks(blocks_.n_blocks(), [&](int b) { own_speed_[b] = fastest_vertex(state, b); });
   speed_ = own_speed_;
   for (const ContactRecord& contact : met) {
     const int a = contact.pair.vertex_block, b = contact.pair.edge_block;

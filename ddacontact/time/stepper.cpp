@@ -1,5 +1,6 @@
 #include <ddacontact/time/stepper.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
@@ -410,11 +411,9 @@ VectorXd Stepper::start_velocity() const {
   return is_static() ? VectorXd::Zero(state_.velocity.size()) : state_.velocity;
 }
 
-bool Stepper::check_outline(int b, const BlockState& next) {
+bool Stepper::check_concave(int b, const BlockState& next) {
   const Range& v = blocks_.block(b).vertices();
-  const auto outline = next.position.middleCols(v.first, v.count);
-  if (!polyfem::find_non_convex_corner(outline)) return true;
-  if (polyfem::find_defect(outline)) {
+  if (polyfem::find_defect(next.position.middleCols(v.first, v.count))) {
     rejection_ = "the outline of block " + quoted(blocks_.names[b]) + " crosses itself";
     return false;
   }
@@ -428,15 +427,17 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   held_ = {};
   const VectorXd& d = solution.d;
   blocks_.end_step(d, solution.residual.external, next);
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (blocks_.is_unchanging(b)) continue;
-    const Block& block = blocks_.block(b);
-    const Range& v = block.vertices();
+  std::vector<char> is_concave(blocks_.n_blocks(), 0);
+  for_blocks(blocks_.n_blocks(), [&](int b) {
+    if (blocks_.is_unchanging(b)) return;
+    const Range& v = blocks_.block(b).vertices();
     const auto outline = next.position.middleCols(v.first, v.count);
-    if (!check_outline(b, next)) return false;
+    is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
     const double angle = best_fit_rotation(blocks_.reference().middleCols(v.first, v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
-  }
+  });
+  for (int b = 0; b < blocks_.n_blocks(); ++b)
+    if (is_concave[b] && !check_concave(b, next)) return false;
   if (is_static()) {  // after a static step blocks are at rest
     next.velocity.setZero();
     next.acceleration.setZero();

@@ -28,6 +28,14 @@ struct StepTimes {
   long analyses = 0;  ///< of the pattern of (13); going on from a record takes one more
 };
 
+/// Bytes of the heap between two steps, by what takes them; the blocks and what describes them are the rest.
+struct StepMemory {
+  double state = 0;      ///< of the blocks, with reactions
+  double contacts = 0;   ///< and what they were before the last try
+  double detection = 0;  ///< outlines, boxes, pairs
+  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without the factor
+};
+
 /// Owns the blocks, their state and their contacts, and carries them through time.
 class Stepper {
  public:
@@ -77,6 +85,8 @@ class Stepper {
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
+  /// While no block sleeps.
+  StepMemory memory() const;
   /// Whether a block sleeps: see Sleeping.
   bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
   /// The present stage, or the one whose steps have all been made.
@@ -130,8 +140,8 @@ class Stepper {
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(const StepStart& start, Solution& solution);
   std::string between(int contact) const;
-  /// Whether outlines are still simple; notes convex ones that are no longer convex in `turned_concave_`.
-  bool check_outline(int block, const BlockState& next);
+  /// Whether an outline that is not convex is simple; notes one that was convex in `turned_concave_`.
+  bool check_concave(int block, const BlockState& next);
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
   bool advance(double dt, const Solution& solution, BlockState& next);
   void accept(double dt, const Solution& solution, BlockState next);

@@ -1,4 +1,5 @@
 // Where a stepper is among its stages, and going on from there.
+#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 
@@ -108,6 +109,16 @@ void Stepper::restore(StepRecord record) {
   if (record.sleeping.island.empty()) return;
   sleeping_ = Sleeping(record.sleeping);
   if (sleeping_.n_asleep() > 0) regroup(&record.sleeping.around);
+}
+
+StepMemory Stepper::memory() const {
+  const BlockState& s = state_;
+  return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
+                   bytes_of(s.acceleration) + bytes_of(s.stress) + bytes_of(s.rotation) +
+                   bytes_of(reactions_),
+          .contacts = bytes_of(contacts_) + bytes_of(tried_) + bytes_of(starts_),
+          .detection = contact_builder_->memory() + bytes_of(reach_),
+          .equations = system_->memory()};
 }
 
 RunRecord Stepper::run_record() const {
