@@ -104,8 +104,12 @@ std::optional<std::string> memory_problem(const ddacontact::Scene& scene) {
       n_blocks * fits >= 2
           ? fmt::format("about {:.0f} blocks like these would fit", rounded_down(n_blocks * fits))
           : fmt::format("blocks of about {:.2g} times as many cells would fit", fits);
-  return fmt::format("{} blocks with {:.0f} unknowns take about {} of memory, {} are available ({})",
-                     scene.blocks.size(), estimate.n_rows, bytes_text(estimate.total()),
+  const std::string factor =
+      estimate.has_factor
+          ? fmt::format(", {} of it for the factor of their equations", bytes_text(estimate.factor))
+          : ", though steps so short are taken to need no factor of their equations";
+  return fmt::format("{} blocks with {:.0f} unknowns take about {} of memory{}; {} are available ({})",
+                     scene.blocks.size(), estimate.n_rows, bytes_text(estimate.total()), factor,
                      bytes_text(*available), cure);
 }
 

@@ -30,20 +30,11 @@ struct MovingVertexEdge {
   VertexEdgePlace moved(const VectorXd& d) const { return {i(d), j(d), k(d)}; }
 };
 
-/// A vertex of one block against an edge of another, through one step.
-struct Contact {
+/// A contact between two steps: what the last one left and the next one carries on.
+struct ContactRecord {
   VertexEdge pair;
   JointLaw law;
   ContactHistory history;  ///< at the start of the step, then at its end
-  MovingVertexEdge motion;
-  AffineForm gap, slip;  ///< over the same unknowns; the gap without its offset. (36) and (44), or, in the
-                         ///< staged method, the true ones at the end of the step with their derivatives
-  double edge_length = 0;
-  double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
-  double length_tolerance = 0;                     ///< gaps and slips below this are round-off, m
-  double end_tolerance = 0;  ///< a vertex no further than this beyond an end of the edge is still on it, m
-  double damping = 0;        ///< dashpot over the length of the step: force by change of the gap, N/m per m
-  double size = 0;           ///< of the smaller block, held ones not counted, m
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
   double normal = 0;        ///< N, > 0 compression
@@ -56,12 +47,41 @@ struct Contact {
   bool has_bond() const { return history.bonded && (law.cohesion > 0 || law.tension > 0); }
   /// Whether the next step has to know of it: an open one has its overlap of the start still.
   bool lasts() const { return closed() || history.gap_offset < 0; }
+};
+
+/// A vertex of one block against an edge of another, through one step.
+struct Contact : ContactRecord {
+  MovingVertexEdge motion;
+  AffineForm gap, slip;  ///< over the same unknowns; the gap without its offset. (36) and (44), or, in the
+                         ///< staged method, the true ones at the end of the step with their derivatives
+  double edge_length = 0;
+  double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
+  double length_tolerance = 0;                     ///< gaps and slips below this are round-off, m
+  double end_tolerance = 0;  ///< a vertex no further than this beyond an end of the edge is still on it, m
+  double damping = 0;        ///< dashpot over the length of the step: force by change of the gap, N/m per m
+  double size = 0;           ///< of the smaller block, held ones not counted, m
+
   /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.
   bool is_on_edge(double at_slip) const {
     const double along = history.lock * edge_length + at_slip;
     return along >= -(end_tolerance + straight_before) &&
            along <= edge_length + straight_after + end_tolerance;
   }
+};
+
+/// What a try of a step changes of a contact and its results do not tell: as it was before.
+struct ContactStart {
+  ContactHistory history;
+  double normal_stiffness = 0, tangential_stiffness = 0;
+  double gap = 0, slip = 0;  ///< the gap without its offset
+
+  ContactStart() = default;
+  explicit ContactStart(const Contact& contact)
+      : history(contact.history),
+        normal_stiffness(contact.law.normal_stiffness),
+        tangential_stiffness(contact.law.tangential_stiffness),
+        gap(contact.gap.constant),
+        slip(contact.slip.constant) {}
 };
 
 }  // namespace ddacontact

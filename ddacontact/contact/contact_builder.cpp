@@ -1,6 +1,8 @@
 #include <ddacontact/contact/contact_builder.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/contact/kinematics.hpp>
+#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/entries.hpp>
 #include <ddacontact/detection/half_width.hpp>
@@ -33,18 +35,28 @@ Pair block_pair(const VertexEdge& contact) {
           std::max(contact.vertex_block, contact.edge_block)};
 }
 
+/// Of contacts ordered by their pairs, those of the pair of this one.
+auto of_same_pair(const VertexEdge& contact, auto& contacts) {
+  return std::ranges::equal_range(contacts, block_pair(contact), {},
+                                  [](const Contact& of) { return block_pair(of.pair); });
+}
+
+bool is_among(const VertexEdge& contact, const auto& contacts) {
+  return std::ranges::any_of(contacts, [&](const Contact& of) { return of.pair == contact; });
+}
+
 /// Of contacts ordered by their pairs, those of one pair after the other.
 class ContactsByPair {
  public:
   /// Pairs from `first` on, in order.
-  ContactsByPair(const std::vector<Contact>& contacts, const Pair& first)
+  ContactsByPair(const std::vector<ContactRecord>& contacts, const Pair& first)
       : end_(contacts.data() + contacts.size()),
         from_(std::lower_bound(
             contacts.data(), end_, first,
-            [](const Contact& contact, const Pair& pair) { return block_pair(contact.pair) < pair; })),
+            [](const ContactRecord& contact, const Pair& pair) { return block_pair(contact.pair) < pair; })),
         to_(from_) {}
 
-  std::span<const Contact> of(const Pair& pair) {
+  std::span<const ContactRecord> of(const Pair& pair) {
     if (from_ != to_ && block_pair(from_->pair) == pair) return {from_, to_};
     for (from_ = to_; from_ != end_ && block_pair(from_->pair) < pair;) ++from_;
     for (to_ = from_; to_ != end_ && block_pair(to_->pair) == pair;) ++to_;
@@ -52,7 +64,7 @@ class ContactsByPair {
   }
 
  private:
-  const Contact *end_, *from_, *to_;
+  const ContactRecord *end_, *from_, *to_;
 };
 
 }  // namespace
@@ -120,7 +132,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
 
 const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
                                                       const std::vector<double>& reach,
-                                                      const std::vector<Contact>& previous) {
+                                                      const std::vector<ContactRecord>& previous) {
   find_pairs(state, reach);
   const Index n = static_cast<Index>(pairs_.size());
   if (found_in_.size() < pairs_.size() / pairs_of_range + 1) found_in_.resize(n / pairs_of_range + 1);
@@ -130,7 +142,7 @@ const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
     ContactsByPair old(previous, pairs_[begin]);
     for (Index p = begin; p < end; ++p) {
       closed.clear();
-      for (const Contact& contact : old.of(pairs_[p]))
+      for (const ContactRecord& contact : old.of(pairs_[p]))
         if (contact.closed()) closed.push_back(contact.pair);
       find_contacts_of(pairs_[p], state, reach, closed, found_in_[begin / pairs_of_range]);
     }
@@ -161,7 +173,7 @@ void ContactBuilder::make_forms(Contact& contact) const {
   contact.slip = slip_form(i, j, k, contact.history.lock);
 }
 
-void ContactBuilder::set_law(Contact& contact) const {
+void ContactBuilder::set_law(ContactRecord& contact) const {
   const JointStrength& joint = strength(contact.pair);
   contact.law.normal_stiffness = properties_.normal_stiffness;
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
@@ -198,15 +210,15 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   return contact;
 }
 
-void ContactBuilder::set_bond_strength(Contact& contact) const {
+void ContactBuilder::set_bond_strength(ContactRecord& contact) const {
   const JointStrength& joint = strength(contact.pair);
   contact.law.cohesion = joint.cohesion * contact.history.length;
   contact.law.tension = joint.tensile_strength * contact.history.length;
 }
 
-void ContactBuilder::set_joints(JointTable joints, std::vector<Contact>& contacts) {
+void ContactBuilder::set_joints(JointTable joints, std::vector<ContactRecord>& contacts) {
   properties_.joints = std::move(joints);
-  for (Contact& contact : contacts) {
+  for (ContactRecord& contact : contacts) {
     set_law(contact);
     if (contact.history.bonded) set_bond_strength(contact);
   }
@@ -214,7 +226,9 @@ void ContactBuilder::set_joints(JointTable joints, std::vector<Contact>& contact
 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
   std::vector<Contact> contacts;
-  for (const VertexEdge& pair : detect(state, reach, {})) {
+  detect(state, reach, {});
+  contacts.reserve(found_.size());
+  for (const VertexEdge& pair : found_) {
     Contact contact = make_contact(state, pair);
     make_forms(contact);
     ContactHistory& history = contact.history;
@@ -234,13 +248,13 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
   return contacts;
 }
 
-const Contact* ContactBuilder::find_predecessor(const BlockState& state, const VertexEdge& pair,
-                                                std::span<const Contact> previous) const {
-  for (const Contact& old : previous)
+const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, const VertexEdge& pair,
+                                                      std::span<const ContactRecord> previous) const {
+  for (const ContactRecord& old : previous)
     if (old.lasts() && old.pair == pair) return &old;
   const Range& of_edge = blocks_.block(pair.edge_block).vertices();
   const auto edge_outline = state.position.middleCols(of_edge.first, of_edge.count);
-  for (const Contact& old : previous) {
+  for (const ContactRecord& old : previous) {
     const bool same_vertex = old.pair.vertex_block == pair.vertex_block && old.pair.vertex == pair.vertex;
     if (old.lasts() && same_vertex &&
         (goes_straight_on(edge_outline, old.pair.edge, pair.edge) ||
@@ -252,7 +266,7 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
     return state.position.col(blocks_.block(block).vertices().first + vertex) + shift;
   };
   const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
-  for (const Contact& old : previous) {
+  for (const ContactRecord& old : previous) {
     const bool exchanged = old.pair.vertex_block == pair.edge_block;
     if (!old.lasts() || !exchanged) continue;
     const auto ends = [&](int vertex, int edge, int block) {
@@ -268,10 +282,10 @@ const Contact* ContactBuilder::find_predecessor(const BlockState& state, const V
 }
 
 Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair,
-                                 std::span<const Contact> previous) const {
+                                 std::span<const ContactRecord> previous) const {
   Contact contact = make_contact(state, pair);
   const double fraction = contact.history.lock;
-  const Contact* old = find_predecessor(state, pair, previous);
+  const ContactRecord* old = find_predecessor(state, pair, previous);
   if (old && !old->closed()) {
     contact.history.gap_offset = old->history.gap_offset;
   } else if (old) {
@@ -290,8 +304,17 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
   return contact;
 }
 
+void ContactBuilder::restart(const ContactStart& start, Contact& contact) const {
+  contact.history = start.history;
+  contact.law.normal_stiffness = start.normal_stiffness;
+  contact.law.tangential_stiffness = start.tangential_stiffness;
+  contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
+  contact.was_closed = false;
+  make_forms(contact);
+}
+
 void ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
-                           const std::vector<Contact>& previous, std::vector<Contact>& contacts) {
+                           const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts) {
   detect(state, reach, previous);
   contacts.resize(found_.size());
   const auto carry_on_range = [&](Index begin, Index end) {
@@ -314,13 +337,13 @@ bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const
   return false;
 }
 
-bool ContactBuilder::add_entered(const BlockState& start, const BlockState& end,
-                                 std::vector<Contact>& contacts) {
+bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end,
+                                  const std::vector<Contact>& contacts) {
   found_.clear();
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+  for_blocks(blocks_.n_blocks(), [&](int b) {
     const Range& v = blocks_.block(b).vertices();
     boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
-  }
+  });
   for (const auto& [a, b] : pairs_) {
     if (!may_have_entered(a, b, end) && !may_have_entered(b, a, end)) continue;
     const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
@@ -332,19 +355,27 @@ bool ContactBuilder::add_entered(const BlockState& start, const BlockState& end,
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
     find_entries({a, start_a, end_a}, {b, start_b, end_b}, entered_depth * pair_size(a, b), found_);
   }
-  bool added = false;
+  std::erase_if(found_,
+                [&](const VertexEdge& entry) { return is_among(entry, of_same_pair(entry, contacts)); });
+  return !found_.empty();
+}
+
+void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& contacts) {
   for (const VertexEdge& entry : found_) {
-    const auto after = std::upper_bound(
-        contacts.begin(), contacts.end(), block_pair(entry),
-        [](const Pair& pair, const Contact& contact) { return pair < block_pair(contact.pair); });
-    const auto known = [&](const Contact& contact) { return contact.pair == entry; };
-    if (std::any_of(contacts.begin(), after, known)) continue;
+    const auto same_pair = of_same_pair(entry, contacts);
+    if (is_among(entry, same_pair)) continue;
     Contact contact = make_contact(start, entry);
     make_forms(contact);
-    contacts.insert(after, contact);
-    added = true;
+    contacts.insert(same_pair.end(), contact);
   }
-  return added;
+}
+
+double ContactBuilder::memory() const {
+  double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
+                 outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
+                 bytes_of(pairs_) + bytes_of(found_in_) + bytes_of(found_);
+  for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
+  return bytes;
 }
 
 }  // namespace ddacontact

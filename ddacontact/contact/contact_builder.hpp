@@ -32,24 +32,31 @@ class ContactBuilder {
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
   /// an overlap is taken as stress-free.
   std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach);
-  /// Writes into `contacts`, which are not `previous`, those that may close while no vertex of block b moves
+  /// Writes into `contacts` those that may close while no vertex of block b moves
   /// further than reach[b]. Those also in `previous` carry on its history; so does a vertex that slid
   /// straight on onto the next edge, or across a corner onto the neighbour's vertex.
-  void build(const BlockState& state, const std::vector<double>& reach, const std::vector<Contact>& previous,
-             std::vector<Contact>& contacts);
+  void build(const BlockState& state, const std::vector<double>& reach,
+             const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
+  /// Makes a contact what it was before a try of a step.
+  void restart(const ContactStart& start, Contact& contact) const;
   /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
   /// either way.
   void keep_pairs(bool keep) { keeps_pairs_ = keep; }
   /// How often pairs of blocks were looked for.
   long n_searches() const { return nearby_.n_searches(); }
 
-  /// Adds to the contacts of `start`, the last ones built, those of vertices that went into another block
-  /// through an edge on the way to `end`, deeper than 1e-5 of the block size, and had no contact with it.
-  /// False: there are none.
-  bool add_entered(const BlockState& start, const BlockState& end, std::vector<Contact>& contacts);
+  /// Looks for vertices that went into another block through an edge on the way from `start` to `end`, deeper
+  /// than 1e-5 of the block size, and had none of these contacts, the last ones built, with it. False: there
+  /// are none.
+  bool find_entered(const BlockState& start, const BlockState& end, const std::vector<Contact>& contacts);
+  /// Adds to the same contacts, as they are in `start`, those of the vertices found.
+  void add_entered(const BlockState& start, std::vector<Contact>& contacts);
 
   /// From now on contacts follow these joints, the bonds of `contacts` too.
-  void set_joints(JointTable joints, std::vector<Contact>& contacts);
+  void set_joints(JointTable joints, std::vector<ContactRecord>& contacts);
+
+  /// Bytes of the heap.
+  double memory() const;
 
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
@@ -58,24 +65,25 @@ class ContactBuilder {
   /// The vertices and edges that may meet while no vertex of block b moves further than reach[b], ordered by
   /// the pairs of blocks; of `previous` those that are closed win ties. Valid until the next call.
   const std::vector<VertexEdge>& detect(const BlockState& state, const std::vector<double>& reach,
-                                        const std::vector<Contact>& previous);
+                                        const std::vector<ContactRecord>& previous);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state, const std::vector<double>& reach);
   /// Appends the contacts of a pair; `closed` were so before.
   void find_contacts_of(const Pair& pair, const BlockState& state, const std::vector<double>& reach,
                         std::span<const VertexEdge> closed, std::vector<VertexEdge>& found) const;
   /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
-  Contact carry_on(const BlockState& state, const VertexEdge& pair, std::span<const Contact> previous) const;
+  Contact carry_on(const BlockState& state, const VertexEdge& pair,
+                   std::span<const ContactRecord> previous) const;
   /// The closed contact of the step before whose history this one carries on: the same, or that of the same
   /// vertex with an edge that goes straight on into this one, or, where vertex meets vertex, the one that the
   /// other vertex made with this vertex's edge.
-  const Contact* find_predecessor(const BlockState& state, const VertexEdge& pair,
-                                  std::span<const Contact> previous) const;
+  const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
+                                        std::span<const ContactRecord> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
   /// Everything but the bond.
-  void set_law(Contact& contact) const;
+  void set_law(ContactRecord& contact) const;
   /// Of a bonded contact, over its length.
-  void set_bond_strength(Contact& contact) const;
+  void set_bond_strength(ContactRecord& contact) const;
   const JointStrength& strength(const VertexEdge& pair) const {
     return properties_.joints.between(properties_.materials[pair.vertex_block],
                                       properties_.materials[pair.edge_block]);

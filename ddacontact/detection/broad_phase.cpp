@@ -1,5 +1,7 @@
 #include <ddacontact/detection/broad_phase.hpp>
 
+#include <ddacontact/core/bytes_of.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -141,6 +143,14 @@ void BroadPhase::sort_pairs(int n_boxes) {
     if (end - begin > 1) std::sort(begin, end);
     begin = end;
   }
+}
+
+double BroadPhase::memory() const {
+  double bytes = bytes_of(items_) + bytes_of(grids_) + bytes_of(cells_) + bytes_of(first_) +
+                 bytes_of(found_) + bytes_of(sorted_);
+  for (const std::vector<int>& items : items_) bytes += bytes_of(items);
+  for (const Grid& grid : grids_) bytes += bytes_of(grid.first) + bytes_of(grid.boxes);
+  return bytes;
 }
 
 std::vector<Pair> overlapping_pairs(const std::vector<Box>& boxes) {

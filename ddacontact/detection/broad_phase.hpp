@@ -37,6 +37,8 @@ class BroadPhase {
  public:
   /// Valid until the next call.
   const std::vector<Pair>& overlapping_pairs(const std::vector<Box>& boxes);
+  /// Bytes of the heap.
+  double memory() const;
 
  private:
   struct PlacedBox {

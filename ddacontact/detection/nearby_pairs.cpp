@@ -1,5 +1,7 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 
+#include <ddacontact/core/bytes_of.hpp>
+
 namespace ddacontact {
 
 bool lies_in(const Box& p, const Box& q) {
@@ -34,6 +36,10 @@ const std::vector<Pair>& NearbyPairs::overlapping_pairs(const std::vector<Box>& 
   for (const Pair& pair : candidates_)
     if (touch(boxes[pair[0]], boxes[pair[1]])) near_.push_back(pair);
   return near_;
+}
+
+double NearbyPairs::memory() const {
+  return broad_phase_.memory() + bytes_of(wide_) + bytes_of(candidates_) + bytes_of(near_);
 }
 
 }  // namespace ddacontact

@@ -18,6 +18,8 @@ class NearbyPairs {
                                              const std::vector<double>& margins);
   /// How often pairs were looked for.
   long n_searches() const { return n_searches_; }
+  /// Bytes of the heap.
+  double memory() const;
 
  private:
   bool holds(const std::vector<Box>& boxes) const;

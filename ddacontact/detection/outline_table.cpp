@@ -1,5 +1,7 @@
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <ddacontact/core/bytes_of.hpp>
+
 namespace ddacontact {
 
 OutlineTable::OutlineTable(std::span<const int> n_vertices) {
@@ -25,6 +27,10 @@ void OutlineTable::set(int polygon, const PointsRef& vertices) {
   }
   boxes_[polygon] = {low, high};
   concave_[polygon] = concave;
+}
+
+double OutlineTable::memory() const {
+  return bytes_of(first_) + bytes_of(sides_) + bytes_of(boxes_) + bytes_of(concave_);
 }
 
 }  // namespace ddacontact

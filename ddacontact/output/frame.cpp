@@ -7,7 +7,7 @@ namespace ddacontact {
 
 namespace {
 
-FrameContact describe(const Contact& contact, const Frame& frame) {
+FrameContact describe(const ContactRecord& contact, const Frame& frame) {
   const VertexEdge& pair = contact.pair;
   const auto edge_outline = frame.outline(pair.edge_block);
   const Vec2 edge = edge_outline.col((pair.edge + 1) % edge_outline.cols()) - edge_outline.col(pair.edge);
@@ -136,7 +136,7 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
   }
   const Counts counts = add_cells(system, frame);
   if (fields.stress) set_stress(system, state, counts, frame);
-  for (const Contact& contact : stepper.contacts())
+  for (const ContactRecord& contact : stepper.contacts())
     if (contact.was_closed) frame.contacts.push_back(describe(contact, frame));
   return frame;
 }

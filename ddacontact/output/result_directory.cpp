@@ -195,7 +195,7 @@ void ResultDirectory::write_vertices(const Stepper& stepper) {
 
 void ResultDirectory::write_contacts(const Stepper& stepper) {
   CsvFile csv(file("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force");
-  for (const Contact& contact : stepper.contacts()) {
+  for (const ContactRecord& contact : stepper.contacts()) {
     if (!contact.was_closed) continue;
     const VertexEdge& pair = contact.pair;
     const OutlineLabels &a = labels_.outlines[pair.vertex_block], &b = labels_.outlines[pair.edge_block];

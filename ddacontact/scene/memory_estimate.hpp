@@ -7,15 +7,21 @@ namespace ddacontact {
 
 /// Bytes, by what takes them.
 struct MemoryEstimate {
-  double scene = 0;     ///< as it is read and kept
-  double blocks = 0;    ///< shapes, states, forces
-  double contacts = 0;  ///< about three for two vertices
-  double matrix = 0;    ///< of a step, with the places of its parts
-  double factor = 0;    ///< c n log2 n entries of n rows, and what making it takes
-  double n_rows = 0;    ///< unknowns that are not held
+  double scene = 0;        ///< as it is read and kept
+  double blocks = 0;       ///< shapes, states, forces
+  double contacts = 0;     ///< about three for two vertices
+  double matrix = 0;       ///< of a step, with the places of its parts or what takes its place
+  double factor = 0;       ///< c n log2 n entries of n rows, and what making it takes; 0: see `has_factor`
+  bool has_factor = true;  ///< whether a factor is counted: see needs_factor
+  double n_rows = 0;       ///< unknowns that are not held
 
   double total() const { return scene + blocks + contacts + matrix + factor; }
 };
+
+/// Whether steps are so long that a factor of their equations will be made, or may be: where waves cross no
+/// block in a step (`carries_waves`) blocks of few unknowns are solved without. The choice of models makes
+/// one too.
+bool needs_factor(const Scene& scene);
 
 /// From the numbers of vertices and of cells alone: blocks of the model "auto" count as undivided, contacts
 /// as in a dense packing.

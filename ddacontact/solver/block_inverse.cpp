@@ -1,10 +1,12 @@
 #include <ddacontact/solver/block_inverse.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/solver/small_product.hpp>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <atomic>
 
 namespace ddacontact {
 
@@ -61,21 +63,25 @@ void BlockInverse::add_spring(double stiffness, const AffineForm& form) {
 bool BlockInverse::invert() {
   using Small =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_block, largest_block>;
-  for (int b = 0; b < unknowns_->n_elements(); ++b) {
-    if (size_[static_cast<std::size_t>(b)] == 0) continue;
+  std::atomic<bool> definite = true;
+  for_blocks(unknowns_->n_elements(), [&](int b) {
+    if (size_[static_cast<std::size_t>(b)] == 0) return;
     View A = view(b);
     const Eigen::LLT<Small> factor(A);
-    if (factor.info() != Eigen::Success) return false;
-    A = factor.solve(Small::Identity(A.rows(), A.cols()));
-  }
-  return true;
+    if (factor.info() == Eigen::Success)
+      A = factor.solve(Small::Identity(A.rows(), A.cols()));
+    else
+      definite = false;
+  });
+  return definite;
 }
 
 void BlockInverse::apply(const VectorXd& b, VectorXd& x) const {
   x.setZero(b.size());
-  for (int block = 0; block < unknowns_->n_elements(); ++block)
+  for_blocks(unknowns_->n_elements(), [&](int block) {
     if (size_[static_cast<std::size_t>(block)] > 0)
       add_product(inverse(block), unknowns_->rows_of(block), b, x);
+  });
   for (std::size_t u = 0; u < equation_->size(); ++u)
     if ((*equation_)[u] < 0) x[static_cast<Index>(u)] = 0;
 }

@@ -1,5 +1,7 @@
 #include <ddacontact/solver/friction_problem.hpp>
 
+#include <ddacontact/core/bytes_of.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -114,6 +116,16 @@ void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
   cholesky_.solve(rhs_, solution_);
   correction.resize(residual.size());
   for (Index k = 0; k < residual.size(); ++k) correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
+}
+
+double FrictionProblem::memory() const {
+  double bytes = bytes_of(equation_) + bytes_of(elements_.first) + bytes_of(elements_.rows) +
+                 bytes_of(matrices_) + matrix_.memory() + bytes_of(factored_springs_) + bytes_of(active_) +
+                 bytes_of(pieces_) + bytes_of(trial_pieces_);
+  for (const MatrixXd& matrix : matrices_) bytes += bytes_of(matrix);
+  for (const VectorXd* vector : {&rhs_, &solution_, &residual_, &step_, &trial_, &magnitudes_})
+    bytes += bytes_of(*vector);
+  return bytes;
 }
 
 VectorXd FrictionProblem::free_part(const VectorXd& b) const {

@@ -77,6 +77,8 @@ class FrictionProblem {
   /// Solutions of all calls of minimize so far.
   int n_iterations() const { return n_iterations_; }
   const polyfem::Cholesky& cholesky() const { return cholesky_; }
+  /// Bytes of the heap, without the factor.
+  double memory() const;
 
  private:
   void set_pattern(const std::vector<ContactTerm>& contacts);

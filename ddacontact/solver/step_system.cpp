@@ -1,5 +1,8 @@
 #include <ddacontact/solver/step_system.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/core/bytes_of.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -94,16 +97,17 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   }
 
   residual.force = -residual.external;
-  residual.worst_block = -1;
-  residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
-  for (int b : active_) {
+  sums_.resize(active_.size());
+  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+    thread_local BlockForces of_block;
+    const int b = active_[a];
     const Block& block = blocks_.block(b);
     const Range& u = block.unknowns();
     const auto lengths = unknown_lengths_.segment(u.first, u.count);
-    block.forces(d.segment(u.first, u.count), forces_);
+    block.forces(d.segment(u.first, u.count), of_block);
     auto r = residual.force.segment(u.first, u.count);
     double sum = magnitude_[b];
-    for (const BlockForces::Forces* f : {&forces_.elastic, &forces_.inertia, &forces_.damping}) {
+    for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping}) {
       r += *f;
       sum += f->cwiseQuotient(lengths).lpNorm<1>();
     }
@@ -119,6 +123,12 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
       const double size = std::abs(r[k]) / lengths[k];
       if (!(size <= largest)) largest = size;  // lets a NaN through
     }
+    sums_[a] = {largest, sum, floor};
+  });
+  residual.worst_block = -1;
+  residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
+  for (std::size_t a = 0; a < active_.size(); ++a) {
+    const auto [largest, sum, floor] = sums_[a];
     residual.scale = std::max(residual.scale, sum);
     residual.floor = std::max(residual.floor, floor);
     if (!(largest <= residual.largest)) residual.largest = largest;
@@ -127,7 +137,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
                                         : std::numeric_limits<double>::infinity();
     if (!(own <= residual.own)) {
       residual.own = own;
-      residual.worst_block = b;
+      residual.worst_block = active_[a];
     }
     residual.over_floor = std::max(residual.over_floor, largest / floor);
   }
@@ -135,10 +145,10 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
 
 VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
-  for (int b : active_) {
-    const Range& u = blocks_.block(b).unknowns();
-    blocks_.block(b).free_path(d.segment(u.first, u.count));
-  }
+  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+    const Block& block = blocks_.block(active_[a]);
+    block.free_path(d.segment(block.unknowns().first, block.unknowns().count));
+  });
   for (const HeldUnknown& held : blocks_.held_unknowns()) d[held.unknown] = prescribed_[held.unknown];
   return d;
 }
@@ -157,12 +167,12 @@ VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
 
 void StepSystem::linearize(const VectorXd& d) {
   diagonal_ = VectorXd::Zero(blocks_.n_unknowns());
-  for (std::size_t a = 0; a < assembled_.size(); ++a) {
+  for_blocks(static_cast<int>(assembled_.size()), [&](int a) {
     const Block& block = blocks_.block(assembled_[a]);
     const Range& u = block.unknowns();
     block.tangent(d.segment(u.first, u.count),
                   problem_.elements().subspan(first_element_[a], block.n_parts()));
-  }
+  });
   for (const HeldSpring& spring : held_springs_) {
     const int b = blocks_.held_vertices[spring.held_vertex].block;
     const auto assembled = std::lower_bound(assembled_.begin(), assembled_.end(), b);
@@ -178,13 +188,14 @@ void StepSystem::linearize(const VectorXd& d) {
 }
 
 void StepSystem::add_change(const VectorXd& change, VectorXd& d) const {
-  for (int b : active_) {
+  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+    const int b = active_[a];
     const Range& u = blocks_.block(b).unknowns();
     if (blocks_.is_free(b))
       blocks_.block(b).add_change(change.segment(u.first, u.count), d.segment(u.first, u.count));
     else
       d.segment(u.first, u.count) += change.segment(u.first, u.count);
-  }
+  });
 }
 
 double StepSystem::largest_relative_move(const VectorXd& change) const {
@@ -196,6 +207,13 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
     largest = std::max(largest, moves.lpNorm<Eigen::Infinity>() / blocks_.block(b).size());
   }
   return largest;
+}
+
+double StepSystem::memory() const {
+  return problem_.memory() + bytes_of(active_) + bytes_of(first_element_) + bytes_of(elements_.first) +
+         bytes_of(elements_.rows) + bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) +
+         bytes_of(diagonal_) + bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) +
+         bytes_of(magnitude_) + bytes_of(stiffest_);
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

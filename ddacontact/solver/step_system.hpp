@@ -73,6 +73,9 @@ class StepSystem {
   const VectorXd& load_forces() const { return load_forces_; }
   const VectorXd& gravity_forces() const { return gravity_forces_; }
 
+  /// Bytes of the heap, without the factor.
+  double memory() const;
+
  private:
   BlockSystem& blocks_;
   std::vector<int> active_;         ///< blocks that may change
@@ -86,7 +89,12 @@ class StepSystem {
   double held_stiffness_ = 0;
   double dt_ = 0, inertia_ = 0;
   VectorXd prescribed_, load_forces_, gravity_forces_;
+  /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
+  struct Sums {
+    double largest, sum, floor;
+  };
   mutable BlockForces forces_;
+  mutable std::vector<Sums> sums_;  ///< of the active blocks
   mutable VectorXd magnitude_, stiffest_;
 };
 

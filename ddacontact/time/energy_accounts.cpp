@@ -27,23 +27,27 @@ Vec2 block_losses(const Block& block, const AcceptedStep& step) {
 }
 
 /// What the springs of a contact store when its gap and slip are these.
-double stored_normal(const Contact& contact, double gap) {
+double stored_normal(const ContactRecord& contact, double gap) {
   return contact.closed() && !contact.augmented ? normal_energy(contact.law, gap) : 0;
 }
-double stored_shear(const Contact& contact, double slip) {
+double stored_shear(const ContactRecord& contact, double slip) {
   return contact.history.state == ContactState::stick && !contact.augmented ? shear_energy(contact.law, slip)
                                                                             : 0;
 }
 
-void account_contact(const Contact& before, const Contact& after, const VectorXd& d, Energy& energy) {
+void account_contact(const ContactStart& start, const Contact& after, const VectorXd& d, Energy& energy) {
   const double gap_change = after.gap.change(d), slip_change = after.slip.change(d);
   const double by_dashpot = after.normal != 0 ? -after.damping * gap_change : 0;
   energy.damping_dissipated -= by_dashpot * gap_change;
-  energy.numerical_dissipated += stored_normal(before, before.gap.constant - before.history.gap_offset) -
+  ContactRecord before = after;
+  before.history = start.history;
+  before.law.normal_stiffness = start.normal_stiffness;
+  before.law.tangential_stiffness = start.tangential_stiffness;
+  energy.numerical_dissipated += stored_normal(before, start.gap - start.history.gap_offset) -
                                  stored_normal(after, after.end_gap) -
                                  (after.normal - by_dashpot) * gap_change;
-  const double from_shear = stored_shear(before, before.slip.constant) - stored_shear(after, after.end_slip) -
-                            after.shear * slip_change;
+  const double from_shear =
+      stored_shear(before, start.slip) - stored_shear(after, after.end_slip) - after.shear * slip_change;
   (is_slipping(after.history.state) ? energy.friction_dissipated : energy.numerical_dissipated) += from_shear;
 }
 
@@ -57,11 +61,11 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
 }
 
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
-                      const std::vector<Contact>& contacts, double held_stiffness) {
+                      const std::vector<ContactRecord>& contacts, double held_stiffness) {
   double energy = sum_over_blocks(blocks.n_blocks(), [&](int b) {
     return blocks.is_present(b) ? blocks.block(b).elastic_energy(state) : 0;
   });
-  for (const Contact& contact : contacts) {
+  for (const ContactRecord& contact : contacts) {
     energy += stored_normal(contact, contact.end_gap) + stored_shear(contact, contact.end_slip);
   }
   for (const HeldVertex& held : blocks.held_vertices) {

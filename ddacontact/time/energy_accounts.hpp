@@ -14,7 +14,7 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 /// Of the blocks, of the springs of closed contacts at the end of their step,
 /// and of the springs of held vertices.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
-                      const std::vector<Contact>& contacts, double held_stiffness);
+                      const std::vector<ContactRecord>& contacts, double held_stiffness);
 
 /// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {
@@ -23,7 +23,8 @@ struct AcceptedStep {
   const VectorXd& start_velocity;  ///< what the step was computed with
   const VectorXd& end_velocity;
   const Residual& residual;
-  const std::vector<Contact>&before, &after;  ///< the same contacts at the start and at the end
+  const std::vector<ContactStart>& before;  ///< the contacts at the start
+  const std::vector<Contact>& after;        ///< and at the end
 };
 
 /// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it

@@ -1,5 +1,7 @@
 #include <ddacontact/time/motion_limits.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,18 +37,18 @@ double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
   return std::sqrt(fastest);
 }
 
-void MotionLimits::find_speeds(const BlockState& state, const std::vector<Contact>& met) {
+void MotionLimits::find_speeds(const BlockState& state, const std::vector<ContactRecord>& met) {
   own_speed_.resize(blocks_.n_blocks());
-  for (int b = 0; b < blocks_.n_blocks(); ++b) own_speed_[b] = fastest_vertex(state, b);
+  for_blocks(blocks_.n_blocks(), [&](int b) { own_speed_[b] = fastest_vertex(state, b); });
   speed_ = own_speed_;
-  for (const Contact& contact : met) {
+  for (const ContactRecord& contact : met) {
     const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
     speed_[a] = std::max(speed_[a], own_speed_[b]);
     speed_[b] = std::max(speed_[b], own_speed_[a]);
   }
 }
 
-const std::vector<double>& MotionLimits::reach(const BlockState& state, const std::vector<Contact>& met,
+const std::vector<double>& MotionLimits::reach(const BlockState& state, const std::vector<ContactRecord>& met,
                                                double dt, double scale) {
   find_speeds(state, met);
   reach_.assign(blocks_.n_blocks(), 0);
@@ -69,7 +71,7 @@ const std::vector<double>& MotionLimits::reach(const BlockState& state, const st
   return reach_;
 }
 
-double MotionLimits::foreseen_step(const BlockState& state, const std::vector<Contact>& met) {
+double MotionLimits::foreseen_step(const BlockState& state, const std::vector<ContactRecord>& met) {
   double longest = std::numeric_limits<double>::infinity();
   if (analysis_.mode == Mode::statics) return longest;
   find_speeds(state, met);

@@ -24,11 +24,11 @@ class MotionLimits {
   /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
   /// `scale`, m. \param[in] met  contacts of the last step: who may meet whom
   /// Valid until the next call.
-  const std::vector<double>& reach(const BlockState& state, const std::vector<Contact>& met, double dt,
+  const std::vector<double>& reach(const BlockState& state, const std::vector<ContactRecord>& met, double dt,
                                    double scale);
   /// The longest step that present velocities allow, s; infinity when nothing moves. A block that is hit is
   /// as fast as what hits it.
-  double foreseen_step(const BlockState& state, const std::vector<Contact>& met);
+  double foreseen_step(const BlockState& state, const std::vector<ContactRecord>& met);
 
   /// No vertex of any block may move further than this in a step, m.
   double largest_displacement() const { return largest_displacement_; }
@@ -38,7 +38,7 @@ class MotionLimits {
  private:
   double fastest_vertex(const BlockState& state, int block) const;
   /// Of each block or, where that is faster, of those that it may meet: in speed_.
-  void find_speeds(const BlockState& state, const std::vector<Contact>& met);
+  void find_speeds(const BlockState& state, const std::vector<ContactRecord>& met);
 
   const BlockSystem& blocks_;
   AnalysisOptions analysis_;

@@ -94,7 +94,7 @@ void write_record(std::ostream& out, const StepRecord& record) {
   const std::size_t n_contacts = record.contacts.size();
   numbers(n_contacts);
   numbers.end_line();
-  for (const Contact& contact : record.contacts) contact_numbers(numbers, contact);
+  for (const ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
   out.flags(flags);
 }
 
@@ -105,7 +105,7 @@ StepRecord read_record(std::istream& in) {
   std::size_t n_contacts = 0;
   numbers(n_contacts);
   record.contacts.resize(n_contacts);
-  for (Contact& contact : record.contacts) contact_numbers(numbers, contact);
+  for (ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
   record.progress.steps = record.steps;
   return record;
 }

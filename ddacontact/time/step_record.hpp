@@ -25,8 +25,8 @@ struct StepRecord {
   double substep = 0;  ///< the length to try next, s
   StageProgress progress;
   BlockState state;
-  std::vector<Contact> contacts;  ///< of the last substep
-  SleepRecord sleeping;           ///< without entries: all are awake
+  std::vector<ContactRecord> contacts;  ///< of the last substep
+  SleepRecord sleeping;                 ///< without entries: all are awake
 };
 
 /// Text, with numbers in hexadecimal: read_record returns the same bits. For runs of one stage,

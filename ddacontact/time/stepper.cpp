@@ -1,11 +1,13 @@
 #include <ddacontact/time/stepper.hpp>
 
+#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/out_of_memory.hpp>
+#include <polyfem/core/parallel.hpp>
 #include <polyfem/core/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -37,6 +39,14 @@ double without_round_off(double dt, double time_step, double time) {
 
 std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
+}
+
+/// Calls work(c) for all contacts: what it writes must belong to contact c alone.
+void for_contacts(std::size_t n_contacts, const auto& work) {
+  constexpr Index grain = 512;
+  polyfem::for_ranges(static_cast<Index>(n_contacts), grain, [&](Index begin, Index end) {
+    for (Index c = begin; c < end; ++c) work(static_cast<std::size_t>(c));
+  });
 }
 
 /// The velocity of a support, from the steps before and after; where it jumps, by much more than in the steps
@@ -95,7 +105,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     convex_.push_back(blocks_.block(b).cell(0).basis == &polyfem::wachspress &&
                       !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
                           blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
-  contacts_ = contact_builder_->build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
+  const std::vector<Contact> first =
+      contact_builder_->build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
+  contacts_.assign(first.begin(), first.end());
   accepted_ = {substep_, counts_, {}};
   set_flight_acceleration();
   start_accounts();
@@ -131,7 +143,7 @@ bool Stepper::carry_on() {
       stop_reason_ = dynamic_cast<const polyfem::OutOfMemory*>(&error)
                          ? error.what()
                          : "out of memory with " + std::to_string(blocks_.n_equations()) + " unknowns and " +
-                               std::to_string(trial_contacts_.size()) + " contacts";
+                               std::to_string(tried_.size()) + " contacts";
       return false;
     }
     if (result == Try::accepted) {
@@ -218,8 +230,12 @@ Stepper::Try Stepper::try_step(double dt) {
   BlockState next = state_;
   if (!advance(dt, solution, next)) return Try::rejected;
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
-  if (analysis_.preset != Preset::paper && contact_builder_->add_entered(state_, next, trial_contacts_))
+  if (analysis_.preset != Preset::paper && contact_builder_->find_entered(state_, next, tried_)) {
+    restart_contacts();
+    contact_builder_->add_entered(state_, tried_);
+    keep_start();
     return Try::missed_contacts;
+  }
   if (solution.friction_unsettled) {
     ++counts_.unconverged;
     last_unsettled_ = rejection_ + ", at time " + std::to_string(next.time) + " s";
@@ -233,10 +249,30 @@ void Stepper::detect(double dt) {
   look_around(dt);
   contact_builder_->keep_pairs(analysis_.skip.skin);
   if (begun_)
-    contact_builder_->build(state_, reach_, contacts_, trial_contacts_);
+    contact_builder_->build(state_, reach_, contacts_, tried_);
   else
-    trial_contacts_ = contact_builder_->build_first(state_, reach_);
+    tried_ = contact_builder_->build_first(state_, reach_);
+  keep_start();
   detected_ = true;
+}
+
+void Stepper::keep_start() {
+  starts_.resize(tried_.size());
+  for_contacts(tried_.size(), [&](std::size_t c) { starts_[c] = ContactStart(tried_[c]); });
+  has_tried_ = false;
+}
+
+void Stepper::restart_contacts() {
+  if (!has_tried_) return;
+  for_contacts(tried_.size(), [&](std::size_t c) { contact_builder_->restart(starts_[c], tried_[c]); });
+  has_tried_ = false;
+}
+
+std::vector<Contact> Stepper::contacts_to_begin_with() {
+  const PartInPlace while_looking(*this);
+  detect(analysis_.time_step);
+  detected_ = false;
+  return tried_;
 }
 
 Stepper::Solution Stepper::solve(double dt) {
@@ -251,7 +287,8 @@ Stepper::Solution Stepper::solve(double dt) {
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
-      impact = foresee_impact(blocks_, state_, trial_contacts_, state_.velocity, dt, also);
+      restart_contacts();
+      impact = foresee_impact(blocks_, state_, tried_, state_.velocity, dt, also);
     }
     solution = solve_with(dt, impact);
     solution.impact = std::move(impact);
@@ -264,8 +301,10 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
   const std::vector<char> before = also;
   also.resize(tried_.size(), 0);
   for (std::size_t c = 0; c < tried_.size(); ++c) {
-    const Contact &start = trial_contacts_[c], &end = tried_[c];
-    if (start.closed() || !end.closed() || solution.impact.hit[c]) continue;
+    if (starts_[c].history.state != ContactState::open || !tried_[c].closed() || solution.impact.hit[c])
+      continue;
+    Contact start = tried_[c];
+    contact_builder_->restart(starts_[c], start);
     if (-start.gap.change(state_.velocity) > least_approach(blocks_, start, dt)) also[c] = 1;
   }
   return also != before && std::find(also.begin(), also.end(), 1) != also.end();
@@ -284,7 +323,8 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
-  tried_ = trial_contacts_;
+  restart_contacts();
+  has_tried_ = true;
   for (Contact& contact : tried_) contact.damping = contact.law.dashpot / dt;
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
@@ -383,11 +423,9 @@ VectorXd Stepper::start_velocity() const {
   return is_static() ? VectorXd::Zero(state_.velocity.size()) : state_.velocity;
 }
 
-bool Stepper::check_outline(int b, const BlockState& next) {
+bool Stepper::check_concave(int b, const BlockState& next) {
   const Range& v = blocks_.block(b).vertices();
-  const auto outline = next.position.middleCols(v.first, v.count);
-  if (!polyfem::find_non_convex_corner(outline)) return true;
-  if (polyfem::find_defect(outline)) {
+  if (polyfem::find_defect(next.position.middleCols(v.first, v.count))) {
     rejection_ = "the outline of block " + quoted(blocks_.names[b]) + " crosses itself";
     return false;
   }
@@ -401,15 +439,17 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   held_ = {};
   const VectorXd& d = solution.d;
   blocks_.end_step(d, solution.residual.external, next);
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (blocks_.is_unchanging(b)) continue;
-    const Block& block = blocks_.block(b);
-    const Range& v = block.vertices();
+  std::vector<char> is_concave(blocks_.n_blocks(), 0);
+  for_blocks(blocks_.n_blocks(), [&](int b) {
+    if (blocks_.is_unchanging(b)) return;
+    const Range& v = blocks_.block(b).vertices();
     const auto outline = next.position.middleCols(v.first, v.count);
-    if (!check_outline(b, next)) return false;
+    is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
     const double angle = best_fit_rotation(blocks_.reference().middleCols(v.first, v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
-  }
+  });
+  for (int b = 0; b < blocks_.n_blocks(); ++b)
+    if (is_concave[b] && !check_concave(b, next)) return false;
   if (is_static()) {  // after a static step blocks are at rest
     next.velocity.setZero();
     next.acceleration.setZero();
@@ -433,7 +473,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   record_reactions(solution.d, solution.residual);
   record_contacts(solution.d);
   account_step(blocks_, *system_,
-               {dt, solution.d, start_velocity(), next.velocity, solution.residual, trial_contacts_, tried_},
+               {dt, solution.d, start_velocity(), next.velocity, solution.residual, starts_, tried_},
                energy_.now);
   // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
   const double of_impact = solution.impact.friction_loss + solution.impact.normal_loss;
@@ -454,7 +494,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
                           ? "the functions of its starting shape"
                           : "mean value functions while a corner is concave"));
   }
-  contacts_ = tried_;
+  contacts_.assign(tried_.begin(), tried_.end());
   state_ = std::move(next);
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);

@@ -28,6 +28,14 @@ struct StepTimes {
   long analyses = 0;  ///< of the pattern of (13); going on from a record takes one more
 };
 
+/// Bytes of the heap between two steps, by what takes them; the blocks and what describes them are the rest.
+struct StepMemory {
+  double state = 0;      ///< of the blocks, with reactions
+  double contacts = 0;   ///< and what they were before the last try
+  double detection = 0;  ///< outlines, boxes, pairs
+  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without the factor
+};
+
 /// Owns the blocks, their state and their contacts, and carries them through time.
 class Stepper {
  public:
@@ -67,14 +75,18 @@ class Stepper {
   const BlockSystem& blocks() const { return blocks_; }
   const BlockState& state() const { return state_; }
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
-  /// Those of sleeping blocks are as they were; forms and motions of any are of no use.
-  const std::vector<Contact>& contacts() const;
+  /// Those of sleeping blocks are as they were.
+  const std::vector<ContactRecord>& contacts() const;
+  /// Those that a step from here begins with; where blocks sleep, by the numbers of those that take part.
+  std::vector<Contact> contacts_to_begin_with();
   const EnergyLedger& energy() const { return energy_; }
   /// Forces that the supports exert at the end of the last accepted substep, N per
   /// m, 2 x all outline vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
   const StepTimes& times() const { return times_; }
+  /// While no block sleeps.
+  StepMemory memory() const;
   /// Whether a block sleeps: see Sleeping.
   bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
   /// The present stage, or the one whose steps have all been made.
@@ -107,6 +119,10 @@ class Stepper {
   /// As if the tries since the last accepted substep had not been made.
   void forget_tries();
   void detect(double dt);
+  /// Keeps what a try changes of contacts.
+  void keep_start();
+  /// Makes contacts what they were before the last try, if there was one.
+  void restart_contacts();
   /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
   /// can).
   struct Solution {
@@ -124,8 +140,8 @@ class Stepper {
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(const StepStart& start, Solution& solution);
   std::string between(int contact) const;
-  /// Whether outlines are still simple; notes convex ones that are no longer convex in `turned_concave_`.
-  bool check_outline(int block, const BlockState& next);
+  /// Whether an outline that is not convex is simple; notes one that was convex in `turned_concave_`.
+  bool check_concave(int block, const BlockState& next);
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
   bool advance(double dt, const Solution& solution, BlockState& next);
   void accept(double dt, const Solution& solution, BlockState next);
@@ -159,7 +175,7 @@ class Stepper {
   /// For an interruption before the next substep is accepted.
   void remember_sleepers();
   /// contacts_ with the numbers of the whole.
-  std::vector<Contact> contacts_in_whole() const;
+  std::vector<ContactRecord> contacts_in_whole() const;
   /// After other blocks sleep: divides blocks and contacts anew into those that take part and those that do
   /// not.
   /// \param[in] around  see SleepRecord; null: to be made
@@ -188,16 +204,17 @@ class Stepper {
   HeldReport held_;  ///< of the last try
 
   BlockState state_;
-  std::vector<Contact> contacts_;  ///< of the last accepted substep
+  std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
   EnergyLedger energy_;
   Points reactions_;
 
-  std::vector<Contact> trial_contacts_;  ///< of the present substep, at its start
-  std::vector<Contact> tried_;           ///< as open-close left them
-  std::vector<double> reach_;            ///< that trial_contacts_ were looked for in
+  std::vector<Contact> tried_;        ///< of the present substep, as the last try left them
+  std::vector<ContactStart> starts_;  ///< of these
+  std::vector<double> reach_;         ///< that they were looked for in
   double reach_scale_ = 1;
-  bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
-  bool detected_ = false;  ///< trial_contacts_ are those of state_
+  bool begun_ = false;      ///< a substep has been made: contacts carry on contacts_
+  bool detected_ = false;   ///< tried_ are those of state_
+  bool has_tried_ = false;  ///< tried_ are no longer what they were before
 
   double substep_ = 0;  ///< the length to try next, s
   struct {
@@ -211,11 +228,11 @@ class Stepper {
   /// What the whole has beside the part, while someone sleeps.
   struct Asleep {
     std::optional<SystemPart> part;
-    std::vector<Contact> contacts;  ///< without a block that is awake; numbers of the whole
-    std::vector<Box> boxes;         ///< of all blocks, valid for those at rest
-    std::vector<Box> around;        ///< see SleepRecord
-    std::vector<double> elastic;    ///< energy of each block at rest, J per m
-    double elastic_outside = 0;     ///< of what is not in the part
+    std::vector<ContactRecord> contacts;  ///< without a block that is awake; numbers of the whole
+    std::vector<Box> boxes;               ///< of all blocks, valid for those at rest
+    std::vector<Box> around;              ///< see SleepRecord
+    std::vector<double> elastic;          ///< energy of each block at rest, J per m
+    double elastic_outside = 0;           ///< of what is not in the part
     Points reactions;  ///< of supports to those who sleep, 2 x all places; only of wholly held blocks
     /// A function of time on a block.
     struct Watched {
@@ -228,7 +245,7 @@ class Stepper {
   };
   std::optional<Asleep> asleep_;
   bool in_step_ = false, part_in_place_ = false;
-  mutable std::vector<Contact> all_contacts_;  ///< while someone sleeps
+  mutable std::vector<ContactRecord> all_contacts_;  ///< while someone sleeps
   mutable bool all_contacts_known_ = false;
   std::function<bool()> interrupted_;
   double last_dt_ = 0;

@@ -38,7 +38,7 @@ Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double mar
   return box;
 }
 
-Pair block_pair(const Contact& contact) {
+Pair block_pair(const ContactRecord& contact) {
   const auto [first, second] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
   return {first, second};
 }
@@ -51,7 +51,8 @@ double fastest_vertex(const Block& block, const VectorXd& velocity) {
 }
 
 /// What a contact's forces do to the unknowns of its blocks.
-void add_forces(const BlockSystem& blocks, const BlockState& state, const Contact& contact, VectorXd& F) {
+void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
+                VectorXd& F) {
   const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
   const Block &of_vertex = blocks.block(vertex_block), &of_edge = blocks.block(edge_block);
   const int next = (edge + 1) % of_edge.n_vertices();
@@ -72,14 +73,14 @@ bool Stepper::may_sleep() const {
          !is_static();
 }
 
-std::vector<Contact> Stepper::contacts_in_whole() const {
-  std::vector<Contact> contacts = contacts_;
-  for (Contact& contact : contacts)
+std::vector<ContactRecord> Stepper::contacts_in_whole() const {
+  std::vector<ContactRecord> contacts = contacts_;
+  for (ContactRecord& contact : contacts)
     for (int* b : {&contact.pair.vertex_block, &contact.pair.edge_block}) *b = asleep_->part->blocks()[*b];
   return contacts;
 }
 
-const std::vector<Contact>& Stepper::contacts() const {
+const std::vector<ContactRecord>& Stepper::contacts() const {
   if (!asleep_) return contacts_;
   if (!all_contacts_known_) {
     all_contacts_.clear();
@@ -102,7 +103,7 @@ std::vector<char> Stepper::find_restless(double dt) const {
   for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const auto [vertex_block, vertex, edge_block, edge] = tried_[c].pair;
-    const bool changed = trial_contacts_[c].history.state != tried_[c].history.state;
+    const bool changed = starts_[c].history.state != tried_[c].history.state;
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
       if (changed || (tried_[c].closed() && !blocks_.is_movable(other) && restless[other])) restless[b] = 1;
   }
@@ -153,7 +154,7 @@ void Stepper::wake_changing(double dt) {
   for (const auto& [block, function] : asleep_->watched) {
     if (!varies(*function, state_.time, state_.time + dt, blocks_.end_time)) continue;
     woken = wake(block) || woken;
-    for (const Contact& contact : asleep_->contacts) {
+    for (const ContactRecord& contact : asleep_->contacts) {
       const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
       if (contact.closed() && (vertex_block == block || edge_block == block))
         woken = wake(vertex_block + edge_block - block) || woken;
@@ -232,7 +233,7 @@ void Stepper::regroup(const std::vector<Box>* around) {
 void Stepper::survey() {
   Asleep& asleep = asleep_.emplace();
   const auto takes_part = [&](int b) { return !blocks_.is_unchanging(b) && !sleeping_.is_asleep(b); };
-  const auto has_part = [&](const Contact& contact) {
+  const auto has_part = [&](const ContactRecord& contact) {
     return takes_part(contact.pair.vertex_block) || takes_part(contact.pair.edge_block);
   };
   std::ranges::copy_if(contacts_, std::back_inserter(asleep.contacts), std::not_fn(has_part));
@@ -245,7 +246,7 @@ void Stepper::survey() {
   VectorXd forces = VectorXd::Zero(blocks_.n_unknowns());
   std::vector<char> watched(blocks_.n_blocks(), 0);
   for (int b = 0; b < blocks_.n_blocks(); ++b) watched[b] = sleeping_.is_asleep(b);
-  for (const Contact& contact : asleep.contacts) {
+  for (const ContactRecord& contact : asleep.contacts) {
     if (!contact.closed()) continue;
     ++asleep.n_closed;
     add_forces(blocks_, state_, contact, forces);
@@ -304,7 +305,7 @@ void Stepper::form_part(const std::vector<Box>* around) {
   }
   asleep.part.emplace(blocks_, std::move(part), resting);
 
-  std::erase_if(contacts_, [&](Contact& contact) {
+  std::erase_if(contacts_, [&](ContactRecord& contact) {
     int &a = contact.pair.vertex_block, &b = contact.pair.edge_block;
     a = asleep.part->number_of(a);
     b = asleep.part->number_of(b);

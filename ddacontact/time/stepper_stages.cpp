@@ -1,4 +1,5 @@
 // Where a stepper is among its stages, and going on from there.
+#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 
@@ -11,7 +12,7 @@ void Stepper::apply(const Stage& stage) {
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
   if (!system_ || !stage.removed.empty()) make_system();
-  std::erase_if(contacts_, [&](const Contact& contact) {
+  std::erase_if(contacts_, [&](const ContactRecord& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
   properties_.joints = stage.joints;
@@ -56,7 +57,7 @@ void Stepper::enter_stage(int stage) {
 void Stepper::set_flight_acceleration() {
   if (is_static()) return;
   std::vector<bool> touches(static_cast<std::size_t>(blocks_.n_blocks()), false);
-  for (const Contact& contact : contacts_)
+  for (const ContactRecord& contact : contacts_)
     if (contact.closed())
       for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
         touches[static_cast<std::size_t>(b)] = true;
@@ -108,6 +109,16 @@ void Stepper::restore(StepRecord record) {
   if (record.sleeping.island.empty()) return;
   sleeping_ = Sleeping(record.sleeping);
   if (sleeping_.n_asleep() > 0) regroup(&record.sleeping.around);
+}
+
+StepMemory Stepper::memory() const {
+  const BlockState& s = state_;
+  return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
+                   bytes_of(s.acceleration) + bytes_of(s.stress) + bytes_of(s.rotation) +
+                   bytes_of(reactions_),
+          .contacts = bytes_of(contacts_) + bytes_of(tried_) + bytes_of(starts_),
+          .detection = contact_builder_->memory() + bytes_of(reach_),
+          .equations = system_->memory()};
 }
 
 RunRecord Stepper::run_record() const {

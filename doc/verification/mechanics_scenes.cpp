@@ -117,7 +117,7 @@ double angular_velocity(const Stepper& stepper, int b) {
 
 double normal_force_between(const Stepper& stepper, int one, int other) {
   double sum = 0;
-  for (const Contact& contact : stepper.contacts()) {
+  for (const ContactRecord& contact : stepper.contacts()) {
     const auto [low, high] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
     if (low == std::min(one, other) && high == std::max(one, other)) sum += contact.normal;
   }

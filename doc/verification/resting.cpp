@@ -68,7 +68,7 @@ void settling(Report& report) {
 
 std::vector<ContactState> states(const Stepper& stepper) {
   std::vector<ContactState> states;
-  for (const Contact& contact : stepper.contacts()) states.push_back(contact.history.state);
+  for (const ContactRecord& contact : stepper.contacts()) states.push_back(contact.history.state);
   return states;
 }
 

@@ -126,4 +126,14 @@ void PatternMatrix::add_outer(int element, double factor, std::span<const double
       if (*place >= 0) values[*place] += (i != j && rows[i] == rows[j] ? 2 * factor : factor) * a[i] * a[j];
 }
 
+double PatternMatrix::memory() const {
+  const auto bytes = [](const auto& numbers) {
+    return static_cast<double>(numbers.capacity() * sizeof(numbers[0]));
+  };
+  return bytes(connectivity_.first) + bytes(connectivity_.rows) + bytes(first_place_) + bytes(place_) +
+         static_cast<double>(lower_.data().allocatedSize()) *
+             (sizeof(double) + sizeof(SparseMatrix::StorageIndex)) +
+         static_cast<double>(lower_.outerSize()) * sizeof(SparseMatrix::StorageIndex);
+}
+
 }  // namespace polyfem

@@ -45,6 +45,8 @@ class PatternMatrix {
   void add_outer(int element, double factor, std::span<const double> a);
 
   const SparseMatrix& lower() const { return lower_; }
+  /// Bytes of the heap.
+  double memory() const;
 
  private:
   Connectivity connectivity_;

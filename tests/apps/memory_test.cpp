@@ -12,9 +12,11 @@ namespace {
 using namespace support;
 
 /// A brick wall in running bond on a fixed block.
-std::string wall(int rows, int columns, const std::string& model) {
+std::string wall(int rows, int columns, const std::string& model,
+                 const std::string& analysis = "time_step = 0.001") {
   std::ostringstream text;
-  text << "[analysis]\ntime_step = 0.001\nsteps = 1\nblock_model = \"" << model
+  text << "[analysis]\n"
+       << analysis << "\nsteps = 1\nblock_model = \"" << model
        << "\"\nmesh = { cells = 12 }\n[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = \"10 GPa\"\n"
           "poisson = 0.2\n[[joint]]\nfriction_angle = 35\n[output]\nevery = 0\n";
   const auto add = [&](double x, double y, double x_end, double y_end, const char* keys) {
@@ -46,17 +48,37 @@ class Memory : public Program {
 };
 
 TEST_F(Memory, IsEstimatedNearToWhatARunTakes) {
-  for (const char* model : {"wachspress", "affine", "mesh"}) {
-    const bool meshed = std::string(model) == "mesh";
-    write("wall.toml", meshed ? wall(6, 10, model) : wall(20, 30, model));
+  const auto expect_near = [&](const std::string& model, const std::string& analysis) {
+    write("wall.toml", model == "mesh" ? wall(6, 10, model, analysis) : wall(40, 60, model, analysis));
     const auto reading = ddacontact::read_scene((directory_ / "wall.toml").string());
     ASSERT_TRUE(reading.scene);
     ASSERT_EQ(dda("run wall.toml -o result --quiet"), 0) << err_;
     const double taken = 1048576 * summary("result")["peak_memory_mb"].get<double>();
     const double estimate = ddacontact::estimate_memory(*reading.scene).total();
-    EXPECT_LT(estimate, 1.5 * taken) << model;
-    EXPECT_LT(taken, 1.5 * estimate) << model;
-  }
+    EXPECT_LT(estimate, 1.5 * taken) << model << " " << analysis;
+    EXPECT_LT(taken, 1.5 * estimate) << model << " " << analysis;
+  };
+  for (const char* model : {"wachspress", "affine", "mesh"}) expect_near(model, "time_step = 0.001");
+  expect_near("wachspress", "time_step = 0.00001");
+}
+
+TEST_F(Memory, IsCountedForAFactorOnlyWhereOneMayBeMade) {
+  const auto has_factor = [&](const std::string& model, const std::string& analysis) {
+    write("wall.toml", wall(2, 3, model, analysis));
+    const auto reading = ddacontact::read_scene((directory_ / "wall.toml").string());
+    EXPECT_TRUE(reading.scene) << analysis;
+    const ddacontact::MemoryEstimate estimate = ddacontact::estimate_memory(*reading.scene);
+    EXPECT_EQ(estimate.factor > 0, estimate.has_factor);
+    return estimate.has_factor;
+  };
+  // A wave crosses bricks of 0.7 m in 0.34 ms.
+  const std::string small = "time_step = 0.0003";
+  EXPECT_FALSE(has_factor("wachspress", small));
+  EXPECT_FALSE(has_factor("affine", small));
+  EXPECT_TRUE(has_factor("wachspress", "time_step = 0.0004"));
+  EXPECT_TRUE(has_factor("mesh", small));
+  EXPECT_TRUE(has_factor("auto", small)) << "the choice of models solves with one";
+  EXPECT_TRUE(has_factor("wachspress", small + "\nmode = \"static\""));
 }
 
 TEST_F(Memory, ThatDoesNotSufficeIsToldBeforeAnythingIsWritten) {
@@ -64,7 +86,8 @@ TEST_F(Memory, ThatDoesNotSufficeIsToldBeforeAnythingIsWritten) {
   for (const std::string verb : {"run", "check"}) {
     EXPECT_EQ(dda_within(300'000, verb + " wall.toml"), 2) << err_;
     EXPECT_EQ(err_.rfind("wall.toml:1:1: error: 6001 blocks with ", 0), 0u) << err_;
-    for (const char* words : {" of memory, ", " are available (about ", " blocks like these would fit)"})
+    for (const char* words : {" of memory, ", " of it for the factor of their equations; ",
+                              " are available (about ", " blocks like these would fit)"})
       EXPECT_NE(err_.find(words), std::string::npos) << words << " in " << err_;
     EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
   }

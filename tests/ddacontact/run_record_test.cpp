@@ -63,7 +63,7 @@ void expect_resumable(Scene scene, std::mt19937& random) {
   EXPECT_TRUE(to_bytes(whole.stepper->run_record()) == to_bytes(resumed.stepper->run_record()))
       << "restored at step " << cut << " of " << scene.n_steps();
   EXPECT_TRUE(whole.stepper->state().position.allFinite() && whole.stepper->state().velocity.allFinite());
-  for (const Contact& contact : whole.stepper->contacts())
+  for (const ContactRecord& contact : whole.stepper->contacts())
     EXPECT_TRUE(whole.stepper->blocks().is_present(contact.pair.vertex_block) &&
                 whole.stepper->blocks().is_present(contact.pair.edge_block));
 }

@@ -33,7 +33,7 @@ std::vector<double> tolerated_forces(const Stepper& stepper, const Vec2& gravity
   std::vector<double> forces(n), stiffest(n, 0), tolerated(n);
   for (std::size_t b = 0; b < n; ++b)
     forces[b] = blocks.block(static_cast<int>(b)).mass_total() * gravity.norm();
-  for (const Contact& contact : stepper.contacts())
+  for (const ContactRecord& contact : stepper.contacts())
     for (const int of_pair : {contact.pair.vertex_block, contact.pair.edge_block}) {
       const auto b = static_cast<std::size_t>(of_pair);
       forces[b] += std::hypot(contact.normal, contact.shear);

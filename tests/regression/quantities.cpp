@@ -4,6 +4,7 @@
 #include <ddacontact/output/block_summary.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/reader.hpp>
+#include <tests/support/pair_size.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ double largest_load(const Scene& scene, const Stepper& stepper) {
 }
 
 /// The force of a contact on the block of its vertex, N per m.
-Vec2 force_of(const Contact& contact, const Stepper& stepper) {
+Vec2 force_of(const ContactRecord& contact, const Stepper& stepper) {
   const Points outline =
       stepper.blocks().outline_from(stepper.state(), contact.pair.edge_block, contact.pair.edge_block);
   const Vec2 along =
@@ -81,7 +82,7 @@ Vec2 force_of(const Contact& contact, const Stepper& stepper) {
 /// What block `on` is pushed with by block `by`.
 Vec2 force_between(const Stepper& stepper, int on, int by) {
   Vec2 sum = Vec2::Zero();
-  for (const Contact& contact : stepper.contacts()) {
+  for (const ContactRecord& contact : stepper.contacts()) {
     if (contact.pair.vertex_block == on && contact.pair.edge_block == by) sum += force_of(contact, stepper);
     if (contact.pair.vertex_block == by && contact.pair.edge_block == on) sum -= force_of(contact, stepper);
   }
@@ -116,9 +117,11 @@ struct Extremes {
       energy = std::max(energy, std::abs(stepper.energy().now.*entry));
     force = std::max(force, stepper.reactions().cwiseAbs().maxCoeff());
     displacement = std::max(displacement, largest_displacement(stepper));
-    for (const Contact& contact : stepper.contacts()) {
+    for (const ContactRecord& contact : stepper.contacts()) {
       force = std::max(force, contact.normal);
-      if (contact.closed()) penetration = std::max(penetration, -contact.end_gap / contact.size);
+      if (contact.closed())
+        penetration =
+            std::max(penetration, -contact.end_gap / support::pair_size(stepper.blocks(), contact.pair));
     }
   }
 };

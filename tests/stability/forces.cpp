@@ -2,6 +2,8 @@
 
 #include "solver_scenes.hpp"
 
+#include <tests/support/pair_size.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +11,16 @@ namespace stability {
 
 namespace {
 
-double bond(double strength, const Contact& contact) {
+double bond(double strength, const ContactRecord& contact) {
   return contact.history.bonded ? strength : 0;
+}
+
+/// \param[in] positions  of all places
+VertexEdgePlace place_of(const VertexEdge& pair, const BlockSystem& blocks, const Points& positions) {
+  const Range &of_vertex = blocks.block(pair.vertex_block).vertices(),
+              &of_edge = blocks.block(pair.edge_block).vertices();
+  return {positions.col(of_vertex.first + pair.vertex), positions.col(of_edge.first + pair.edge),
+          positions.col(of_edge.first + (pair.edge + 1) % of_edge.count)};
 }
 
 }  // namespace
@@ -22,15 +32,16 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
   ContactCheck check;
   double friction = 0, impacts = 0, largest_energy = 0;
   for (int k = 0; k < steps; ++k) {
+    const Points before = stepper.blocks().positions(stepper.state());
     if (!stepper.step()) {
       check.stopped_by = stepper.stop_reason();
       break;
     }
     largest_energy = std::max({largest_energy, energy.kinetic, energy.elastic, std::abs(energy.gravity)});
     double largest = 0;
-    for (const Contact& contact : stepper.contacts())
+    for (const ContactRecord& contact : stepper.contacts())
       largest = std::max(largest, std::hypot(contact.normal, contact.shear));
-    for (const Contact& contact : stepper.contacts()) {
+    for (const ContactRecord& contact : stepper.contacts()) {
       if (!contact.closed() || largest == 0) continue;
       ++check.contacts;
       const JointLaw& law = contact.law;
@@ -38,8 +49,10 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
       check.outside = std::max({check.outside, (std::abs(contact.shear) - bound) / largest,
                                 (-contact.normal - bond(law.tension, contact)) / largest});
       if (!is_slipping(contact.history.state) || contact.shear == 0) continue;
-      const double slipped = contact.end_slip - slip(contact.motion.start, contact.history.lock);
-      check.work = std::max(check.work, std::copysign(1, contact.shear) * slipped / contact.size);
+      const double slipped =
+          contact.end_slip - slip(place_of(contact.pair, stepper.blocks(), before), contact.history.lock);
+      check.work = std::max(check.work, std::copysign(1, contact.shear) * slipped /
+                                            support::pair_size(stepper.blocks(), contact.pair));
       check.work_over_energy = std::max(check.work_over_energy, contact.shear * slipped / largest_energy);
     }
     const double fall = std::max(friction - energy.friction_dissipated, impacts - energy.damping_dissipated);

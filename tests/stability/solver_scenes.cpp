@@ -27,7 +27,7 @@ VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {
 
 std::vector<ContactState> states(const Stepper& stepper) {
   std::vector<ContactState> states;
-  for (const Contact& contact : stepper.contacts()) states.push_back(contact.history.state);
+  for (const ContactRecord& contact : stepper.contacts()) states.push_back(contact.history.state);
   return states;
 }
 

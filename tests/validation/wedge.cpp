@@ -70,12 +70,15 @@ struct Reaction {
 std::array<Reaction, 2> reactions(const Groove& groove, const Stepper& stepper) {
   std::array<Reaction, 2> reactions;
   const double weight = stepper.blocks().block(2).mass_total() * gravity;
-  for (const Contact& contact : stepper.contacts()) {
+  for (const ContactRecord& contact : stepper.contacts()) {
     if (!contact.closed()) continue;
     const bool on_vertex = contact.pair.vertex_block == 2;
     const int side = on_vertex ? contact.pair.edge_block : contact.pair.vertex_block;
-    const VertexEdgePlace& place = contact.motion.start;
-    const Vec2 along = (place.k - place.j).normalized();
+    const Range& of_edge = stepper.blocks().block(contact.pair.edge_block).vertices();
+    const Points& position = stepper.state().position;
+    const Vec2 along = (position.col(of_edge.first + (contact.pair.edge + 1) % of_edge.count) -
+                        position.col(of_edge.first + contact.pair.edge))
+                           .normalized();
     const double force = (on_vertex ? contact.shear : -contact.shear) / weight;
     reactions[static_cast<std::size_t>(side)].normal += contact.normal / weight;
     reactions[static_cast<std::size_t>(side)].shear += force * along.dot(groove.up(side));

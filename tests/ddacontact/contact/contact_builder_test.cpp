@@ -36,7 +36,7 @@ struct BlockOnPlate {
   std::vector<Contact> first() { return builder.build_first(state, reach); }
   std::vector<Contact> after(const std::vector<Contact>& previous) {
     std::vector<Contact> contacts;
-    builder.build(state, reach, previous, contacts);
+    builder.build(state, reach, {previous.begin(), previous.end()}, contacts);
     return contacts;
   }
 };
@@ -145,7 +145,7 @@ TEST(ContactBuilder, AContactGoesStraightOnToTheNextEdge) {
   for (Contact& c : contacts) c.end_slip = 0.1;
   state.position.rightCols<4>().row(0).array() += 0.1;
   std::vector<Contact> later;
-  builder.build(state, {0.1, 0.1}, contacts, later);
+  builder.build(state, {0.1, 0.1}, {contacts.begin(), contacts.end()}, later);
   const Contact moved = corner(later);
   EXPECT_EQ(moved.pair.edge, 2);
   EXPECT_EQ(moved.history.state, corner(contacts).history.state);
@@ -167,8 +167,9 @@ TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
   ContactBuilder kept(built.stepper->blocks(), BlockOnPlate::properties(0.5)),
       searched(built.stepper->blocks(), BlockOnPlate::properties(0.5));
   searched.keep_pairs(false);
-  std::vector<Contact> before = kept.build_first(state, reach), by_kept, by_searched;
+  std::vector<Contact> by_kept = kept.build_first(state, reach), by_searched;
   for (int step = 0; step < 6; ++step) {
+    const std::vector<ContactRecord> before(by_kept.begin(), by_kept.end());
     state.position += 1e-3 * Points::Random(2, state.position.cols());
     polyfem::set_threads(1 + step % 3);
     kept.build(state, reach, before, by_kept);
@@ -183,7 +184,6 @@ TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
       EXPECT_EQ(p.gap.constant, q.gap.constant);
       EXPECT_EQ(p.slip.constant, q.slip.constant);
     }
-    before = by_kept;
   }
   EXPECT_EQ(kept.n_searches(), 1);
   EXPECT_EQ(searched.n_searches(), 6);

@@ -19,7 +19,7 @@ struct OneStep {
 
   explicit OneStep(const Vec2& force, double cohesion = 0)
       : built(build(scene(force, cohesion))), system(blocks_of(built)) {
-    contacts = built.stepper->contacts();
+    contacts = built.stepper->contacts_to_begin_with();
     const BlockState& state = built.stepper->state();
     system.set_step(state, step_start(state, 0.1), 1e9);
     report = iterate_open_close(system, {}, contacts, d);

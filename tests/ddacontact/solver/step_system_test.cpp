@@ -38,7 +38,7 @@ struct Prepared {
       : built(build(scene)),
         blocks(blocks_of(built)),
         state(built.stepper->state()),
-        contacts(built.stepper->contacts()),
+        contacts(built.stepper->contacts_to_begin_with()),
         system(blocks) {
     system.problem().contacts_changed();
     system.set_step(state, step_start(state, dt), held_stiffness);

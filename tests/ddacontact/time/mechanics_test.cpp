@@ -50,14 +50,14 @@ double mechanical_energy(const Stepper& stepper) {
 
 double normal_force(const Stepper& stepper, int one, int other) {
   double sum = 0;
-  for (const Contact& c : stepper.contacts())
+  for (const ContactRecord& c : stepper.contacts())
     if (std::minmax(c.pair.vertex_block, c.pair.edge_block) == std::minmax(one, other)) sum += c.normal;
   return sum;
 }
 
 std::vector<ContactState> states(const Stepper& stepper) {
   std::vector<ContactState> states;
-  for (const Contact& contact : stepper.contacts()) states.push_back(contact.history.state);
+  for (const ContactRecord& contact : stepper.contacts()) states.push_back(contact.history.state);
   return states;
 }
 
@@ -258,7 +258,7 @@ TEST(ShakenBase, CarriesABlockWithTheForcesOfItsAcceleration) {
       ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
       if (k < 20) continue;  // gravity acts suddenly
       Vec2 force(0, 0);
-      for (const Contact& contact : stepper.contacts()) {
+      for (const ContactRecord& contact : stepper.contacts()) {
         const double along = contact.pair.vertex_block == 1 ? contact.shear : -contact.shear;
         force += Vec2(-along, contact.normal);
       }

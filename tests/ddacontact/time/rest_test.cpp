@@ -7,7 +7,7 @@ namespace {
 Vec2 contact_forces_on(const Stepper& stepper, int b) {
   Vec2 sum = Vec2::Zero();
   const BlockState& state = stepper.state();
-  for (const Contact& c : stepper.contacts()) {
+  for (const ContactRecord& c : stepper.contacts()) {
     const Range& v = stepper.blocks().block(c.pair.edge_block).vertices();
     const Vec2 along = (state.position.col(v.first + (c.pair.edge + 1) % v.count) -
                         state.position.col(v.first + c.pair.edge))
@@ -46,7 +46,7 @@ TEST(Rest, ReactionsAndContactForcesCarryTheWeights) {
                   1e-8 * (weight_below + weight_above));
         EXPECT_LE((contact_forces_on(stepper, 1) - Vec2(0, weight_above)).norm(), 1e-6 * weight_above);
         double normal = 0;
-        for (const Contact& c : stepper.contacts()) normal += c.normal;
+        for (const ContactRecord& c : stepper.contacts()) normal += c.normal;
         EXPECT_NEAR(normal, weight_above * std::cos(radians(degrees)), 1e-6 * weight_above);
         EXPECT_EQ(stepper.state().velocity.norm(), 0);
         EXPECT_EQ(stepper.energy().now.kinetic, 0);
@@ -60,7 +60,7 @@ TEST(Rest, ContactForcesStayInsideTheCone) {
   const double mu = std::tan(radians(40));
   for (int k = 0; k < 60; ++k) {
     run(*built.stepper, 1);
-    for (const Contact& c : built.stepper->contacts()) {
+    for (const ContactRecord& c : built.stepper->contacts()) {
       if (!c.closed() || c.history.bonded) continue;
       EXPECT_GE(c.normal, -1e-6 * weight_above);
       EXPECT_LE(std::abs(c.shear), mu * c.normal + 1e-8 * weight_above);

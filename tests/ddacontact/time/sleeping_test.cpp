@@ -45,8 +45,9 @@ void expect_same_places(const Stepper& one, const Stepper& other, double toleran
 void expect_same_forces(const Stepper& one, const Stepper& other, double tolerance) {
   EXPECT_LE((one.reactions() - other.reactions()).cwiseAbs().maxCoeff(), tolerance);
   Vec2 sum = Vec2::Zero(), of_other = sum;
-  for (const Contact& contact : one.contacts()) sum += Vec2(contact.normal, contact.shear).cwiseAbs();
-  for (const Contact& contact : other.contacts()) of_other += Vec2(contact.normal, contact.shear).cwiseAbs();
+  for (const ContactRecord& contact : one.contacts()) sum += Vec2(contact.normal, contact.shear).cwiseAbs();
+  for (const ContactRecord& contact : other.contacts())
+    of_other += Vec2(contact.normal, contact.shear).cwiseAbs();
   EXPECT_LE((sum - of_other).norm(), 10 * tolerance);
 }
 

@@ -124,7 +124,7 @@ TEST(Stages, ABlockThatIsTakenOutLeavesNothing) {
   EXPECT_LT(stepper.energy().now.external, 0) << "its energy went with it";
   EXPECT_GT(stepper.energy().now.external, -elastic);
   run(stepper, 39);
-  for (const Contact& contact : stepper.contacts()) {
+  for (const ContactRecord& contact : stepper.contacts()) {
     EXPECT_NE(contact.pair.vertex_block, 2);
     EXPECT_NE(contact.pair.edge_block, 2);
   }

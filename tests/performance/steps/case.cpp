@@ -97,7 +97,7 @@ class Samples {
   std::array<std::vector<double>, phases.size()> by_phase_;
 };
 
-void add_limit(const Stepper& stepper, double most_mb, Measurement& row) {
+void add_limit(Stepper& stepper, double most_mb, Measurement& row) {
   const polyfem::SparseMatrix matrix = step_matrix(stepper);
   const CholmodTimes amd = cholmod_times(matrix, Ordering::amd, most_mb),
                      metis = cholmod_times(matrix, Ordering::metis, most_mb);
@@ -173,6 +173,11 @@ Measurement measure(const Case& what, const Effort& effort) {
   }
   samples.write(row);
   row.heap_steps = heap() - heap_built;
+  const StepMemory memory = stepper.memory();
+  row.state_memory = 1e-6 * memory.state;
+  row.contact_memory = 1e-6 * memory.contacts;
+  row.detection_memory = 1e-6 * memory.detection;
+  row.equation_memory = 1e-6 * memory.equations;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   row.peak = static_cast<double>(usage.ru_maxrss) * 1024e-6;

@@ -130,23 +130,24 @@ Table limit_table(std::span<const Measurement> table) {
   return rows;
 }
 
-double kilobytes_of_blocks(const Measurement& m) {
-  return 1e3 * m.heap_blocks / m.blocks;
-}
-
 double kilobytes(const Measurement& m) {
   return 1e3 * (m.heap_blocks + m.heap_steps - factor_mb(m)) / m.blocks;
 }
 
 Table memory_table(std::span<const Measurement> table) {
-  Table rows{{"kB a block", "blocks", "blocks and state", "contacts, matrix and work", "both", "factor",
-              "largest in all, with the scene"}};
+  Table rows{{"kB a block", "blocks", "shapes, names", "state", "contacts", "detection", "equations", "all",
+              "factor", "largest while it ran, with the scene"}};
   for (const Measurement& m : table) {
     if (m.steps == 0) continue;
-    rows.push_back({way_of(m), fmt::format("{}", m.blocks), fmt::format("{:.2f}", kilobytes_of_blocks(m)),
-                    fmt::format("{:.2f}", kilobytes(m) - kilobytes_of_blocks(m)),
-                    fmt::format("{:.2f}", kilobytes(m)), number_text(1e3 * factor_mb(m) / m.blocks),
-                    fmt::format("{:.2f}", 1e3 * m.peak / m.blocks)});
+    const double parts = m.state_memory + m.contact_memory + m.detection_memory + m.equation_memory;
+    std::vector<std::string> row{way_of(m), fmt::format("{}", m.blocks),
+                                 fmt::format("{:.2f}", kilobytes(m) - 1e3 * parts / m.blocks)};
+    for (const double part : {m.state_memory, m.contact_memory, m.detection_memory, m.equation_memory,
+                              1e-3 * kilobytes(m) * m.blocks})
+      row.push_back(fmt::format("{:.2f}", 1e3 * part / m.blocks));
+    row.push_back(number_text(1e3 * factor_mb(m) / m.blocks));
+    row.push_back(fmt::format("{:.2f}", 1e3 * m.peak / m.blocks));
+    rows.push_back(row);
   }
   return rows;
 }

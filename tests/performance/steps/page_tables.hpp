@@ -38,8 +38,7 @@ benchmark_page::Table skip_table(std::span<const Measurement> table);
 benchmark_page::Table peer_table(const Tables& tables);
 benchmark_page::Table thread_table(std::span<const Measurement> table);
 
-/// kB of a block without its share of the factor: of what blocks are, and of all.
-double kilobytes_of_blocks(const Measurement& m);
+/// kB of a block, of all parts, without its share of the factor.
 double kilobytes(const Measurement& m);
 
 }  // namespace step_performance

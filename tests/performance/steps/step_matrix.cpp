@@ -6,7 +6,7 @@ namespace step_performance {
 
 using namespace ddacontact;
 
-polyfem::SparseMatrix step_matrix(const Stepper& stepper) {
+polyfem::SparseMatrix step_matrix(Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
   polyfem::Connectivity connectivity;
   std::vector<int> active, rows;
@@ -17,7 +17,8 @@ polyfem::SparseMatrix step_matrix(const Stepper& stepper) {
     active.push_back(b);
     connectivity.append({blocks.equation().data() + u.first, static_cast<std::size_t>(u.count)});
   }
-  for (const Contact& contact : stepper.contacts()) {
+  const std::vector<Contact> contacts = stepper.contacts_to_begin_with();
+  for (const Contact& contact : contacts) {
     if (!contact.closed()) continue;
     closed.push_back(&contact);
     rows.clear();

@@ -75,6 +75,18 @@ TEST(Measurements, HavePhasesThatSumUpToTheStep) {
   EXPECT_EQ(m.limit(), 0);
 }
 
+TEST(Measurements, HavePartsOfTheMemoryThatIsTaken) {
+  const Measurement m = measure({.scene = "wall", .size = 2000, .time_step = 1e-4},
+                                {.warm_steps = 0, .steps = 1, .cholmod = false});
+  double parts = 0;
+  for (const double part : {m.state_memory, m.contact_memory, m.detection_memory, m.equation_memory}) {
+    EXPECT_GT(part, 0);
+    parts += part;
+  }
+  EXPECT_LT(parts, m.heap_blocks + m.heap_steps);
+  EXPECT_GT(parts, 0.5 * (m.heap_blocks + m.heap_steps));
+}
+
 TEST(Measurements, RefuseWhatIsNotKnown) {
   EXPECT_THROW(measure({.scene = "castle"}, {}), polyfem::Error);
   EXPECT_THROW(measure({.without = {"lunch"}}, {}), polyfem::Error);
