@@ -11,7 +11,7 @@ namespace {
 /// Springs against rates times what a unit of impulse changes them: the inverse of this is left of a rate in
 /// a round, and more of rates that hardly any motion of the blocks as wholes changes. Those are let be: what
 /// blocks do that slide along each other while they deform is such a motion.
-constexpr double stiffness_factor = 1e3;
+constexpr double stiffness_factor = 1e4;
 constexpr int most_rounds = 10;
 /// A round that moves less than this part of all is the last one, and so is one that gains less than half.
 constexpr double small_motion = 1e-7;

@@ -39,7 +39,7 @@ class Hold {
   /// where it would make energy.
   VectorXd jump(const VectorXd& v) const;
   /// The impulses of a jump, and what they move with the friction that they make, one for every contact.
-  /// \param[in] rough  a thousandth of the rates may be left
+  /// \param[in] rough  a ten-thousandth of the rates may be left
   HeldJump with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction,
                          bool rough = false) const;
 

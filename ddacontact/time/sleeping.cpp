@@ -8,7 +8,7 @@ namespace ddacontact {
 namespace {
 
 /// Part of the velocity that gravity makes in a step; of the block's size, in a step.
-constexpr double slow = 1e-7, round_off = 1e-12;
+constexpr double slow = 5e-8, round_off = 1e-12;
 /// Of those awake at least this part falls asleep at once: every change costs what all of them cost.
 constexpr double worth_while = 0.125;
 
