@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Measures what steps cost and makes doc/benchmarks/dda.md anew:
-#   bash doc/benchmarks/make_dda.sh BUILD_DIRECTORY [--long]
-# About five minutes on a quiet machine; --long goes to a million blocks and takes half an hour. Measurements stay in the folder
+#   bash doc/benchmarks/make_dda.sh BUILD_DIRECTORY [--long | --million]
+# About five minutes on a quiet machine; --long goes to 100 000 blocks and takes half an hour, --million on to a million, which takes
+# 20 GB of memory. Measurements stay in the folder
 # "benchmarks/dda" of the build directory; a set that is named (SETS="walls field") is measured alone, the others are taken from there.
 set -euo pipefail
 source_directory=$(cd "$(dirname "$0")/../.." && pwd)
-build=${1:?usage: make_dda.sh BUILD_DIRECTORY [--long]}
+build=${1:?usage: make_dda.sh BUILD_DIRECTORY [--long | --million]}
 long=${2:-}
 targets=(step_performance step_page dda)
 cmake --build "$build" --target help | grep -q '^box2d_performance:' && targets+=(box2d_performance)
@@ -17,8 +18,11 @@ steps=$build/tests/performance/steps
 mkdir -p "$measured"
 sets=${SETS:-growth scenes skips walls threads field}
 seconds=12 large=() million=()
-if [ "$long" = --long ]; then
-  seconds=120 large=(100000) million=(1000000)
+if [ -n "$long" ]; then
+  seconds=120 large=(100000)
+fi
+if [ "$long" = --million ]; then
+  million=(1000000)
 fi
 
 wants() { [[ " $sets " == *" $1 "* ]]; }
@@ -72,6 +76,6 @@ if wants field; then
 fi
 
 echo "$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), $(g++ --version | head -n 1)," \
-  "$(uname -sm), $(date +%Y-%m-%d)${long:+, with --long}." > "$measured/machine.txt"
+  "$(uname -sm), $(date +%Y-%m-%d)${long:+, with $long}." > "$measured/machine.txt"
 "$steps/step_page" "$measured" "$source_directory/doc/benchmarks/dda.md"
 echo "made doc/benchmarks/dda.md"
