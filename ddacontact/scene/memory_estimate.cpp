@@ -1,5 +1,6 @@
 #include <ddacontact/scene/memory_estimate.hpp>
 
+#include <ddacontact/scene/model_choice.hpp>
 #include <ddacontact/solver/block_inverse.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/material/linear_elastic.hpp>
@@ -61,9 +62,10 @@ bool needs_factor(const Scene& scene) {
   if (scene.contact.method != ContactMethod::staged) return true;
   return std::any_of(scene.blocks.begin(), scene.blocks.end(), [&](const BlockDescription& block) {
     if (block.fixed) return false;
-    const bool is_chosen =
-        block.model == BlockModel::automatic && scene.analysis.kinematics == Kinematics::corotational;
-    return is_chosen || block.model == BlockModel::mesh ||
+    const bool may_be_divided = block.model == BlockModel::automatic &&
+                                scene.analysis.kinematics == Kinematics::corotational &&
+                                may_bend_in_motion(block.vertices);
+    return may_be_divided || block.model == BlockModel::mesh ||
            size_of(block).unknowns > BlockInverse::largest_block ||
            !is_crossed_later(block, scene.materials[block.material], scene.analysis.plane, longest);
   });

@@ -19,8 +19,8 @@ struct MemoryEstimate {
 };
 
 /// Whether steps are so long that a factor of their equations will be made, or may be: where waves cross no
-/// block in a step (`carries_waves`) blocks of few unknowns are solved without. The choice of models makes
-/// one too.
+/// block in a step (`carries_waves`) blocks of few unknowns are solved without. Slender blocks may become
+/// meshes by the choice of models.
 bool needs_factor(const Scene& scene);
 
 /// From the numbers of vertices and of cells alone: blocks of the model "auto" count as undivided, contacts

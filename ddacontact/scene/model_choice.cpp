@@ -72,6 +72,10 @@ double slenderness(const PointsRef& outline) {
   return std::sqrt(moments.maxCoeff() / moments.minCoeff());
 }
 
+bool may_bend_in_motion(const PointsRef& outline) {
+  return slenderness(outline) > least_slenderness;
+}
+
 ChosenModels choose_models(
     const Scene& scene,
     const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing) {
@@ -89,7 +93,7 @@ ChosenModels choose_models(
     if (block.fixed)
       chosen.reasons[b] = "held, " + chosen.reasons[b];
     else if (scene.analysis.kinematics == Kinematics::corotational &&
-             (at_rest || slenderness(outline) > least_slenderness))
+             (at_rest || may_bend_in_motion(outline)))
       may_bend.push_back(b);
   }
   Budget squat{most_unknowns_of_squat}, slender{most_unknowns_of_slender};

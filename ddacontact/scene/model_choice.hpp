@@ -39,6 +39,8 @@ ChosenModels choose_models(
 
 /// The ratio of the principal radii of gyration, >= 1.
 double slenderness(const PointsRef& outline);
+/// Whether an automatic block of this outline may be divided in a run that is not static throughout.
+bool may_bend_in_motion(const PointsRef& outline);
 
 /// What of the stress in each block is missing, relative as in rule 3; negative: no forces are known on it.
 std::vector<double> missing_bending(const BlockSystem& blocks, const BlockState& initial,

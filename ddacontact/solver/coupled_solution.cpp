@@ -25,20 +25,21 @@ void sum_of_rows(const std::vector<Coupling>& couplings, const VectorXd& z, Vect
 
 }  // namespace
 
-void solve_coupled(const LinearSolution& solve, const std::vector<Coupling>& couplings, const VectorXd& b,
+bool solve_coupled(const LinearSolution& solve, const std::vector<Coupling>& couplings, const VectorXd& b,
                    double tolerance, VectorXd& x) {
   solve(b, x);
-  if (couplings.empty()) return;
+  if (couplings.empty()) return true;
   VectorXd z, force(b.size()), moved;
   const auto apply = [&](const VectorXd& in, VectorXd& out) {
     sum_of_rows(couplings, in, force);
     solve(force, moved);
     out = in + along_columns(couplings, moved);
   };
-  gmres(apply, along_columns(couplings, x), tolerance, most_iterations, z);
+  const bool converged = gmres(apply, along_columns(couplings, x), tolerance, most_iterations, z).converged;
   sum_of_rows(couplings, z, force);
   solve(force, moved);
   x -= moved;
+  return converged;
 }
 
 }  // namespace ddacontact

@@ -14,7 +14,9 @@ inline void add_product(const Eigen::Ref<const MatrixXd>& A, std::span<const int
   const auto n = static_cast<Index>(unknowns.size());
   if (n == 0) return;
   const int first = unknowns.front();
-  if (unknowns.back() - first + 1 != n) {
+  bool consecutive = true;
+  for (Index k = 0; k < n; ++k) consecutive = consecutive && unknowns[k] == first + k;
+  if (!consecutive) {
     for (Index l = 0; l < n; ++l)
       for (Index k = 0; k < n; ++k) y[unknowns[k]] += A(k, l) * x[unknowns[l]];
   } else if (n == 8 && A.outerStride() == 8) {

@@ -3,8 +3,6 @@
 #include <ddacontact/solver/krylov.hpp>
 #include <ddacontact/solver/tangent_operator.hpp>
 
-#include <algorithm>
-
 namespace ddacontact {
 
 namespace {
@@ -30,8 +28,8 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   if (!problem_.factorize(terms, active)) return false;
   has_factor_ = true;
   factored_ = active;
-  solve_coupled([&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); }, couplings, b, tolerance,
-                x);
+  const auto solution = [&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); };
+  if (!solve_coupled(solution, couplings, b, tolerance, x)) ++counts_.fallbacks;
   return true;
 }
 

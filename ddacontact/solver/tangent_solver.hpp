@@ -12,7 +12,9 @@ struct TangentCounts {
   int without_factor = 0;     ///< solutions by Krylov iteration on the blocks' own inverses
   int with_stale_factor = 0;  ///< solutions by Krylov iteration on an older factor
   int iterations = 0;         ///< of Krylov in both
-  int fallbacks = 0;  ///< solutions of those two kinds that did not get there, and were made by a factor
+  /// Solutions of those two kinds that did not get there, and were made by a factor; and by factors, with
+  /// friction that was not found to the tolerance.
+  int fallbacks = 0;
 
   TangentCounts& operator+=(const TangentCounts& more) {
     without_factor += more.without_factor;
@@ -25,7 +27,8 @@ struct TangentCounts {
 
 /// Solves (A + springs that act + friction that follows normal forces) x = b: where a step is local without a
 /// factor; where few springs changed since the last factor of the step with that as preconditioner; else with
-/// a factor of the springs that act. An iteration that does not converge is left for the factor.
+/// a factor of the springs that act. An iteration that does not converge is left for the factor, and so are
+/// many iterations for few equations, for the rest of the step.
 class TangentSolver {
  public:
   /// \param[in] problem  its last factor, of an earlier step, is not used

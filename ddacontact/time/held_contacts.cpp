@@ -114,7 +114,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   for (int round = 0; round < most_friction_rounds && !settled; ++round) {
     for (std::size_t c : rubbing) friction[c] = friction_of(*contacts[c], rubs[c], dt);
     const HeldJump with_friction = hold.with_friction(jump, friction, true);
-    settled = true;
+    settled = with_friction.settled;
     for (std::size_t c : rubbing) {
       const auto of_blocks = rubbed.find(blocks_of(*contacts[c]));
       const double given_back = of_blocks == rubbed.end() ? 0 : std::max(0.0, of_blocks->second),
@@ -137,7 +137,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     most_energy += std::max(rubbed_at_all, 0.0) +
                    work_of_supports(blocks, held, with_friction.normal, with_friction.shear, next.velocity);
     // Written so that what is not a number is refused.
-    report.settled = kinetic_energy(blocks, next.velocity) <= most_energy;
+    report.settled = with_friction.settled && kinetic_energy(blocks, next.velocity) <= most_energy;
   }
   if (report.settled) return report;
   next.velocity = moving + jump;

@@ -19,9 +19,8 @@ struct HeldReport {
 /// dt - v0 would hand on whatever rate a contact had when it closed, with its sign changed at every step.
 /// Sliding contacts add the friction that goes with the normal impulses, unless that does not settle or would
 /// make energy. Prepares the blocks for `next`.
-/// \param[in] parted  contacts that an impact in the step drives apart: they pressed before it, and are left
-/// to
-///                    themselves; empty: none
+/// \param[in] parted  contacts that an impact in the step drives apart: they pressed before it, and are
+///                    left to themselves; empty: none
 HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all,
                                 const std::vector<char>& parted, const VectorXd& d, double dt,
                                 BlockState& next);

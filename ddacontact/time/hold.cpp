@@ -89,8 +89,8 @@ Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v
 /// The motion q that impulses make, q = sum of gradient * impulse, while springs against what is left of the
 /// rates add to the impulses in every round; normal impulses make friction along the slip. A round solves for
 /// what its equation lacks, so that it also repairs what the last solution left.
-VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool rough,
-                        Rates& impulses) const {
+bool Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool rough, VectorXd& q,
+                    Rates& impulses) const {
   const auto n = static_cast<Index>(of_coefficients_.size());
   std::vector<Coupling> couplings;
   for (std::size_t c = 0; c < friction.size(); ++c)
@@ -98,7 +98,9 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
       couplings.push_back({&of_coefficients_[c].slip, &of_coefficients_[c].gap,
                            friction[c].rate * stiffness_.gap[static_cast<Index>(c)]});
   impulses = zeros(of_coefficients_.size());
-  VectorXd q = VectorXd::Zero(motions_.n_coefficients()), lacking, move;
+  q.setZero(motions_.n_coefficients());
+  VectorXd lacking, move;
+  bool settled = true;
   const auto solve = [&](const VectorXd& b, VectorXd& x) { cholesky_.solve(b, x); };
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds; ++round) {
@@ -112,7 +114,9 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
       form.gap.add_gradient(normal, lacking);
       form.slip.add_gradient(shear, lacking);
     }
-    solve_coupled(solve, couplings, lacking, rough ? rough_friction_tolerance : friction_tolerance, move);
+    settled = solve_coupled(solve, couplings, lacking, rough ? rough_friction_tolerance : friction_tolerance,
+                            move) &&
+              settled;
     q += move;
     const Rates change = rates(of_coefficients_, move);
     left.gap += change.gap;
@@ -123,12 +127,13 @@ VectorXd Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, 
     if (rough || moved <= small_motion * q.norm() || moved > last / 2) break;
     last = moved;
   }
-  return q;
+  return settled;
 }
 
 VectorXd Hold::jump(const VectorXd& v) const {
   Rates left = rates(contacts_, v), impulses;
-  VectorXd q = take_out(left, {}, false, impulses);
+  VectorXd q;
+  take_out(left, {}, false, q, impulses);
 
   // What it takes from the kinetic energy and from what moves the supports is linear - quadratic in q.
   double taken = -q.dot(motions_.coefficients(v));
@@ -137,7 +142,8 @@ VectorXd Hold::jump(const VectorXd& v) const {
   if (!of_supports.isZero(0)) {
     const Rates by_supports = rates(contacts_, of_supports);
     Rates like = rates(of_coefficients_, -q);
-    take_out(like, {}, false, impulses);
+    VectorXd again;
+    take_out(like, {}, false, again, impulses);
     taken -= impulses.gap.dot(by_supports.gap) + impulses.slip.dot(by_supports.slip);
   }
   const double most = q.squaredNorm() / 2;
@@ -150,8 +156,9 @@ VectorXd Hold::jump(const VectorXd& v) const {
 HeldJump Hold::with_friction(const VectorXd& jump, const std::vector<HeldFriction>& friction,
                              bool rough) const {
   Rates left = rates(contacts_, -jump), impulses;
-  const VectorXd q = take_out(left, friction, rough, impulses);
-  HeldJump result{VectorXd::Zero(jump.size()), impulses.gap, impulses.slip};
+  VectorXd q;
+  const bool settled = take_out(left, friction, rough, q, impulses);
+  HeldJump result{VectorXd::Zero(jump.size()), impulses.gap, impulses.slip, settled};
   for (std::size_t c = 0; c < friction.size(); ++c)
     result.shear[static_cast<Index>(c)] +=
         friction[c].rate * impulses.gap[static_cast<Index>(c)] + friction[c].given;

@@ -24,6 +24,7 @@ struct HeldFriction {
 struct HeldJump {
   VectorXd velocity;
   VectorXd normal, shear;  ///< of every contact, on its gap and on its slip
+  bool settled = true;     ///< friction agrees with the normal impulses
 };
 
 /// Contacts that are held. The rates of deforming blocks may contradict each other as far as rigid motions
@@ -51,8 +52,9 @@ class Hold {
   static Rates zeros(std::size_t n);
   static Rates rates(const std::vector<HeldContact>& forms, const VectorXd& v);
   void factorize();
-  VectorXd take_out(Rates& left, const std::vector<HeldFriction>& friction, bool rough,
-                    Rates& impulses) const;
+  /// False: friction was not found to its tolerance in a round.
+  bool take_out(Rates& left, const std::vector<HeldFriction>& friction, bool rough, VectorXd& q,
+                Rates& impulses) const;
 
   const BlockSystem& blocks_;
   const std::vector<HeldContact>& contacts_;

@@ -29,7 +29,7 @@ class Islands {
 
   const BlockSystem* blocks_;
   mutable std::vector<int>
-      parent_;  ///< towards the block that stands for the island; paths are cut on the way
+      parent_;         ///< towards the block that stands for the island; paths are cut on the way
   std::set<int> hit_;  ///< roots
 };
 

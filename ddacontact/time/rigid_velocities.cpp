@@ -68,12 +68,12 @@ struct Setting {
   NormalAndShear rigid_rates;  ///< without those of deformation
 
   /// \param[in] terms  forms of all unknowns
-  Setting(const BlockSystem& blocks, const Islands& islands, const std::vector<ContactTerm>& terms)
-      : motions(blocks, islands.hit_blocks()), problem(motions, rigid_terms(motions, terms)) {}
-  void set_velocity(const Islands& islands, const std::vector<ContactTerm>& terms, const VectorXd& v) {
-    rates = rates_of(terms, v);
-    rigid_rates = rates_of(terms, rigid_part(islands, terms, v));
-  }
+  Setting(const BlockSystem& blocks, const Islands& islands, const std::vector<ContactTerm>& terms,
+          const VectorXd& v)
+      : motions(blocks, islands.hit_blocks()),
+        problem(motions, rigid_terms(motions, terms)),
+        rates(rates_of(terms, v)),
+        rigid_rates(rates_of(terms, rigid_part(islands, terms, v))) {}
 
   /// What the impulses take from the kinetic energy and from what moves the supports: -P . (rates before and
   /// after) / 2. Rates of deformation have no part: no rigid motion has kinetic energy in common with them.
@@ -183,8 +183,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const Participants of = find_participants(blocks, contacts, v, options.least_approach);
   if (of.contacts.empty()) return report;
 
-  Setting setting(blocks, of.islands, of.terms);
-  setting.set_velocity(of.islands, of.terms, v);
+  Setting setting(blocks, of.islands, of.terms, v);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = options.tolerance * of.approach;
   const NormalAndShear none = zeros(of.friction.size());

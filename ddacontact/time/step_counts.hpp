@@ -17,7 +17,7 @@ struct StepCounts {
   long sweeps = 0;  ///< of relaxation, see ContactRelaxation
   long solutions_without_factor = 0, solutions_with_stale_factor = 0;  ///< see TangentSolver
   long krylov_iterations = 0;                                          ///< in both
-  long solver_fallbacks = 0;  ///< of both: they did not converge, and a factor was made
+  long solver_fallbacks = 0;  ///< of both and of factors: iterations did not converge
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose

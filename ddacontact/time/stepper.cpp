@@ -191,6 +191,7 @@ void Stepper::forget_tries() {
     sleeping_ = Sleeping(*accepted_.sleeping);
     regroup(&accepted_.sleeping->around);
   }
+  blocks_.prepare(state_);
   detected_ = false;
   reach_scale_ = 1;
 }
@@ -231,6 +232,7 @@ Stepper::Try Stepper::try_step(double dt) {
   if (!advance(dt, solution, next)) return Try::rejected;
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
   if (analysis_.preset != Preset::paper && contact_builder_->find_entered(state_, next, tried_)) {
+    blocks_.prepare(state_);  // holding contacts has prepared them for the end of the step
     restart_contacts();
     contact_builder_->add_entered(state_, tried_);
     keep_start();
