@@ -44,8 +44,9 @@ fi
 if wants growth; then
   rm -f "$measured/growth.csv"
   measure growth --time-steps 1e-4 --sizes 1000 10000 100000 "${million[@]}" --warm 2 --steps 5
-  measure growth --sizes 1000 10000 "${large[@]}" --warm 2 --steps 5
-  measure growth --starts settled --without sleep --sizes 1000 10000 "${large[@]}" --warm 3 --steps 5
+  measure growth --sizes 1000 10000 --warm 2 --steps 5
+  [ -n "$long" ] && measure growth --sizes "${large[@]}" --warm 0 --steps 1
+  measure growth --starts settled --without sleep --sizes 1000 10000 --warm 3 --steps 5
   measure growth --scenes slide --sizes 1000 10000 --warm 2 --steps 5
 fi
 if wants scenes; then
@@ -67,7 +68,7 @@ fi
 if wants threads; then
   rm -f "$measured/threads.csv"
   measure threads --time-steps 1e-4 --sizes 100000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
-  measure threads --sizes 10000 "${large[@]}" --threads 1 2 --warm 1 --steps 3 --no-cholmod
+  measure threads --sizes 10000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
 fi
 if wants field; then
   rm -f "$measured/field.csv"
