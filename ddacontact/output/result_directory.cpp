@@ -248,6 +248,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"linear_solves", counts.linear_solves},
                                        {"factorizations", counts.factorizations},
                                        {"max_penetration", counts.max_penetration},
+                                       {"interior_paths", counts.interior_paths},
                                        {"minimizations", counts.minimizations},
                                        {"augmentations", counts.augmentations},
                                        {"sweeps", counts.sweeps},

@@ -1,7 +1,8 @@
 #include <ddacontact/solver/staged.hpp>
 
 #include <ddacontact/solver/anderson.hpp>
-#include <ddacontact/solver/relaxation.hpp>
+#include <ddacontact/solver/interior_point.hpp>
+#include <ddacontact/solver/spring_state.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,14 @@ constexpr int anderson_depth = 8, bounds_depth = 5;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
 constexpr double negligible_force = 1e-9;
-/// Stage 0 gives up after so many changes of the states, and may be returned to so often.
-constexpr int most_changes = 25, most_returns = 3;
-/// It also gives up when so many changes in a row left no fewer contacts in a state that is not theirs; where
-/// relaxation serves, which starts from there, sooner.
-constexpr int most_losses = 4, most_losses_before_relaxation = 1;
+/// Stage 0 gives up after so many changes of the states, and when so many in a row left no fewer contacts in
+/// a state that is not theirs.
+struct Patience {
+  int changes, losses;
+};
+constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 4};
+/// It may be returned to from stage 2 so often.
+constexpr int most_returns = 3;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
@@ -39,8 +43,6 @@ constexpr int most_relaxations = 6;
 constexpr int patience = 4;
 /// Solutions with frozen bounds without a better residual after which bounds are changed by a part only.
 constexpr int patient_bounds = 8;
-/// A correction moves no block further than this part of its size.
-constexpr double largest_move = 0.25;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
 constexpr double aim_of_floor = 0.05;
 /// Bonds that exceed their strength by this part of the worst excess break together.
@@ -131,7 +133,8 @@ class Staged {
   void look() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      forces_[c] = follows_states_ ? force_in_state(c) : contact_force(terms_[c], d_);
+      forces_[c] = follows_states_ ? force_in_state(terms_[c], contacts_[c].law, states_[c], d_)
+                                   : contact_force(terms_[c], d_);
     system_.compute_residual(d_, contacts_, forces_, report_.residual);
     if (report_.residual.own < best_) {
       best_ = report_.residual.own;
@@ -141,48 +144,7 @@ class Staged {
     }
   }
 
-  /// Which spring acts, and where friction has reached its bound.
-  enum State : unsigned char { open = 0, pressed = 1, stuck = 2, at_upper = 4, at_lower = 8 };
-
-  static unsigned char first_state(const Contact& contact, bool sheared) {
-    if (!contact.closed()) return open;
-    if (!sheared) return pressed;
-    if (!is_slipping(contact.history.state)) return pressed | stuck;
-    return pressed |
-           (contact.history.shear > 0 || contact.history.state == ContactState::slip_backward ? at_upper
-                                                                                              : at_lower);
-  }
-
-  static bool bears_shear(const ContactTerm& term, const JointLaw& law) {
-    return term.sheared && (term.bound > 0 || law.has_friction());
-  }
-
-  unsigned char state_at_d(std::size_t c) const {
-    const ContactTerm& term = terms_[c];
-    const ClippedSpring n = normal_spring(term, d_), t = tangential_spring(term, d_);
-    if (!n.acts() && term.bound < infinity) return open;
-    const unsigned char closed = n.acts() ? pressed : open;
-    if (!bears_shear(term, contacts_[c].law)) return closed;
-    return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
-  }
-
-  /// The bound of friction, continued below N = 0: what follows the states solves with it.
-  static double friction_under(const JointLaw& law, double N) {
-    return N < 0 ? law.friction * N : shear_bound(law, N, false);
-  }
-
-  /// The forces when the springs of this state act, however far: not clipped.
-  ContactForce force_in_state(std::size_t c) const {
-    const ContactTerm& term = terms_[c];
-    const unsigned char state = states_[c];
-    ContactForce force;
-    if (state & pressed) force.normal = normal_spring(term, d_).force;
-    if (state & stuck) force.shear = tangential_spring(term, d_).force;
-    const double bound = friction_under(contacts_[c].law, force.normal);
-    if (state & at_upper) force.shear = bound;
-    if (state & at_lower) force.shear = -bound;
-    return force;
-  }
+  unsigned char state_at_d(std::size_t c) const { return state_at(terms_[c], contacts_[c].law, d_); }
 
   void look_at(Contact& contact, const Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
@@ -226,14 +188,14 @@ class Staged {
     acceleration_.reset();
     bounds_acceleration_.reset();
     returns_ = 0;
+    inside_ = false;
   }
 
   void follow_states_from_here() {
     for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     best_ = infinity;
-    since_best_ = changes_ = solutions_of_states_ = lost_ = 0;
-    fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
-    seen_.clear();
+    since_best_ = 0;
+    begin_states();
     follows_states_ = true;
     look();
   }
@@ -256,11 +218,13 @@ class Staged {
   }
   bool states_agree() const { return !follows_states_ || count_disagreeing() == 0; }
 
-  /// The state of the law at d; from sliding one way to the other only by way of sticking.
-  unsigned char next_state(std::size_t c) const {
-    const unsigned char next = state_at_d(c);
-    const bool turns = ((states_[c] | next) & (at_upper | at_lower)) == (at_upper | at_lower);
-    return turns ? static_cast<unsigned char>((next & pressed) | stuck) : next;
+  /// The state to try next. Near a solution a contact that sticks while it is pulled slides before it opens:
+  /// it may be its own friction that pulls.
+  unsigned char next(std::size_t c) const {
+    const unsigned char now = states_[c], at_d = state_at_d(c);
+    if (inside_ && now == (pressed | stuck) && at_d == open)
+      return pressed | (forces_[c].shear > 0 ? at_upper : at_lower);
+    return next_state(now, at_d);
   }
 
   /// Gives every contact that disagrees its next state; when that has been seen before, the one that is
@@ -272,14 +236,14 @@ class Staged {
     for (std::size_t c = 0; c < terms_.size(); ++c) {
       const double off = distance_from_law(c);
       if (off <= negligible_force * report_.residual.scale) continue;
-      all[c] = next_state(c);
+      all[c] = next(c);
       if (off > furthest) {
         furthest = off;
         worst = c;
       }
     }
     if (seen_.contains(all))
-      states_[worst] = next_state(worst);
+      states_[worst] = next(worst);
     else
       states_ = std::move(all);
     return seen_.insert(states_).second;
@@ -298,38 +262,34 @@ class Staged {
     return true;
   }
 
+  std::vector<RelaxedLaw> laws() const {
+    std::vector<RelaxedLaw> laws(contacts_.size());
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      laws[c] = {&contacts_[c].law, multipliers_[c].shear, multipliers_[c].sliding};
+    return laws;
+  }
+
   /// Moves d and the states to where relaxation of the forces of the step before finds them.
   /// False: it does not serve these blocks.
   bool relax() {
     system_.linearize(d_);
     ContactRelaxation relaxation;
     if (!relaxation.set_matrices(system_.problem())) return false;
-    std::vector<RelaxedLaw> laws(contacts_.size());
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Multiplier& m = multipliers_[c];
-      laws[c] = {&contacts_[c].law, m.shear, m.sliding};
       forces_[c] = n_relaxations_ == 0 ? ContactForce{m.normal, m.shear} : contact_force(terms_[c], d_);
     }
     ++n_relaxations_;
     system_.compute_residual(d_, contacts_, forces_, report_.residual);
     VectorXd d = d_;
-    report_.sweeps += relaxation.relax(terms_, laws, report_.residual.force, d, forces_);
-    move_by(d - d_);
+    report_.sweeps += relaxation.relax(terms_, laws(), report_.residual.force, d, forces_);
+    system_.move(d - d_, d_);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      states_[c] = state_of(terms_[c], forces_[c], contacts_[c].law);
+      states_[c] = state_of(terms_[c], contacts_[c].law, forces_[c]);
     best_ = infinity;
     since_best_ = 0;
     look();
     return true;
-  }
-
-  /// The state in which a contact exerts this force.
-  static unsigned char state_of(const ContactTerm& term, const ContactForce& force, const JointLaw& law) {
-    if (term.normal == ContactTerm::Normal::absent) return open;
-    if (force.normal <= 0 && term.bound < infinity) return open;
-    if (!bears_shear(term, law)) return pressed;
-    const double bound = term.bound < infinity ? shear_bound(law, force.normal, false) : infinity;
-    return pressed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
   }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
@@ -340,9 +300,8 @@ class Staged {
       const int disagreeing = count_disagreeing();
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      if (lost_ > (options_.local ? most_losses_before_relaxation : most_losses) ||
-          ++changes_ > most_changes || !change_states())
-        return leave_states();
+      const Patience& most = options_.local ? before_relaxation : inside_ ? near_solution : at_first;
+      if (lost_ > most.losses || ++changes_ > most.changes || !change_states()) return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
       look();
@@ -363,7 +322,7 @@ class Staged {
       acceleration_.advance(-correction_, system_.unknown_lengths(), next);
     else
       next -= correction_;
-    move_by(next - d_);
+    system_.move(next - d_, d_);
     ++report_.iterations;
     ++solutions_of_states_;
     look();
@@ -371,13 +330,39 @@ class Staged {
     return true;
   }
 
-  /// Goes on from what relaxation finds from here, where that serves; else from the start, by minimizing.
+  /// Goes on from what relaxation finds from here, where that serves; else from what is found from inside,
+  /// once; else from the start, by minimizing.
   bool leave_states() {
-    if (!options_.local || n_relaxations_ == most_relaxations || !relax()) return begin_minimizing();
+    if (options_.local && n_relaxations_ < most_relaxations && relax()) {
+      begin_states();
+      return true;
+    }
+    return !inside_ && options_.max_minimizations > 0 && find_from_inside() ? true : begin_minimizing();
+  }
+
+  void begin_states() {
     changes_ = solutions_of_states_ = lost_ = 0;
     fewest_disagreeing_ = static_cast<int>(terms_.size()) + 1;
     seen_.clear();
-    return true;
+  }
+
+  /// Stage 1: moves d and the states near to a solution. False: there is no way there.
+  bool find_from_inside() {
+    inside_ = true;
+    ++report_.interior_paths;
+    d_ = system_.prescribed();
+    const auto look_at_contacts = [&] {
+      for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
+    };
+    const InteriorReport found =
+        find_states_from_inside(system_, contacts_, laws(), look_at_contacts, terms_, d_, states_);
+    report_.iterations += found.solutions;
+    report_.tangent.fallbacks += found.fallbacks;
+    begin_states();
+    best_ = infinity;
+    since_best_ = 0;
+    look();
+    return found.found;
   }
 
   /// The sign of shear forces that follow the bound of friction: of contacts that slide, and of those whose
@@ -418,7 +403,7 @@ class Staged {
     return true;
   }
 
-  /// Stage 1: geometry and bounds frozen, then renewed.
+  /// Stage 2: geometry and bounds frozen, then renewed.
   bool minimize() {
     for (std::size_t c = 0; c < terms_.size(); ++c)
       if (terms_[c].bound < infinity) set_bound(multipliers_[c], terms_[c], bounds_[static_cast<Index>(c)]);
@@ -439,7 +424,7 @@ class Staged {
     }
     const VectorXd moved = d_ - d0;
     d_ = d0;
-    move_by(moved);
+    system_.move(moved, d_);
     improve_bounds(change);
     look();
 
@@ -460,12 +445,6 @@ class Staged {
     else
       bounds_ += change * patient_bounds / (patient_bounds + since_best_);
     bounds_ = bounds_.cwiseMax(0);
-  }
-
-  /// What is linear holds for small changes.
-  void move_by(const VectorXd& change) {
-    const double furthest = system_.largest_relative_move(change);
-    system_.add_change(furthest > largest_move ? VectorXd(change * (largest_move / furthest)) : change, d_);
   }
 
   /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
@@ -578,7 +557,7 @@ class Staged {
   StagedReport end(StagedStatus status) {
     if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
-    report_.tangent = tangent_.counts();
+    report_.tangent += tangent_.counts();
     return std::move(report_);
   }
 
@@ -600,6 +579,7 @@ class Staged {
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
   int n_relaxations_ = 0;
+  bool inside_ = false;  ///< the states were found from inside
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
   AndersonAcceleration acceleration_;

@@ -35,7 +35,8 @@ struct StagedReport {
   int iterations = 0;     ///< solutions of (13)
   int minimizations = 0;  ///< problems with frozen friction bounds and geometry
   int augmentations = 0;
-  int sweeps = 0;  ///< of relaxation
+  int sweeps = 0;          ///< of relaxation
+  int interior_paths = 0;  ///< searches for the states from inside the contacts' laws
   TangentCounts tangent;
   int broken_bonds = 0;
   Residual residual;
@@ -53,7 +54,9 @@ struct StagedReport {
 ///
 /// Where steps are local, contacts are first relaxed one after the other (ContactRelaxation), which finds
 /// most of their states. Stage 0 follows the active set, as open-close does. When that goes round in circles,
-/// stage 1 freezes geometry and friction bounds and minimizes, and iterates on them (FrictionProblem).
+/// stage 1 finds a way from inside the contacts' laws (find_states_from_inside) and stage 0 ends it; when
+/// there is none, stage 2 freezes geometry and friction bounds and minimizes, and iterates on them
+/// (FrictionProblem).
 StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
                           VectorXd& d);
 

@@ -14,6 +14,9 @@ namespace {
 /// What is left of forces by the round-off of the lengths that they follow from.
 constexpr double floor_factor = 64 * std::numeric_limits<double>::epsilon();
 
+/// A change moves no block further than this part of its size.
+constexpr double largest_move = 0.25;
+
 /// Whether an unknown of the block by itself moves it without straining it.
 bool moves_as_a_whole(const Block& block, int unknown) {
   const auto& modes = block.rigid_modes();
@@ -187,7 +190,9 @@ void StepSystem::linearize(const VectorXd& d) {
   problem_.matrices_changed();
 }
 
-void StepSystem::add_change(const VectorXd& change, VectorXd& d) const {
+void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
+  const double furthest = largest_relative_move(whole_change);
+  const VectorXd change = whole_change * (furthest > largest_move ? largest_move / furthest : 1);
   for_blocks(static_cast<int>(active_.size()), [&](int a) {
     const int b = active_[a];
     const Range& u = blocks_.block(b).unknowns();
@@ -198,6 +203,7 @@ void StepSystem::add_change(const VectorXd& change, VectorXd& d) const {
   });
 }
 
+/// The furthest that a change moves a block, relative to the block's size.
 double StepSystem::largest_relative_move(const VectorXd& change) const {
   double largest = 0;
   for (int b : active_) {

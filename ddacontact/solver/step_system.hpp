@@ -46,10 +46,9 @@ class StepSystem {
   VectorXd smooth_residual(const VectorXd& d) const;
   /// Makes the matrix anew for the blocks displaced by d.
   void linearize(const VectorXd& d);
-  /// d += change, the rotations of free blocks carried out as such, see Block::add_change.
-  void add_change(const VectorXd& change, VectorXd& d) const;
-  /// The furthest that a change moves a block, relative to the block's size.
-  double largest_relative_move(const VectorXd& change) const;
+  /// d += change, the rotations of free blocks carried out as such, see Block::add_change; less of it when a
+  /// block would move further than a part of its size: what is linear holds for small changes.
+  void move(const VectorXd& change, VectorXd& d) const;
   /// The matrix, its factor and what is solved with it.
   FrictionProblem& problem() { return problem_; }
   const FrictionProblem& problem() const { return problem_; }
@@ -77,6 +76,8 @@ class StepSystem {
   double memory() const;
 
  private:
+  double largest_relative_move(const VectorXd& change) const;
+
   BlockSystem& blocks_;
   std::vector<int> active_;         ///< blocks that may change
   std::vector<int> assembled_;      ///< blocks that have matrices: these and, where asked for, fixed ones

@@ -33,12 +33,31 @@ void visit_contact(Archive& visit, Contact& c) {
 
 template <class Archive, class Counts>
 void visit_counts(Archive& visit, Counts& c) {
-  for (auto* count :
-       {&c.steps, &c.substeps, &c.rejected, &c.overlap_rejections, &c.unconverged, &c.open_close_iterations,
-        &c.linear_solves, &c.factorizations, &c.minimizations, &c.augmentations, &c.broken_bonds, &c.impacts,
-        &c.limited_impacts, &c.unsettled_impacts, &c.frictionless_holds, &c.contacts_max, &c.contacts,
-        &c.asleep, &c.equations, &c.sweeps, &c.solutions_without_factor, &c.solutions_with_stale_factor,
-        &c.krylov_iterations, &c.solver_fallbacks})
+  for (auto* count : {&c.steps,
+                      &c.substeps,
+                      &c.rejected,
+                      &c.overlap_rejections,
+                      &c.unconverged,
+                      &c.open_close_iterations,
+                      &c.linear_solves,
+                      &c.factorizations,
+                      &c.minimizations,
+                      &c.augmentations,
+                      &c.broken_bonds,
+                      &c.impacts,
+                      &c.limited_impacts,
+                      &c.unsettled_impacts,
+                      &c.frictionless_holds,
+                      &c.contacts_max,
+                      &c.contacts,
+                      &c.asleep,
+                      &c.equations,
+                      &c.sweeps,
+                      &c.solutions_without_factor,
+                      &c.solutions_with_stale_factor,
+                      &c.krylov_iterations,
+                      &c.solver_fallbacks,
+                      &c.interior_paths})
     visit(*count);
   visit(c.max_penetration);
   visit(c.max_residual);

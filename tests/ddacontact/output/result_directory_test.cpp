@@ -293,6 +293,7 @@ TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
   const SummaryTable summary = read_summary(directory.path / "summary.json");
   const StepCounts& counts = built.stepper->counts();
   const std::pair<const char*, long> expected[] = {{"substeps", counts.substeps},
+                                                   {"interior_paths", counts.interior_paths},
                                                    {"minimizations", counts.minimizations},
                                                    {"augmentations", counts.augmentations},
                                                    {"broken_bonds", counts.broken_bonds},

@@ -1,0 +1,321 @@
+#include <ddacontact/solver/interior_point.hpp>
+
+#include <ddacontact/solver/spring_state.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr int most_solutions = 60;
+/// Near enough: sqrt(mu) is this part of the largest sum of forces on a block, and what forces leave over on
+/// a block that part of their sum.
+constexpr double near_law = 1e-7, near_balance = 1e-4;
+/// From the bounds of friction at the start, of sqrt(mu).
+constexpr double least_distance = 1e-6;
+/// A solution is followed to this part of the way to the nearest bound.
+constexpr double part_to_bound = 0.99;
+/// Tolerances of friction in the predictor, which only tells how far mu may fall, and in the corrector.
+constexpr double predictor_tolerance = 0.1, corrector_tolerance = 1e-3;
+/// mu falls to no less than the third power of this part of its mean.
+constexpr double least_part = 1e-3;
+/// Where the first solution cannot be followed so far, mu begins with so many times more, so often.
+constexpr double first_length = 0.3, more = 100;
+constexpr int most_starts = 3;
+/// After a solution that can be followed no further than this, the next one evens the products out; and after
+/// the first few such ones bounds are given from one solution to the next.
+constexpr double short_length = 0.1;
+constexpr int first_solutions = 6;
+
+/// Two positive numbers whose product goes to mu.
+struct Pair {
+  double x = 1, s = 1;
+  double dx = 0, ds = 0;
+  double target = 0;  ///< of the product
+
+  void begin(double value, double mu) {
+    x = value;
+    s = mu / x;
+  }
+  void aim(double mu, double second_order) { target = mu - second_order * dx * ds; }
+  void follow(double change) {
+    dx = change;
+    ds = (target - x * s - s * dx) / x;
+  }
+};
+
+/// A contact inside its law. What it does when displacements change follows from its own equations:
+/// dN = w da + cN and dT = wt dq + mixed rate dN + cT.
+struct Inside {
+  bool acts = false;  ///< the vertex is on the edge, or has been
+  bool unilateral = true, sheared = false, bonded = false;
+  double p = 0, p_t = 0;  ///< its stiffnesses
+  double a = 0, q = 0;
+  Pair normal;             ///< N and y; N alone where it is not unilateral
+  double T = 0, dT = 0;    ///
+  Pair upper, lower;       ///< u and f, v and k
+  double b = 0, rate = 0;  ///< the bound of friction and its derivative by N
+  double sense = 0;        ///< of a multiplier that is at the bound, whatever that is
+  double w = 0, wt = 0, mixed = 0, cN = 0, cT = 0;
+
+  bool slides() const { return sheared && !bonded; }
+  /// What u and v lack.
+  double upper_error() const { return upper.x - (b - T); }
+  double lower_error() const { return lower.x - (b + T); }
+
+  template <class Visit>
+  void for_pairs(Visit&& visit) {
+    if (!acts) return;
+    if (unilateral) visit(normal);
+    if (!slides()) return;
+    visit(upper);
+    visit(lower);
+  }
+};
+
+class InteriorPoint {
+ public:
+  InteriorPoint(StepSystem& system, const std::vector<Contact>& contacts, const std::vector<RelaxedLaw>& laws,
+                const std::function<void()>& look, std::vector<ContactTerm>& terms, VectorXd& d)
+      : system_(system),
+        contacts_(contacts),
+        laws_(laws),
+        look_(look),
+        terms_(terms),
+        d_(d),
+        inside_(terms.size()),
+        forces_(terms.size()),
+        active_(terms.size()) {}
+
+  InteriorReport solve() {
+    look_();
+    for (std::size_t c = 0; c < inside_.size(); ++c)
+      forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
+    system_.compute_residual(d_, contacts_, forces_, residual_);
+    const double scale = residual_.scale;
+    double mu = scale * scale, length = 1;
+    look_inside(mu);
+    for (int n_starts = 1; report_.solutions < most_solutions;) {
+      balance();
+      const double mean = mean_product(0);
+      if (!std::isfinite(mean) || !std::isfinite(residual_.own)) break;
+      if (std::sqrt(mean) <= near_law * scale && residual_.own <= near_balance) break;
+      report_.found = factorize();
+      if (!report_.found) break;
+      mu = length < short_length ? find_even_direction(mean) : find_direction(mean);
+      length = longest();
+      ++report_.solutions;
+      if (report_.solutions == n_starts && n_starts < most_starts && length < first_length) {
+        mu = std::pow(more, n_starts++) * scale * scale;
+        for (std::size_t c = 0; c < inside_.size(); ++c)
+          if (inside_[c].acts) begin(c, mu);
+        length = 1;
+        continue;
+      }
+      if (length < short_length && report_.solutions > first_solutions) follows_normal_ = false;
+      advance(length);
+      look_();
+      look_inside(mu);
+    }
+    return report_;
+  }
+
+  unsigned char state(std::size_t c) const {
+    const Inside& i = inside_[c];
+    if (!i.acts || (i.unilateral && i.normal.x < i.normal.s)) return open;
+    if (!i.sheared) return pressed;
+    if (i.bonded) return pressed | stuck;
+    return pressed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : stuck);
+  }
+
+ private:
+  /// What the contacts' own equations have of d. Contacts that begin to act begin with mu.
+  void look_inside(double mu) {
+    for (std::size_t c = 0; c < inside_.size(); ++c) {
+      Inside& i = inside_[c];
+      const ContactTerm& term = terms_[c];
+      const bool acted = i.acts;
+      i.acts = acted || term.normal != ContactTerm::Normal::absent;
+      i.p = term.normal_stiffness;
+      i.p_t = term.tangential_stiffness;
+      i.a = term.normal_multiplier - i.p * term.gap(d_);
+      if (i.acts && !acted) begin(c, mu);
+      look_at_friction(c);
+    }
+  }
+
+  void look_at_friction(std::size_t c) {
+    Inside& i = inside_[c];
+    if (!i.acts || !i.sheared) return;
+    const RelaxedLaw& law = laws_[c];
+    const double N = std::max(0.0, i.normal.x);
+    i.b = shear_bound(*law.joint, N, false);
+    i.rate = follows_normal_ ? friction_rate(*law.joint, N) : 0;
+    i.sense = !i.bonded && (law.sliding || std::abs(law.shear) > i.b) ? std::copysign(1, law.shear) : 0;
+    i.q = (i.sense != 0 ? i.sense * i.b : law.shear) - i.p_t * terms_[c].slip(d_);
+  }
+
+  void begin(std::size_t c, double mu) {
+    Inside& i = inside_[c];
+    const ContactTerm& term = terms_[c];
+    i.unilateral = term.normal != ContactTerm::Normal::bilateral;
+    i.bonded = std::isinf(term.bound);
+    i.sheared = term.sheared && (i.bonded || laws_[c].joint->has_friction());
+    const double root = std::sqrt(i.a * i.a + 4 * mu);
+    i.normal.begin(i.a > 0 ? (i.a + root) / 2 : 2 * mu / (root - i.a), mu);
+    if (!i.unilateral) i.normal.x = i.a;
+    look_at_friction(c);
+    if (i.bonded) i.T = i.q;
+    if (!i.slides()) return;
+    const double size = std::abs(i.q) + i.b, least = least_distance * std::sqrt(mu);
+    i.T = i.b == 0 ? 0 : i.b * i.q / size;
+    i.upper.begin(std::max(i.b - i.T, least), mu);
+    i.lower.begin(std::max(i.b + i.T, least), mu);
+  }
+
+  void balance() {
+    for (std::size_t c = 0; c < inside_.size(); ++c) {
+      const Inside& i = inside_[c];
+      forces_[c] = i.acts ? ContactForce{i.normal.x, i.T} : ContactForce{};
+    }
+    system_.compute_residual(d_, contacts_, forces_, residual_);
+  }
+
+  double mean_product(double length) {
+    double sum = 0;
+    int n = 0;
+    for (Inside& i : inside_)
+      i.for_pairs([&](const Pair& pair) {
+        sum += (pair.x + length * pair.dx) * (pair.s + length * pair.ds);
+        ++n;
+      });
+    return n == 0 ? 0 : sum / n;
+  }
+
+  /// The matrix with each spring as stiff as its contact's place between its bounds makes it.
+  bool factorize() {
+    system_.linearize(d_);
+    couplings_.clear();
+    for (std::size_t c = 0; c < inside_.size(); ++c) {
+      Inside& i = inside_[c];
+      active_[c] = open;
+      if (!i.acts) continue;
+      const double f = i.slides() ? i.upper.s / i.upper.x : 0, k = i.slides() ? i.lower.s / i.lower.x : 0;
+      i.w = i.unilateral ? i.normal.x / (i.normal.x + i.normal.s) : 1;
+      i.wt = i.sheared ? 1 / (1 + f + k) : 0;
+      i.mixed = i.slides() ? i.wt * (f - k + i.sense) : 0;
+      terms_[c].normal_stiffness = i.w * i.p;
+      terms_[c].tangential_stiffness = i.wt * i.p_t;
+      active_[c] = i.sheared ? pressed | stuck : pressed;
+      if (i.mixed * i.rate != 0)
+        couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p});
+    }
+    return system_.problem().factorize(terms_, active_);
+  }
+
+  /// As far as it looks that mu may fall, with what is known of the second order then. Returns mu.
+  double find_direction(double mean) {
+    solve_for(0, 0, predictor_tolerance);
+    const double length = longest(), part = std::max(mean_product(length) / mean, least_part);
+    const double mu = mean * part * part * part;
+    solve_for(mu, length > short_length ? length : 0, corrector_tolerance);
+    return mu;
+  }
+  double find_even_direction(double mean) {
+    solve_for(mean, 0, corrector_tolerance);
+    return mean;
+  }
+
+  /// Newton's method for balance and the contacts' equations.
+  void solve_for(double mu, double second_order, double tolerance) {
+    rhs_ = residual_.force;
+    for (std::size_t c = 0; c < inside_.size(); ++c) {
+      Inside& i = inside_[c];
+      if (!i.acts) continue;
+      i.for_pairs([&](Pair& pair) { pair.aim(mu, second_order); });
+      const double N = i.normal.x;
+      i.cN = i.w * (i.a - N + (i.unilateral ? i.normal.target / N : 0));
+      i.cT = i.q - i.T;
+      if (i.slides()) {
+        const Pair &u = i.upper, &v = i.lower;
+        i.cT += (v.target + v.s * i.lower_error()) / v.x - (u.target + u.s * i.upper_error()) / u.x;
+      }
+      i.cT *= i.wt;
+      terms_[c].gap.add_gradient(-i.cN, rhs_);
+      if (i.sheared) terms_[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs_);
+    }
+    const auto solution = [&](const VectorXd& b, VectorXd& x) { system_.problem().solve(b, x); };
+    if (!solve_coupled(solution, couplings_, rhs_, tolerance, correction_)) ++report_.fallbacks;
+    for (std::size_t c = 0; c < inside_.size(); ++c) {
+      Inside& i = inside_[c];
+      if (!i.acts) continue;
+      const double da = i.p * terms_[c].gap.change(correction_), dN = i.w * da + i.cN;
+      i.normal.dx = dN;
+      if (i.unilateral) i.normal.follow(dN);
+      if (!i.sheared) continue;
+      const double dq = i.p_t * terms_[c].slip.change(correction_);
+      i.dT = i.wt * dq + i.mixed * i.rate * dN + i.cT;
+      if (i.bonded) continue;
+      i.upper.follow(i.rate * dN - i.dT - i.upper_error());
+      i.lower.follow(i.rate * dN + i.dT - i.lower_error());
+    }
+  }
+
+  /// How far the solution may be followed, 1: all the way.
+  double longest() {
+    double length = 1;
+    const auto shorten = [&](double x, double dx) {
+      if (dx < 0) length = std::min(length, -part_to_bound * x / dx);
+    };
+    for (Inside& i : inside_)
+      i.for_pairs([&](const Pair& pair) {
+        shorten(pair.x, pair.dx);
+        shorten(pair.s, pair.ds);
+      });
+    return length;
+  }
+
+  void advance(double length) {
+    for (Inside& i : inside_) {
+      i.for_pairs([&](Pair& pair) {
+        pair.x += length * pair.dx;
+        pair.s += length * pair.ds;
+      });
+      if (!i.acts) continue;
+      if (!i.unilateral) i.normal.x += length * i.normal.dx;
+      if (i.sheared) i.T += length * i.dT;
+    }
+    system_.move(-length * correction_, d_);
+  }
+
+  StepSystem& system_;
+  const std::vector<Contact>& contacts_;
+  const std::vector<RelaxedLaw>& laws_;
+  const std::function<void()>& look_;
+  std::vector<ContactTerm>& terms_;
+  VectorXd& d_;
+  std::vector<Inside> inside_;
+  std::vector<ContactForce> forces_;
+  std::vector<unsigned char> active_;
+  std::vector<Coupling> couplings_;
+  bool follows_normal_ = true;
+  Residual residual_;
+  VectorXd rhs_, correction_;
+  InteriorReport report_;
+};
+
+}  // namespace
+
+InteriorReport find_states_from_inside(StepSystem& system, const std::vector<Contact>& contacts,
+                                       const std::vector<RelaxedLaw>& laws, const std::function<void()>& look,
+                                       std::vector<ContactTerm>& terms, VectorXd& d,
+                                       std::vector<unsigned char>& states) {
+  InteriorPoint point(system, contacts, laws, look, terms, d);
+  const InteriorReport report = point.solve();
+  for (std::size_t c = 0; c < terms.size(); ++c) states[c] = point.state(c);
+  return report;
+}
+
+}  // namespace ddacontact

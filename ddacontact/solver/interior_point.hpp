@@ -1,0 +1,36 @@
+/// \file Contacts kept strictly inside their laws: the way to the states of a violent step.
+#pragma once
+
+#include <ddacontact/solver/relaxation.hpp>
+#include <ddacontact/solver/step_system.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace ddacontact {
+
+/// How find_states_from_inside ended.
+struct InteriorReport {
+  bool found = false;  ///< d is so near to a solution that it tells the contacts' states
+  int solutions = 0;   ///< each with a factor of its own
+  int fallbacks = 0;   ///< of them with friction that was not found to the tolerance
+};
+
+/// Finds the states of the contacts of a step where following them goes round in circles: a primal-dual
+/// interior-point method (Mehrotra 1992). Each contact keeps, with a = lambda - p g and q = tau - p_t s,
+///   N, y > 0:           N - y = a,                                        N y = mu,
+///   u, v, f, k > 0:     u = b(N) - T,  v = b(N) + T,  T + f - k = q,      u f = v k = mu,
+/// whose limit mu -> 0 is its law, and mu falls with every solution of Newton's method for these and balance.
+/// It takes some thirty solutions whatever the number of contacts. Where friction leaves no way on, bounds
+/// are given from one solution to the next.
+///
+/// \param[in] laws    what relaxation takes, too
+/// \param[in] look    makes the contacts' forms and `terms` anew at d, geometry included
+/// \param[in,out] d   where to start; then the last displacements. Blocks move as by StepSystem::move
+/// \param[out] states of the springs, see spring_state.hpp
+InteriorReport find_states_from_inside(StepSystem& system, const std::vector<Contact>& contacts,
+                                       const std::vector<RelaxedLaw>& laws, const std::function<void()>& look,
+                                       std::vector<ContactTerm>& terms, VectorXd& d,
+                                       std::vector<unsigned char>& states);
+
+}  // namespace ddacontact

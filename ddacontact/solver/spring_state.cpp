@@ -1,0 +1,59 @@
+#include <ddacontact/solver/spring_state.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool bears_shear(const ContactTerm& term, const JointLaw& law) {
+  return term.sheared && (term.bound > 0 || law.has_friction());
+}
+
+}  // namespace
+
+unsigned char first_state(const Contact& contact, bool sheared) {
+  if (!contact.closed()) return open;
+  if (!sheared) return pressed;
+  const ContactHistory& history = contact.history;
+  if (!is_slipping(history.state)) return pressed | stuck;
+  const bool upper = history.shear > 0 || history.state == ContactState::slip_backward;
+  return pressed | (upper ? at_upper : at_lower);
+}
+
+unsigned char state_at(const ContactTerm& term, const JointLaw& law, const VectorXd& d) {
+  const ClippedSpring n = normal_spring(term, d), t = tangential_spring(term, d);
+  if (!n.acts() && term.bound < infinity) return open;
+  const unsigned char closed = n.acts() ? pressed : open;
+  if (!bears_shear(term, law)) return closed;
+  return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
+}
+
+unsigned char state_of(const ContactTerm& term, const JointLaw& law, const ContactForce& force) {
+  if (term.normal == ContactTerm::Normal::absent) return open;
+  if (force.normal <= 0 && term.bound < infinity) return open;
+  if (!bears_shear(term, law)) return pressed;
+  const double bound = term.bound < infinity ? shear_bound(law, force.normal, false) : infinity;
+  return pressed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
+}
+
+ContactForce force_in_state(const ContactTerm& term, const JointLaw& law, unsigned char state,
+                            const VectorXd& d) {
+  ContactForce force;
+  if (state & pressed) force.normal = normal_spring(term, d).force;
+  if (state & stuck) force.shear = tangential_spring(term, d).force;
+  const double bound = force.normal < 0 ? law.friction * force.normal : shear_bound(law, force.normal, false);
+  if (state & at_upper) force.shear = bound;
+  if (state & at_lower) force.shear = -bound;
+  return force;
+}
+
+unsigned char next_state(unsigned char state, unsigned char at_d) {
+  const bool turns = ((state | at_d) & (at_upper | at_lower)) == (at_upper | at_lower);
+  return turns ? static_cast<unsigned char>((at_d & pressed) | stuck) : at_d;
+}
+
+}  // namespace ddacontact
