@@ -163,10 +163,10 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       counts.unconverged, counts.open_close_iterations, counts.contacts);
   log.info("{}", outcome);
   log.info(
-      "{} interior paths, {} minimizations, {} augmentations, {} broken bonds, {} impacts ({} limited, {} "
+      "{} interior paths, {} augmentations, {} broken bonds, {} impacts ({} limited, {} "
       "unsettled), largest "
       "residual {:.2g} of the forces",
-      counts.interior_paths, counts.minimizations, counts.augmentations, counts.broken_bonds, counts.impacts,
+      counts.interior_paths, counts.augmentations, counts.broken_bonds, counts.impacts,
       counts.limited_impacts, counts.unsettled_impacts, counts.max_residual);
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
   for (const std::string& note : stepper.notes()) {

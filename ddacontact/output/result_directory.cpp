@@ -249,7 +249,6 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"factorizations", counts.factorizations},
                                        {"max_penetration", counts.max_penetration},
                                        {"interior_paths", counts.interior_paths},
-                                       {"minimizations", counts.minimizations},
                                        {"augmentations", counts.augmentations},
                                        {"sweeps", counts.sweeps},
                                        {"solutions_without_factor", counts.solutions_without_factor},

@@ -173,7 +173,6 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     residual.external(part.unknowns()) = of_own.external;
     report.iterations = std::max(report.iterations, own_report.iterations);
     report.interior_paths += own_report.interior_paths;
-    report.minimizations = std::max(report.minimizations, own_report.minimizations);
     report.augmentations = std::max(report.augmentations, own_report.augmentations);
     report.broken_bonds += own_report.broken_bonds;
     report.sweeps += own_report.sweeps;

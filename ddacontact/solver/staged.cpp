@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-constexpr int anderson_depth = 8, bounds_depth = 5;
+constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
 constexpr double negligible_force = 1e-9;
@@ -27,8 +27,6 @@ struct Patience {
   int changes, losses;
 };
 constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 4};
-/// It may be returned to from stage 2 so often.
-constexpr int most_returns = 3;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
@@ -41,8 +39,6 @@ constexpr double stale_factor_gain = 0.1;
 constexpr int most_relaxations = 6;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
-/// Solutions with frozen bounds without a better residual after which bounds are changed by a part only.
-constexpr int patient_bounds = 8;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
 constexpr double aim_of_floor = 0.05;
 /// Bonds that exceed their strength by this part of the worst excess break together.
@@ -68,8 +64,7 @@ class Staged {
         multipliers_(contacts.size()),
         states_(contacts.size()),
         tangent_(system.problem(), options.skip, options.local),
-        acceleration_(anderson_depth),
-        bounds_acceleration_(bounds_depth) {}
+        acceleration_(anderson_depth) {}
 
   StagedReport solve() {
     system_.linearize(d_);
@@ -77,8 +72,6 @@ class Staged {
       start(contacts_[c], multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     }
-    const VectorXd start_d = d_;
-    start_ = &start_d;
     look();
     system_.problem().contacts_changed();
     if (options_.local) relax();
@@ -92,10 +85,7 @@ class Staged {
         augment();
         continue;
       }
-      if (report_.iterations >= options_.max_solutions ||
-          (!follows_states_ && report_.minimizations >= options_.max_minimizations))
-        return end(StagedStatus::unsettled);
-      if (!(follows_states_ ? follow_states() : minimize())) return end(StagedStatus::not_positive_definite);
+      if (report_.iterations >= options_.max_solutions || !follow_states()) return end(failure_);
     }
   }
 
@@ -133,8 +123,7 @@ class Staged {
   void look() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      forces_[c] = follows_states_ ? force_in_state(terms_[c], contacts_[c].law, states_[c], d_)
-                                   : contact_force(terms_[c], d_);
+      forces_[c] = force_in_state(terms_[c], contacts_[c].law, states_[c], d_);
     system_.compute_residual(d_, contacts_, forces_, report_.residual);
     if (report_.residual.own < best_) {
       best_ = report_.residual.own;
@@ -166,14 +155,9 @@ class Staged {
                   : multiplier.bonded && law.tension > 0 ? ContactTerm::Normal::bilateral
                                                          : ContactTerm::Normal::unilateral;
     term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
-    set_bound(multiplier, term,
-              multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false));
-  }
-
-  static void set_bound(const Multiplier& multiplier, ContactTerm& term, double bound) {
-    term.bound = bound;
-    term.tangential_multiplier = multiplier.sliding ? std::copysign(bound, multiplier.shear)
-                                                    : std::clamp(multiplier.shear, -bound, bound);
+    term.bound = multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false);
+    term.tangential_multiplier = multiplier.sliding ? std::copysign(term.bound, multiplier.shear)
+                                                    : std::clamp(multiplier.shear, -term.bound, term.bound);
   }
 
   bool is_balanced() const {
@@ -186,8 +170,6 @@ class Staged {
   void restart() {
     follow_states_from_here();
     acceleration_.reset();
-    bounds_acceleration_.reset();
-    returns_ = 0;
     inside_ = false;
   }
 
@@ -196,7 +178,6 @@ class Staged {
     best_ = infinity;
     since_best_ = 0;
     begin_states();
-    follows_states_ = true;
     look();
   }
 
@@ -216,7 +197,7 @@ class Staged {
       if (disagrees(c)) ++count;
     return count;
   }
-  bool states_agree() const { return !follows_states_ || count_disagreeing() == 0; }
+  bool states_agree() const { return count_disagreeing() == 0; }
 
   /// The state to try next. Near a solution a contact that sticks while it is pulled slides before it opens:
   /// it may be its own friction that pulls.
@@ -331,13 +312,13 @@ class Staged {
   }
 
   /// Goes on from what relaxation finds from here, where that serves; else from what is found from inside,
-  /// once; else from the start, by minimizing.
+  /// once. False: there is nothing left to try.
   bool leave_states() {
     if (options_.local && n_relaxations_ < most_relaxations && relax()) {
       begin_states();
       return true;
     }
-    return !inside_ && options_.max_minimizations > 0 && find_from_inside() ? true : begin_minimizing();
+    return !inside_ && options_.inside && find_from_inside();
   }
 
   void begin_states() {
@@ -362,6 +343,7 @@ class Staged {
     best_ = infinity;
     since_best_ = 0;
     look();
+    if (!found.found) failure_ = StagedStatus::not_positive_definite;
     return found.found;
   }
 
@@ -387,64 +369,6 @@ class Staged {
       if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate});
     }
     return couplings;
-  }
-
-  /// Goes back to where the step began, with the friction bounds of the step before.
-  bool begin_minimizing() {
-    follows_states_ = false;
-    d_ = *start_;
-    look();
-    bounds_.resize(static_cast<Index>(terms_.size()));
-    for (std::size_t c = 0; c < terms_.size(); ++c)
-      bounds_[static_cast<Index>(c)] = shear_bound(contacts_[c].law, multipliers_[c].normal, false);
-    bounds_acceleration_.reset();
-    best_ = infinity;
-    since_best_ = 0;
-    return true;
-  }
-
-  /// Stage 2: geometry and bounds frozen, then renewed.
-  bool minimize() {
-    for (std::size_t c = 0; c < terms_.size(); ++c)
-      if (terms_[c].bound < infinity) set_bound(multipliers_[c], terms_[c], bounds_[static_cast<Index>(c)]);
-    system_.linearize(d_);
-    const VectorXd d0 = d_, g0 = system_.smooth_residual(d0);
-    const MinimizeOptions how{.unknown_lengths = system_.unknown_lengths(),
-                              .tolerance = 0.01 * options_.residual_aim * report_.residual.scale};
-    const MinimizeReport minimum = system_.problem().minimize(terms_, d0, g0, how, d_);
-    report_.iterations += minimum.iterations;
-    ++report_.minimizations;
-    if (minimum.status == MinimizeStatus::not_positive_definite) return false;
-    VectorXd change(bounds_.size());
-    for (std::size_t c = 0; c < terms_.size(); ++c) {
-      const double N = normal_spring(terms_[c], d_).clipped();
-      change[static_cast<Index>(c)] = terms_[c].bound < infinity ? shear_bound(contacts_[c].law, N, false) -
-                                                                       bounds_[static_cast<Index>(c)]
-                                                                 : 0;
-    }
-    const VectorXd moved = d_ - d0;
-    d_ = d0;
-    system_.move(moved, d_);
-    improve_bounds(change);
-    look();
-
-    std::vector<unsigned char> now(terms_.size());
-    for (std::size_t c = 0; c < terms_.size(); ++c) now[c] = state_at_d(c);
-    if (now == settled_states_ && returns_ < most_returns) {
-      ++returns_;
-      follow_states_from_here();  // they stay as they are: stage 0 converges faster from here
-    }
-    settled_states_ = std::move(now);
-    return true;
-  }
-
-  /// Accelerated as long as that gains, then ever more cautious.
-  void improve_bounds(const VectorXd& change) {
-    if (since_best_ < patient_bounds)
-      bounds_acceleration_.advance(change, VectorXd::Ones(bounds_.size()), bounds_);
-    else
-      bounds_ += change * patient_bounds / (patient_bounds + since_best_);
-    bounds_ = bounds_.cwiseMax(0);
   }
 
   /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
@@ -572,8 +496,7 @@ class Staged {
   double best_ = infinity;
   int since_best_ = 0;
 
-  const VectorXd* start_ = nullptr;  ///< d at the start
-  bool follows_states_ = true;
+  StagedStatus failure_ = StagedStatus::unsettled;  ///< how to end when nothing is left to try
   std::vector<unsigned char> states_;
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
@@ -584,11 +507,6 @@ class Staged {
   TangentSolver tangent_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
-
-  int returns_ = 0;
-  VectorXd bounds_;
-  AndersonAcceleration bounds_acceleration_;
-  std::vector<unsigned char> settled_states_;
 };
 
 }  // namespace

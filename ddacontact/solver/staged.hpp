@@ -15,7 +15,7 @@ struct StagedOptions {
   bool mean_forces = false;          ///< contact forces act at the middle of the step
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
   int max_solutions = 600;
-  int max_minimizations = 600;  ///< 0: stage 0 alone
+  bool inside = true;  ///< false: stage 0 alone
   int max_augmentations = 10;
   Skips skip = {};
 };
@@ -32,8 +32,7 @@ enum class StagedStatus {
 /// How the method ended, with what it took.
 struct StagedReport {
   StagedStatus status = StagedStatus::unsettled;
-  int iterations = 0;     ///< solutions of (13)
-  int minimizations = 0;  ///< problems with frozen friction bounds and geometry
+  int iterations = 0;  ///< solutions of (13)
   int augmentations = 0;
   int sweeps = 0;          ///< of relaxation
   int interior_paths = 0;  ///< searches for the states from inside the contacts' laws
@@ -54,9 +53,7 @@ struct StagedReport {
 ///
 /// Where steps are local, contacts are first relaxed one after the other (ContactRelaxation), which finds
 /// most of their states. Stage 0 follows the active set, as open-close does. When that goes round in circles,
-/// stage 1 finds a way from inside the contacts' laws (find_states_from_inside) and stage 0 ends it; when
-/// there is none, stage 2 freezes geometry and friction bounds and minimizes, and iterates on them
-/// (FrictionProblem).
+/// stage 1 finds the states from inside the contacts' laws (find_states_from_inside), and stage 0 goes on.
 StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
                           VectorXd& d);
 

@@ -41,7 +41,6 @@ void visit_counts(Archive& visit, Counts& c) {
                       &c.open_close_iterations,
                       &c.linear_solves,
                       &c.factorizations,
-                      &c.minimizations,
                       &c.augmentations,
                       &c.broken_bonds,
                       &c.impacts,

@@ -13,7 +13,6 @@ struct StepCounts {
   long open_close_iterations = 0;  ///< solutions of (13), in all tries
   long linear_solves = 0, factorizations = 0;
   long interior_paths = 0;  ///< searches for contact states from inside the laws, see find_states_from_inside
-  long minimizations = 0;   ///< problems with frozen bounds that the staged method had to solve
   long augmentations = 0;
   long sweeps = 0;  ///< of relaxation, see ContactRelaxation
   long solutions_without_factor = 0, solutions_with_stale_factor = 0;  ///< see TangentSolver

@@ -389,7 +389,6 @@ void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
   }
   counts_.open_close_iterations += report.iterations;
   counts_.interior_paths += report.interior_paths;
-  counts_.minimizations += report.minimizations;
   counts_.augmentations += report.augmentations;
   counts_.sweeps += report.sweeps;
   counts_.solutions_without_factor += report.tangent.without_factor;

@@ -294,7 +294,6 @@ TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
   const StepCounts& counts = built.stepper->counts();
   const std::pair<const char*, long> expected[] = {{"substeps", counts.substeps},
                                                    {"interior_paths", counts.interior_paths},
-                                                   {"minimizations", counts.minimizations},
                                                    {"augmentations", counts.augmentations},
                                                    {"broken_bonds", counts.broken_bonds},
                                                    {"impacts", counts.impacts},

@@ -54,7 +54,6 @@ constexpr std::array counts_of_steps{NamedCount{"substeps", &StepCounts::substep
                                      NamedCount{"linear_solves", &StepCounts::linear_solves},
                                      NamedCount{"factorizations", &StepCounts::factorizations},
                                      NamedCount{"interior_paths", &StepCounts::interior_paths},
-                                     NamedCount{"minimizations", &StepCounts::minimizations},
                                      NamedCount{"augmentations", &StepCounts::augmentations}};
 
 /// By run, then by count.
