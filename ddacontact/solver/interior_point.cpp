@@ -18,7 +18,7 @@ constexpr double least_distance = 1e-6;
 /// A solution is followed to this part of the way to the nearest bound.
 constexpr double part_to_bound = 0.99;
 /// Tolerances of friction in the predictor, which only tells how far mu may fall, and in the corrector.
-constexpr double predictor_tolerance = 0.1, corrector_tolerance = 1e-3;
+constexpr double predictor_tolerance = 0.3, corrector_tolerance = 1e-2;
 /// mu falls to no less than the third power of this part of its mean.
 constexpr double least_part = 1e-3;
 /// Where the first solution cannot be followed so far, mu begins with so many times more, so often.
