@@ -466,7 +466,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
         of_both_sides ? velocity_at(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
-    held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, next);
+    held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, hold_factor_, next);
   return true;
 }
 
