@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace ddacontact {
 
@@ -144,7 +145,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
   Residual& residual = report.residual;
   residual.external = whole.load_forces() + whole.gravity_forces();
   residual.force = -residual.external;
-  d = whole.prescribed();
+  const VectorXd start_d = std::exchange(d, whole.prescribed());
   for (const std::unique_ptr<Island>& island : islands_) {
     SystemPart& part = *island->part;
     StepStart of_part{start.rule,
@@ -161,7 +162,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     system.problem().keep_factor(options.skip.unchanged_factor);
     std::vector<Contact> own;
     for (int c : island->contacts) own.push_back(island->to_part(blocks, contacts[c]));
-    VectorXd own_d = system.free_path();
+    VectorXd own_d = island->of_part(start_d);
     StagedReport own_report = solve_staged(system, options, own, own_d);
     part.take_out(blocks, state);
     add_difference(work_of(system), before, work_);

@@ -22,7 +22,7 @@ class IslandsApart {
   /// Solves the step as solve_staged does, island by island, each by its own system.
   /// \param[in,out] blocks, state  as they were, with the step begun
   /// \param[in] whole              with the step begun
-  /// \param[out] d                 of all unknowns
+  /// \param[in,out] d              of all unknowns; where to start
   /// \return what any of the islands took at most, the worst of their residuals, and the first failure
   StagedReport solve(BlockSystem& blocks, BlockState& state, const StepStart& start, const StepSystem& whole,
                      const StagedOptions& options, std::vector<Contact>& contacts, VectorXd& d);

@@ -1,7 +1,6 @@
 #include <ddacontact/time/held_contacts.hpp>
 
 #include <ddacontact/time/energy_accounts.hpp>
-#include <ddacontact/time/hold.hpp>
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
@@ -74,9 +73,11 @@ double loss(const HeldContact& contact, std::size_t c, const VectorXd& moving, c
 
 HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all,
                                 const std::vector<char>& parted, const VectorXd& d, double dt,
-                                BlockState& next) {
+                                HoldFactor& factor, BlockState& next) {
   std::vector<HeldContact> held;
   std::vector<const Contact*> contacts;
+  held.reserve(all.size());
+  contacts.reserve(all.size());
   bool moves = false;
   // Where one contact of two blocks slides the others slide with it, rigid as the blocks are here. By blocks:
   // what friction has taken in the step, which impulses may give back.
@@ -99,8 +100,9 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   if (!moves) return {};
   blocks.prepare(next);
   const VectorXd moving = next.velocity;
-  const Hold hold(blocks, held);
+  const Hold hold(blocks, held, factor);
   const VectorXd jump = hold.jump(moving);
+  if (jump.isZero(0)) return {};  // no impulses that friction could follow
   next.velocity += jump;
 
   std::vector<std::size_t> rubbing;

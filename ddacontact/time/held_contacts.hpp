@@ -3,6 +3,7 @@
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
+#include <ddacontact/time/hold.hpp>
 
 #include <vector>
 
@@ -19,10 +20,11 @@ struct HeldReport {
 /// dt - v0 would hand on whatever rate a contact had when it closed, with its sign changed at every step.
 /// Sliding contacts add the friction that goes with the normal impulses, unless that does not settle or would
 /// make energy. Prepares the blocks for `next`.
-/// \param[in] parted  contacts that an impact in the step drives apart: they pressed before it, and are
-///                    left to themselves; empty: none
+/// \param[in] parted      contacts that an impact in the step drives apart: they pressed before it, and are
+///                        left to themselves; empty: none
+/// \param[in,out] factor  of the step before; what is found does not depend on it
 HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>& all,
                                 const std::vector<char>& parted, const VectorXd& d, double dt,
-                                BlockState& next);
+                                HoldFactor& factor, BlockState& next);
 
 }  // namespace ddacontact

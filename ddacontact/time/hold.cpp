@@ -38,11 +38,13 @@ std::vector<int> blocks_of(const BlockSystem& blocks, const std::vector<HeldCont
 
 }  // namespace
 
-Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts)
+Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, HoldFactor& factor)
     : blocks_(blocks),
       contacts_(contacts),
       motions_(blocks, blocks_of(blocks, contacts)),
-      stiffness_(zeros(contacts.size())) {
+      stiffness_(zeros(contacts.size())),
+      factor_(factor) {
+  of_coefficients_.reserve(contacts.size());
   for (const HeldContact& contact : contacts) {
     const auto c = static_cast<Index>(of_coefficients_.size());
     of_coefficients_.push_back(
@@ -61,8 +63,8 @@ void Hold::factorize() {
   polyfem::Connectivity elements;
   for (const HeldContact& contact : of_coefficients_) elements.append(contact.gap.unknowns());
   const int n = motions_.n_coefficients();
-  polyfem::PatternMatrix matrix;
-  matrix.set_connectivity(n, elements);
+  auto& [matrix, cholesky] = factor_;
+  const bool changed = matrix.set_connectivity(n, elements);
   matrix.set_identity();
   for (std::size_t c = 0; c < of_coefficients_.size(); ++c) {
     const HeldContact& contact = of_coefficients_[c];
@@ -71,8 +73,8 @@ void Hold::factorize() {
     matrix.add_outer(element, stiffness_.gap[k], contact.gap.coefficients());
     if (contact.tangential) matrix.add_outer(element, stiffness_.slip[k], contact.slip.coefficients());
   }
-  cholesky_.analyze(matrix.lower());
-  if (!cholesky_.factorize(matrix.lower())) throw std::logic_error("a sum of squares is not positive");
+  if (changed) cholesky.analyze(matrix.lower());
+  if (!cholesky.factorize(matrix.lower())) throw std::logic_error("a sum of squares is not positive");
 }
 
 Hold::Rates Hold::rates(const std::vector<HeldContact>& forms, const VectorXd& v) {
@@ -101,7 +103,7 @@ bool Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool
   q.setZero(motions_.n_coefficients());
   VectorXd lacking, move;
   bool settled = true;
-  const auto solve = [&](const VectorXd& b, VectorXd& x) { cholesky_.solve(b, x); };
+  const auto solve = [&](const VectorXd& b, VectorXd& x) { factor_.cholesky.solve(b, x); };
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds; ++round) {
     lacking = -q;

@@ -27,13 +27,20 @@ struct HeldJump {
   bool settled = true;     ///< friction agrees with the normal impulses
 };
 
+/// The matrix of a Hold with its factor: kept for the next one, whose contacts mostly join the same blocks.
+struct HoldFactor {
+  polyfem::PatternMatrix matrix;
+  polyfem::Cholesky cholesky;
+};
+
 /// Contacts that are held. The rates of deforming blocks may contradict each other as far as rigid motions
 /// go, so that impulses that move nothing would grow without end: springs that resist what is left of the
 /// rates find motions of least squares instead, in rounds, each on what the last one left.
 class Hold {
  public:
-  /// \param[in] blocks  prepared for the shapes meant; they must stay so
-  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts);
+  /// \param[in] blocks      prepared for the shapes meant; they must stay so
+  /// \param[in,out] factor  of this one's, as long as it lives
+  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, HoldFactor& factor);
 
   /// The change of velocity, a rigid motion of each block of least kinetic energy, that leaves the least
   /// squares of the rates that velocities v have, and of those that it changes about a millionth. Shortened
@@ -61,7 +68,7 @@ class Hold {
   RigidMotions motions_;
   std::vector<HeldContact> of_coefficients_;  ///< contacts_ as forms of the coefficients of motions_
   Rates stiffness_;                           ///< of springs against the rates
-  mutable polyfem::Cholesky cholesky_;        ///< of 1 + sum of stiffness * gradient * gradient^T
+  HoldFactor& factor_;                        ///< of 1 + sum of stiffness * gradient * gradient^T
 };
 
 }  // namespace ddacontact

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ddacontact {
@@ -70,20 +71,33 @@ double RigidMotions::largest_mass() const {
 
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {
   constexpr double round_off = 1e-13;
-  AffineForm sum, magnitude, rate;
+  struct Rate {
+    int part;
+    double sum[3], magnitude[3];
+  };
+  std::array<Rate, AffineForm::capacity> rates;  // by the parts, in the order in which they occur
+  int n_rates = 0;
   for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
-    const int u = form.unknowns()[k];
-    if (part_of_unknown_[u] < 0) continue;
-    const Part& part = parts_[part_of_unknown_[u]];
+    const int u = form.unknowns()[k], p = part_of_unknown_[u];
+    if (p < 0) continue;
+    int r = 0;
+    while (r < n_rates && rates[r].part != p) ++r;
+    if (r == n_rates) rates[n_rates++] = {p, {}, {}};
+    const Part& part = parts_[p];
+    const Index row = u - part.block->unknowns().first;
     for (Index m = 0; m < part.modes.cols(); ++m) {
-      const double term = form.coefficients()[k] * part.modes(u - part.block->unknowns().first, m);
-      sum.add(part.first + static_cast<int>(m), term);
-      magnitude.add(part.first + static_cast<int>(m), std::abs(term));
+      const double term = form.coefficients()[k] * part.modes(row, m);
+      rates[r].sum[m] += term;
+      rates[r].magnitude[m] += std::abs(term);
     }
   }
-  for (std::size_t k = 0; k < sum.unknowns().size(); ++k) {
-    const double c = sum.coefficients()[k];
-    rate.add(sum.unknowns()[k], std::abs(c) > round_off * magnitude.coefficients()[k] ? c : 0);
+  AffineForm rate;
+  for (int r = 0; r < n_rates; ++r) {
+    const Part& part = parts_[rates[r].part];
+    for (int m = 0; m < part.modes.cols(); ++m) {
+      const double c = rates[r].sum[m];
+      rate.append(part.first + m, std::abs(c) > round_off * rates[r].magnitude[m] ? c : 0);
+    }
   }
   return rate;
 }

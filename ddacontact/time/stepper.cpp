@@ -65,6 +65,26 @@ double velocity_at(const HeldUnknown& held, double time, double dt, double end_t
   return (jump > much * beside ? way[1] : (way[1] + way[2]) / 2) / dt;
 }
 
+/// Lets blocks that contacts bear, and that move no faster than gravity would make them in the step, start
+/// from where they would go on to: next to where they end, as the free path under gravity is not.
+void start_borne_blocks(const BlockSystem& blocks, const std::vector<Contact>& contacts,
+                        const StepStart& start, VectorXd& d) {
+  std::vector<char> is_borne(blocks.n_blocks(), 0);
+  for (const Contact& contact : contacts)
+    if (contact.history.normal > 0)
+      is_borne[contact.pair.vertex_block] = is_borne[contact.pair.edge_block] = 1;
+  const double slow = blocks.gravity.norm() * start.dt;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Block& block = blocks.block(b);
+    const Range& u = block.unknowns();
+    if (!is_borne[b] || !blocks.is_free(b) || !start.jump.segment(u.first, u.count).isZero(0)) continue;
+    bool is_slow = true;
+    for (int v = 0; v < block.n_vertices(); ++v)
+      is_slow = is_slow && block.vertex_map(v)(start.velocity).norm() <= slow;
+    if (is_slow) d.segment(u.first, u.count) = start.dt * start.velocity.segment(u.first, u.count);
+  }
+}
+
 }  // namespace
 
 /// While it lives a step is made.
@@ -374,6 +394,7 @@ void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
   });
   staged_.skip = analysis_.skip;
   solution.d = system_->free_path();
+  if (!is_static() && !staged_.local) start_borne_blocks(blocks_, tried_, start, solution.d);
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, tried_);
   StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)
@@ -466,7 +487,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
         of_both_sides ? velocity_at(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
-    held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, next);
+    held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, hold_factor_, next);
   return true;
 }
 

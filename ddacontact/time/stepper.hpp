@@ -202,6 +202,7 @@ class Stepper {
   StagedOptions staged_;
   double held_stiffness_;
   HeldReport held_;  ///< of the last try
+  HoldFactor hold_factor_;
 
   BlockState state_;
   std::vector<ContactRecord> contacts_;  ///< of the last accepted substep

@@ -1,4 +1,5 @@
 #include <polyfem/assembly/cholesky.hpp>
+#include <polyfem/assembly/supernodal_solution.hpp>
 #include <polyfem/core/error.hpp>
 #include <polyfem/core/out_of_memory.hpp>
 #include <polyfem/core/stopwatch.hpp>
@@ -18,6 +19,7 @@ struct Cholesky::Factor {
   cholmod_common common{};
   cholmod_factor* L = nullptr;
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;  // kept from solve to solve
+  VectorXd work;
 
   Factor() {
     cholmod_start(&common);
@@ -145,6 +147,10 @@ void Cholesky::solve(const VectorXd& b, VectorXd& x) {
   x.resize(b.size());
   if (b.size() == 0) return;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == b.size());
+  if (factor_->L->is_super) {
+    solve_supernodal(*factor_->L, b, factor_->work, x);
+    return;
+  }
   cholmod_dense rhs = view_of(b);
   cholmod_solve2(CHOLMOD_A, factor_->L, &rhs, nullptr, &factor_->solution, nullptr, &factor_->work_y,
                  &factor_->work_e, &factor_->common);

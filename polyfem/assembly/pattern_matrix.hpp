@@ -30,10 +30,10 @@ struct Connectivity {
 };
 
 /// The lower triangle of a sum of small symmetric matrices. The pattern is the union over all elements of the
-/// connectivity, with the diagonal; where each entry of each element goes is found once per pattern.
+/// connectivity, with the diagonal; where each entry of each element goes is found once per connectivity.
 class PatternMatrix {
  public:
-  /// Prepares for these elements; false when nothing had to be done because the connectivity is the same.
+  /// Prepares for these elements; false when the pattern is the one it was: an analysis of it holds on.
   bool set_connectivity(int n_rows, const Connectivity& connectivity);
 
   void set_zero();

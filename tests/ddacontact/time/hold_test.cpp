@@ -50,10 +50,12 @@ struct HeldWall {
 }  // namespace
 
 TEST(Hold, TakesTheRatesOutAtLeastEnergy) {
+  HoldFactor factor;
   for (int seed = 0; seed < 30; ++seed) {
     const HeldWall wall(seed);
     const TouchingBlocks& scene = wall.scene;
-    const VectorXd jump = Hold(scene.blocks, wall.held).jump(scene.v), after = scene.v + jump;
+    const Hold hold(scene.blocks, wall.held, factor);
+    const VectorXd jump = hold.jump(scene.v), after = scene.v + jump;
     for (const HeldContact& contact : wall.held) {
       EXPECT_NEAR(contact.gap.change(after), 0, 1e-6);
       if (contact.tangential) {
@@ -63,20 +65,21 @@ TEST(Hold, TakesTheRatesOutAtLeastEnergy) {
     // least: what is left is orthogonal to the jump, and the jump comes from impulses
     const double lost = scene.energy(scene.v) - scene.energy(after);
     EXPECT_NEAR(lost, scene.energy(jump), 1e-6 * scene.energy(scene.v));
-    const HeldJump again = Hold(scene.blocks, wall.held).with_friction(jump, {});
+    const HeldJump again = hold.with_friction(jump, {});
     EXPECT_LE((again.velocity - jump).norm(), 1e-6 * jump.norm());
     EXPECT_LE((wall.moved_by(wall.force(again)) - jump).norm(), 1e-6 * jump.norm());
   }
 }
 
 TEST(Hold, FrictionGoesWithTheImpulses) {
+  HoldFactor factor;
   for (int seed = 0; seed < 30; ++seed) {
     HeldWall wall(seed);
     const TouchingBlocks& scene = wall.scene;
     std::vector<HeldFriction> friction(wall.held.size());
     for (std::size_t c = 0; c < friction.size(); ++c)
       if (!wall.held[c].tangential) friction[c] = {wall.uniform(-0.3, 0.3), wall.uniform(-1, 1)};
-    const Hold hold(scene.blocks, wall.held);
+    const Hold hold(scene.blocks, wall.held, factor);
     const HeldJump jump = hold.with_friction(hold.jump(scene.v), friction);
     for (std::size_t c = 0; c < friction.size(); ++c) {
       const auto k = static_cast<Index>(c);
@@ -98,10 +101,29 @@ TEST(Hold, ContradictingRatesAreLeftWithoutMakingEnergy) {
   }
   std::vector<HeldContact> held;
   for (const ImpactContact& contact : scene.contacts) held.push_back({contact.gap, contact.slip, true});
-  const VectorXd jump = Hold(scene.blocks, held).jump(scene.v);
+  HoldFactor factor;
+  const VectorXd jump = Hold(scene.blocks, held, factor).jump(scene.v);
   EXPECT_LE(scene.energy(scene.v + jump), scene.energy(scene.v) * (1 + 1e-12));
   scene.set_velocity(1, {0.3, -2, 0.1});
-  const VectorXd moving = Hold(scene.blocks, held).jump(scene.v);
+  const VectorXd moving = Hold(scene.blocks, held, factor).jump(scene.v);
   EXPECT_TRUE(moving.allFinite());
   EXPECT_LE(scene.energy(scene.v + moving), scene.energy(scene.v) * (1 + 1e-12));
+}
+
+/// The factor of another wall, or of the same one, changes nothing; of the same one its analysis serves
+/// again.
+TEST(Hold, FindsTheSameWhateverItsFactorWasMadeFor) {
+  HoldFactor kept;
+  for (int seed = 0; seed < 10; ++seed) {
+    const HeldWall wall(seed);
+    HoldFactor fresh;
+    const VectorXd jump = Hold(wall.scene.blocks, wall.held, fresh).jump(wall.scene.v);
+    for (int twice = 0; twice < 2; ++twice) {
+      const int n_analyses = kept.cholesky.n_analyses();
+      EXPECT_EQ(Hold(wall.scene.blocks, wall.held, kept).jump(wall.scene.v), jump);
+      if (twice == 1) {
+        EXPECT_EQ(kept.cholesky.n_analyses(), n_analyses);
+      }
+    }
+  }
 }

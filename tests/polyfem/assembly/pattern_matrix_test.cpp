@@ -114,19 +114,34 @@ TEST_P(PatternMatrixOfRandomElements, ForgetsItsValuesButNotItsPattern) {
   EXPECT_EQ(matrix_.lower().nonZeros(), non_zeros);
 }
 
-TEST_P(PatternMatrixOfRandomElements, IsPreparedAgainOnlyForAnotherConnectivity) {
+TEST_P(PatternMatrixOfRandomElements, TellsWhetherThePatternIsAnother) {
   EXPECT_FALSE(matrix_.set_connectivity(n_, connectivity_));
   EXPECT_TRUE(matrix_.set_connectivity(n_ + 1, connectivity_));
-  connectivity_.append(std::vector<int>{0});
-  EXPECT_TRUE(matrix_.set_connectivity(n_ + 1, connectivity_));
   EXPECT_FALSE(matrix_.set_connectivity(n_ + 1, connectivity_));
+  connectivity_.append(std::vector<int>{n_, 0});
+  EXPECT_TRUE(matrix_.set_connectivity(n_ + 1, connectivity_));
+}
+
+TEST_P(PatternMatrixOfRandomElements, SumsOtherElementsInTheSamePattern) {
+  Connectivity turned;
+  for (int e = connectivity_.n_elements(); e-- > 0;) turned.append(connectivity_.rows_of(e));
+  turned.append(std::vector<int>{n_ - 1});
+  EXPECT_FALSE(matrix_.set_connectivity(n_, turned));
+  MatrixXd dense = MatrixXd::Zero(n_, n_);
+  for (int e = 0; e < turned.n_elements(); ++e) {
+    const auto rows = turned.rows_of(e);
+    const MatrixXd element = random_symmetric(static_cast<Index>(rows.size()), random_);
+    matrix_.add(e, element);
+    add_dense(rows, element, dense);
+  }
+  expect_equal(dense);
 }
 
 TEST(PatternMatrix, CanBeEmpty) {
   PatternMatrix matrix;
   Connectivity all_left_out;
   all_left_out.append(std::vector<int>{-1, -1});
-  EXPECT_TRUE(matrix.set_connectivity(0, all_left_out));
+  EXPECT_FALSE(matrix.set_connectivity(0, all_left_out));
   matrix.set_zero();
   matrix.add(0, MatrixXd::Ones(2, 2));
   EXPECT_EQ(matrix.lower().nonZeros(), 0);

@@ -1,0 +1,16 @@
+/// \file Solutions with a Cholesky factor whose columns are stored in dense groups.
+#pragma once
+
+#include <polyfem/core/types.hpp>
+
+struct cholmod_factor_struct;
+
+namespace polyfem {
+
+/// x = (L L^T)^-1 b, L supernodal and of real numbers with its ordering. CHOLMOD asks BLAS for each group;
+/// those of small blocks have a few columns, for which the calls cost more than what they do.
+///
+/// \param[in,out] work  storage
+void solve_supernodal(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& work, VectorXd& x);
+
+}  // namespace polyfem
