@@ -74,6 +74,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
 }
 
 void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
+                                  const std::vector<ContactTerm>& terms,
                                   const std::vector<ContactForce>& forces, Residual& residual) const {
   magnitude_.setZero(blocks_.n_blocks());
   stiffest_.setZero(blocks_.n_blocks());
@@ -81,8 +82,8 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (forces[c].normal == 0 && forces[c].shear == 0) continue;
     const Contact& contact = contacts[c];
-    contact.gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
-    contact.slip.add_gradient(forces[c].shear, residual.external);
+    terms[c].gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
+    terms[c].slip.add_gradient(forces[c].shear, residual.external);
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
       magnitude_[b] += std::hypot(forces[c].normal, forces[c].shear);
       stiffest_[b] = std::max(stiffest_[b], contact.law.normal_stiffness);

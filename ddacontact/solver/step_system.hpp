@@ -40,8 +40,10 @@ class StepSystem {
   /// The same, and elsewhere those of blocks without forces: where a solution starts.
   VectorXd free_path() const;
   /// Residual of displacements d when the contacts exert these forces.
+  /// \param[in] terms  of the contacts: their gradients are what forces act along
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
-                        const std::vector<ContactForce>& forces, Residual& residual) const;
+                        const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
+                        Residual& residual) const;
   /// The residual without contacts.
   VectorXd smooth_residual(const VectorXd& d) const;
   /// Makes the matrix anew for the blocks displaced by d.

@@ -150,7 +150,7 @@ class Stepper {
   /// the difference as a translation. The paper preset leaves it.
   void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
-  void record_contacts(const VectorXd& d);
+  void record_contacts();
   VectorXd start_velocity() const;
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
