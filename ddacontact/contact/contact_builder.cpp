@@ -70,6 +70,8 @@ class ContactsByPair {
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
+  half_width_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
+  size_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& v = blocks.block(b).vertices();
     half_width_.push_back(half_width(blocks.reference().middleCols(v.first, v.count)));

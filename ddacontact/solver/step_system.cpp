@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ddacontact {
 
@@ -31,20 +32,22 @@ StepSystem::StepSystem(BlockSystem& blocks)
     : blocks_(blocks),
       unknown_lengths_(blocks.n_unknowns()),
       problem_(blocks.equation(), blocks.n_equations()) {
+  polyfem::Connectivity elements;  // the parts of the assembled blocks, one after another
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
     unknown_lengths_.segment(u.first, u.count) = blocks.block(b).unknown_lengths();
     if (!blocks.is_unchanging(b)) active_.push_back(b);
     if (!blocks.has_matrices(b)) continue;
     assembled_.push_back(b);
-    first_element_.push_back(elements_.n_elements());
+    first_element_.push_back(elements.n_elements());
     for (int p = 0; p < blocks.block(b).n_parts(); ++p) {
       std::vector<int> of_part = blocks.block(b).part_unknowns(p);
       for (int& k : of_part) k += u.first;
-      elements_.append(of_part);
+      elements.append(of_part);
     }
   }
-  problem_.set_matrices(elements_);
+  for (std::vector<int>* numbers : {&active_, &assembled_, &first_element_}) numbers->shrink_to_fit();
+  problem_.set_matrices(std::move(elements));
 }
 
 void StepSystem::set_step(const BlockState& state, const StepStart& start, double held_stiffness) {
@@ -183,8 +186,9 @@ void StepSystem::linearize(const VectorXd& d) {
     problem_.elements()[first_element_[assembled - assembled_.begin()]] +=
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
-  for (int e = 0; e < elements_.n_elements(); ++e)
-    diagonal_(elements_.rows_of(e)) += problem_.elements()[e].diagonal();
+  const polyfem::Connectivity& elements = problem_.unknowns();
+  for (int e = 0; e < elements.n_elements(); ++e)
+    diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
   problem_.matrices_changed();
 }
 
@@ -211,10 +215,10 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
 }
 
 double StepSystem::memory() const {
-  return problem_.memory() + bytes_of(active_) + bytes_of(first_element_) + bytes_of(elements_.first) +
-         bytes_of(elements_.rows) + bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) +
-         bytes_of(diagonal_) + bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) +
-         bytes_of(magnitude_) + bytes_of(stiffest_);
+  return problem_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
+         bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
+         bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) + bytes_of(magnitude_) +
+         bytes_of(stiffest_);
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

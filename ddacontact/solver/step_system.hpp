@@ -85,8 +85,7 @@ class StepSystem {
   std::vector<int> first_element_;  ///< of the matrix, of each of those
   VectorXd unknown_lengths_;
   FrictionProblem problem_;
-  polyfem::Connectivity elements_;  ///< the parts of the assembled blocks, one after another
-  VectorXd diagonal_;               ///< of the matrix without contacts, of every unknown
+  VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
   double held_stiffness_ = 0;
   double dt_ = 0, inertia_ = 0;

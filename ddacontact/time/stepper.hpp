@@ -34,6 +34,7 @@ struct StepMemory {
   double contacts = 0;   ///< and what they were before the last try
   double detection = 0;  ///< outlines, boxes, pairs
   double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without the factor
+  double factor = 0;     ///< of (13), and what making it takes
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.
