@@ -49,6 +49,8 @@ class Block {
 
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
+  /// Whether steps change what the state has of the block's stress.
+  virtual bool changes_stress() const { return true; }
   int n_vertices() const { return n_vertices_; }
   int n_places() const { return static_cast<int>(reference_.cols()); }
   /// Its number, and where its entries start in the arrays of the state.

@@ -17,6 +17,7 @@ bool stays(const TimeFunction& motion) {
 
 BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
   int n_places = 0;
+  names.reserve(blocks_.size());
   for (const auto& block : blocks_) {
     block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_);
     n_places = block->places().end();
@@ -24,6 +25,8 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
     n_stress_points_ = block->stress_points().end();
     names.push_back(std::to_string(names.size()));
   }
+  block_of_place_.reserve(static_cast<std::size_t>(n_places));
+  block_of_unknown_.reserve(static_cast<std::size_t>(n_unknowns_));
   reference_.resize(2, n_places);
   for (const auto& block : blocks_)
     reference_.middleCols(block->places().first, block->places().count) = block->reference();
@@ -32,8 +35,8 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
     block_of_unknown_.insert(block_of_unknown_.end(), block(b).n_unknowns(), b);
   }
   const BlockState initial = initial_state();
-  start_.position = zero_.position = initial.position;
-  start_.origin = zero_.origin = initial.origin;
+  start_.position = initial.position;
+  start_.origin = initial.origin;
   present_.assign(blocks_.size(), true);
   resting_.assign(blocks_.size(), false);
   number_equations();
@@ -147,9 +150,10 @@ Points BlockSystem::positions(const BlockState& state) const {
 }
 
 Points BlockSystem::displacements(const BlockState& state) const {
-  Points u = state.position - zero_.position;
+  const BlockState& zero = displacement_zero();
+  Points u = state.position - zero.position;
   for (Index v = 0; v < u.cols(); ++v)
-    u.col(v) += state.origin.col(block_of_place_[v]) - zero_.origin.col(block_of_place_[v]);
+    u.col(v) += state.origin.col(block_of_place_[v]) - zero.origin.col(block_of_place_[v]);
   return u;
 }
 
@@ -160,6 +164,8 @@ double BlockSystem::total_displacement(const BlockState& state, int place, int a
 }
 
 void BlockSystem::count_displacements_from(const BlockState& zero) {
+  zero_ = {};
+  if (zero.position.size() == 0 || (zero.position == start_.position && zero.origin == start_.origin)) return;
   zero_.position = zero.position;
   zero_.origin = zero.origin;
 }

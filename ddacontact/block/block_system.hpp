@@ -119,7 +119,7 @@ class BlockSystem {
   double total_displacement(const BlockState& state, int place, int axis) const;
   void count_displacements_from(const BlockState& zero);
   /// The places that displacements are counted from, with their blocks' origins.
-  const BlockState& displacement_zero() const { return zero_; }
+  const BlockState& displacement_zero() const { return zero_.position.cols() > 0 ? zero_ : start_; }
   /// The outline of a block from the origin of another: no digits are lost to where they are.
   Points outline_from(const BlockState& state, int block, int origin_of) const;
   /// A vector at a material point from those at the places of all blocks.
@@ -140,7 +140,8 @@ class BlockSystem {
 
   std::vector<std::unique_ptr<Block>> blocks_;
   Points reference_;
-  BlockState start_, zero_;  ///< places and origins alone
+  BlockState start_, zero_;  ///< places and origins alone; zero_ is empty while displacements are counted
+                             ///< from the start
   std::vector<int> block_of_place_, block_of_unknown_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;

@@ -100,6 +100,7 @@ void CorotationalBlock::prepare_shape(const PointsRef& places) {
 }
 
 TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {
+  if (state.stress.cols() == 0) return state.stress;
   return state.stress.middleCols(stress_points().first, stress_points().count);
 }
 
@@ -176,6 +177,7 @@ CorotationalBlock::Frame CorotationalBlock::cell_frame(const Points& y, int c) c
 }
 
 TensorsRef CorotationalBlock::initial_stress(const BlockState& state, int c) const {
+  if (state.stress.cols() == 0) return state.stress;
   const ShapeCell& cell = shape_->cells[c];
   return state.stress.middleCols(stress_points().first + cell.first_point, cell.element.n_points());
 }
@@ -209,7 +211,9 @@ Tensors CorotationalBlock::cell_stresses(const BlockState& state, const Frame& f
     polyfem::strains(cell.element, frame.u, strain);
     stress = material().elasticity * strain;
   }
-  return initial_stress(state, c) + stress;
+  const TensorsRef initial = initial_stress(state, c);
+  if (initial.cols() == 0) return Tensors::Zero(3, stress.cols()) + stress;
+  return initial + stress;
 }
 
 Tensors CorotationalBlock::stress(const BlockState& state) const {

@@ -16,6 +16,7 @@ class CorotationalBlock final : public Block {
 
   int n_unknowns() const override { return static_cast<int>(shape_->n_unknowns()); }
   int n_stress_points() const override { return static_cast<int>(shape_->integration_weights.size()); }
+  bool changes_stress() const override { return false; }
   VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
   PointMap vertex_map(int place) const override;
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override;
@@ -53,6 +54,7 @@ class CorotationalBlock final : public Block {
   Points nodes(const PointsRef& places) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const Points& y, int c) const;
+  /// Empty: none.
   TensorsRef initial_stress(const BlockState& state) const;
   TensorsRef initial_stress(const BlockState& state, int c) const;
   /// The stress in the cell's own frame.
@@ -63,7 +65,7 @@ class CorotationalBlock final : public Block {
 
   std::shared_ptr<const CorotationalShape> shape_;
   std::vector<std::vector<PointMap::Term>> place_maps_;  ///< empty: each place has two unknowns of its own
-  CorotationalStart start_;  ///< of the step last begun
+  CorotationalStart start_;                              ///< of the step last begun
 };
 
 }  // namespace ddacontact

@@ -17,7 +17,8 @@ struct BlockState {
   VectorXd velocity;      ///< of every unknown
   VectorXd acceleration;  ///< of every unknown, at the end of the last step; what Newmark's scheme carries on
   Tensors stress;  ///< at the integration points of all blocks: the stress (incremental blocks), or what the
-                   ///< reference shape has of it, in the block's own frame (corotational blocks)
+                   ///< reference shape has of it, in the block's own frame (corotational blocks); empty where
+                   ///< no block has or ever gets any
   VectorXd rotation;  ///< of each block since the start: best fit, not wrapped, radians
 };
 

@@ -27,9 +27,11 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   system_.resting_ = resting_;
   system_.computes_fixed_ = whole.computes_fixed_;
   system_.reference_.resize(2, next.places.first);
-  for (BlockState* state : {&system_.start_, &system_.zero_}) {
-    state->position.resize(2, next.places.first);
-    state->origin.resize(2, static_cast<Index>(blocks_.size()));
+  std::vector<std::pair<const BlockState*, BlockState*>> kept{{&whole.start_, &system_.start_}};
+  if (whole.zero_.position.size() > 0) kept.emplace_back(&whole.zero_, &system_.zero_);
+  for (const auto& [in, out] : kept) {
+    out->position.resize(2, next.places.first);
+    out->origin.resize(2, static_cast<Index>(blocks_.size()));
   }
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Range &from = in_whole_[k].places, &to = in_part_[k].places;
@@ -38,7 +40,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
     system_.block_of_unknown_.insert(system_.block_of_unknown_.end(), in_part_[k].unknowns.count,
                                      static_cast<int>(k));
     system_.reference_.middleCols(to.first, to.count) = whole.reference_.middleCols(from.first, from.count);
-    for (auto [in, out] : {std::pair{&whole.start_, &system_.start_}, {&whole.zero_, &system_.zero_}}) {
+    for (const auto& [in, out] : kept) {
       out->position.middleCols(to.first, to.count) = in->position.middleCols(from.first, from.count);
       out->origin.col(column) = in->origin.col(blocks_[k]);
     }
@@ -79,7 +81,6 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   state_.origin.resize(2, static_cast<Index>(blocks_.size()));
   state_.velocity.resize(next.unknowns.first);
   state_.acceleration.resize(next.unknowns.first);
-  state_.stress.resize(3, next.stress_points.first);
   state_.rotation.resize(static_cast<Index>(blocks_.size()));
 
   system_.blocks_.resize(blocks_.size());
@@ -113,6 +114,8 @@ void SystemPart::give_back(BlockSystem& part, BlockSystem& whole) const {
 void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
                       const std::vector<Ranges>& in_to, bool into_part) const {
   to.time = from.time;
+  const bool stressed = from.stress.cols() > 0;
+  if (into_part) to.stress.resize(3, stressed ? in_to.back().stress_points.end() : 0);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges &source = in_from[k], &target = in_to[k];
     const Index here = into_part ? blocks_[k] : static_cast<Index>(k),
@@ -125,8 +128,9 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
         from.velocity.segment(source.unknowns.first, source.unknowns.count);
     to.acceleration.segment(target.unknowns.first, target.unknowns.count) =
         from.acceleration.segment(source.unknowns.first, source.unknowns.count);
-    to.stress.middleCols(target.stress_points.first, target.stress_points.count) =
-        from.stress.middleCols(source.stress_points.first, source.stress_points.count);
+    if (stressed)
+      to.stress.middleCols(target.stress_points.first, target.stress_points.count) =
+          from.stress.middleCols(source.stress_points.first, source.stress_points.count);
   }
 }
 

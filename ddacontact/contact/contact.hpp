@@ -1,23 +1,22 @@
-/// \file One contact of a step: identity, law, history, and its gap and slip as affine forms.
+/// \file One contact of a step: identity, law, history, and how its vertex and edge move.
 #pragma once
 
-#include <ddacontact/contact/edge_motion.hpp>
 #include <ddacontact/contact/joint_law.hpp>
-#include <ddacontact/core/affine_form.hpp>
+#include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
 
 namespace ddacontact {
 
 /// What a contact carries from step to step.
 struct ContactHistory {
-  ContactState state = ContactState::open;
   double lock = 0;        ///< the lock point o as a fraction of the edge from j (0) to k (1)
   double gap_offset = 0;  ///< <= 0: the overlap it started with, taken as stress-free, as far as the blocks
                           ///< have not come apart since
-  bool bonded = false;    ///< closed at the start and never slid or opened
   double length = 0;      ///< over which cohesion and tensile strength act, m
   double normal = 0;      ///< N at the end of the last step: where the staged method's multipliers start
   double shear = 0;       ///< T at the end of the last step
+  ContactState state = ContactState::open;
+  bool bonded = false;  ///< closed at the start and never slid or opened
 };
 
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
@@ -28,6 +27,14 @@ struct MovingVertexEdge {
 
   VertexEdgePlace at(const VectorXd& d) const { return {start.i + i(d), start.j + j(d), start.k + k(d)}; }
   VertexEdgePlace moved(const VectorXd& d) const { return {i(d), j(d), k(d)}; }
+  double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
+    return ddacontact::change_along(gradient, i, j, k, d);
+  }
+  AffineForm form(const VertexEdgeForm& of_places) const {
+    AffineForm form = gradient_form(of_places.gradient, i, j, k);
+    form.constant = of_places.constant;
+    return form;
+  }
 };
 
 /// A contact between two steps: what the last one left and the next one carries on.
@@ -52,36 +59,53 @@ struct ContactRecord {
 /// A vertex of one block against an edge of another, through one step.
 struct Contact : ContactRecord {
   MovingVertexEdge motion;
-  AffineForm gap, slip;  ///< over the same unknowns; the gap without its offset. (36) and (44), or, in the
-                         ///< staged method, the true ones at the end of the step with their derivatives
+  // At the end of the last try of the step; before one, the gap at its start.
+  double gap = 0;                          ///< without its offset
+  double gap_change = 0, slip_change = 0;  ///< within the step
   double edge_length = 0;
   double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
-  double length_tolerance = 0;                     ///< gaps and slips below this are round-off, m
-  double end_tolerance = 0;  ///< a vertex no further than this beyond an end of the edge is still on it, m
-  double damping = 0;        ///< dashpot over the length of the step: force by change of the gap, N/m per m
-  double size = 0;           ///< of the smaller block, held ones not counted, m
+  double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
+  double size = 0;     ///< of the smaller block, held ones not counted, m
+
+  /// (36) and (44), the gap without its offset: of first order in displacements from the start.
+  VertexEdgeForm first_gap() const { return gap_form(motion.start); }
+  VertexEdgeForm first_slip() const { return slip_form(motion.start, history.lock); }
+
+  /// Gaps and slips below this are round-off, m.
+  double length_tolerance() const { return 1e-12 * size; }
+  /// A vertex no further than this beyond an end of the edge is still on it, m.
+  double end_tolerance() const { return 1e-6 * size; }
 
   /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.
   bool is_on_edge(double at_slip) const {
     const double along = history.lock * edge_length + at_slip;
-    return along >= -(end_tolerance + straight_before) &&
-           along <= edge_length + straight_after + end_tolerance;
+    return along >= -(end_tolerance() + straight_before) &&
+           along <= edge_length + straight_after + end_tolerance();
   }
 };
 
-/// What a try of a step changes of a contact and its results do not tell: as it was before.
+/// What a try of a step changes of a contact's history: as it was before.
 struct ContactStart {
-  ContactHistory history;
-  double normal_stiffness = 0, tangential_stiffness = 0;
-  double gap = 0, slip = 0;  ///< the gap without its offset
+  double gap_offset = 0, normal = 0, shear = 0;
+  ContactState state = ContactState::open;
+  bool bonded = false;
 
   ContactStart() = default;
-  explicit ContactStart(const Contact& contact)
-      : history(contact.history),
-        normal_stiffness(contact.law.normal_stiffness),
-        tangential_stiffness(contact.law.tangential_stiffness),
-        gap(contact.gap.constant),
-        slip(contact.slip.constant) {}
+  explicit ContactStart(const ContactHistory& history)
+      : gap_offset(history.gap_offset),
+        normal(history.normal),
+        shear(history.shear),
+        state(history.state),
+        bonded(history.bonded) {}
+
+  bool closed() const { return state != ContactState::open; }
+  void write(ContactHistory& history) const {
+    history.gap_offset = gap_offset;
+    history.normal = normal;
+    history.shear = shear;
+    history.state = state;
+    history.bonded = bonded;
+  }
 };
 
 }  // namespace ddacontact

@@ -22,8 +22,6 @@ constexpr double coincidence = 1e-6;
 constexpr double near_corner = 1e-2;
 /// A vertex this times the block size inside another block went into it.
 constexpr double entered_depth = 1e-5;
-/// Gaps below this times the block size are round-off.
-constexpr double length_tolerance = 1e-12;
 /// Pairs of blocks are looked for so many reaches further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
@@ -72,6 +70,8 @@ class ContactsByPair {
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
+  half_width_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
+  size_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& v = blocks.block(b).vertices();
     half_width_.push_back(half_width(blocks.reference().middleCols(v.first, v.count)));
@@ -166,13 +166,6 @@ MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdg
           edge_block.vertex_map(next)};
 }
 
-void ContactBuilder::make_forms(Contact& contact) const {
-  const MovingVertexEdge& m = contact.motion;
-  const MovingPoint i{m.start.i, m.i}, j{m.start.j, m.j}, k{m.start.k, m.k};
-  contact.gap = gap_form(i, j, k);
-  contact.slip = slip_form(i, j, k, contact.history.lock);
-}
-
 void ContactBuilder::set_law(ContactRecord& contact) const {
   const JointStrength& joint = strength(contact.pair);
   contact.law.normal_stiffness = properties_.normal_stiffness;
@@ -193,6 +186,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.pair = pair;
   set_law(contact);
   contact.motion = motion(state, pair);
+  contact.gap = contact.first_gap().constant;
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
   contact.edge_length = outlines_[pair.edge_block].sides[pair.edge].length;
@@ -205,8 +199,6 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_after = straight_beyond_end(outline, pair.edge);
   contact.augmented = properties_.method == ContactMethod::staged && properties_.penetration_tolerance > 0;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
-  contact.end_tolerance = coincidence * contact.size;
-  contact.length_tolerance = length_tolerance * contact.size;
   return contact;
 }
 
@@ -230,13 +222,11 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
   contacts.reserve(found_.size());
   for (const VertexEdge& pair : found_) {
     Contact contact = make_contact(state, pair);
-    make_forms(contact);
     ContactHistory& history = contact.history;
-    const double gap = contact.gap.constant;
-    if (gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
-        contact.is_on_edge(contact.slip.constant)) {
+    if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
+        contact.is_on_edge(contact.first_slip().constant)) {
       history.bonded = true;
-      history.gap_offset = std::min(gap, 0.0);
+      history.gap_offset = std::min(contact.gap, 0.0);
       const int origin = pair.edge_block;
       history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                                       blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
@@ -297,20 +287,19 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
     if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length;
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
-  make_forms(contact);
-  if (!contact.closed() && contact.gap.constant - contact.history.gap_offset < -contact.length_tolerance &&
-      contact.is_on_edge(contact.slip.constant))
+  if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
+      contact.is_on_edge(contact.first_slip().constant))
     contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
   return contact;
 }
 
 void ContactBuilder::restart(const ContactStart& start, Contact& contact) const {
-  contact.history = start.history;
-  contact.law.normal_stiffness = start.normal_stiffness;
-  contact.law.tangential_stiffness = start.tangential_stiffness;
+  start.write(contact.history);
+  contact.law.normal_stiffness = properties_.normal_stiffness;
+  contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
   contact.was_closed = false;
-  make_forms(contact);
+  contact.gap = contact.first_gap().constant;
 }
 
 void ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
@@ -364,9 +353,7 @@ void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& 
   for (const VertexEdge& entry : found_) {
     const auto same_pair = of_same_pair(entry, contacts);
     if (is_among(entry, same_pair)) continue;
-    Contact contact = make_contact(start, entry);
-    make_forms(contact);
-    contacts.insert(same_pair.end(), contact);
+    contacts.insert(same_pair.end(), make_contact(start, entry));
   }
 }
 

@@ -90,7 +90,6 @@ class ContactBuilder {
   }
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
   bool may_have_entered(int a, int b, const BlockState& end) const;
-  void make_forms(Contact& contact) const;
   MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;
 
   const BlockSystem& blocks_;

@@ -131,11 +131,21 @@ GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by,
           mean ? slip_mean_gradient(edge0, edge1, lock) : slip_gradient(edge1, lock)};
 }
 
+namespace {
+
+/// Whether each of the three points has unknowns of its own.
+bool are_all_own(const PointMap& i, const PointMap& j, const PointMap& k) {
+  const int a = i.first_unknown(), b = j.first_unknown(), c = k.first_unknown();
+  return i.is_own() && j.is_own() && k.is_own() && a != b && b != c && c != a;
+}
+
+}  // namespace
+
 AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                          const PointMap& k) {
   AffineForm form;
-  const int a = i.first_unknown(), b = j.first_unknown(), c = k.first_unknown();
-  if (i.is_own() && j.is_own() && k.is_own() && a != b && b != c && c != a) {
+  if (are_all_own(i, j, k)) {
+    const int a = i.first_unknown(), b = j.first_unknown(), c = k.first_unknown();
     for (const auto& [first, by] : {std::pair(a, &gradient.i), {b, &gradient.j}, {c, &gradient.k}}) {
       form.append(first, by->x());
       form.append(first + 1, by->y());
@@ -146,6 +156,17 @@ AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, 
   j.add_to(form, gradient.j);
   k.add_to(form, gradient.k);
   return form;
+}
+
+double change_along(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
+                    const PointMap& k, const VectorXd& d) {
+  if (!are_all_own(i, j, k)) return gradient_form(gradient, i, j, k).change(d);
+  double sum = 0;
+  for (const auto& [point, by] : {std::pair(&i, &gradient.i), {&j, &gradient.j}, {&k, &gradient.k}}) {
+    sum += by->x() * d[point->first_unknown()];
+    sum += by->y() * d[point->first_unknown() + 1];
+  }
+  return sum;
 }
 
 AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,

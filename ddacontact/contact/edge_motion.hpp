@@ -57,9 +57,19 @@ struct GapAndSlip {
 /// All of the above at once, for the motion `by` from `start`; `mean`: discrete gradients.
 GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean);
 
+/// constant + gradient.i . u_i + gradient.j . u_j + gradient.k . u_k: a gap or a slip as an affine function
+/// of the displacements of the three places.
+struct VertexEdgeForm {
+  double constant = 0;
+  VertexEdgeGradient gradient;
+};
+
 /// gradient.i . u_i + gradient.j . u_j + gradient.k . u_k
 AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                          const PointMap& k);
+/// The same of displacements d, to the bit.
+double change_along(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
+                    const PointMap& k, const VectorXd& d);
 /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j, k
 /// of the places by the unknowns. It returns the value to the rounding of its terms at d.
 AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,

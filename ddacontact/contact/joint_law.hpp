@@ -10,7 +10,7 @@ namespace ddacontact {
 using FrictionLaw = std::function<double(double normal_force)>;
 
 /// Sliding is told apart by the sense of the slip, s of (50): forward along the edge from j to k.
-enum class ContactState { open, stick, slip_forward, slip_backward };
+enum class ContactState : unsigned char { open, stick, slip_forward, slip_backward };
 
 /// Whether the contact is closed and slides, in either sense.
 inline bool is_slipping(ContactState s) {

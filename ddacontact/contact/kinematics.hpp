@@ -5,21 +5,15 @@
 /// inside, our gap is -d, so that g < 0 is penetration and all coefficients of (37) are negated.
 #pragma once
 
-#include <ddacontact/block/point_map.hpp>
+#include <ddacontact/contact/edge_motion.hpp>
 
 namespace ddacontact {
 
-/// A point at the start of the step and how the unknowns move it.
-struct MovingPoint {
-  Vec2 x;
-  PointMap map;
-};
-
 /// g = -S0 / l - sum over i, j, k of (e g) . u, Eq. (33)-(37): first order in the step's displacements.
-AffineForm gap_form(const MovingPoint& i, const MovingPoint& j, const MovingPoint& k);
+VertexEdgeForm gap_form(const VertexEdgePlace& start);
 
 /// s = S0bar / l + t . (u_i - u_o), Eq. (41)-(45), with the lock point o = (1 - lock) x_j + lock x_k.
-AffineForm slip_form(const MovingPoint& i, const MovingPoint& j, const MovingPoint& k, double lock);
+VertexEdgeForm slip_form(const VertexEdgePlace& start, double lock);
 
 /// (x_i - x_j) . (x_k - x_j) / l^2: where the vertex projects onto the edge, 0 at j and 1 at k.
 double edge_fraction(const Vec2& i, const Vec2& j, const Vec2& k);

@@ -357,11 +357,16 @@ class Builder {
 
   void set_initial(BlockSystem& system, BlockState& initial) const {
     system.prepare(initial, true);
+    bool stressed = false;
+    for (int b = 0; b < system.n_blocks(); ++b)
+      stressed = stressed || system.block(b).changes_stress() || !scene_.blocks[b].stress.isZero(0);
+    if (!stressed) initial.stress.resize(3, 0);
     for (int b = 0; b < system.n_blocks(); ++b) {
       const BlockDescription& description = scene_.blocks[b];
       const Block& block = system.block(b);
-      initial.stress.middleCols(block.stress_points().first, block.stress_points().count).colwise() =
-          description.stress;
+      if (stressed)
+        initial.stress.middleCols(block.stress_points().first, block.stress_points().count).colwise() =
+            description.stress;
       if (first_stage().analysis.mode == Mode::statics) continue;
       const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
       initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;

@@ -55,13 +55,15 @@ constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
 FrictionProblem::FrictionProblem(std::vector<int> equation, int n_equations)
     : equation_(std::move(equation)), n_equations_(n_equations) {}
 
-void FrictionProblem::set_matrices(const polyfem::Connectivity& unknowns) {
-  elements_ = unknowns;
-  matrices_.resize(static_cast<std::size_t>(unknowns.n_elements()));
-  for (int e = 0; e < unknowns.n_elements(); ++e) {
-    const Index n = static_cast<Index>(unknowns.rows_of(e).size());
+void FrictionProblem::set_matrices(polyfem::Connectivity unknowns) {
+  elements_ = std::move(unknowns);
+  elements_.first.shrink_to_fit();
+  elements_.rows.shrink_to_fit();
+  matrices_.resize(static_cast<std::size_t>(elements_.n_elements()));
+  for_elements([&](int e, std::span<const int> u) {
+    const Index n = static_cast<Index>(u.size());
     matrices_[static_cast<std::size_t>(e)].resize(n, n);
-  }
+  });
   contacts_changed();
 }
 

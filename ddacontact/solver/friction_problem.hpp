@@ -37,7 +37,7 @@ class FrictionProblem {
   FrictionProblem(std::vector<int> equation, int n_equations);
 
   /// Makes room for the matrices of A, each over the unknowns listed as its rows.
-  void set_matrices(const polyfem::Connectivity& unknowns);
+  void set_matrices(polyfem::Connectivity unknowns);
   /// Must be called before other contacts than the last ones are factorized. The analysis of the factor is
   /// kept when the unknowns that meet are the same.
   void contacts_changed();

@@ -93,7 +93,7 @@ class InteriorPoint {
     look_();
     for (std::size_t c = 0; c < inside_.size(); ++c)
       forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
-    system_.compute_residual(d_, contacts_, forces_, residual_);
+    system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
     const double scale = residual_.scale;
     double mu = scale * scale, length = 1;
     look_inside(mu);
@@ -180,7 +180,7 @@ class InteriorPoint {
       const Inside& i = inside_[c];
       forces_[c] = i.acts ? ContactForce{i.normal.x, i.T} : ContactForce{};
     }
-    system_.compute_residual(d_, contacts_, forces_, residual_);
+    system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
   }
 
   double mean_product(double length) {

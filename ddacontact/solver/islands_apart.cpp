@@ -16,13 +16,18 @@ int root(std::vector<int>& parent, int k) {
 }
 
 /// Adds what the contact's forces do to a block that does not move.
-void add_to_held(const Contact& contact, const Range& unknowns, VectorXd& external) {
-  for (const auto& [form, force] :
-       {std::pair{&contact.gap, contact.normal}, std::pair{&contact.slip, contact.shear}})
-    for (std::size_t k = 0; k < form->unknowns().size(); ++k) {
-      const int u = form->unknowns()[k];
-      if (u >= unknowns.first && u < unknowns.end()) external[u] += force * form->coefficients()[k];
+void add_to_held(const Contact& contact, const Range& unknowns, const VectorXd& d, bool mean_forces,
+                 VectorXd& external) {
+  const MovingVertexEdge& m = contact.motion;
+  const GapAndSlip at_d = gap_and_slip(m.start, m.moved(d), contact.history.lock, mean_forces);
+  for (const auto& [gradient, force] :
+       {std::pair{&at_d.by_gap, contact.normal}, std::pair{&at_d.by_slip, contact.shear}}) {
+    const AffineForm form = gradient_form(*gradient, m.i, m.j, m.k);
+    for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
+      const int u = form.unknowns()[k];
+      if (u >= unknowns.first && u < unknowns.end()) external[u] += force * form.coefficients()[k];
     }
+  }
 }
 
 IslandsApart::Work work_of(const StepSystem& system) {
@@ -66,13 +71,6 @@ struct IslandsApart::Island {
   void to_whole(Contact&& solved, Contact& contact) const {
     solved.pair = contact.pair;
     solved.motion = contact.motion;
-    for (AffineForm* form : {&solved.gap, &solved.slip}) {
-      AffineForm numbered;
-      numbered.constant = form->constant;
-      for (std::size_t k = 0; k < form->unknowns().size(); ++k)
-        numbered.add(part->unknowns()[form->unknowns()[k]], form->coefficients()[k]);
-      *form = numbered;
-    }
     contact = std::move(solved);
   }
 };
@@ -200,7 +198,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
   for (const Contact& contact : contacts)
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
       if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
-        add_to_held(contact, blocks.block(b).unknowns(), residual.external);
+        add_to_held(contact, blocks.block(b).unknowns(), d, options.mean_forces, residual.external);
   for (const HeldUnknown& held : blocks.held_unknowns())
     if (blocks.is_unchanging(blocks.block_of_place(held.vertex)))
       residual.force[held.unknown] = -residual.external[held.unknown];

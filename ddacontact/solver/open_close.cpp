@@ -31,16 +31,17 @@ double wrong_force(const Contact& contact, ContactState state, const Trial& tria
          shear_bound(law, normal_force(law, trial.gap), trial.bonded);
 }
 
-std::vector<Disagreement> find_disagreements(const VectorXd& d, const std::vector<Contact>& contacts) {
+std::vector<Disagreement> find_disagreements(const VectorXd& d, const std::vector<Contact>& contacts,
+                                             const std::vector<ContactTerm>& terms) {
   std::vector<Disagreement> found;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    const double slip = contact.slip(d);
-    const Trial trial{.gap = contact.gap(d) - contact.history.gap_offset,
+    const double slip = terms[c].slip(d);
+    const Trial trial{.gap = terms[c].gap(d) - contact.history.gap_offset,
                       .slip = slip,
-                      .slip_increment = contact.slip.change(d),
-                      .tolerance = contact.length_tolerance,
-                      .on_edge = contact.is_on_edge(contact.slip.constant) || contact.is_on_edge(slip),
+                      .slip_increment = terms[c].slip.change(d),
+                      .tolerance = contact.length_tolerance(),
+                      .on_edge = contact.is_on_edge(terms[c].slip.constant) || contact.is_on_edge(slip),
                       .bonded = contact.history.bonded};
     const ContactState state = next_state(contact.history.state, contact.law, trial);
     if (state != contact.history.state) found.push_back({c, state, wrong_force(contact, state, trial)});
@@ -95,17 +96,18 @@ class Restraint {
 };
 
 /// Forces of the contacts in their states: springs (40), (48) and friction (52) from the penetration at d.
-std::vector<ContactForce> forces_in_states(const std::vector<Contact>& contacts, const VectorXd& d) {
+std::vector<ContactForce> forces_in_states(const std::vector<Contact>& contacts,
+                                           const std::vector<ContactTerm>& terms, const VectorXd& d) {
   std::vector<ContactForce> forces(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (!contact.closed()) continue;
-    const double spring = normal_force(contact.law, contact.gap(d) - contact.history.gap_offset);
-    const double dashpot = -contact.damping * contact.gap.change(d);
+    const double spring = normal_force(contact.law, terms[c].gap(d) - contact.history.gap_offset);
+    const double dashpot = -contact.damping * terms[c].gap.change(d);
     forces[c].normal = spring + std::max(dashpot, -std::max(spring, 0.0));  // a dashpot does not pull
     const double sign = slip_sign(contact.history.state);
     forces[c].shear = sign != 0 ? -sign * shear_bound(contact.law, forces[c].normal, false)
-                                : -contact.law.tangential_stiffness * contact.slip(d);
+                                : -contact.law.tangential_stiffness * terms[c].slip(d);
   }
   return forces;
 }
@@ -123,8 +125,8 @@ std::vector<ContactTerm> terms_of(const std::vector<Contact>& contacts) {
   std::vector<ContactTerm> terms;
   for (const Contact& contact : contacts) {
     ContactTerm term;
-    term.gap = contact.gap;
-    term.slip = contact.slip;
+    term.gap = contact.motion.form(contact.first_gap());
+    term.slip = contact.motion.form(contact.first_slip());
     term.normal_stiffness = contact.law.normal_stiffness + contact.damping;
     term.tangential_stiffness = contact.law.tangential_stiffness;
     terms.push_back(term);
@@ -142,14 +144,13 @@ bool has_friction_to_find(const std::vector<Contact>& contacts) {
 constexpr double sufficient_decrease = 1e-3;
 constexpr int anderson_depth = 8;
 
-OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std::vector<Contact>& contacts,
-                        VectorXd& d) {
+OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
+                        const std::vector<ContactTerm>& terms, std::vector<Contact>& contacts, VectorXd& d) {
   OpenCloseReport report;
   Residual& r = report.residual;
   for (Contact& contact : contacts) contact.was_closed = contact.closed();
-  const std::vector<ContactTerm> terms = terms_of(contacts);
   const auto compute_residual = [&] {
-    system.compute_residual(d, contacts, forces_in_states(contacts, d), r);
+    system.compute_residual(d, contacts, terms, forces_in_states(contacts, terms, d), r);
   };
   system.problem().contacts_changed();
   d = system.prescribed();
@@ -179,7 +180,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std
     } while (friction_to_find && !r.balanced(options.residual_tolerance) &&
              r.largest > sufficient_decrease * before && report.iterations < last);
 
-    std::vector<Disagreement> disagreements = find_disagreements(d, contacts);
+    std::vector<Disagreement> disagreements = find_disagreements(d, contacts, terms);
     if (disagreements.empty() && r.balanced(options.residual_tolerance)) {
       report.status = OpenCloseStatus::settled;
       return report;
@@ -207,11 +208,16 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options, std
 
 OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
                                    std::vector<Contact>& contacts, VectorXd& d) {
-  OpenCloseReport report = iterate(system, options, contacts, d);
-  const std::vector<ContactForce> forces = forces_in_states(contacts, d);
+  const std::vector<ContactTerm> terms = terms_of(contacts);
+  OpenCloseReport report = iterate(system, options, terms, contacts, d);
+  const std::vector<ContactForce> forces = forces_in_states(contacts, terms, d);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     contacts[c].normal = forces[c].normal;
     contacts[c].shear = forces[c].shear;
+    contacts[c].gap = terms[c].gap(d);
+    contacts[c].gap_change = terms[c].gap.change(d);
+    contacts[c].slip_change = terms[c].slip.change(d);
+    contacts[c].end_slip = terms[c].slip(d);
   }
   return report;
 }

@@ -47,6 +47,7 @@ constexpr double breaking_part = 0.5;
 /// What a contact brings along and what it learns by augmentation.
 struct Multiplier {
   double normal = 0, shear = 0;
+  double gap = 0;        ///< the constant of the term's gap, the offset not taken off
   bool sliding = false;  ///< T is what friction bears, with the sign of `shear`, until the slip turns round
   bool on_edge = false;  ///< at the start of the step
   bool bonded = false;
@@ -94,7 +95,7 @@ class Staged {
   void start(Contact& contact, Multiplier& multiplier) const {
     JointLaw& law = contact.law;
     const ContactHistory& history = contact.history;
-    multiplier.on_edge = contact.is_on_edge(contact.slip.constant);
+    multiplier.on_edge = contact.is_on_edge(contact.first_slip().constant);
     multiplier.bonded = history.bonded && (law.cohesion > 0 || law.tension > 0);
     contact.was_closed = contact.closed();
     if (options_.penetration_tolerance == 0) return;
@@ -124,7 +125,7 @@ class Staged {
     for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       forces_[c] = force_in_state(terms_[c], contacts_[c].law, states_[c], d_);
-    system_.compute_residual(d_, contacts_, forces_, report_.residual);
+    system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
     if (report_.residual.own < best_) {
       best_ = report_.residual.own;
       since_best_ = 0;
@@ -135,17 +136,16 @@ class Staged {
 
   unsigned char state_at_d(std::size_t c) const { return state_at(terms_[c], contacts_[c].law, d_); }
 
-  void look_at(Contact& contact, const Multiplier& multiplier, ContactTerm& term) const {
+  void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
     const auto [start_gap, g, s, dg, ds] =
         gap_and_slip(m.start, m.moved(d_), contact.history.lock, options_.mean_forces);
-    contact.gap = linear_form(g, dg, m.i, m.j, m.k, d_);
-    contact.slip = linear_form(s, ds, m.i, m.j, m.k, d_);
+    term.gap = linear_form(g, dg, m.i, m.j, m.k, d_);
+    term.slip = linear_form(s, ds, m.i, m.j, m.k, d_);
+    multiplier.gap = term.gap.constant;
+    term.gap.constant -= contact.history.gap_offset;
 
     const JointLaw& law = contact.law;
-    term.gap = contact.gap;
-    term.gap.constant -= contact.history.gap_offset;
-    term.slip = contact.slip;
     term.normal_stiffness = law.normal_stiffness + contact.damping;
     term.tangential_stiffness = law.tangential_stiffness;
     term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
@@ -235,7 +235,7 @@ class Staged {
     std::vector<ContactForce> forces(terms_.size());
     for (std::size_t c = 0; c < terms_.size(); ++c) forces[c] = contact_force(terms_[c], d_);
     Residual residual;
-    system_.compute_residual(d_, contacts_, forces, residual);
+    system_.compute_residual(d_, contacts_, terms_, forces, residual);
     if (!(residual.own <= options_.residual_aim)) return false;
     for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     forces_ = std::move(forces);
@@ -261,7 +261,7 @@ class Staged {
       forces_[c] = n_relaxations_ == 0 ? ContactForce{m.normal, m.shear} : contact_force(terms_[c], d_);
     }
     ++n_relaxations_;
-    system_.compute_residual(d_, contacts_, forces_, report_.residual);
+    system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
     VectorXd d = d_;
     report_.sweeps += relaxation.relax(terms_, laws(), report_.residual.force, d, forces_);
     system_.move(d - d_, d_);
@@ -380,7 +380,7 @@ class Staged {
       const JointLaw& law = contacts_[c].law;
       const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, forces_[c].normal);
       const double opened = terms_[c].normal == ContactTerm::Normal::unilateral && forces_[c].normal <= 0 &&
-                                    terms_[c].gap(d_) > contacts_[c].length_tolerance
+                                    terms_[c].gap(d_) > contacts_[c].length_tolerance()
                                 ? strength
                                 : 0;
       excess[c] = std::max({-forces_[c].normal - law.tension,
@@ -432,9 +432,11 @@ class Staged {
   double elastic_normal(std::size_t c) const {
     return forces_[c].normal == 0
                ? 0
-               : forces_[c].normal +
-                     contacts_[c].damping * (contacts_[c].gap(d_) - gap(contacts_[c].motion.start));
+               : forces_[c].normal + contacts_[c].damping * (gap_at_d(c) - gap(contacts_[c].motion.start));
   }
+
+  /// Without its offset.
+  double gap_at_d(std::size_t c) const { return multipliers_[c].gap + terms_[c].gap.change(d_); }
 
   bool is_sliding(std::size_t c) const {
     return terms_[c].sheared && terms_[c].bound > 0 && !(active_springs(terms_[c], d_) & 2);
@@ -479,6 +481,12 @@ class Staged {
   }
 
   StagedReport end(StagedStatus status) {
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      contacts_[c].gap = gap_at_d(c);
+      contacts_[c].gap_change = terms_[c].gap.change(d_);
+      contacts_[c].slip_change = terms_[c].slip.change(d_);
+      contacts_[c].end_slip = terms_[c].slip(d_);
+    }
     if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
     report_.tangent += tangent_.counts();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ddacontact {
 
@@ -34,20 +35,22 @@ StepSystem::StepSystem(BlockSystem& blocks)
     : blocks_(blocks),
       unknown_lengths_(blocks.n_unknowns()),
       problem_(blocks.equation(), blocks.n_equations()) {
+  polyfem::Connectivity elements;  // the parts of the assembled blocks, one after another
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
     unknown_lengths_.segment(u.first, u.count) = blocks.block(b).unknown_lengths();
     if (!blocks.is_unchanging(b)) active_.push_back(b);
     if (!blocks.has_matrices(b)) continue;
     assembled_.push_back(b);
-    first_element_.push_back(elements_.n_elements());
+    first_element_.push_back(elements.n_elements());
     for (int p = 0; p < blocks.block(b).n_parts(); ++p) {
       std::vector<int> of_part = blocks.block(b).part_unknowns(p);
       for (int& k : of_part) k += u.first;
-      elements_.append(of_part);
+      elements.append(of_part);
     }
   }
-  problem_.set_matrices(elements_);
+  for (std::vector<int>* numbers : {&active_, &assembled_, &first_element_}) numbers->shrink_to_fit();
+  problem_.set_matrices(std::move(elements));
 }
 
 void StepSystem::set_step(const BlockState& state, const StepStart& start, double held_stiffness) {
@@ -77,6 +80,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
 }
 
 void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
+                                  const std::vector<ContactTerm>& terms,
                                   const std::vector<ContactForce>& forces, Residual& residual) const {
   magnitude_.setZero(blocks_.n_blocks());
   stiffest_.setZero(blocks_.n_blocks());
@@ -84,8 +88,8 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (forces[c].normal == 0 && forces[c].shear == 0) continue;
     const Contact& contact = contacts[c];
-    contact.gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
-    contact.slip.add_gradient(forces[c].shear, residual.external);
+    terms[c].gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
+    terms[c].slip.add_gradient(forces[c].shear, residual.external);
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
       magnitude_[b] += std::hypot(forces[c].normal, forces[c].shear);
       stiffest_[b] = std::max(stiffest_[b], contact.law.normal_stiffness);
@@ -185,8 +189,9 @@ void StepSystem::linearize(const VectorXd& d) {
     problem_.elements()[first_element_[assembled - assembled_.begin()]] +=
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
-  for (int e = 0; e < elements_.n_elements(); ++e)
-    diagonal_(elements_.rows_of(e)) += problem_.elements()[e].diagonal();
+  const polyfem::Connectivity& elements = problem_.unknowns();
+  for (int e = 0; e < elements.n_elements(); ++e)
+    diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
   problem_.matrices_changed();
 }
 
@@ -216,10 +221,10 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
 }
 
 double StepSystem::memory() const {
-  return problem_.memory() + bytes_of(active_) + bytes_of(first_element_) + bytes_of(elements_.first) +
-         bytes_of(elements_.rows) + bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) +
-         bytes_of(diagonal_) + bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) +
-         bytes_of(magnitude_) + bytes_of(stiffest_);
+  return problem_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
+         bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
+         bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) + bytes_of(magnitude_) +
+         bytes_of(stiffest_);
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

@@ -40,8 +40,10 @@ class StepSystem {
   /// The same, and elsewhere those of blocks without forces: where a solution starts.
   VectorXd free_path() const;
   /// Residual of displacements d when the contacts exert these forces.
+  /// \param[in] terms  of the contacts: their gradients are what forces act along
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
-                        const std::vector<ContactForce>& forces, Residual& residual) const;
+                        const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
+                        Residual& residual) const;
   /// The residual without contacts.
   VectorXd smooth_residual(const VectorXd& d) const;
   /// Makes the matrix anew for the blocks displaced by d.
@@ -84,8 +86,7 @@ class StepSystem {
   std::vector<int> first_element_;  ///< of the matrix, of each of those
   VectorXd unknown_lengths_;
   FrictionProblem problem_;
-  polyfem::Connectivity elements_;  ///< the parts of the assembled blocks, one after another
-  VectorXd diagonal_;               ///< of the matrix without contacts, of every unknown
+  VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
   double held_stiffness_ = 0;
   double dt_ = 0, inertia_ = 0;

@@ -35,19 +35,20 @@ double stored_shear(const ContactRecord& contact, double slip) {
                                                                             : 0;
 }
 
-void account_contact(const ContactStart& start, const Contact& after, const VectorXd& d, Energy& energy) {
-  const double gap_change = after.gap.change(d), slip_change = after.slip.change(d);
-  const double by_dashpot = after.normal != 0 ? -after.damping * gap_change : 0;
-  energy.damping_dissipated -= by_dashpot * gap_change;
-  ContactRecord before = after;
-  before.history = start.history;
-  before.law.normal_stiffness = start.normal_stiffness;
-  before.law.tangential_stiffness = start.tangential_stiffness;
-  energy.numerical_dissipated += stored_normal(before, start.gap - start.history.gap_offset) -
-                                 stored_normal(after, after.end_gap) -
-                                 (after.normal - by_dashpot) * gap_change;
+void account_contact(const ContactStart& start, const Contact& after, Energy& energy) {
+  const double by_dashpot = after.normal != 0 ? -after.damping * after.gap_change : 0;
+  energy.damping_dissipated -= by_dashpot * after.gap_change;
+  double normal_before = 0, shear_before = 0;
+  if (!after.augmented) {
+    ContactRecord before = after;
+    start.write(before.history);
+    normal_before = stored_normal(before, after.first_gap().constant - start.gap_offset);
+    shear_before = stored_shear(before, after.first_slip().constant);
+  }
+  energy.numerical_dissipated +=
+      normal_before - stored_normal(after, after.end_gap) - (after.normal - by_dashpot) * after.gap_change;
   const double from_shear =
-      stored_shear(before, start.slip) - stored_shear(after, after.end_slip) - after.shear * slip_change;
+      shear_before - stored_shear(after, after.end_slip) - after.shear * after.slip_change;
   (is_slipping(after.history.state) ? energy.friction_dissipated : energy.numerical_dissipated) += from_shear;
 }
 
@@ -98,8 +99,7 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
     energy.numerical_dissipated += system.held_stiffness() * change * change / 2;
     energy.external -= system.held_stiffness() * spring.form(step.d) * spring.target_change;
   }
-  for (std::size_t c = 0; c < step.after.size(); ++c)
-    account_contact(step.before[c], step.after[c], step.d, energy);
+  for (std::size_t c = 0; c < step.after.size(); ++c) account_contact(step.before[c], step.after[c], energy);
 }
 
 }  // namespace ddacontact

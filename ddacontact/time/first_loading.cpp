@@ -32,10 +32,8 @@ double step_length(const BlockSystem& blocks) {
 
 ContactTerm term_of(const Contact& contact) {
   ContactTerm term;
-  term.gap = contact.gap;
-  term.gap.constant = 0;
-  term.slip = contact.slip;
-  term.slip.constant = 0;
+  term.gap = contact.motion.form({0, contact.first_gap().gradient});
+  term.slip = contact.motion.form({0, contact.first_slip().gradient});
   term.normal_stiffness = contact.law.normal_stiffness;
   term.tangential_stiffness = contact.law.tangential_stiffness;
   term.normal = contact.history.bonded ? ContactTerm::Normal::unilateral : ContactTerm::Normal::absent;

@@ -84,7 +84,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   std::map<std::pair<int, int>, double> rubbed;
   for (const Contact& contact : all)
     if (contact.normal > 0 && is_slipping(contact.history.state))
-      rubbed[blocks_of(contact)] -= contact.shear * contact.slip.change(d);
+      rubbed[blocks_of(contact)] -= contact.shear * contact.slip_change;
   for (std::size_t c = 0; c < all.size(); ++c) {
     const Contact& contact = all[c];
     if (contact.normal <= 0 || (!parted.empty() && parted[c]) || carries_waves(blocks, contact, dt)) continue;

@@ -86,15 +86,18 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
   std::vector<double> approaches(contacts.size(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    const double rate = contact.gap.change(velocity), growth = contact.gap.change(acceleration),
-                 gap_now = contact.gap.constant - contact.history.gap_offset;
+    const VertexEdgeForm gap = contact.first_gap();
+    const double rate = contact.motion.change_along(gap.gradient, velocity),
+                 growth = contact.motion.change_along(gap.gradient, acceleration),
+                 gap_now = gap.constant - contact.history.gap_offset;
     if (contact.closed() && carries_waves(blocks, contact, dt)) continue;
-    const bool near = contact.closed() || gap_now <= contact.length_tolerance;
+    const bool near = contact.closed() || gap_now <= contact.length_tolerance();
     double time = first_touch(near ? 0 : gap_now, rate, growth, dt);
     if (!std::isfinite(time) && !also.empty() && also[c])
       time = rate < 0 ? std::min(dt, std::max(gap_now, 0.0) / -rate) : infinity;
     if (!std::isfinite(time)) continue;
-    const double slip_then = contact.slip.constant + time * contact.slip.change(velocity);
+    const VertexEdgeForm slip = contact.first_slip();
+    const double slip_then = slip.constant + time * contact.motion.change_along(slip.gradient, velocity);
     if (!contact.closed() && !contact.is_on_edge(slip_then)) continue;
     approaches[c] = -(rate + time * growth);
     if (approaches[c] <= least_approach(blocks, contact, dt)) continue;

@@ -2,6 +2,8 @@
 
 #include <ddacontact/core/bytes.hpp>
 
+#include <type_traits>
+
 namespace ddacontact {
 
 namespace {
@@ -12,7 +14,9 @@ void visit_contact(Archive& visit, Contact& c) {
   visit(c.pair.vertex);
   visit(c.pair.edge_block);
   visit(c.pair.edge);
-  visit(c.history.state);
+  int state = static_cast<int>(c.history.state);
+  visit(state);
+  if constexpr (!std::is_const_v<Contact>) c.history.state = static_cast<ContactState>(state);
   visit(c.history.lock);
   visit(c.history.gap_offset);
   visit(c.history.bonded);

@@ -280,7 +280,7 @@ void Stepper::detect(double dt) {
 
 void Stepper::keep_start() {
   starts_.resize(tried_.size());
-  for_contacts(tried_.size(), [&](std::size_t c) { starts_[c] = ContactStart(tried_[c]); });
+  for_contacts(tried_.size(), [&](std::size_t c) { starts_[c] = ContactStart(tried_[c].history); });
   has_tried_ = false;
 }
 
@@ -323,11 +323,10 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
   const std::vector<char> before = also;
   also.resize(tried_.size(), 0);
   for (std::size_t c = 0; c < tried_.size(); ++c) {
-    if (starts_[c].history.state != ContactState::open || !tried_[c].closed() || solution.impact.hit[c])
-      continue;
-    Contact start = tried_[c];
-    contact_builder_->restart(starts_[c], start);
-    if (-start.gap.change(state_.velocity) > least_approach(blocks_, start, dt)) also[c] = 1;
+    if (starts_[c].closed() || !tried_[c].closed() || solution.impact.hit[c]) continue;
+    const Contact& start = tried_[c];
+    const double rate = start.motion.change_along(start.first_gap().gradient, state_.velocity);
+    if (-rate > least_approach(blocks_, start, dt)) also[c] = 1;
   }
   return also != before && std::find(also.begin(), also.end(), 1) != also.end();
 }
@@ -494,7 +493,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   accepting_ = true;
   record_reactions(solution.d, solution.residual);
-  record_contacts(solution.d);
+  record_contacts();
   account_step(blocks_, *system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, starts_, tried_},
                energy_.now);
@@ -575,16 +574,15 @@ void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
   }
 }
 
-void Stepper::record_contacts(const VectorXd& d) {
+void Stepper::record_contacts() {
   counts_.contacts = asleep_ ? asleep_->n_closed : 0;
   for (Contact& contact : tried_) {
-    contact.end_gap = contact.gap(d) - contact.history.gap_offset;
-    contact.end_slip = contact.slip(d);
+    contact.end_gap = contact.gap - contact.history.gap_offset;
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) contact.history.bonded = false;
     if (!contact.closed()) {
-      const double left = std::clamp(contact.gap(d), contact.history.gap_offset, 0.0);
-      contact.history.gap_offset = left < -contact.length_tolerance ? left : 0;
+      const double left = std::clamp(contact.gap, contact.history.gap_offset, 0.0);
+      contact.history.gap_offset = left < -contact.length_tolerance() ? left : 0;
       continue;
     }
     ++counts_.contacts;

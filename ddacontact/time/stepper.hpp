@@ -34,6 +34,7 @@ struct StepMemory {
   double contacts = 0;   ///< and what they were before the last try
   double detection = 0;  ///< outlines, boxes, pairs
   double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without the factor
+  double factor = 0;     ///< of (13), and what making it takes
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.
@@ -150,7 +151,7 @@ class Stepper {
   /// the difference as a translation. The paper preset leaves it.
   void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
-  void record_contacts(const VectorXd& d);
+  void record_contacts();
   VectorXd start_velocity() const;
   bool is_static() const { return analysis_.mode == Mode::statics; }
 

@@ -103,7 +103,7 @@ std::vector<char> Stepper::find_restless(double dt) const {
   for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const auto [vertex_block, vertex, edge_block, edge] = tried_[c].pair;
-    const bool changed = starts_[c].history.state != tried_[c].history.state;
+    const bool changed = starts_[c].state != tried_[c].history.state;
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
       if (changed || (tried_[c].closed() && !blocks_.is_movable(other) && restless[other])) restless[b] = 1;
   }
@@ -201,8 +201,8 @@ bool Stepper::wake_hit(const Solution& solution) {
         !asleep_->part->is_resting(contact.pair.edge_block))
       continue;
     const bool hit = !solution.impact.hit.empty() && solution.impact.hit[c];
-    const bool inside = contact.gap(solution.d) - contact.history.gap_offset < -contact.length_tolerance &&
-                        contact.is_on_edge(contact.slip(solution.d));
+    const bool inside = contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
+                        contact.is_on_edge(contact.end_slip);
     if (!contact.closed() && !hit && !inside) continue;
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) woken = wake(in_whole(b)) || woken;
   }

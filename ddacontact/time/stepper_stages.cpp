@@ -118,7 +118,8 @@ StepMemory Stepper::memory() const {
                    bytes_of(reactions_),
           .contacts = bytes_of(contacts_) + bytes_of(tried_) + bytes_of(starts_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
-          .equations = system_->memory()};
+          .equations = system_->memory(),
+          .factor = system_->problem().cholesky().memory()};
 }
 
 RunRecord Stepper::run_record() const {

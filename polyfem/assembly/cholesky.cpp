@@ -163,6 +163,10 @@ int Cholesky::failed_row() const {
   return L && L->minor < L->n ? static_cast<const int*>(L->Perm)[L->minor] : -1;
 }
 
+double Cholesky::memory() const {
+  return static_cast<double>(factor_->common.memory_inuse);
+}
+
 double Cholesky::n_factor_entries() const {
   return factor_->L ? factor_->common.lnz : 0;
 }

@@ -41,6 +41,8 @@ class Cholesky {
   int failed_row() const;
   /// Entries of L that the last analysis found.
   double n_factor_entries() const;
+  /// Bytes of the heap: of the factor, and what CHOLMOD works in and keeps.
+  double memory() const;
 
   int n_analyses() const { return n_analyses_; }
   int n_factorizations() const { return n_factorizations_; }

@@ -80,22 +80,39 @@ int place_of(const SparseMatrix& matrix, int row, int column, int guess) {
   return static_cast<int>(std::lower_bound(rows + outer[column], rows + outer[column + 1], row) - rows);
 }
 
-/// Of every pair i >= j of the rows of every element, j slowest, the place of its entry in the lower
-/// triangle; -1 when one of the two is left out.
-void find_places(const Connectivity& elements, const SparseMatrix& lower, std::vector<int>& place) {
+/// Of every pair i >= j of the rows of every element, both multiples of `stride`, j slowest, the place of its
+/// entry in the lower triangle; -1 when one of the two is left out.
+void find_places(const Connectivity& elements, const SparseMatrix& lower, std::size_t stride,
+                 std::vector<int>& place) {
   place.clear();
   for (int e = 0; e < elements.n_elements(); ++e) {
     const auto rows = elements.rows_of(e);
-    for (std::size_t j = 0; j < rows.size(); ++j) {
+    for (std::size_t j = 0; j < rows.size(); j += stride) {
       int last = -1;
-      for (std::size_t i = j; i < rows.size(); ++i) {
+      for (std::size_t i = j; i < rows.size(); i += stride) {
         const bool kept = rows[i] >= 0 && rows[j] >= 0;
-        place.push_back(
-            kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]), last + 1) : -1);
+        place.push_back(kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]),
+                                        last + static_cast<int>(stride))
+                             : -1);
         last = place.back();
       }
     }
   }
+}
+
+/// Whether all elements have their rows two by two, an even one and the next, none twice.
+bool comes_in_pairs(const Connectivity& connectivity) {
+  for (int e = 0; e < connectivity.n_elements(); ++e) {
+    const auto rows = connectivity.rows_of(e);
+    if (rows.size() % 2 != 0) return false;
+    for (std::size_t k = 0; k < rows.size(); k += 2) {
+      const bool left_out = rows[k] < 0 && rows[k + 1] < 0;
+      if (!left_out && (rows[k] < 0 || rows[k] % 2 != 0 || rows[k + 1] != rows[k] + 1)) return false;
+      for (std::size_t l = 0; l < k; l += 2)
+        if (!left_out && rows[l] == rows[k]) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -107,12 +124,16 @@ bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivit
   if (changed) lower_ = std::move(pattern);
   connectivity_ = connectivity;
   set_zero();
-  find_places(connectivity, lower_, place_);
-  first_place_.assign(1, 0);
+  paired_ = comes_in_pairs(connectivity);
+  const std::size_t stride = paired_ ? 2 : 1;
+  first_place_.assign(static_cast<std::size_t>(connectivity.n_elements()) + 1, 0);
   for (int e = 0; e < connectivity.n_elements(); ++e) {
-    const std::size_t k = connectivity.rows_of(e).size();
-    first_place_.push_back(first_place_.back() + k * (k + 1) / 2);
+    const std::size_t k = connectivity.rows_of(e).size() / stride;
+    first_place_[static_cast<std::size_t>(e) + 1] =
+        first_place_[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
   }
+  place_.reserve(first_place_.back());
+  find_places(connectivity, lower_, stride, place_);
   return changed;
 }
 
@@ -128,25 +149,54 @@ void PatternMatrix::set_identity() {
 // A pair i > j stands for the entries (i, j) and (j, i) of the element. They fall on (r, c) and (c, r), of
 // which only the lower one is stored, unless both rows are the same: then both fall on the diagonal.
 
+template <class Visit>
+void PatternMatrix::for_places(int element, const Visit& visit) const {
+  const auto rows = connectivity_.rows_of(element);
+  const std::size_t k = rows.size();
+  const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
+  if (!paired_) {
+    for (std::size_t j = 0; j < k; ++j)
+      for (std::size_t i = j; i < k; ++i, ++place)
+        if (*place >= 0) visit(i, j, *place);
+    return;
+  }
+  const int* outer = lower_.outerIndexPtr();
+  for (std::size_t j = 0; j < k; j += 2)
+    for (std::size_t i = j; i < k; i += 2, ++place) {
+      if (*place < 0) continue;
+      const int column = std::min(rows[i], rows[j]);
+      const int right =
+          *place + outer[column + 1] - outer[column] - 1;  // in the next column, without its top
+      visit(i, j, *place);
+      if (i == j) {
+        visit(i + 1, j, *place + 1);
+        visit(i + 1, j + 1, right + 1);
+        continue;
+      }
+      const bool below = rows[i] > rows[j];
+      visit(i + 1, j, below ? *place + 1 : right);
+      visit(i, j + 1, below ? right : *place + 1);
+      visit(i + 1, j + 1, right + 1);
+    }
+}
+
 void PatternMatrix::add(int element, const Eigen::Ref<const MatrixXd>& matrix) {
   const auto rows = connectivity_.rows_of(element);
-  const Index k = static_cast<Index>(rows.size());
-  assert(matrix.rows() == k && matrix.cols() == k);
-  const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
+  assert(matrix.rows() == static_cast<Index>(rows.size()) && matrix.cols() == matrix.rows());
   double* values = lower_.valuePtr();
-  for (Index j = 0; j < k; ++j)
-    for (Index i = j; i < k; ++i, ++place)
-      if (*place >= 0) values[*place] += i != j && rows[i] == rows[j] ? 2 * matrix(i, j) : matrix(i, j);
+  for_places(element, [&](std::size_t i, std::size_t j, int place) {
+    const double entry = matrix(static_cast<Index>(i), static_cast<Index>(j));
+    values[place] += i != j && rows[i] == rows[j] ? 2 * entry : entry;
+  });
 }
 
 void PatternMatrix::add_outer(int element, double factor, std::span<const double> a) {
   const auto rows = connectivity_.rows_of(element);
   assert(a.size() == rows.size());
-  const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
   double* values = lower_.valuePtr();
-  for (std::size_t j = 0; j < a.size(); ++j)
-    for (std::size_t i = j; i < a.size(); ++i, ++place)
-      if (*place >= 0) values[*place] += (i != j && rows[i] == rows[j] ? 2 * factor : factor) * a[i] * a[j];
+  for_places(element, [&](std::size_t i, std::size_t j, int place) {
+    values[place] += (i != j && rows[i] == rows[j] ? 2 * factor : factor) * a[i] * a[j];
+  });
 }
 
 double PatternMatrix::memory() const {

@@ -49,9 +49,17 @@ class PatternMatrix {
   double memory() const;
 
  private:
+  /// Calls visit(i, j, place in lower_.valuePtr()) for each pair i >= j of the element that is not left out.
+  template <class Visit>
+  void for_places(int element, const Visit& visit) const;
+
   Connectivity connectivity_;
+  /// All elements have their rows two by two, an even one and the next: two columns have the same rows then,
+  /// and where one of four entries is tells where the others are.
+  bool paired_ = false;
   std::vector<std::size_t> first_place_;  ///< of each element in place_
-  std::vector<int> place_;                ///< index into lower_.valuePtr() for each pair i >= j, or -1
+  std::vector<int> place_;  ///< index into lower_.valuePtr() for each pair i >= j (paired: of even i and j),
+                            ///< or -1
   SparseMatrix lower_;
 };
 

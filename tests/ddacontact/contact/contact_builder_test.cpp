@@ -54,7 +54,7 @@ TEST(ContactBuilder, TouchingContactsBeginBondedAndOverlapsAreFreeOfStress) {
       EXPECT_DOUBLE_EQ(c.history.length, 0.5);
       EXPECT_DOUBLE_EQ(c.law.cohesion, 3.5e3);
       EXPECT_DOUBLE_EQ(c.law.tension, 2.5e3);
-      EXPECT_NEAR(c.slip.constant, 0, 1e-14);
+      EXPECT_NEAR(c.first_slip().constant, 0, 1e-14);
     }
   }
 }
@@ -80,9 +80,9 @@ TEST(ContactBuilder, StickingContactsKeepTheirLockPointAndSlidingOnesMoveIt) {
     ASSERT_EQ(contacts.size(), 2u);
     for (std::size_t c = 0; c < 2; ++c) {
       EXPECT_EQ(contacts[c].history.state, before);
-      EXPECT_NEAR(contacts[c].gap.constant, -1e-5, 1e-14);
+      EXPECT_NEAR(contacts[c].gap, -1e-5, 1e-14);
       // The fixed block's upper edge runs from right to left.
-      EXPECT_NEAR(contacts[c].slip.constant, before == stick ? -0.01 : 0, 1e-14);
+      EXPECT_NEAR(contacts[c].first_slip().constant, before == stick ? -0.01 : 0, 1e-14);
       EXPECT_EQ(contacts[c].history.bonded, previous[c].history.bonded);
       EXPECT_EQ(contacts[c].law.cohesion, previous[c].law.cohesion);
     }
@@ -119,7 +119,7 @@ TEST(ContactBuilder, AContactHandedOverAtACornerKeepsItsSlip) {
       if (same) continue;
       ++handed_over;
       EXPECT_EQ(c.history.state, stick);
-      EXPECT_NEAR(c.slip.constant, 2e-4, 1e-12);
+      EXPECT_NEAR(c.first_slip().constant, 2e-4, 1e-12);
     }
     EXPECT_EQ(handed_over, 1);
   }
@@ -151,7 +151,7 @@ TEST(ContactBuilder, AContactGoesStraightOnToTheNextEdge) {
   EXPECT_EQ(moved.history.state, corner(contacts).history.state);
   EXPECT_TRUE(moved.history.bonded);
   EXPECT_EQ(moved.history.length, corner(contacts).history.length);
-  EXPECT_NEAR(moved.slip.constant, corner(contacts).end_slip, 1e-12);
+  EXPECT_NEAR(moved.first_slip().constant, corner(contacts).end_slip, 1e-12);
 }
 
 /// A wall: the same contacts, in their order, for any number of threads and with or without the margin that
@@ -181,8 +181,8 @@ TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
       ASSERT_EQ(p.pair, q.pair);
       EXPECT_EQ(p.history.state, q.history.state);
       EXPECT_EQ(p.history.lock, q.history.lock);
-      EXPECT_EQ(p.gap.constant, q.gap.constant);
-      EXPECT_EQ(p.slip.constant, q.slip.constant);
+      EXPECT_EQ(p.gap, q.gap);
+      EXPECT_EQ(p.first_slip().constant, q.first_slip().constant);
     }
   }
   EXPECT_EQ(kept.n_searches(), 1);

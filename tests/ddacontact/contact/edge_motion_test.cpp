@@ -37,8 +37,8 @@ struct Measure {
     return components(is_gap ? gap_mean_gradient(place_at(x0), place_at(x1))
                              : slip_mean_gradient(place_at(x0), place_at(x1), lock));
   }
-  AffineForm first_order(const MovingPoint& i, const MovingPoint& j, const MovingPoint& k) const {
-    return is_gap ? gap_form(i, j, k) : slip_form(i, j, k, lock);
+  VertexEdgeForm first_order(const VertexEdgePlace& place) const {
+    return is_gap ? gap_form(place) : slip_form(place, lock);
   }
   /// The same by the definition, for coordinates of any number type.
   template <class Number>
@@ -89,11 +89,6 @@ double moment(const Vec6& x, const Vec6& force) {
   double sum = 0;
   for (int p = 0; p < 6; p += 2) sum += cross(x.segment<2>(p), force.segment<2>(p));
   return sum;
-}
-
-/// A point whose coordinates are the unknowns first and first + 1.
-PointMap free_point(int first) {
-  return PointMap(first);
 }
 
 std::vector<PointMap::Term> random_terms(std::mt19937& random) {
@@ -240,9 +235,8 @@ TEST_P(EdgeMotion, GradientsAreThoseOfThePaperAndATermProportionalToTheGap) {
   for (int trial = 0; trial < 100; ++trial) {
     const Vec6 x = random_place(trial % 2 ? 0.5 : 0, random);
     const auto [i, j, k] = place_at(x);
-    const AffineForm form = measure.first_order({i, free_point(0)}, {j, free_point(2)}, {k, free_point(4)});
-    VectorXd paper = VectorXd::Zero(6);
-    form.add_gradient(1, paper);
+    const VertexEdgeForm form = measure.first_order({i, j, k});
+    const Vec6 paper = components(form.gradient);
 
     const double l = (k - j).norm(), g = gap({i, j, k});
     const Vec2 t = (k - j) / l, n(t.y(), -t.x());
@@ -267,6 +261,7 @@ TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
     EXPECT_EQ(own.constant, any.constant);
     ASSERT_TRUE(std::ranges::equal(own.unknowns(), any.unknowns()));
     EXPECT_TRUE(std::ranges::equal(own.coefficients(), any.coefficients()));
+    EXPECT_EQ(change_along(by, PointMap(a), PointMap(b), PointMap(c), d), any.change(d));
   }
 }
 

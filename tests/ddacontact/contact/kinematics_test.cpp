@@ -1,3 +1,4 @@
+#include <ddacontact/contact/contact.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <tests/support/random_polygon.hpp>
 
@@ -11,13 +12,9 @@ namespace {
 struct Trio {
   Vec2 i, j, k;
 
-  static MovingPoint moving(const Vec2& x, int first) {
-    MovingPoint point{x, {}};
-    point.map = PointMap(first);
-    return point;
-  }
-  AffineForm gap() const { return gap_form(moving(i, 0), moving(j, 2), moving(k, 4)); }
-  AffineForm slip(double lock) const { return slip_form(moving(i, 0), moving(j, 2), moving(k, 4), lock); }
+  MovingVertexEdge moving() const { return {{i, j, k}, PointMap(0), PointMap(2), PointMap(4)}; }
+  AffineForm gap() const { return moving().form(gap_form({i, j, k})); }
+  AffineForm slip(double lock) const { return moving().form(slip_form({i, j, k}, lock)); }
   Trio moved(const VectorXd& d) const {
     return {i + d.segment<2>(0), j + d.segment<2>(2), k + d.segment<2>(4)};
   }
@@ -161,10 +158,10 @@ TEST(Kinematics, CoefficientsAreThoseOfThePaper) {
 TEST(Kinematics, ABlockOfTwoUnknownsFits) {
   const std::vector<PointMap::Term> terms{{7, Vec2::UnitX()}, {3, Vec2::UnitY()}};
   const PointMap translating(0, terms);
-  const MovingPoint vertex{{0.25, -0.5}, translating}, still{{0.25, -0.5}, {}};
-  const AffineForm on_fixed = gap_form(vertex, {{0, 0}, {}}, {{1, 0}, {}});
-  const AffineForm on_moving = gap_form(still, {{0, 0}, translating}, {{1, 0}, translating});
-  const AffineForm slip = slip_form(still, {{0, 0}, translating}, {{1, 0}, translating}, 0.75);
+  const VertexEdgePlace place{{0.25, -0.5}, {0, 0}, {1, 0}};
+  const MovingVertexEdge vertex{place, translating, {}, {}}, edge{place, {}, translating, translating};
+  const AffineForm on_fixed = vertex.form(gap_form(place)), on_moving = edge.form(gap_form(place)),
+                   slip = edge.form(slip_form(place, 0.75));
   VectorXd d = VectorXd::Zero(8);
   d[7] = 0.125;
   d[3] = 2;

@@ -33,7 +33,7 @@ struct OneStep {
     s.loads = {point_load(1, {1, 0.5}, constant(force))};
     return s;
   }
-  double normal(const Contact& c) const { return normal_force(c.law, c.gap(d) - c.history.gap_offset); }
+  double normal(const Contact& c) const { return normal_force(c.law, c.gap - c.history.gap_offset); }
   void expect_states(ContactState state) const {
     ASSERT_EQ(contacts.size(), 2u);
     for (const Contact& c : contacts) EXPECT_EQ(static_cast<int>(c.history.state), static_cast<int>(state));
@@ -60,7 +60,7 @@ TEST(OpenClose, ABlockPushedBeyondFrictionSlidesInTheSenseOfThePush) {
     for (const Contact& c : trial.contacts) {
       // The plane's upper edge runs from right to left.
       EXPECT_EQ(c.history.state, push > 0 ? slip_backward : slip_forward);
-      EXPECT_GT(slip_sign(c.history.state) * c.slip.change(trial.d), 0);
+      EXPECT_GT(slip_sign(c.history.state) * c.slip_change, 0);
       friction += 0.5 * trial.normal(c);
       // What the contact is left with is (52) of the present penetration, against the slip.
       EXPECT_NEAR(c.normal, trial.normal(c), 1e-12 * c.normal);
@@ -90,10 +90,10 @@ TEST(OpenClose, SettledStatesAgreeWithTheirSolution) {
     const OneStep trial(force);
     ASSERT_EQ(trial.report.status, OpenCloseStatus::settled);
     for (const Contact& c : trial.contacts) {
-      const Trial seen{.gap = c.gap(trial.d) - c.history.gap_offset,
-                       .slip = c.slip(trial.d),
-                       .slip_increment = c.slip.change(trial.d),
-                       .tolerance = c.length_tolerance,
+      const Trial seen{.gap = c.gap - c.history.gap_offset,
+                       .slip = c.end_slip,
+                       .slip_increment = c.slip_change,
+                       .tolerance = c.length_tolerance(),
                        .bonded = c.history.bonded};
       EXPECT_EQ(next_state(c.history.state, c.law, seen), c.history.state);
     }

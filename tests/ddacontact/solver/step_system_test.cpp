@@ -50,8 +50,8 @@ struct Prepared {
   std::vector<ContactTerm> terms() const {
     std::vector<ContactTerm> all;
     for (const Contact& c : contacts)
-      all.push_back({.gap = c.gap,
-                     .slip = c.slip,
+      all.push_back({.gap = c.motion.form(c.first_gap()),
+                     .slip = c.motion.form(c.first_slip()),
                      .normal_stiffness = c.law.normal_stiffness,
                      .tangential_stiffness = c.law.tangential_stiffness});
     return all;
@@ -64,16 +64,18 @@ struct Prepared {
   }
   std::vector<ContactForce> spring_forces(const VectorXd& d) const {
     std::vector<ContactForce> forces(contacts.size());
+    const std::vector<ContactTerm> terms = this->terms();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const Contact& of = contacts[c];
-      if (of.closed()) forces[c].normal = -of.law.normal_stiffness * (of.gap(d) - of.history.gap_offset);
-      if (of.history.state == stick) forces[c].shear = -of.law.tangential_stiffness * of.slip(d);
+      if (of.closed())
+        forces[c].normal = -of.law.normal_stiffness * (terms[c].gap(d) - of.history.gap_offset);
+      if (of.history.state == stick) forces[c].shear = -of.law.tangential_stiffness * terms[c].slip(d);
     }
     return forces;
   }
   VectorXd residual(const VectorXd& d, const std::vector<ContactForce>& forces) const {
     Residual r;
-    system.compute_residual(d, contacts, forces, r);
+    system.compute_residual(d, contacts, terms(), forces, r);
     return r.force;
   }
   VectorXd residual(const VectorXd& d) const { return residual(d, spring_forces(d)); }
@@ -96,8 +98,10 @@ double potential(const Prepared& p, const VectorXd& d) {
   energy -= F.dot(d);
   for (const Contact& c : p.contacts) {
     if (!c.closed()) continue;
-    energy += c.law.normal_stiffness * std::pow(c.gap(d) - c.history.gap_offset, 2) / 2;
-    if (c.history.state == stick) energy += c.law.tangential_stiffness * std::pow(c.slip(d), 2) / 2;
+    energy +=
+        c.law.normal_stiffness * std::pow(c.motion.form(c.first_gap())(d) - c.history.gap_offset, 2) / 2;
+    if (c.history.state == stick)
+      energy += c.law.tangential_stiffness * std::pow(c.motion.form(c.first_slip())(d), 2) / 2;
   }
   for (const HeldVertex& held : p.blocks.held_vertices) {
     const int v = p.blocks.block(held.block).vertices().first + held.vertex;
@@ -141,12 +145,12 @@ TEST(StepSystem, ContactForcesWorkOnTheChangesOfGapAndSlip) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c)
     forces.push_back({1e4 * static_cast<double>(c + 1), -3e3 * static_cast<double>(c)});
   const VectorXd exerted = without - p.residual(d, forces);
+  const std::vector<ContactTerm> terms = p.terms();
   for (int trial = 0; trial < 5; ++trial) {
     const VectorXd moved = VectorXd::Random(d.size());
     double work = 0, magnitude = 0;
     for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-      work += forces[c].normal * p.contacts[c].gap.change(moved) +
-              forces[c].shear * p.contacts[c].slip.change(moved);
+      work += forces[c].normal * terms[c].gap.change(moved) + forces[c].shear * terms[c].slip.change(moved);
       magnitude += std::hypot(forces[c].normal, forces[c].shear);
     }
     EXPECT_NEAR(exerted.dot(moved), work, 1e-11 * (magnitude + without.norm()));
@@ -161,13 +165,13 @@ TEST(StepSystem, OneSolutionOfTheFactoredEquationsLeavesNoResidual) {
     p.set_states({stick, slip_forward});
     VectorXd d = p.system.prescribed(), correction;
     Residual r;
-    p.system.compute_residual(d, p.contacts, p.spring_forces(d), r);
+    p.system.compute_residual(d, p.contacts, p.terms(), p.spring_forces(d), r);
     EXPECT_FALSE(r.balanced(1e-8));
     p.system.linearize(d);
     ASSERT_TRUE(p.system.problem().factorize(p.terms(), p.springs()));
     p.system.problem().solve(r.force, correction);
     d -= correction;
-    p.system.compute_residual(d, p.contacts, p.spring_forces(d), r);
+    p.system.compute_residual(d, p.contacts, p.terms(), p.spring_forces(d), r);
     EXPECT_LE(r.largest, 1e-10 * r.scale);
     EXPECT_TRUE(r.balanced(1e-8));
     for (const HeldUnknown& held : p.blocks.held_unknowns()) EXPECT_EQ(correction[held.unknown], 0);
@@ -218,7 +222,7 @@ TEST(StepSystem, MatricesOfFixedBlocksAreMadeWhereAskedAndHaveNoEffect) {
     p->set_states({stick, slip_forward});
     const VectorXd d = p->system.prescribed();
     p->system.linearize(d);
-    p->system.compute_residual(d, p->contacts, p->spring_forces(d), residuals[k]);
+    p->system.compute_residual(d, p->contacts, p->terms(), p->spring_forces(d), residuals[k]);
     ASSERT_TRUE(p->system.problem().factorize(p->terms(), p->springs()));
     p->system.problem().solve(residuals[k].force, corrections[k]);
     ++k;

@@ -62,14 +62,12 @@ struct TouchingBlocks {
     }
   }
   void add_contact(int a, int i, int b, int e, double friction, double restitution) {
-    const auto moving = [&](int of, int k) {
-      const int k_of = k % blocks.block(of).n_vertices();
-      return MovingPoint{vertex(of, k_of), blocks.block(of).vertex_map(k_of)};
-    };
-    const MovingPoint x = moving(a, i), j = moving(b, e), k = moving(b, e + 1);
+    const VertexEdgePlace place{vertex(a, i), vertex(b, e), vertex(b, e + 1)};
+    const MovingVertexEdge motion{place, blocks.block(a).vertex_map(i), blocks.block(b).vertex_map(e),
+                                  blocks.block(b).vertex_map((e + 1) % blocks.block(b).n_vertices())};
     ImpactContact contact;
-    contact.gap = gap_form(x, j, k);
-    contact.slip = slip_form(x, j, k, edge_fraction(x.x, j.x, k.x));
+    contact.gap = motion.form(gap_form(place));
+    contact.slip = motion.form(slip_form(place, edge_fraction(place.i, place.j, place.k)));
     contact.friction = friction;
     contact.restitution = restitution;
     contacts.push_back(contact);

@@ -178,6 +178,7 @@ Measurement measure(const Case& what, const Effort& effort) {
   row.contact_memory = 1e-6 * memory.contacts;
   row.detection_memory = 1e-6 * memory.detection;
   row.equation_memory = 1e-6 * memory.equations;
+  row.factor_memory = 1e-6 * memory.factor;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   row.peak = static_cast<double>(usage.ru_maxrss) * 1024e-6;

@@ -14,11 +14,6 @@ double Measurement::limit() const {
   return by_amd > 0 && by_metis > 0 ? std::min(by_amd, by_metis) : std::max(by_amd, by_metis);
 }
 
-double Measurement::limit_factor() const {
-  return amd_factor > 0 && metis_factor > 0 ? std::min(amd_factor, metis_factor)
-                                            : std::max(amd_factor, metis_factor);
-}
-
 const std::vector<Column>& columns() {
   using M = Measurement;
   static const std::vector<Column> all{{"scene", &M::scene},
@@ -59,6 +54,7 @@ const std::vector<Column>& columns() {
                                        {"contacts_mb", &M::contact_memory},
                                        {"detection_mb", &M::detection_memory},
                                        {"equations_mb", &M::equation_memory},
+                                       {"factor_mb", &M::factor_memory},
                                        {"amd_analysis_s", &M::amd_analysis},
                                        {"amd_factorization_s", &M::amd_factorization},
                                        {"amd_solution_s", &M::amd_solution},

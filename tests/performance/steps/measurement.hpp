@@ -41,7 +41,7 @@ struct Measurement {
   // Memory, MB: of the process at most; of its heap what building takes, and what steps add to that; and of
   // both together what the parts of StepMemory take.
   double peak = 0, heap_blocks = 0, heap_steps = 0;
-  double state_memory = 0, contact_memory = 0, detection_memory = 0, equation_memory = 0;
+  double state_memory = 0, contact_memory = 0, detection_memory = 0, equation_memory = 0, factor_memory = 0;
 
   // CHOLMOD alone on the matrix of the last step, s and MB: vertices ordered by AMD and by METIS.
   double amd_analysis = 0, amd_factorization = 0, amd_solution = 0, amd_factor = 0;
@@ -52,8 +52,6 @@ struct Measurement {
   double outside() const { return total - linear(); }
   /// Seconds that a factorization and a solution take at least; 0 when not known.
   double limit() const;
-  /// Memory of the factor that the limit is of, MB.
-  double limit_factor() const;
 };
 
 /// A column: its name and where its value is.

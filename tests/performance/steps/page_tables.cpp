@@ -48,11 +48,6 @@ std::string ratio_text(double value) {
   return std::isfinite(value) && value > 0 ? fmt::format("{:.2g}", value) : "-";
 }
 
-/// Memory of the factor as far as it is in the heap: none where no step has made one.
-double factor_mb(const Measurement& m) {
-  return m.factorization > 0 ? m.limit_factor() : 0;
-}
-
 }  // namespace
 
 std::string time_text(double seconds) {
@@ -131,7 +126,7 @@ Table limit_table(std::span<const Measurement> table) {
 }
 
 double kilobytes(const Measurement& m) {
-  return 1e3 * (m.heap_blocks + m.heap_steps - factor_mb(m)) / m.blocks;
+  return 1e3 * (m.heap_blocks + m.heap_steps - m.factor_memory) / m.blocks;
 }
 
 Table memory_table(std::span<const Measurement> table) {
@@ -145,7 +140,7 @@ Table memory_table(std::span<const Measurement> table) {
     for (const double part : {m.state_memory, m.contact_memory, m.detection_memory, m.equation_memory,
                               1e-3 * kilobytes(m) * m.blocks})
       row.push_back(fmt::format("{:.2f}", 1e3 * part / m.blocks));
-    row.push_back(number_text(1e3 * factor_mb(m) / m.blocks));
+    row.push_back(number_text(1e3 * m.factor_memory / m.blocks));
     row.push_back(fmt::format("{:.2f}", 1e3 * m.peak / m.blocks));
     rows.push_back(row);
   }

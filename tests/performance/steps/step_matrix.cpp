@@ -22,7 +22,8 @@ polyfem::SparseMatrix step_matrix(Stepper& stepper) {
     if (!contact.closed()) continue;
     closed.push_back(&contact);
     rows.clear();
-    for (const int unknown : contact.gap.unknowns()) rows.push_back(blocks.equation()[unknown]);
+    const AffineForm form = contact.motion.form(contact.first_gap());
+    for (const int unknown : form.unknowns()) rows.push_back(blocks.equation()[unknown]);
     connectivity.append(rows);
   }
   polyfem::PatternMatrix matrix;
@@ -32,9 +33,11 @@ polyfem::SparseMatrix step_matrix(Stepper& stepper) {
   for (const int b : active)
     matrix.add(element++, blocks.block(b).tangent(VectorXd::Zero(blocks.block(b).n_unknowns())));
   for (const Contact* contact : closed) {
-    matrix.add_outer(element, contact->law.normal_stiffness, contact->gap.coefficients());
+    matrix.add_outer(element, contact->law.normal_stiffness,
+                     contact->motion.form(contact->first_gap()).coefficients());
     if (contact->history.state == ContactState::stick)
-      matrix.add_outer(element, contact->law.tangential_stiffness, contact->slip.coefficients());
+      matrix.add_outer(element, contact->law.tangential_stiffness,
+                       contact->motion.form(contact->first_slip()).coefficients());
     ++element;
   }
   return matrix.lower();

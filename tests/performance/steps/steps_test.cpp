@@ -85,6 +85,7 @@ TEST(Measurements, HavePartsOfTheMemoryThatIsTaken) {
   }
   EXPECT_LT(parts, m.heap_blocks + m.heap_steps);
   EXPECT_GT(parts, 0.5 * (m.heap_blocks + m.heap_steps));
+  EXPECT_LT(1e3 * (m.heap_blocks + m.heap_steps) / m.blocks, 7.5) << "kB a block";
 }
 
 TEST(Measurements, RefuseWhatIsNotKnown) {

@@ -56,6 +56,15 @@ TEST_P(CholeskyOfGrid, Solves) {
   EXPECT_LT(relative_residual(K, x, b), 1e-13);
 }
 
+TEST_P(CholeskyOfGrid, CountsTheMemoryOfItsFactor) {
+  const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
+  Cholesky cholesky;
+  const double before = cholesky.memory();
+  cholesky.analyze(K);
+  ASSERT_TRUE(cholesky.factorize(K));
+  EXPECT_GE(cholesky.memory() - before, sizeof(double) * cholesky.n_factor_entries());
+}
+
 TEST_P(CholeskyOfGrid, KeepsItsAnalysisForNewValues) {
   const VectorXd b = random_vector(GetParam() * GetParam());
   VectorXd x;
