@@ -399,7 +399,7 @@ class Staged {
     for (std::size_t c = 0; c < terms_.size(); ++c) {
       const int sense = follows_bound(c);
       const double rate = friction_rate(contacts_[c].law, forces_[c].normal) * terms_[c].normal_stiffness;
-      if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate});
+      if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate, c});
     }
     return couplings;
   }

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <ddacontact/core/skips.hpp>
-#include <ddacontact/solver/block_inverse.hpp>
-#include <ddacontact/solver/coupled_solution.hpp>
+#include <ddacontact/solver/tangent_sweeps.hpp>
 
 namespace ddacontact {
 
@@ -52,7 +51,8 @@ class TangentSolver {
   bool stale_, local_;
   bool has_factor_ = false;
   std::vector<unsigned char> factored_;  ///< springs in the last factor of the step
-  BlockInverse blocks_;
+  BlockGroups groups_;
+  TangentSweeps sweeps_;
   TangentCounts counts_;
 };
 

@@ -1,0 +1,68 @@
+/// \file Blocks that move, in groups of neighbours: what sweeps over blocks run through.
+#pragma once
+
+#include <ddacontact/solver/friction_problem.hpp>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace ddacontact {
+
+/// The blocks of a FrictionProblem that have free unknowns, in an order in which neighbours are near each other,
+/// cut into groups of at most `group_size`. The unknowns of each follow one another in packed vectors. Neither
+/// depends on the number of threads.
+class BlockGroups {
+ public:
+  static constexpr int largest_block = 16;  ///< unknowns
+  static constexpr int group_size = 256;    ///< blocks
+
+  /// A contact of a block with another one, or with what is held.
+  struct Neighbour {
+    int contact;
+    int block;  ///< its place in the order; -1: held
+  };
+
+  /// False: matrices of the problem share unknowns, are larger than `largest_block`, or of an odd
+  /// number of unknowns.
+  [[nodiscard]] bool set(FrictionProblem& problem, const std::vector<ContactTerm>& contacts);
+
+  int n_blocks() const { return static_cast<int>(matrices_.size()); }
+  int n_groups() const { return (n_blocks() + group_size - 1) / group_size; }
+  Range group(int g) const {
+    return {g * group_size, std::min(group_size, n_blocks() - g * group_size)};
+  }
+  static int group_of(int block) { return block / group_size; }
+  /// Places of a block's unknowns in packed vectors.
+  Range unknowns(int block) const {
+    return {first_[static_cast<std::size_t>(block)],
+            first_[static_cast<std::size_t>(block) + 1] - first_[static_cast<std::size_t>(block)]};
+  }
+  int n_unknowns() const { return first_.back(); }
+  /// The index of a block's matrix in FrictionProblem::elements.
+  int matrix(int block) const { return matrices_[static_cast<std::size_t>(block)]; }
+  /// Contacts of a block, ascending.
+  std::span<const Neighbour> neighbours(int block) const {
+    return std::span(neighbours_)
+        .subspan(first_neighbour_[static_cast<std::size_t>(block)],
+                 first_neighbour_[static_cast<std::size_t>(block) + 1] -
+                     first_neighbour_[static_cast<std::size_t>(block)]);
+  }
+  /// The place of an unknown in packed vectors, -1: held.
+  int place(int unknown) const { return place_[static_cast<std::size_t>(unknown)]; }
+  /// Whether a place of packed vectors is a free unknown's.
+  bool is_free(int place) const { return unknown_[static_cast<std::size_t>(place)] >= 0; }
+
+  /// packed = v; entries of held unknowns of moving blocks become 0.
+  void pack(const VectorXd& v, VectorXd& packed) const;
+  /// The same backwards, 0 elsewhere.
+  void unpack(const VectorXd& packed, VectorXd& v) const;
+
+ private:
+  std::vector<int> matrices_, first_, place_;
+  std::vector<int> unknown_;  ///< at each place, -1: held
+  std::vector<std::size_t> first_neighbour_;
+  std::vector<Neighbour> neighbours_;
+};
+
+}  // namespace ddacontact
