@@ -105,6 +105,17 @@ bool BlockGroups::set(FrictionProblem& problem, const std::vector<ContactTerm>& 
   return true;
 }
 
+void BlockGroups::copy_matrix(FrictionProblem& problem, int block, Eigen::Map<MatrixXd>& to) const {
+  to = problem.elements()[static_cast<std::size_t>(matrices_[static_cast<std::size_t>(block)])];
+  const Range of_block = unknowns(block);
+  for (int k = 0; k < of_block.count; ++k) {
+    if (unknown_[static_cast<std::size_t>(of_block.first + k)] >= 0) continue;
+    to.row(k).setZero();
+    to.col(k).setZero();
+    to(k, k) = 1;
+  }
+}
+
 void BlockGroups::pack(const VectorXd& v, VectorXd& packed) const {
   packed.resize(n_unknowns());
   polyfem::for_ranges(n_unknowns(), grain, [&](Index begin, Index end) {

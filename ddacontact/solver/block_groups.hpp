@@ -15,7 +15,7 @@ namespace ddacontact {
 class BlockGroups {
  public:
   static constexpr int largest_block = 16;  ///< unknowns
-  static constexpr int group_size = 256;    ///< blocks
+  static constexpr int group_size = 1024;    ///< blocks
 
   /// A contact of a block with another one, or with what is held.
   struct Neighbour {
@@ -39,8 +39,8 @@ class BlockGroups {
             first_[static_cast<std::size_t>(block) + 1] - first_[static_cast<std::size_t>(block)]};
   }
   int n_unknowns() const { return first_.back(); }
-  /// The index of a block's matrix in FrictionProblem::elements.
-  int matrix(int block) const { return matrices_[static_cast<std::size_t>(block)]; }
+  /// A block's matrix, with those rows and columns of held unknowns that the identity has.
+  void copy_matrix(FrictionProblem& problem, int block, Eigen::Map<MatrixXd>& to) const;
   /// Contacts of a block, ascending.
   std::span<const Neighbour> neighbours(int block) const {
     return std::span(neighbours_)
@@ -50,8 +50,6 @@ class BlockGroups {
   }
   /// The place of an unknown in packed vectors, -1: held.
   int place(int unknown) const { return place_[static_cast<std::size_t>(unknown)]; }
-  /// Whether a place of packed vectors is a free unknown's.
-  bool is_free(int place) const { return unknown_[static_cast<std::size_t>(place)] >= 0; }
 
   /// packed = v; entries of held unknowns of moving blocks become 0.
   void pack(const VectorXd& v, VectorXd& packed) const;

@@ -27,9 +27,10 @@ constexpr int most_changes = 25, most_returns = 3;
 constexpr int most_losses = 4, most_losses_before_relaxation = 1;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
-/// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
+/// Solutions for the same states before these are looked at again, and how far the residual has to fall then;
+/// where steps are local, states that are wrong are so whatever is left of it.
 constexpr int most_solutions_of_states = 6;
-constexpr double sufficient_decrease = 1e-2;
+constexpr double sufficient_decrease = 1e-2, sufficient_local_decrease = 0.5;
 /// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
 /// that have turned since leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
@@ -302,8 +303,8 @@ class Staged {
   /// False: it does not serve these blocks.
   bool relax() {
     system_.linearize(d_);
-    ContactRelaxation relaxation;
-    if (!relaxation.set_matrices(system_.problem())) return false;
+    const BlockGroups* const groups = tangent_.groups(terms_);
+    if (!groups) return false;
     std::vector<RelaxedLaw> laws(contacts_.size());
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Multiplier& m = multipliers_[c];
@@ -313,7 +314,10 @@ class Staged {
     ++n_relaxations_;
     system_.compute_residual(d_, contacts_, forces_, report_.residual);
     VectorXd d = d_;
-    report_.sweeps += relaxation.relax(terms_, laws, report_.residual.force, d, forces_);
+    const int sweeps =
+        relaxation_.relax(system_.problem(), *groups, terms_, laws, report_.residual.force, d, forces_);
+    if (sweeps < 0) return false;
+    report_.sweeps += sweeps;
     move_by(d - d_);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       states_[c] = state_of(terms_[c], forces_[c], contacts_[c].law);
@@ -334,7 +338,8 @@ class Staged {
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
-    const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
+    const double sufficient = options_.local ? sufficient_local_decrease : sufficient_decrease;
+    const bool solved = report_.residual.own <= sufficient * first_of_states_ || is_balanced() ||
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
       const int disagreeing = count_disagreeing();
@@ -602,6 +607,7 @@ class Staged {
   int n_relaxations_ = 0;
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
+  ContactRelaxation relaxation_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 

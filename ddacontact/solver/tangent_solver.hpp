@@ -38,6 +38,10 @@ class TangentSolver {
   [[nodiscard]] bool solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
 
+  /// Blocks as sweeps run through them where the step is local. nullptr: they cannot be swept.
+  /// \param[in] terms  contacts of the step
+  const BlockGroups* groups(const std::vector<ContactTerm>& terms);
+
   const TangentCounts& counts() const { return counts_; }
 
  private:

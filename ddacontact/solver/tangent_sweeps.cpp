@@ -1,60 +1,16 @@
 #include <ddacontact/solver/tangent_sweeps.hpp>
 
+#include <ddacontact/solver/small_inverse.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace ddacontact {
 
 namespace {
 
 constexpr int largest = BlockGroups::largest_block;
-
-/// A becomes its inverse, by elimination in place. False: it has none that is finite.
-template <int N>
-bool invert(double* values, int n) {
-  using Matrix = Eigen::Matrix<double, N, N>;
-  using Column = Eigen::Matrix<double, N, 1, Eigen::ColMajor, N == Eigen::Dynamic ? largest : N, 1>;
-  Eigen::Map<Matrix> A(values, n, n);
-  for (Index p = 0; p < n; ++p) {
-    const double inverse = 1 / A(p, p);
-    if (!std::isfinite(inverse)) return false;
-    Column column = A.col(p);
-    column[p] = 0;
-    for (Index k = 0; k < n; ++k) {
-      if (k == p) continue;
-      const double factor = A(p, k) * inverse;
-      A.col(k) -= factor * column;
-      A(p, k) = factor;
-    }
-    A.col(p) = -inverse * column;
-    A(p, p) = inverse;
-  }
-  return true;
-}
-bool invert(double* values, int n) {
-  return n == 8 ? invert<8>(values, 8) : n == 6 ? invert<6>(values, 6) : invert<Eigen::Dynamic>(values, n);
-}
-
-/// y = A x.
-template <int N>
-void multiply(const double* values, int n, const double* x, double* y) {
-  using Column = Eigen::Matrix<double, N, 1, Eigen::ColMajor, N == Eigen::Dynamic ? largest : N, 1>;
-  const Eigen::Map<const Eigen::Matrix<double, N, N>> A(values, n, n);
-  Column sum = A.col(0) * x[0];
-  for (Index k = 1; k < n; ++k) sum += A.col(k) * x[k];
-  Eigen::Map<Column>(y, n) = sum;
-}
-void multiply(const double* values, int n, const double* x, double* y) {
-  if (n == 8)
-    multiply<8>(values, 8, x, y);
-  else if (n == 6)
-    multiply<6>(values, 6, x, y);
-  else
-    multiply<Eigen::Dynamic>(values, n, x, y);
-}
 
 }  // namespace
 
@@ -100,13 +56,7 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
   const Range unknowns = groups_->unknowns(b);
   const auto n = static_cast<Index>(unknowns.count);
   Eigen::Map<MatrixXd> D(inverses_.data() + block.inverse, n, n);
-  D = problem.elements()[static_cast<std::size_t>(groups_->matrix(b))];
-  for (Index k = 0; k < n; ++k) {
-    if (groups_->is_free(unknowns.first + static_cast<int>(k))) continue;
-    D.row(k).setZero();
-    D.col(k).setZero();
-    D(k, k) = 1;
-  }
+  groups_->copy_matrix(problem, b, D);
   int side = block.earlier.first, entry = block.earlier.first_entry;
   const auto add_sides = [&](Sides& sides, const auto& is_of_kind) {
     sides = {side, 0, entry};
@@ -114,21 +64,10 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
       const Law& law = laws_[static_cast<std::size_t>(contact)];
       if (!is_of_kind(other) || (law.normal == 0 && law.shear == 0 && law.mixed == 0)) continue;
       const ContactTerm& term = contacts[static_cast<std::size_t>(contact)];
-      const std::span<const int> u = term.gap.unknowns();
-      const bool sheared = term.slip.unknowns().size() == u.size();
-      Entry* const of_side = entries_.data() + entry;
-      int count = 0;
-      for (std::size_t k = 0; k < u.size(); ++k) {
-        const int place = groups_->place(u[k]) - unknowns.first;
-        if (place < 0 || place >= unknowns.count) continue;
-        int e = 0;
-        while (e < count && of_side[e].place != (place & ~1)) ++e;
-        if (e == count) of_side[count++] = {Vec2::Zero(), Vec2::Zero(), place & ~1};
-        of_side[e].gap[place & 1] = term.gap.coefficients()[k];
-        if (sheared) of_side[e].slip[place & 1] = term.slip.coefficients()[k];
-      }
+      SideEntry* const of_side = entries_.data() + entry;
+      const int count = find_entries(term, *groups_, unknowns, of_side);
       for (int i = 0; i < count; ++i) {
-        const Entry& column = of_side[i];
+        const SideEntry& column = of_side[i];
         const Vec2 normal = law.normal * column.gap, shear = law.shear * column.slip + law.mixed * column.gap;
         for (int k = 0; k < count; ++k)
           D.block<2, 2>(of_side[k].place, column.place) +=
@@ -161,26 +100,22 @@ void TangentSweeps::apply(const VectorXd& b, VectorXd& x, VectorXd& y) {
 }
 
 void TangentSweeps::leave_forces(const Sides& sides, const double* x) {
-  const Entry* entry = entries_.data() + sides.first_entry;
+  const SideEntry* entry = entries_.data() + sides.first_entry;
   for (int k = sides.first; k < sides.first + sides.count; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
-    Vec2 gap = Vec2::Zero(), slip = Vec2::Zero();
-    for (const Entry* const end = entry + side.n_entries; entry < end; ++entry) {
-      const Eigen::Map<const Vec2> of_place(x + entry->place);
-      gap += entry->gap.cwiseProduct(of_place);
-      slip += entry->slip.cwiseProduct(of_place);
-    }
-    forces_[static_cast<std::size_t>(side.slot ^ 1)] = side.law({gap.sum(), slip.sum()});
+    const GapSlip change = change_of(entry, side.n_entries, x);
+    entry += side.n_entries;
+    forces_[static_cast<std::size_t>(side.slot ^ 1)] = side.law(change);
   }
 }
 
 void TangentSweeps::add_forces(const Sides& sides, double factor, double* y) const {
-  const Entry* entry = entries_.data() + sides.first_entry;
+  const SideEntry* entry = entries_.data() + sides.first_entry;
   for (int k = sides.first; k < sides.first + sides.count; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
-    const Pair& left = forces_[static_cast<std::size_t>(side.slot)];
+    const GapSlip& left = forces_[static_cast<std::size_t>(side.slot)];
     const double gap = factor * left.gap, slip = factor * left.slip;
-    for (const Entry* const end = entry + side.n_entries; entry < end; ++entry)
+    for (const SideEntry* const end = entry + side.n_entries; entry < end; ++entry)
       Eigen::Map<Vec2>(y + entry->place) += gap * entry->gap + slip * entry->slip;
   }
 }

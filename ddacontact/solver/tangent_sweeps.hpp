@@ -1,7 +1,7 @@
 /// \file The matrix of a tangent and a sweep forth and back over its blocks that is nearly its inverse.
 #pragma once
 
-#include <ddacontact/solver/block_groups.hpp>
+#include <ddacontact/solver/contact_side.hpp>
 #include <ddacontact/solver/coupled_solution.hpp>
 
 #include <vector>
@@ -26,14 +26,10 @@ class TangentSweeps {
   void apply(const VectorXd& b, VectorXd& x, VectorXd& y);
 
  private:
-  /// Of the gap and of the slip.
-  struct Pair {
-    double gap, slip;
-  };
   /// Forces by changes of gap and slip.
   struct Law {
     double normal = 0, shear = 0, mixed = 0;
-    Pair operator()(const Pair& change) const {
+    GapSlip operator()(const GapSlip& change) const {
       return {normal * change.gap, shear * change.slip + mixed * change.gap};
     }
   };
@@ -42,11 +38,6 @@ class TangentSweeps {
     int slot;  ///< where the other block leaves forces for this one; the other way round it is slot ^ 1
     int n_entries;
     Law law;
-  };
-  /// Coefficients of two unknowns that follow one another in the block, the first of them even there.
-  struct Entry {
-    Vec2 gap = Vec2::Zero(), slip = Vec2::Zero();
-    int place = 0;
   };
   /// Sides of a block of one kind, one after the other.
   struct Sides {
@@ -69,9 +60,9 @@ class TangentSweeps {
   std::vector<Law> laws_;  ///< of all contacts
   std::vector<Block> blocks_;
   std::vector<Side> sides_;
-  std::vector<Entry> entries_;
+  std::vector<SideEntry> entries_;
   std::vector<double> inverses_;
-  std::vector<Pair> forces_;  ///< two slots a contact
+  std::vector<GapSlip> forces_;  ///< two slots a contact
 };
 
 }  // namespace ddacontact
