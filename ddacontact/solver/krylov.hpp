@@ -16,12 +16,12 @@ struct KrylovReport {
   int iterations = 0;  ///< of bicgstab, each with two products and two preconditionings, or of gmres
 };
 
-/// Calls work(begin, n) for parts of 0 .. size - 1, shared by threads, and sums what it returns in their order; size
-/// > 0.
+/// Calls work(begin, n) for parts of 0 .. size - 1, shared by threads, and sums what it returns in their order.
 template <class Work>
 auto sum_of_parts(Index size, const Work& work) {
   constexpr Index part = 4096;
   using Sum = decltype(work(Index(0), Index(0)));
+  if (size <= part) return work(0, size);
   std::vector<Sum> sums(static_cast<std::size_t>((size + part - 1) / part));
   polyfem::for_ranges(size, part, [&](Index begin, Index end) {
     sums[static_cast<std::size_t>(begin / part)] = work(begin, end - begin);

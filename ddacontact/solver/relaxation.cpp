@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace ddacontact {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_sweeps = 80;
 /// Sweeps in a row in which no more than this part of the contacts changes its state.
 constexpr int quiet_sweeps = 3;
@@ -24,40 +26,36 @@ int piece(const ContactForce& force, double bound) {
   return force.normal == 0 ? 0 : force.shear >= bound ? 1 : force.shear <= -bound ? 2 : 3;
 }
 
-/// Forces of one contact while those of the others stay: the gap and the slip without them are g and s, and W
-/// what they add.
-struct LocalProblem {
-  double g, s;              ///< without the contact's own forces
-  double wnn, wnt, wtt;     ///< what these change
-  const ContactTerm& term;  ///< stiffnesses and the normal multiplier
-  const RelaxedLaw& law;
-
-  ContactForce solve(const ContactForce& before) const {
-    const double an = 1 / term.normal_stiffness + wnn,
-                 rn = term.normal_multiplier / term.normal_stiffness - g;
-    const bool unilateral = term.normal == ContactTerm::Normal::unilateral;
-    if (!term.sheared || (term.bound == 0 && !law.joint->has_friction()))
-      return {unilateral ? std::max(0.0, rn / an) : rn / an, 0};
-    const bool bonded = std::isinf(term.bound);
-    const double bound_before =
-        bonded ? term.bound : shear_bound(*law.joint, std::max(0.0, before.normal), false);
-    const double multiplier = law.sliding && !bonded ? std::copysign(bound_before, law.shear)
-                                                     : std::clamp(law.shear, -bound_before, bound_before);
-    const double at = 1 / term.tangential_stiffness + wtt, rt = multiplier / term.tangential_stiffness - s;
-    const double determinant = an * at - wnt * wnt;
-    const ContactForce stuck{(rn * at - rt * wnt) / determinant, (rt * an - rn * wnt) / determinant};
-    if (bonded && !(unilateral && stuck.normal < 0)) return stuck;
-    if (stuck.normal <= 0) return {unilateral ? std::max(0.0, rn / an) : rn / an, 0};
-    const double bound = shear_bound(*law.joint, stuck.normal, false);
-    if (std::abs(stuck.shear) <= bound) return stuck;
-    // N with T = +- bound(N), the bound linear from here.
-    const double sense = stuck.shear > 0 ? 1 : -1, rate = sense * bound / stuck.normal;
-    const double normal = std::max(0.0, rn / (an + rate * wnt));
-    return {normal, sense * shear_bound(*law.joint, normal, false)};
-  }
-};
+/// What friction bears under N.
+double bound_under(const JointLaw& joint, double normal) {
+  return joint.friction_law ? shear_bound(joint, normal, false) : std::max(0.0, normal) * joint.friction;
+}
 
 }  // namespace
+
+/// The force that the law demands while those of the other contacts stay.
+/// \param[in] own  gap and slip without the contact's own forces
+ContactForce ContactRelaxation::solve(const Local& local, const GapSlip& own, const ContactForce& before) {
+  const double an = local.normal_compliance + local.normal, rn = local.reach - own.gap;
+  const ContactForce pressed{local.unilateral ? std::max(0.0, rn / an) : rn / an, 0};
+  if (!local.sheared) return pressed;
+  const double bound_before = local.bonded ? infinity : bound_under(*local.law.joint, before.normal);
+  const double multiplier = local.law.sliding && !local.bonded
+                                ? std::copysign(bound_before, local.law.shear)
+                                : std::clamp(local.law.shear, -bound_before, bound_before);
+  const double at = local.tangential_compliance + local.shear,
+               rt = multiplier * local.tangential_compliance - own.slip, mixed = local.mixed;
+  const double determinant = an * at - mixed * mixed;
+  const ContactForce stuck{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
+  if (local.bonded && !(local.unilateral && stuck.normal < 0)) return stuck;
+  if (stuck.normal <= 0) return pressed;
+  const double bound = bound_under(*local.law.joint, stuck.normal);
+  if (std::abs(stuck.shear) <= bound) return stuck;
+  // N with T = +- bound(N), the bound linear from here.
+  const double sense = stuck.shear > 0 ? 1 : -1, rate = sense * bound / stuck.normal;
+  const double normal = std::max(0.0, rn / (an + rate * mixed));
+  return {normal, sense * bound_under(*local.law.joint, normal)};
+}
 
 int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups,
                              const std::vector<ContactTerm>& terms, const std::vector<RelaxedLaw>& laws,
@@ -69,6 +67,7 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
   local_of_.assign(terms.size(), -1);
   int n_entries = 0;
   std::size_t n_answers = 0;
+  std::array<SideEntry, AffineForm::capacity> some;
   const auto append = [&](int contact, int block, int other) {
     if (terms[static_cast<std::size_t>(contact)].normal == ContactTerm::Normal::absent) return;
     local_of_[static_cast<std::size_t>(contact)] = static_cast<int>(locals_.size());
@@ -79,7 +78,7 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
       if (b < 0) continue;
       const Range unknowns = groups.unknowns(b);
       local.sides[static_cast<std::size_t>(side)] = {b, unknowns.first, unknowns.count, n_entries, 0, n_answers};
-      n_entries += AffineForm::capacity / 2;
+      n_entries += find_entries(terms[static_cast<std::size_t>(contact)], groups, unknowns, some.data());
       n_answers += 2 * static_cast<std::size_t>(unknowns.count);
     }
   };
@@ -114,6 +113,13 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
     for (Index k = begin; k < end; ++k) {
       Local& local = locals_[static_cast<std::size_t>(k)];
       const ContactTerm& term = terms[static_cast<std::size_t>(local.contact)];
+      local.law = laws[static_cast<std::size_t>(local.contact)];
+      local.unilateral = term.normal == ContactTerm::Normal::unilateral;
+      local.bonded = std::isinf(term.bound);
+      local.sheared = term.sheared && (term.bound > 0 || local.law.joint->has_friction());
+      local.normal_compliance = 1 / term.normal_stiffness;
+      local.tangential_compliance = 1 / term.tangential_stiffness;
+      local.reach = term.normal_multiplier * local.normal_compliance;
       local.start = {term.gap(d), term.sheared ? term.slip(d) : 0};
       local.normal = local.mixed = local.shear = 0;
       for (const Side& side : local.sides) {
@@ -134,7 +140,7 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
     for (int k = 0; k < end - first; ++k) {
       Local& local = locals_[static_cast<std::size_t>(forth ? first + k : end - 1 - k)];
       const auto c = static_cast<std::size_t>(local.contact);
-      if (look_at(local, terms[c], laws[c], forces[c])) ++n_changed;
+      if (look_at(local, forces[c])) ++n_changed;
     }
     return n_changed;
   };
@@ -188,8 +194,7 @@ bool ContactRelaxation::set_block(FrictionProblem& problem, const BlockGroups& g
   return true;
 }
 
-bool ContactRelaxation::look_at(Local& local, const ContactTerm& term, const RelaxedLaw& law,
-                                ContactForce& force) {
+bool ContactRelaxation::look_at(Local& local, ContactForce& force) {
   bool rests = true;
   for (const Side& side : local.sides)
     rests = rests && (side.block < 0 || moves_[static_cast<std::size_t>(side.block)] == side.seen);
@@ -203,22 +208,17 @@ bool ContactRelaxation::look_at(Local& local, const ContactTerm& term, const Rel
     now.slip += change.slip;
   }
   const ContactForce before = force;
-  const LocalProblem problem{now.gap - local.normal * before.normal - local.mixed * before.shear,
-                             (term.sheared ? now.slip : 0) - local.mixed * before.normal -
-                                 local.shear * before.shear,
-                             local.normal,
-                             local.mixed,
-                             local.shear,
-                             term,
-                             law};
-  const ContactForce after = problem.solve(before);
+  const bool stays_open = local.unilateral && !local.bonded && before.normal == 0 && before.shear == 0 &&
+                          now.gap >= local.reach;
+  const GapSlip own{now.gap - local.normal * before.normal - local.mixed * before.shear,
+                    now.slip - local.mixed * before.normal - local.shear * before.shear};
+  const ContactForce after = stays_open ? before : solve(local, own, before);
   const double normal = after.normal - before.normal, shear = after.shear - before.shear;
   force = after;
   const auto piece_of = [&](const ContactForce& of) {
-    return piece(of, std::isinf(term.bound) ? term.bound
-                                            : shear_bound(*law.joint, std::max(0.0, of.normal), false));
+    return piece(of, local.bonded ? infinity : bound_under(*local.law.joint, of.normal));
   };
-  const bool changed = piece_of(before) != piece_of(after);
+  const bool changed = !stays_open && piece_of(before) != piece_of(after);
   const bool moves = changed || std::abs(normal) + std::abs(shear) >
                                     negligible_change * (std::abs(after.normal) + std::abs(after.shear));
   for (Side& side : local.sides) {
@@ -229,7 +229,9 @@ bool ContactRelaxation::look_at(Local& local, const ContactTerm& term, const Rel
     if (normal == 0 && shear == 0) continue;
     const double* const answer = answers_.data() + side.first_answer;
     double* const x = change_.data() + side.first;
-    for (int k = 0; k < side.n; ++k) x[k] += answer[k] * normal + answer[side.n + k] * shear;
+    for (int k = 0; k < side.n; k += 2)
+      Eigen::Map<Vec2>(x + k) += Eigen::Map<const Vec2>(answer + k) * normal +
+                                 Eigen::Map<const Vec2>(answer + side.n + k) * shear;
   }
   return changed;
 }

@@ -42,14 +42,20 @@ class ContactRelaxation {
   struct Local {
     int contact;
     std::array<Side, 2> sides;
+    bool unilateral, bonded, sheared;
     double normal, mixed, shear;  ///< G A^-1 G^T
-    GapSlip start;
+    double normal_compliance, tangential_compliance;
+    double reach;   ///< the gap at which the normal force is 0
+    GapSlip start;  ///< at the displacements that relaxation starts from
+    RelaxedLaw law;
   };
+
+  static ContactForce solve(const Local& local, const GapSlip& own, const ContactForce& before);
 
   bool set_block(FrictionProblem& problem, const BlockGroups& groups, const std::vector<ContactTerm>& terms,
                  int block);
   /// Whether the contact has changed its state.
-  bool look_at(Local& local, const ContactTerm& term, const RelaxedLaw& law, ContactForce& force);
+  bool look_at(Local& local, ContactForce& force);
 
   std::vector<Local> locals_;  ///< those within a group, group by group; then those between groups
   std::vector<int> first_of_group_;
