@@ -3,6 +3,7 @@
 #include <polyfem/core/parallel.hpp>
 
 #include <array>
+#include <bit>
 
 namespace ddacontact {
 
@@ -43,7 +44,10 @@ bool BlockGroups::set(FrictionProblem& problem, const std::vector<ContactTerm>& 
       if (matrix >= 0) ++first[static_cast<std::size_t>(matrix) + 1];
   }
   for (std::size_t e = 0; e < n_matrices; ++e) first[e + 1] += first[e];
-  std::vector<Neighbour> of_matrices(first.back());
+  struct OfMatrix {
+    int contact, block;
+  };
+  std::vector<OfMatrix> of_matrices(first.back());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     for (int side : {0, 1})
@@ -97,8 +101,23 @@ bool BlockGroups::set(FrictionProblem& problem, const std::vector<ContactTerm>& 
     first_.push_back(static_cast<int>(unknown_.size()));
     const auto e = static_cast<std::size_t>(matrix);
     for (std::size_t k = first[e]; k < first[e + 1]; ++k) {
-      const auto& [contact, other] = of_matrices[k];
-      neighbours_.push_back({contact, other < 0 ? -1 : order[static_cast<std::size_t>(other)]});
+      const auto c = static_cast<std::size_t>(of_matrices[k].contact);
+      const int other = of_matrices[k].block, index = static_cast<int>(neighbours_.size());
+      unsigned moved = 0;  // bits: pairs
+      for (int u : contacts[c].gap.unknowns()) {
+        const int place = place_[static_cast<std::size_t>(u)] - first_.end()[-2];
+        if (place >= 0) moved |= 1U << (place / 2);
+      }
+      neighbours_.push_back(
+          {static_cast<int>(c), other < 0 ? -1 : order[static_cast<std::size_t>(other)], -1, std::popcount(moved)});
+      if (other < 0) continue;
+      int& seen_before = pairs[c][0];  // no longer needed
+      if (pairs[c][1] >= 0) {
+        pairs[c] = {index, -1};
+      } else {
+        neighbours_.back().back = seen_before;
+        neighbours_[static_cast<std::size_t>(seen_before)].back = index;
+      }
     }
     first_neighbour_.push_back(neighbours_.size());
   }

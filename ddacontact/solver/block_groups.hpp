@@ -20,7 +20,9 @@ class BlockGroups {
   /// A contact of a block with another one, or with what is held.
   struct Neighbour {
     int contact;
-    int block;  ///< its place in the order; -1: held
+    int block;      ///< its place in the order; -1: held
+    int back;       ///< the index of the contact among the neighbours of all blocks seen from there, -1: held
+    int n_entries;  ///< how many pairs of the block's unknowns, the first of each at an even place, it moves with
   };
 
   /// False: matrices of the problem share unknowns, are larger than `largest_block`, or of an odd
@@ -48,6 +50,12 @@ class BlockGroups {
                  first_neighbour_[static_cast<std::size_t>(block) + 1] -
                      first_neighbour_[static_cast<std::size_t>(block)]);
   }
+  /// The index of the first of them among those of all blocks.
+  int first_neighbour(int block) const {
+    return static_cast<int>(first_neighbour_[static_cast<std::size_t>(block)]);
+  }
+  const Neighbour& neighbour(int index) const { return neighbours_[static_cast<std::size_t>(index)]; }
+  int n_neighbours() const { return static_cast<int>(neighbours_.size()); }
   /// The place of an unknown in packed vectors, -1: held.
   int place(int unknown) const { return place_[static_cast<std::size_t>(unknown)]; }
 
@@ -59,7 +67,7 @@ class BlockGroups {
  private:
   std::vector<int> matrices_, first_, place_;
   std::vector<int> unknown_;  ///< at each place, -1: held
-  std::vector<std::size_t> first_neighbour_;
+  std::vector<std::size_t> first_neighbour_;  ///< of each block, and their number
   std::vector<Neighbour> neighbours_;
 };
 

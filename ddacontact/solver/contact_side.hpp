@@ -13,7 +13,8 @@ struct GapSlip {
 /// Coefficients of the gap and of the slip for two unknowns of a block that follow one another, the first of
 /// them at an even place.
 struct SideEntry {
-  Vec2 gap, slip;
+  using Two = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+  Two gap, slip;
   int place;  ///< of the first one in the block
 };
 

@@ -67,8 +67,8 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
   local_of_.assign(terms.size(), -1);
   int n_entries = 0;
   std::size_t n_answers = 0;
-  std::array<SideEntry, AffineForm::capacity> some;
-  const auto append = [&](int contact, int block, int other) {
+  const auto append = [&](int block, const BlockGroups::Neighbour& neighbour) {
+    const int contact = neighbour.contact, other = neighbour.block;
     if (terms[static_cast<std::size_t>(contact)].normal == ContactTerm::Normal::absent) return;
     local_of_[static_cast<std::size_t>(contact)] = static_cast<int>(locals_.size());
     Local& local = locals_.emplace_back();
@@ -78,7 +78,7 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
       if (b < 0) continue;
       const Range unknowns = groups.unknowns(b);
       local.sides[static_cast<std::size_t>(side)] = {b, unknowns.first, unknowns.count, n_entries, 0, n_answers};
-      n_entries += find_entries(terms[static_cast<std::size_t>(contact)], groups, unknowns, some.data());
+      n_entries += side == 0 ? neighbour.n_entries : groups.neighbour(neighbour.back).n_entries;
       n_answers += 2 * static_cast<std::size_t>(unknowns.count);
     }
   };
@@ -88,13 +88,13 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
   for (int g = 0; g < groups.n_groups(); ++g) {
     const Range group = groups.group(g);
     for (int b = group.first; b < group.end(); ++b)
-      for (const auto& [contact, other] : groups.neighbours(b))
-        if (other < b && is_within(b, other)) append(contact, b, other);
+      for (const BlockGroups::Neighbour& neighbour : groups.neighbours(b))
+        if (neighbour.block < b && is_within(b, neighbour.block)) append(b, neighbour);
     first_of_group_.push_back(static_cast<int>(locals_.size()));
   }
   for (int b = 0; b < groups.n_blocks(); ++b)
-    for (const auto& [contact, other] : groups.neighbours(b))
-      if (other < b && !is_within(b, other)) append(contact, b, other);
+    for (const BlockGroups::Neighbour& neighbour : groups.neighbours(b))
+      if (neighbour.block < b && !is_within(b, neighbour.block)) append(b, neighbour);
 
   entries_.resize(static_cast<std::size_t>(n_entries));
   answers_.resize(n_answers);
@@ -174,7 +174,7 @@ bool ContactRelaxation::set_block(FrictionProblem& problem, const BlockGroups& g
   if (!invert(values.data(), unknowns.count)) return false;
   auto own = change_.segment(unknowns.first, n);
   own = (-inverse * own).eval();
-  for (const auto& [contact, other] : groups.neighbours(b)) {
+  for (const auto& [contact, other, back, n_entries] : groups.neighbours(b)) {
     const int k = local_of_[static_cast<std::size_t>(contact)];
     if (k < 0) continue;
     Side& side = locals_[static_cast<std::size_t>(k)].sides[other < b ? 0 : 1];

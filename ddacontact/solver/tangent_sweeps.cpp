@@ -23,7 +23,7 @@ bool TangentSweeps::set(FrictionProblem& problem, const BlockGroups& groups,
     laws_[c] = {active[c] & 1 ? contacts[c].normal_stiffness : 0,
                 active[c] & 2 ? contacts[c].tangential_stiffness : 0, 0};
   for (const Coupling& coupling : couplings) laws_[coupling.contact].mixed += coupling.rate;
-  forces_.resize(2 * contacts.size());
+  forces_.resize(static_cast<std::size_t>(groups.n_neighbours()));
 
   blocks_.resize(static_cast<std::size_t>(groups.n_blocks()));
   int n_sides = 0, n_entries = 0;
@@ -35,7 +35,7 @@ bool TangentSweeps::set(FrictionProblem& problem, const BlockGroups& groups,
     const auto n = static_cast<std::size_t>(groups.unknowns(b).count);
     n_values += n * n;
     n_sides += static_cast<int>(groups.neighbours(b).size());
-    n_entries += AffineForm::capacity / 2 * static_cast<int>(groups.neighbours(b).size());
+    for (const BlockGroups::Neighbour& neighbour : groups.neighbours(b)) n_entries += neighbour.n_entries;
   }
   sides_.resize(static_cast<std::size_t>(n_sides));
   entries_.resize(static_cast<std::size_t>(n_entries));
@@ -60,7 +60,9 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
   int side = block.earlier.first, entry = block.earlier.first_entry;
   const auto add_sides = [&](Sides& sides, const auto& is_of_kind) {
     sides = {side, 0, entry};
-    for (const auto& [contact, other] : groups_->neighbours(b)) {
+    int slot = groups_->first_neighbour(b) - 1;
+    for (const auto& [contact, other, back, unused] : groups_->neighbours(b)) {
+      ++slot;
       const Law& law = laws_[static_cast<std::size_t>(contact)];
       if (!is_of_kind(other) || (law.normal == 0 && law.shear == 0 && law.mixed == 0)) continue;
       const ContactTerm& term = contacts[static_cast<std::size_t>(contact)];
@@ -74,7 +76,7 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
               of_side[k].gap * normal.transpose() + of_side[k].slip * shear.transpose();
       }
       if (other < 0) continue;
-      sides_[static_cast<std::size_t>(side++)] = {2 * contact + (b < other ? 0 : 1), count, law};
+      sides_[static_cast<std::size_t>(side++)] = {slot, back, count, law};
       ++sides.count;
       entry += count;
     }
@@ -105,7 +107,7 @@ void TangentSweeps::leave_forces(const Sides& sides, const double* x) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
     const GapSlip change = change_of(entry, side.n_entries, x);
     entry += side.n_entries;
-    forces_[static_cast<std::size_t>(side.slot ^ 1)] = side.law(change);
+    forces_[static_cast<std::size_t>(side.slot_of_other)] = side.law(change);
   }
 }
 

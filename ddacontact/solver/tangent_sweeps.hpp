@@ -35,7 +35,7 @@ class TangentSweeps {
   };
   /// What a contact is for one of its blocks.
   struct Side {
-    int slot;  ///< where the other block leaves forces for this one; the other way round it is slot ^ 1
+    int slot, slot_of_other;  ///< where one block leaves forces for the other
     int n_entries;
     Law law;
   };
@@ -62,7 +62,7 @@ class TangentSweeps {
   std::vector<Side> sides_;
   std::vector<SideEntry> entries_;
   std::vector<double> inverses_;
-  std::vector<GapSlip> forces_;  ///< two slots a contact
+  std::vector<GapSlip> forces_;  ///< slots, one for each neighbour of a block
 };
 
 }  // namespace ddacontact
