@@ -52,7 +52,8 @@ bool BlockGroups::set(FrictionProblem& problem, const std::vector<ContactTerm>& 
   for (std::size_t c = 0; c < contacts.size(); ++c)
     for (int side : {0, 1})
       if (pairs[c][side] >= 0)
-        of_matrices[next[static_cast<std::size_t>(pairs[c][side])]++] = {static_cast<int>(c), pairs[c][1 - side]};
+        of_matrices[next[static_cast<std::size_t>(pairs[c][side])]++] = {static_cast<int>(c),
+                                                                         pairs[c][1 - side]};
 
   // A group grows from a block beside the ones before, by the neighbours of those it has.
   matrices_.clear();
@@ -87,6 +88,13 @@ bool BlockGroups::set(FrictionProblem& problem, const std::vector<ContactTerm>& 
     }
   }
 
+  for (int g = 0; g < n_groups(); ++g) {
+    const Range blocks = group(g);
+    std::sort(matrices_.begin() + blocks.first, matrices_.begin() + blocks.end());
+    for (int b = blocks.first; b < blocks.end(); ++b)
+      order[static_cast<std::size_t>(matrices_[static_cast<std::size_t>(b)])] = b;
+  }
+
   first_.assign(1, 0);
   unknown_.clear();
   place_.assign(equation.size(), -1);
@@ -108,8 +116,8 @@ bool BlockGroups::set(FrictionProblem& problem, const std::vector<ContactTerm>& 
         const int place = place_[static_cast<std::size_t>(u)] - first_.end()[-2];
         if (place >= 0) moved |= 1U << (place / 2);
       }
-      neighbours_.push_back(
-          {static_cast<int>(c), other < 0 ? -1 : order[static_cast<std::size_t>(other)], -1, std::popcount(moved)});
+      neighbours_.push_back({static_cast<int>(c), other < 0 ? -1 : order[static_cast<std::size_t>(other)], -1,
+                             std::popcount(moved)});
       if (other < 0) continue;
       int& seen_before = pairs[c][0];  // no longer needed
       if (pairs[c][1] >= 0) {

@@ -9,20 +9,21 @@
 
 namespace ddacontact {
 
-/// The blocks of a FrictionProblem that have free unknowns, in an order in which neighbours are near each other,
-/// cut into groups of at most `group_size`. The unknowns of each follow one another in packed vectors. Neither
-/// depends on the number of threads.
+/// The blocks of a FrictionProblem that have free unknowns, in groups of neighbours of at most `group_size`,
+/// within each in the order of the matrices. The unknowns of a block follow one another in packed vectors.
+/// None of it depends on the number of threads. Where groups meet, sweeps lose: groups are large.
 class BlockGroups {
  public:
   static constexpr int largest_block = 16;  ///< unknowns
-  static constexpr int group_size = 1024;    ///< blocks
+  static constexpr int group_size = 12000;  ///< blocks
 
   /// A contact of a block with another one, or with what is held.
   struct Neighbour {
     int contact;
     int block;      ///< its place in the order; -1: held
     int back;       ///< the index of the contact among the neighbours of all blocks seen from there, -1: held
-    int n_entries;  ///< how many pairs of the block's unknowns, the first of each at an even place, it moves with
+    int n_entries;  ///< how many pairs of the block's unknowns, the first of each at an even place, it moves
+                    ///< with
   };
 
   /// False: matrices of the problem share unknowns, are larger than `largest_block`, or of an odd
@@ -31,9 +32,7 @@ class BlockGroups {
 
   int n_blocks() const { return static_cast<int>(matrices_.size()); }
   int n_groups() const { return (n_blocks() + group_size - 1) / group_size; }
-  Range group(int g) const {
-    return {g * group_size, std::min(group_size, n_blocks() - g * group_size)};
-  }
+  Range group(int g) const { return {g * group_size, std::min(group_size, n_blocks() - g * group_size)}; }
   static int group_of(int block) { return block / group_size; }
   /// Places of a block's unknowns in packed vectors.
   Range unknowns(int block) const {
@@ -66,7 +65,7 @@ class BlockGroups {
 
  private:
   std::vector<int> matrices_, first_, place_;
-  std::vector<int> unknown_;  ///< at each place, -1: held
+  std::vector<int> unknown_;                  ///< at each place, -1: held
   std::vector<std::size_t> first_neighbour_;  ///< of each block, and their number
   std::vector<Neighbour> neighbours_;
 };

@@ -16,7 +16,8 @@ struct KrylovReport {
   int iterations = 0;  ///< of bicgstab, each with two products and two preconditionings, or of gmres
 };
 
-/// Calls work(begin, n) for parts of 0 .. size - 1, shared by threads, and sums what it returns in their order.
+/// Calls work(begin, n) for parts of 0 .. size - 1, shared by threads, and sums what it returns in their
+/// order.
 template <class Work>
 auto sum_of_parts(Index size, const Work& work) {
   constexpr Index part = 4096;

@@ -77,7 +77,8 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
       const int b = side == 0 ? block : other;
       if (b < 0) continue;
       const Range unknowns = groups.unknowns(b);
-      local.sides[static_cast<std::size_t>(side)] = {b, unknowns.first, unknowns.count, n_entries, 0, n_answers};
+      local.sides[static_cast<std::size_t>(side)] = {b, unknowns.first, unknowns.count, n_entries,
+                                                     0, n_answers};
       n_entries += side == 0 ? neighbour.n_entries : groups.neighbour(neighbour.back).n_entries;
       n_answers += 2 * static_cast<std::size_t>(unknowns.count);
     }
@@ -208,8 +209,8 @@ bool ContactRelaxation::look_at(Local& local, ContactForce& force) {
     now.slip += change.slip;
   }
   const ContactForce before = force;
-  const bool stays_open = local.unilateral && !local.bonded && before.normal == 0 && before.shear == 0 &&
-                          now.gap >= local.reach;
+  const bool stays_open =
+      local.unilateral && !local.bonded && before.normal == 0 && before.shear == 0 && now.gap >= local.reach;
   const GapSlip own{now.gap - local.normal * before.normal - local.mixed * before.shear,
                     now.slip - local.mixed * before.normal - local.shear * before.shear};
   const ContactForce after = stays_open ? before : solve(local, own, before);
@@ -230,8 +231,8 @@ bool ContactRelaxation::look_at(Local& local, ContactForce& force) {
     const double* const answer = answers_.data() + side.first_answer;
     double* const x = change_.data() + side.first;
     for (int k = 0; k < side.n; k += 2)
-      Eigen::Map<Vec2>(x + k) += Eigen::Map<const Vec2>(answer + k) * normal +
-                                 Eigen::Map<const Vec2>(answer + side.n + k) * shear;
+      Eigen::Map<Vec2>(x + k) +=
+          Eigen::Map<const Vec2>(answer + k) * normal + Eigen::Map<const Vec2>(answer + side.n + k) * shear;
   }
   return changed;
 }

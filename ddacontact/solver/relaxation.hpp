@@ -20,8 +20,8 @@ struct RelaxedLaw {
 /// Nonsmooth Gauss-Seidel iteration in the forces of the contacts (Moreau, Jean): the displacements always
 /// balance the forces, d = A^-1 (Q + sum of G_c^T f_c), and each contact in turn is given the forces that its
 /// law demands while the others stay. The matrix of each block is inverted by itself, so that a sweep costs
-/// each contact its two blocks. A contact rests while its blocks do. Threads share the contacts within groups of
-/// blocks; those between groups come after them.
+/// each contact its two blocks. A contact rests while its blocks do. Threads share the contacts within groups
+/// of blocks; those between groups come after them.
 class ContactRelaxation {
  public:
   /// Moves d, where the contacts exert these forces and leave this residual, and the forces, until hardly a

@@ -9,9 +9,9 @@
 namespace ddacontact {
 
 /// K = A + springs that act + couplings, over packed vectors of BlockGroups, with the preconditioner
-/// M = (D + L) D^-1 (D + U): D is what of K is within blocks, L and U what couples a block with earlier and later
-/// ones of its group. Both are had in one go, since most products with K are those of M. Groups are shared by
-/// threads.
+/// M = (D + L) D^-1 (D + U): D is what of K is within blocks, L and U what couples a block with earlier and
+/// later ones of its group. Both are had in one go, since most products with K are those of M. Groups are
+/// shared by threads.
 class TangentSweeps {
  public:
   /// Takes the matrices of the problem and the springs. False: the inverse of a block is not finite.
