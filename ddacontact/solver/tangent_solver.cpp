@@ -7,8 +7,8 @@ namespace ddacontact {
 
 namespace {
 
-/// Of |b|: Newton's method repairs what is left. Without a factor that costs hardly more than it saves.
-constexpr double tolerance = 1e-4, tolerance_without_factor = 1e-3;
+/// Of |b|: Newton's method repairs what is left.
+constexpr double tolerance = 1e-4;
 constexpr int most_iterations = 60, most_stale_iterations = 12;
 /// Of so few equations a factor is cheaper than so many iterations.
 constexpr int few_equations = 2000, many_iterations = 8;
@@ -48,7 +48,7 @@ bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
   groups_.pack(b, packed);
   const KrylovReport report =
       bicgstab([&](const VectorXd& in, VectorXd& out, VectorXd& product) { sweeps_.apply(in, out, product); },
-               packed, tolerance_without_factor, most_iterations, solution);
+               packed, tolerance, most_iterations, solution);
   groups_.unpack(solution, x);
   counts_.iterations += report.iterations;
   if (report.converged) {
