@@ -1,7 +1,7 @@
 #include <ddacontact/scene/memory_estimate.hpp>
 
 #include <ddacontact/scene/model_choice.hpp>
-#include <ddacontact/solver/block_inverse.hpp>
+#include <ddacontact/solver/block_groups.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
@@ -66,7 +66,7 @@ bool needs_factor(const Scene& scene) {
                                 scene.analysis.kinematics == Kinematics::corotational &&
                                 may_bend_in_motion(block.vertices);
     return may_be_divided || block.model == BlockModel::mesh ||
-           size_of(block).unknowns > BlockInverse::largest_block ||
+           size_of(block).unknowns > BlockGroups::largest_block ||
            !is_crossed_later(block, scene.materials[block.material], scene.analysis.plane, longest);
   });
 }

@@ -14,6 +14,7 @@ struct Coupling {
   const AffineForm* row;
   const AffineForm* column;
   double rate;
+  std::size_t contact = 0;  ///< whose gap and slip these are
 };
 
 /// x = A^-1 b of a symmetric A that is factorized.

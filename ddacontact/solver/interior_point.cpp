@@ -210,7 +210,7 @@ class InteriorPoint {
       terms_[c].tangential_stiffness = i.wt * i.p_t;
       active_[c] = i.sheared ? pressed | stuck : pressed;
       if (i.mixed * i.rate != 0)
-        couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p});
+        couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p, c});
     }
     return system_.problem().factorize(terms_, active_);
   }

@@ -3,6 +3,8 @@
 
 #include <ddacontact/core/types.hpp>
 
+#include <polyfem/core/parallel.hpp>
+
 #include <cmath>
 #include <vector>
 
@@ -14,46 +16,76 @@ struct KrylovReport {
   int iterations = 0;  ///< of bicgstab, each with two products and two preconditionings, or of gmres
 };
 
+/// Calls work(begin, n) for parts of 0 .. size - 1, shared by threads, and sums what it returns in their
+/// order.
+template <class Work>
+auto sum_of_parts(Index size, const Work& work) {
+  constexpr Index part = 4096;
+  using Sum = decltype(work(Index(0), Index(0)));
+  if (size <= part) return work(0, size);
+  std::vector<Sum> sums(static_cast<std::size_t>((size + part - 1) / part));
+  polyfem::for_ranges(size, part, [&](Index begin, Index end) {
+    sums[static_cast<std::size_t>(begin / part)] = work(begin, end - begin);
+  });
+  for (std::size_t k = 1; k < sums.size(); ++k) sums[0] += sums[k];
+  return sums[0];
+}
+
 /// Solves A x = b, A unsymmetric, from x = 0, to |b - A x| <= tolerance |b| by the recurrence (van der Vorst
 /// 1992).
 ///
-/// \param[in] multiply      multiply(x, y): y = A x
-/// \param[in] precondition  precondition(x, y): y = about A^-1 x
-template <class Multiply, class Precondition>
-KrylovReport bicgstab(const Multiply& multiply, const Precondition& precondition, const VectorXd& b,
-                      double tolerance, int most_iterations, VectorXd& x) {
+/// \param[in] apply  apply(b, x, y): x = about A^-1 b, y = A x
+template <class Apply>
+KrylovReport bicgstab(const Apply& apply, const VectorXd& b, double tolerance, int most_iterations,
+                      VectorXd& x) {
+  using Two = Eigen::Array2d;
   KrylovReport report;
-  x.setZero(b.size());
-  VectorXd r = b, p = b, q, v, y, s, t;
-  const VectorXd shadow = b;
-  const double enough = tolerance * b.norm();
-  double rho = shadow.dot(r);
+  const Index n = b.size();
+  x.setZero(n);
+  VectorXd r = b, p = b, q(n), v(n), t(n);
+  double rho = sum_of_parts(n, [&](Index k, Index m) { return b.segment(k, m).squaredNorm(); });
+  const double enough = tolerance * tolerance * rho;
   if (rho == 0) return {true, 0};
   while (report.iterations < most_iterations) {
     ++report.iterations;
-    precondition(p, q);
-    multiply(q, v);
-    const double alpha = rho / shadow.dot(v);
+    apply(p, q, v);
+    const double alpha =
+        rho / sum_of_parts(n, [&](Index k, Index m) { return b.segment(k, m).dot(v.segment(k, m)); });
     if (!std::isfinite(alpha)) return report;
-    s = r - alpha * v;
-    x += alpha * q;
-    if (s.norm() <= enough) {
+    const double half = sum_of_parts(n, [&](Index k, Index m) {
+      auto s = r.segment(k, m);
+      s -= alpha * v.segment(k, m);
+      x.segment(k, m) += alpha * q.segment(k, m);
+      return s.squaredNorm();
+    });
+    if (half <= enough) {
       report.converged = true;
       return report;
     }
-    precondition(s, y);
-    multiply(y, t);
-    const double omega = t.dot(s) / t.squaredNorm();
+    apply(r, q, t);
+    const Two products = sum_of_parts(n, [&](Index k, Index m) {
+      const auto of_t = t.segment(k, m);
+      return Two(of_t.dot(r.segment(k, m)), of_t.squaredNorm());
+    });
+    const double omega = products[0] / products[1];
     if (!std::isfinite(omega) || omega == 0) return report;
-    x += omega * y;
-    r = s - omega * t;
-    if (r.norm() <= enough) {
+    const Two sums = sum_of_parts(n, [&](Index k, Index m) {
+      auto of_r = r.segment(k, m);
+      x.segment(k, m) += omega * q.segment(k, m);
+      of_r -= omega * t.segment(k, m);
+      return Two(of_r.squaredNorm(), of_r.dot(b.segment(k, m)));
+    });
+    if (sums[0] <= enough) {
       report.converged = true;
       return report;
     }
-    const double next = shadow.dot(r), beta = next / rho * alpha / omega;
+    const double next = sums[1], beta = next / rho * alpha / omega;
     if (!std::isfinite(beta) || next == 0) return report;
-    p = r + beta * (p - omega * v);
+    sum_of_parts(n, [&](Index k, Index m) {
+      auto of_p = p.segment(k, m);
+      of_p = r.segment(k, m) + beta * (of_p - omega * v.segment(k, m));
+      return 0.0;
+    });
     rho = next;
   }
   return report;

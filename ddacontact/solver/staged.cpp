@@ -29,9 +29,10 @@ struct Patience {
 constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 4};
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
-/// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
+/// Solutions for the same states before these are looked at again, and how far the residual has to fall then;
+/// where steps are local, states that are wrong are so whatever is left of it.
 constexpr int most_solutions_of_states = 6;
-constexpr double sufficient_decrease = 1e-2;
+constexpr double sufficient_decrease = 1e-2, sufficient_local_decrease = 0.5;
 /// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
 /// that have turned since leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
@@ -254,8 +255,8 @@ class Staged {
   /// False: it does not serve these blocks.
   bool relax() {
     system_.linearize(d_);
-    ContactRelaxation relaxation;
-    if (!relaxation.set_matrices(system_.problem())) return false;
+    const BlockGroups* const groups = tangent_.groups(terms_);
+    if (!groups) return false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Multiplier& m = multipliers_[c];
       forces_[c] = n_relaxations_ == 0 ? ContactForce{m.normal, m.shear} : contact_force(terms_[c], d_);
@@ -263,7 +264,10 @@ class Staged {
     ++n_relaxations_;
     system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
     VectorXd d = d_;
-    report_.sweeps += relaxation.relax(terms_, laws(), report_.residual.force, d, forces_);
+    const int sweeps =
+        relaxation_.relax(system_.problem(), *groups, terms_, laws(), report_.residual.force, d, forces_);
+    if (sweeps < 0) return false;
+    report_.sweeps += sweeps;
     system_.move(d - d_, d_);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       states_[c] = state_of(terms_[c], contacts_[c].law, forces_[c]);
@@ -275,13 +279,14 @@ class Staged {
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
-    const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
+    const double sufficient = options_.local ? sufficient_local_decrease : sufficient_decrease;
+    const bool solved = report_.residual.own <= sufficient * first_of_states_ || is_balanced() ||
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
       const int disagreeing = count_disagreeing();
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      const Patience& most = options_.local ? before_relaxation : inside_ ? near_solution : at_first;
+      const Patience& most = inside_ ? near_solution : options_.local ? before_relaxation : at_first;
       if (lost_ > most.losses || ++changes_ > most.changes || !change_states()) return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
@@ -366,7 +371,7 @@ class Staged {
     for (std::size_t c = 0; c < terms_.size(); ++c) {
       const int sense = follows_bound(c);
       const double rate = friction_rate(contacts_[c].law, forces_[c].normal) * terms_[c].normal_stiffness;
-      if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate});
+      if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate, c});
     }
     return couplings;
   }
@@ -513,6 +518,7 @@ class Staged {
   bool inside_ = false;  ///< the states were found from inside
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
+  ContactRelaxation relaxation_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 };

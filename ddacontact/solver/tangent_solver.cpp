@@ -33,20 +33,23 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   return true;
 }
 
+const BlockGroups* TangentSolver::groups(const std::vector<ContactTerm>& terms) {
+  if (groups_.n_blocks() == 0 && !groups_.set(problem_, terms)) return nullptr;
+  return &groups_;
+}
+
 bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
                                          const std::vector<unsigned char>& active,
                                          const std::vector<Coupling>& couplings, const VectorXd& b,
                                          VectorXd& x) {
-  if (!blocks_.set_matrices(problem_)) return local_ = false;
-  for (std::size_t c = 0; c < terms.size(); ++c) {
-    if (active[c] & 1) blocks_.add_spring(terms[c].normal_stiffness, terms[c].gap);
-    if (active[c] & 2) blocks_.add_spring(terms[c].tangential_stiffness, terms[c].slip);
-  }
-  if (!blocks_.invert()) return local_ = false;
-  const TangentOperator tangent(problem_, terms, active, couplings);
-  const KrylovReport report = bicgstab([&](const VectorXd& in, VectorXd& out) { tangent.multiply(in, out); },
-                                       [&](const VectorXd& in, VectorXd& out) { blocks_.apply(in, out); },
-                                       problem_.free_part(b), tolerance, most_iterations, x);
+  if (!groups(terms)) return local_ = false;
+  if (!sweeps_.set(problem_, groups_, terms, active, couplings)) return local_ = false;
+  VectorXd packed, solution;
+  groups_.pack(b, packed);
+  const KrylovReport report =
+      bicgstab([&](const VectorXd& in, VectorXd& out, VectorXd& product) { sweeps_.apply(in, out, product); },
+               packed, tolerance, most_iterations, solution);
+  groups_.unpack(solution, x);
   counts_.iterations += report.iterations;
   if (report.converged) {
     ++counts_.without_factor;

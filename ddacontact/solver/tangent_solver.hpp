@@ -2,8 +2,7 @@
 #pragma once
 
 #include <ddacontact/core/skips.hpp>
-#include <ddacontact/solver/block_inverse.hpp>
-#include <ddacontact/solver/coupled_solution.hpp>
+#include <ddacontact/solver/tangent_sweeps.hpp>
 
 namespace ddacontact {
 
@@ -39,6 +38,10 @@ class TangentSolver {
   [[nodiscard]] bool solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
 
+  /// Blocks as sweeps run through them where the step is local. nullptr: they cannot be swept.
+  /// \param[in] terms  contacts of the step
+  const BlockGroups* groups(const std::vector<ContactTerm>& terms);
+
   const TangentCounts& counts() const { return counts_; }
 
  private:
@@ -52,7 +55,8 @@ class TangentSolver {
   bool stale_, local_;
   bool has_factor_ = false;
   std::vector<unsigned char> factored_;  ///< springs in the last factor of the step
-  BlockInverse blocks_;
+  BlockGroups groups_;
+  TangentSweeps sweeps_;
   TangentCounts counts_;
 };
 
