@@ -27,6 +27,10 @@ struct Patience {
   int changes, losses;
 };
 constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 4};
+/// A step is violent when after the first change of states more than this part of the contacts, and more than
+/// a few, are in a state that is not theirs: stage 0 then leads nowhere.
+constexpr double violent_part = 0.08;
+constexpr int few_contacts = 20;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then;
@@ -287,7 +291,10 @@ class Staged {
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       const Patience& most = inside_ ? near_solution : options_.local ? before_relaxation : at_first;
-      if (lost_ > most.losses || ++changes_ > most.changes || !change_states()) return leave_states();
+      const bool violent = !options_.local && !inside_ && changes_ == 1 &&
+                           disagreeing > std::max<double>(few_contacts, violent_part * terms_.size());
+      if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
+        return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
       look();
