@@ -292,7 +292,7 @@ class Staged {
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       const Patience& most = inside_ ? near_solution : options_.local ? before_relaxation : at_first;
       const bool violent = !options_.local && !inside_ && changes_ == 1 &&
-                           disagreeing > std::max<double>(few_contacts, violent_part * terms_.size());
+                           disagreeing > std::max<double>(few_contacts, violent_part * static_cast<double>(terms_.size()));
       if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
         return leave_states();
       solutions_of_states_ = 0;
