@@ -115,7 +115,7 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
                       const std::vector<Ranges>& in_to, bool into_part) const {
   to.time = from.time;
   const bool stressed = from.stress.cols() > 0;
-  if (into_part) to.stress.resize(3, stressed ? in_to.back().stress_points.end() : 0);
+  if (into_part) to.stress.resize(3, stressed ? system_.n_stress_points_ : 0);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges &source = in_from[k], &target = in_to[k];
     const Index here = into_part ? blocks_[k] : static_cast<Index>(k),

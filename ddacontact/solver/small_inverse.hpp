@@ -13,6 +13,7 @@ namespace small_inverse {
 template <int N>
 using Column = Eigen::Matrix<double, N, 1, Eigen::ColMajor, N == Eigen::Dynamic ? 16 : N, 1>;
 
+/// The same as invert below, of matrices of N rows.
 template <int N>
 bool invert(double* values, int n) {
   Eigen::Map<Eigen::Matrix<double, N, N>> A(values, n, n);
@@ -33,6 +34,7 @@ bool invert(double* values, int n) {
   return true;
 }
 
+/// The same as multiply below, of matrices of N rows.
 template <int N>
 void multiply(const double* values, int n, const double* x, double* y) {
   const Eigen::Map<const Eigen::Matrix<double, N, N>> A(values, n, n);

@@ -30,7 +30,7 @@ constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 
 /// A step is violent when after the first change of states more than this part of the contacts, and more than
 /// a few, are in a state that is not theirs: stage 0 then leads nowhere.
 constexpr double violent_part = 0.08;
-constexpr int few_contacts = 20;
+constexpr int few_contacts = 100;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then;
