@@ -84,9 +84,12 @@ class Staged {
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
-      if (is_balanced() && (states_agree() || is_balanced_by_law())) {
+      if (is_balanced() && (states_agree() || take_law(options_.residual_aim))) {
         if (break_bonds()) continue;
-        if (is_close()) return settle();
+        if (is_close()) {
+          take_law_where_negligible();
+          return settle();
+        }
         if (report_.augmentations == options_.max_augmentations) return end(StagedStatus::penetrating);
         augment();
         continue;
@@ -235,17 +238,25 @@ class Staged {
     return seen_.insert(states_).second;
   }
 
-  /// Whether the law's own forces at d leave balance: the states are then those of the law.
-  bool is_balanced_by_law() {
+  /// Takes the forces and states of the law at d if these leave balance to a tolerance too. False: they do
+  /// not.
+  bool take_law(double tolerance) {
     std::vector<ContactForce> forces(terms_.size());
     for (std::size_t c = 0; c < terms_.size(); ++c) forces[c] = contact_force(terms_[c], d_);
     Residual residual;
     system_.compute_residual(d_, contacts_, terms_, forces, residual);
-    if (!(residual.own <= options_.residual_aim)) return false;
+    if (!(residual.own <= tolerance)) return false;
     for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     forces_ = std::move(forces);
     report_.residual = std::move(residual);
     return true;
+  }
+
+  /// Forces that differ from the law's by what does not count: inside the cone they are the law's.
+  void take_law_where_negligible() {
+    bool differs = false;
+    for (std::size_t c = 0; c < terms_.size() && !differs; ++c) differs = state_at_d(c) != states_[c];
+    if (differs) take_law(options_.residual_tolerance);
   }
 
   std::vector<RelaxedLaw> laws() const {
@@ -291,8 +302,9 @@ class Staged {
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       const Patience& most = inside_ ? near_solution : options_.local ? before_relaxation : at_first;
-      const bool violent = !options_.local && !inside_ && changes_ == 1 &&
-                           disagreeing > std::max<double>(few_contacts, violent_part * static_cast<double>(terms_.size()));
+      const bool violent =
+          !options_.local && !inside_ && changes_ == 1 &&
+          disagreeing > std::max<double>(few_contacts, violent_part * static_cast<double>(terms_.size()));
       if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
         return leave_states();
       solutions_of_states_ = 0;
