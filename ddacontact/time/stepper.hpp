@@ -33,8 +33,9 @@ struct StepMemory {
   double state = 0;      ///< of the blocks, with reactions
   double contacts = 0;   ///< and what they were before the last try
   double detection = 0;  ///< outlines, boxes, pairs
-  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without the factor
-  double factor = 0;     ///< of (13), and what making it takes
+  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13), the matrix of held
+                         ///< contacts; without factors
+  double factor = 0;  ///< of (13) and of held contacts, and what making them takes
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.

@@ -118,8 +118,8 @@ StepMemory Stepper::memory() const {
                    bytes_of(reactions_),
           .contacts = bytes_of(contacts_) + bytes_of(tried_) + bytes_of(starts_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
-          .equations = system_->memory(),
-          .factor = system_->problem().cholesky().memory()};
+          .equations = system_->memory() + hold_factor_.matrix.memory(),
+          .factor = system_->problem().cholesky().memory() + hold_factor_.cholesky.memory()};
 }
 
 RunRecord Stepper::run_record() const {
