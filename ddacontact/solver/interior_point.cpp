@@ -53,8 +53,8 @@ struct Inside {
   bool unilateral = true, sheared = false, bonded = false;
   double p = 0, p_t = 0;  ///< its stiffnesses
   double a = 0, q = 0;
-  Pair normal;             ///< N and y; N alone where it is not unilateral
-  double T = 0, dT = 0;    ///
+  Pair normal;  ///< N and y; N alone where it is not unilateral
+  double T = 0, dT = 0;
   Pair upper, lower;       ///< u and f, v and k
   double b = 0, rate = 0;  ///< the bound of friction and its derivative by N
   double sense = 0;        ///< of a multiplier that is at the bound, whatever that is
@@ -100,7 +100,8 @@ class InteriorPoint {
     for (int n_starts = 1; report_.solutions < most_solutions;) {
       balance();
       const double mean = mean_product(0);
-      if (!std::isfinite(mean) || !std::isfinite(residual_.own)) break;
+      report_.found = std::isfinite(mean) && std::isfinite(residual_.own);
+      if (!report_.found) break;
       if (std::sqrt(mean) <= near_law * scale && residual_.own <= near_balance) break;
       report_.found = factorize();
       if (!report_.found) break;

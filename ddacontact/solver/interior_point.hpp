@@ -11,7 +11,7 @@ namespace ddacontact {
 
 /// How find_states_from_inside ended.
 struct InteriorReport {
-  bool found = false;  ///< d is so near to a solution that it tells the contacts' states
+  bool found = false;  ///< false: forces are not finite, or the matrix is not positive definite
   int solutions = 0;   ///< each with a factor of its own
   int fallbacks = 0;   ///< of them with friction that was not found to the tolerance
 };

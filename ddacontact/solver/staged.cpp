@@ -174,19 +174,15 @@ class Staged {
     return own <= options_.residual_aim || (own <= options_.residual_tolerance && since_best_ >= patience);
   }
 
-  /// Begins to look for a residual anew: what is to be balanced has changed.
+  /// Begins to look for a residual anew, from the law's states: what is to be balanced has changed.
   void restart() {
-    follow_states_from_here();
-    acceleration_.reset();
-    inside_ = false;
-  }
-
-  void follow_states_from_here() {
     for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
     best_ = infinity;
     since_best_ = 0;
     begin_states();
     look();
+    acceleration_.reset();
+    inside_ = false;
   }
 
   /// The force by which the law differs from the springs of the state.
