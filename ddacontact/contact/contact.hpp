@@ -17,6 +17,9 @@ struct ContactHistory {
   double shear = 0;       ///< T at the end of the last step
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
+  /// Of a closed one: its gap and its slip hardly changed in the last step; more of N and T does not move
+  /// them.
+  bool gap_stays = false, slip_stays = false;
 };
 
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
@@ -88,7 +91,7 @@ struct Contact : ContactRecord {
 struct ContactStart {
   double gap_offset = 0, normal = 0, shear = 0;
   ContactState state = ContactState::open;
-  bool bonded = false;
+  bool bonded = false, gap_stays = false, slip_stays = false;
 
   ContactStart() = default;
   explicit ContactStart(const ContactHistory& history)
@@ -96,7 +99,9 @@ struct ContactStart {
         normal(history.normal),
         shear(history.shear),
         state(history.state),
-        bonded(history.bonded) {}
+        bonded(history.bonded),
+        gap_stays(history.gap_stays),
+        slip_stays(history.slip_stays) {}
 
   bool closed() const { return state != ContactState::open; }
   void write(ContactHistory& history) const {
@@ -105,6 +110,8 @@ struct ContactStart {
     history.shear = shear;
     history.state = state;
     history.bonded = bonded;
+    history.gap_stays = gap_stays;
+    history.slip_stays = slip_stays;
   }
 };
 

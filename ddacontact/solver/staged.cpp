@@ -17,6 +17,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
+/// A gap or a slip stays when it changes by less than this part of itself in a step, and its blocks move so
+/// little that what resists that is less than this part of what the contact adds to its force for it: it
+/// hangs together with others, as gaps of a wall do, and would go on to change forces for hundreds of steps.
+/// The contact lets it be, up to this part of the forces on the block.
+constexpr double staying_part = 0.5, moving_part = 0.5, negligible_correction = 0.1;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
@@ -53,6 +58,7 @@ constexpr double breaking_part = 0.5;
 struct Multiplier {
   double normal = 0, shear = 0;
   double gap = 0;        ///< the constant of the term's gap, the offset not taken off
+  double softer = 0;     ///< the stiffness of the softer side
   bool sliding = false;  ///< T is what friction bears, with the sign of `shear`, until the slip turns round
   bool on_edge = false;  ///< at the start of the step
   bool bonded = false;
@@ -74,8 +80,9 @@ class Staged {
 
   StagedReport solve() {
     system_.linearize(d_);
+    const std::vector<double> loads = loads_of_blocks();
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      start(contacts_[c], multipliers_[c]);
+      start(contacts_[c], loads, multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     }
     look();
@@ -99,8 +106,17 @@ class Staged {
   }
 
  private:
+  /// The sum of the magnitudes of what contacts brought along on each block, N per m.
+  std::vector<double> loads_of_blocks() const {
+    std::vector<double> loads(system_.n_blocks(), 0);
+    for (const Contact& contact : contacts_)
+      for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+        loads[b] += std::hypot(contact.history.normal, contact.history.shear);
+    return loads;
+  }
+
   /// Stiffnesses and multipliers at the start of the step.
-  void start(Contact& contact, Multiplier& multiplier) const {
+  void start(Contact& contact, const std::vector<double>& loads, Multiplier& multiplier) const {
     JointLaw& law = contact.law;
     const ContactHistory& history = contact.history;
     multiplier.on_edge = contact.is_on_edge(contact.first_slip().constant);
@@ -122,10 +138,18 @@ class Staged {
       law.normal_stiffness =
           std::clamp(law.normal_stiffness, least_stiffness_ratio * softer, largest_stiffness_ratio * softer);
     law.tangential_stiffness = ratio * law.normal_stiffness;
+    multiplier.softer = softer;
     if (!contact.closed()) return;
     multiplier.normal = history.normal;
     multiplier.shear = history.shear;
     multiplier.sliding = is_slipping(history.state);
+    if (options_.local) return;
+    const double of_gap = law.normal_stiffness * (contact.first_gap().constant - history.gap_offset),
+                 of_slip = law.tangential_stiffness * contact.first_slip().constant,
+                 negligible = negligible_correction * std::min(loads[vertex_block], loads[edge_block]);
+    if (history.gap_stays && std::abs(of_gap) <= negligible) multiplier.normal += of_gap;
+    if (history.slip_stays && !multiplier.sliding && std::abs(of_slip) <= negligible)
+      multiplier.shear += of_slip;
   }
 
   /// Geometry, terms, forces and residual at d.
@@ -463,6 +487,8 @@ class Staged {
   }
 
   StagedReport settle() {
+    std::vector<double> motions(system_.n_blocks());
+    for (int b = 0; b < system_.n_blocks(); ++b) motions[b] = system_.largest_motion(b, d_);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Contact& contact = contacts_[c];
       ContactHistory& history = contact.history;
@@ -475,6 +501,16 @@ class Staged {
         history.state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;
       else
         history.state = ContactState::stick;
+      const double resistance = multipliers_[c].softer * std::max(motions[contact.pair.vertex_block],
+                                                                  motions[contact.pair.edge_block]);
+      const auto stays = [&](double before, double after, double stiffness) {
+        return closed && std::abs(after - before) <= staying_part * std::abs(before) &&
+               resistance <= moving_part * stiffness * std::abs(after);
+      };
+      history.gap_stays = stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_),
+                                contact.law.normal_stiffness);
+      history.slip_stays =
+          stays(contact.first_slip().constant, terms_[c].slip(d_), contact.law.tangential_stiffness);
       contact.was_closed = contact.was_closed || closed;
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;

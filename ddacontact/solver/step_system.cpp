@@ -195,6 +195,13 @@ void StepSystem::linearize(const VectorXd& d) {
   problem_.matrices_changed();
 }
 
+double StepSystem::largest_motion(int block, const VectorXd& d) const {
+  const Range& u = blocks_.block(block).unknowns();
+  return d.segment(u.first, u.count)
+      .cwiseProduct(unknown_lengths_.segment(u.first, u.count))
+      .lpNorm<Eigen::Infinity>();
+}
+
 void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
   const double furthest = largest_relative_move(whole_change);
   const VectorXd change = whole_change * (furthest > largest_move ? largest_move / furthest : 1);

@@ -56,6 +56,9 @@ class StepSystem {
   const FrictionProblem& problem() const { return problem_; }
   /// Of every unknown, see Block::unknown_lengths.
   const VectorXd& unknown_lengths() const { return unknown_lengths_; }
+  int n_blocks() const { return blocks_.n_blocks(); }
+  /// How far d moves the block at most, m.
+  double largest_motion(int block, const VectorXd& d) const;
   int n_vertices(int block) const { return blocks_.block(block).n_vertices(); }
   /// The stiffness of a vertex against displacements along a unit normal, with the inertia of the step: how
   /// much force moves it while the rest of its block is held; infinity when it is held itself.

@@ -20,6 +20,8 @@ void visit_contact(Archive& visit, Contact& c) {
   visit(c.history.lock);
   visit(c.history.gap_offset);
   visit(c.history.bonded);
+  visit(c.history.gap_stays);
+  visit(c.history.slip_stays);
   visit(c.history.length);
   visit(c.history.normal);
   visit(c.history.shear);

@@ -65,6 +65,8 @@ void contact_numbers(Numbers& numbers, Contact& contact) {
   numbers(contact.law.cohesion);
   numbers(contact.law.tension);
   numbers(contact.end_slip);
+  numbers(contact.history.gap_stays);
+  numbers(contact.history.slip_stays);
   numbers.end_line();
   if constexpr (!std::is_const_v<Contact>) contact.history.state = static_cast<ContactState>(state);
 }

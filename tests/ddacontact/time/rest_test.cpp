@@ -102,6 +102,40 @@ TEST(Rest, AStaticColumnShortensByHooksLaw) {
   }
 }
 
+/// Gaps of running bond hang together: forces that correct one open another. They are let be where that goes
+/// on and on, so the wall comes to rest, and its blocks carry what stands on them nonetheless.
+TEST(Rest, AWallInRunningBondComesToRest) {
+  constexpr int n_courses = 12, n_bricks = 12;
+  Scene scene;
+  scene.analysis.gravity = Vec2(0, -10);
+  scene.analysis.time_step = 0.01;
+  scene.analysis.steps = 1;
+  scene.analysis.skip.sleep = false;
+  scene.materials = {{"rock", 2000, 1e10, 0.25}};
+  scene.joints = {{"joint", 35, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = scene.contact.tangential_stiffness = 4e11;
+  scene.blocks = {block(rectangle(-1, -1, n_bricks + 2, 1), true)};
+  for (int course = 0; course < n_courses; ++course) {
+    const double y = 0.5 * course;
+    const bool shifted = course % 2 == 1;
+    if (shifted) scene.blocks.push_back(block(rectangle(0, y, 0.5, 0.5)));
+    for (int k = 0; k < n_bricks - (shifted ? 1 : 0); ++k)
+      scene.blocks.push_back(block(rectangle(k + (shifted ? 0.5 : 0.0), y, 1, 0.5)));
+    if (shifted) scene.blocks.push_back(block(rectangle(n_bricks - 0.5, y, 0.5, 0.5)));
+  }
+  const BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  run(stepper, 60);
+  const StepCounts before = stepper.counts();
+  const Points place = stepper.state().position;
+  run(stepper, 20);
+  EXPECT_LE(stepper.counts().open_close_iterations - before.open_close_iterations, 2 * 20);
+  EXPECT_EQ(stepper.counts().rejected, before.rejected);
+  EXPECT_LE((stepper.state().position - place).cwiseAbs().maxCoeff(), 1e-10);
+  const double weight = 2000 * 10 * 0.5 * n_courses * n_bricks;
+  EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + 2000 * 10 * (n_bricks + 2), 1e-8 * weight);
+}
+
 /// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All places and the
 /// lock points' fractions are whole binary numbers: nothing is left to round-off.
 TEST(Rest, AnInitialOverlapMakesNoForce) {
