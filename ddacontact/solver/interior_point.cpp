@@ -10,9 +10,11 @@ namespace ddacontact {
 namespace {
 
 constexpr int most_solutions = 60;
-/// Near enough: sqrt(mu) is this part of the largest sum of forces on a block, and what forces leave over on
-/// a block that part of their sum.
-constexpr double near_law = 1e-7, near_balance = 1e-4;
+/// Near: sqrt(mu) is this part of the largest sum of forces on a block, and what forces leave over on a block
+/// that part of their sum. Some solutions more come nearer, mostly: fewer contacts are left between two
+/// states.
+constexpr double near_law = 1e-7, near_balance = 1e-4, nearer = 1e-2;
+constexpr int most_solutions_near = 3;
 /// From the bounds of friction at the start, of sqrt(mu).
 constexpr double least_distance = 1e-6;
 /// A solution is followed to this part of the way to the nearest bound.
@@ -96,13 +98,15 @@ class InteriorPoint {
     system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
     const double scale = residual_.scale;
     double mu = scale * scale, length = 1;
+    int n_near = 0;
     look_inside(mu);
     for (int n_starts = 1; report_.solutions < most_solutions;) {
       balance();
       const double mean = mean_product(0);
       report_.found = std::isfinite(mean) && std::isfinite(residual_.own);
       if (!report_.found) break;
-      if (std::sqrt(mean) <= near_law * scale && residual_.own <= near_balance) break;
+      const double way = std::max(std::sqrt(mean) / (near_law * scale), residual_.own / near_balance);
+      if (way <= nearer || (way <= 1 && n_near++ == most_solutions_near)) break;
       report_.found = factorize();
       if (!report_.found) break;
       mu = length < short_length ? find_even_direction(mean) : find_direction(mean);

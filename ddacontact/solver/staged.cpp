@@ -33,8 +33,9 @@ struct Patience {
 };
 constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 4};
 /// A step is violent when after the first change of states more than this part of the contacts, and more than
-/// a few, are in a state that is not theirs: stage 0 then leads nowhere.
-constexpr double violent_part = 0.08;
+/// a few, are in a state that is not theirs, or when so much of the forces on a block is left with more than
+/// a few: stage 0 then leads nowhere.
+constexpr double violent_part = 0.08, violent_residual = 0.5;
 constexpr int few_contacts = 100;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
@@ -323,8 +324,9 @@ class Staged {
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       const Patience& most = inside_ ? near_solution : options_.local ? before_relaxation : at_first;
       const bool violent =
-          !options_.local && !inside_ && changes_ == 1 &&
-          disagreeing > std::max<double>(few_contacts, violent_part * static_cast<double>(terms_.size()));
+          !options_.local && !inside_ && disagreeing > few_contacts &&
+          (report_.residual.own > violent_residual ||
+           (changes_ == 1 && disagreeing > violent_part * static_cast<double>(terms_.size())));
       if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
         return leave_states();
       solutions_of_states_ = 0;
