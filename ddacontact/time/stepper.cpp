@@ -2,12 +2,12 @@
 
 #include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
+#include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/out_of_memory.hpp>
-#include <polyfem/core/parallel.hpp>
 #include <polyfem/core/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -39,14 +39,6 @@ double without_round_off(double dt, double time_step, double time) {
 
 std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
-}
-
-/// Calls work(c) for all contacts: what it writes must belong to contact c alone.
-void for_contacts(std::size_t n_contacts, const auto& work) {
-  constexpr Index grain = 512;
-  polyfem::for_ranges(static_cast<Index>(n_contacts), grain, [&](Index begin, Index end) {
-    for (Index c = begin; c < end; ++c) work(static_cast<std::size_t>(c));
-  });
 }
 
 /// The velocity of a support, from the steps before and after; where it jumps, by much more than in the steps
