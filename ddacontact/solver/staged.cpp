@@ -47,6 +47,8 @@ constexpr int most_relaxations = 6;
 constexpr int patience = 4;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
 constexpr double aim_of_floor = 0.05;
+/// Nothing is solved to less than this part of that.
+constexpr double aim_of_solution = 0.3;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 
@@ -281,10 +283,10 @@ class Staged {
     system_.linearize(d_);
     const BlockGroups* const groups = tangent_.groups(terms_);
     if (!groups) return false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const Multiplier& m = multipliers_[c];
-      forces_[c] = n_relaxations_ == 0 ? ContactForce{m.normal, m.shear} : law_force(c);
-    }
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      forces_[c] = n_relaxations_ > 0 ? law_force(c)
+                   : options_.again   ? ContactForce{contacts_[c].normal, contacts_[c].shear}
+                                      : ContactForce{multipliers_[c].normal, multipliers_[c].shear};
     ++n_relaxations_;
     system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
     VectorXd d = d_;
@@ -329,7 +331,8 @@ class Staged {
     last_own_ = report_.residual.own;
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
-    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
+    const double enough = aim_of_solution * aim_of_floor / report_.residual.over_floor;
+    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, enough, correction_))
       return leave_states();
     VectorXd next = d_;
     if (solutions_of_states_ >= first_accelerated)
