@@ -46,6 +46,14 @@ inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) 
           c.bound};
 }
 
+/// Both springs of a contact.
+struct ContactSprings {
+  ClippedSpring normal, tangential;
+};
+inline ContactSprings springs_at(const ContactTerm& c, const VectorXd& d) {
+  return {normal_spring(c, d), tangential_spring(c, d)};
+}
+
 /// Forces on the gap and on the slip, N per m: the residual has -(normal grad g + shear grad s).
 struct ContactForce {
   double normal = 0, shear = 0;

@@ -35,27 +35,29 @@ auto sum_of_parts(Index size, const Work& work) {
 /// 1992).
 ///
 /// \param[in] apply  apply(b, x, y): x = about A^-1 b, y = A x
-template <class Apply>
-KrylovReport bicgstab(const Apply& apply, const VectorXd& b, double tolerance, int most_iterations,
-                      VectorXd& x) {
+template <class Apply, class Vector>
+KrylovReport bicgstab(const Apply& apply, const Vector& b, double tolerance, int most_iterations, Vector& x) {
+  using Real = typename Vector::Scalar;
   using Two = Eigen::Array2d;
   KrylovReport report;
   const Index n = b.size();
   x.setZero(n);
-  VectorXd r = b, p = b, q(n), v(n), t(n);
-  double rho = sum_of_parts(n, [&](Index k, Index m) { return b.segment(k, m).squaredNorm(); });
+  Vector r = b, p = b, q(n), v(n), t(n);
+  double rho = sum_of_parts(n, [&](Index k, Index m) -> double { return b.segment(k, m).squaredNorm(); });
   const double enough = tolerance * tolerance * rho;
   if (rho == 0) return {true, 0};
   while (report.iterations < most_iterations) {
     ++report.iterations;
     apply(p, q, v);
-    const double alpha =
-        rho / sum_of_parts(n, [&](Index k, Index m) { return b.segment(k, m).dot(v.segment(k, m)); });
+    const double alpha = rho / sum_of_parts(n, [&](Index k, Index m) -> double {
+                           return b.segment(k, m).dot(v.segment(k, m));
+                         });
     if (!std::isfinite(alpha)) return report;
-    const double half = sum_of_parts(n, [&](Index k, Index m) {
+    const auto along_p = static_cast<Real>(alpha);
+    const double half = sum_of_parts(n, [&](Index k, Index m) -> double {
       auto s = r.segment(k, m);
-      s -= alpha * v.segment(k, m);
-      x.segment(k, m) += alpha * q.segment(k, m);
+      s -= along_p * v.segment(k, m);
+      x.segment(k, m) += along_p * q.segment(k, m);
       return s.squaredNorm();
     });
     if (half <= enough) {
@@ -69,10 +71,11 @@ KrylovReport bicgstab(const Apply& apply, const VectorXd& b, double tolerance, i
     });
     const double omega = products[0] / products[1];
     if (!std::isfinite(omega) || omega == 0) return report;
+    const auto along_r = static_cast<Real>(omega);
     const Two sums = sum_of_parts(n, [&](Index k, Index m) {
       auto of_r = r.segment(k, m);
-      x.segment(k, m) += omega * q.segment(k, m);
-      of_r -= omega * t.segment(k, m);
+      x.segment(k, m) += along_r * q.segment(k, m);
+      of_r -= along_r * t.segment(k, m);
       return Two(of_r.squaredNorm(), of_r.dot(b.segment(k, m)));
     });
     if (sums[0] <= enough) {
@@ -81,9 +84,10 @@ KrylovReport bicgstab(const Apply& apply, const VectorXd& b, double tolerance, i
     }
     const double next = sums[1], beta = next / rho * alpha / omega;
     if (!std::isfinite(beta) || next == 0) return report;
+    const auto of_before = static_cast<Real>(beta);
     sum_of_parts(n, [&](Index k, Index m) {
       auto of_p = p.segment(k, m);
-      of_p = r.segment(k, m) + beta * (of_p - omega * v.segment(k, m));
+      of_p = r.segment(k, m) + of_before * (of_p - along_r * v.segment(k, m));
       return 0.0;
     });
     rho = next;

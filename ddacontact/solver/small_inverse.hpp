@@ -10,8 +10,8 @@ namespace ddacontact {
 namespace small_inverse {
 
 /// A column of a matrix of N rows, or of any number up to 16.
-template <int N>
-using Column = Eigen::Matrix<double, N, 1, Eigen::ColMajor, N == Eigen::Dynamic ? 16 : N, 1>;
+template <int N, class Real = double>
+using Column = Eigen::Matrix<Real, N, 1, Eigen::ColMajor, N == Eigen::Dynamic ? 16 : N, 1>;
 
 /// The same as invert below, of matrices of N rows.
 template <int N>
@@ -35,12 +35,12 @@ bool invert(double* values, int n) {
 }
 
 /// The same as multiply below, of matrices of N rows.
-template <int N>
-void multiply(const double* values, int n, const double* x, double* y) {
-  const Eigen::Map<const Eigen::Matrix<double, N, N>> A(values, n, n);
-  Column<N> sum = A.col(0) * x[0];
+template <int N, class Real>
+void multiply(const Real* values, int n, const Real* x, Real* y) {
+  const Eigen::Map<const Eigen::Matrix<Real, N, N>> A(values, n, n);
+  Column<N, Real> sum = A.col(0) * x[0];
   for (Index k = 1; k < n; ++k) sum += A.col(k) * x[k];
-  Eigen::Map<Column<N>>(y, n) = sum;
+  Eigen::Map<Column<N, Real>>(y, n) = sum;
 }
 
 }  // namespace small_inverse
@@ -54,7 +54,8 @@ inline bool invert(double* values, int n) {
 }
 
 /// y = A x with the n x n matrix of these values, n <= 16.
-inline void multiply(const double* values, int n, const double* x, double* y) {
+template <class Real>
+void multiply(const Real* values, int n, const Real* x, Real* y) {
   if (n == 8)
     small_inverse::multiply<8>(values, 8, x, y);
   else if (n == 6)

@@ -24,8 +24,8 @@ unsigned char first_state(const Contact& contact, bool sheared) {
   return pressed | (upper ? at_upper : at_lower);
 }
 
-unsigned char state_at(const ContactTerm& term, const JointLaw& law, const VectorXd& d) {
-  const ClippedSpring n = normal_spring(term, d), t = tangential_spring(term, d);
+unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs) {
+  const auto& [n, t] = springs;
   if (!n.acts() && term.bound < infinity) return open;
   const unsigned char closed = n.acts() ? pressed : open;
   if (!bears_shear(term, law)) return closed;
@@ -40,11 +40,10 @@ unsigned char state_of(const ContactTerm& term, const JointLaw& law, const Conta
   return pressed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
 }
 
-ContactForce force_in_state(const ContactTerm& term, const JointLaw& law, unsigned char state,
-                            const VectorXd& d) {
+ContactForce force_in_state(const JointLaw& law, unsigned char state, const ContactSprings& springs) {
   ContactForce force;
-  if (state & pressed) force.normal = normal_spring(term, d).force;
-  if (state & stuck) force.shear = tangential_spring(term, d).force;
+  if (state & pressed) force.normal = springs.normal.force;
+  if (state & stuck) force.shear = springs.tangential.force;
   const double bound = force.normal < 0 ? law.friction * force.normal : shear_bound(law, force.normal, false);
   if (state & at_upper) force.shear = bound;
   if (state & at_lower) force.shear = -bound;

@@ -11,14 +11,13 @@ enum SpringState : unsigned char { open = 0, pressed = 1, stuck = 2, at_upper = 
 
 /// The state that the step before left.
 unsigned char first_state(const Contact& contact, bool sheared);
-/// The state of the law at d.
-unsigned char state_at(const ContactTerm& term, const JointLaw& law, const VectorXd& d);
+/// The state of the law where the springs are looked at.
+unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs);
 /// The state in which a contact exerts this force.
 unsigned char state_of(const ContactTerm& term, const JointLaw& law, const ContactForce& force);
 /// The forces when the springs of a state act, however far: not clipped. The bound of friction goes on below
 /// N = 0.
-ContactForce force_in_state(const ContactTerm& term, const JointLaw& law, unsigned char state,
-                            const VectorXd& d);
+ContactForce force_in_state(const JointLaw& law, unsigned char state, const ContactSprings& springs);
 /// The state to try after one that is not the law's at d, `at_d`: from sliding one way to the other only by
 /// way of sticking.
 unsigned char next_state(unsigned char state, unsigned char at_d);

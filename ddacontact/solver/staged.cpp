@@ -1,5 +1,6 @@
 #include <ddacontact/solver/staged.hpp>
 
+#include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/solver/anderson.hpp>
 #include <ddacontact/solver/interior_point.hpp>
 #include <ddacontact/solver/spring_state.hpp>
@@ -52,6 +53,8 @@ constexpr int most_relaxations = 6;
 constexpr int patience = 4;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
 constexpr double aim_of_floor = 0.05;
+/// Nothing is solved to less than this part of that.
+constexpr double aim_of_solution = 0.3;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 
@@ -73,7 +76,10 @@ class Staged {
         contacts_(contacts),
         d_(d),
         terms_(contacts.size()),
+        springs_(contacts.size()),
+        at_d_(contacts.size()),
         forces_(contacts.size()),
+        off_(contacts.size()),
         multipliers_(contacts.size()),
         states_(contacts.size()),
         tangent_(system.problem(), options.skip, options.local),
@@ -82,10 +88,10 @@ class Staged {
   StagedReport solve() {
     system_.linearize(d_);
     const std::vector<double> loads = loads_of_blocks();
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    for_contacts(contacts_.size(), [&](std::size_t c) {
       start(contacts_[c], loads, multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
-    }
+    });
     look();
     system_.problem().contacts_changed();
     if (options_.local) relax();
@@ -155,9 +161,32 @@ class Staged {
 
   /// Geometry, terms, forces and residual at d.
   void look() {
-    for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      forces_[c] = force_in_state(terms_[c], contacts_[c].law, states_[c], d_);
+    for_contacts(contacts_.size(), [&](std::size_t c) {
+      look_at(contacts_[c], multipliers_[c], terms_[c]);
+      springs_[c] = springs_at(terms_[c], d_);
+      at_d_[c] = state_at(terms_[c], contacts_[c].law, springs_[c]);
+      follow_state(c);
+    });
+    balance();
+  }
+
+  /// Forces and residual of other states at the same d.
+  void look_at_states() {
+    for_contacts(contacts_.size(), [&](std::size_t c) { follow_state(c); });
+    balance();
+  }
+
+  /// The forces of a contact in its state, and how far they are off the law.
+  void follow_state(std::size_t c) {
+    const ContactForce force = forces_[c] = force_in_state(contacts_[c].law, states_[c], springs_[c]),
+                       law = law_force(c);
+    off_[c] = at_d_[c] == states_[c] ? 0 : std::hypot(force.normal - law.normal, force.shear - law.shear);
+  }
+  ContactForce law_force(std::size_t c) const {
+    return {springs_[c].normal.clipped(), springs_[c].tangential.clipped()};
+  }
+
+  void balance() {
     system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
     if (report_.residual.own < best_) {
       best_ = report_.residual.own;
@@ -166,8 +195,6 @@ class Staged {
       ++since_best_;
     }
   }
-
-  unsigned char state_at_d(std::size_t c) const { return state_at(terms_[c], contacts_[c].law, d_); }
 
   void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
@@ -201,7 +228,7 @@ class Staged {
 
   /// Begins to look for a residual anew, from the law's states: what is to be balanced has changed.
   void restart() {
-    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
+    states_ = at_d_;
     best_ = infinity;
     since_best_ = 0;
     begin_states();
@@ -210,28 +237,17 @@ class Staged {
     inside_ = false;
   }
 
-  /// The force by which the law differs from the springs of the state.
-  double distance_from_law(std::size_t c) const {
-    if (state_at_d(c) == states_[c]) return 0;
-    const ContactForce law = contact_force(terms_[c], d_);
-    return std::hypot(forces_[c].normal - law.normal, forces_[c].shear - law.shear);
-  }
-  /// Whether that counts.
-  bool disagrees(std::size_t c) const {
-    return distance_from_law(c) > negligible_force * report_.residual.scale;
-  }
   int count_disagreeing() const {
-    int count = 0;
-    for (std::size_t c = 0; c < terms_.size(); ++c)
-      if (disagrees(c)) ++count;
-    return count;
+    const double counts = negligible_force * report_.residual.scale;
+    return static_cast<int>(
+        std::count_if(off_.begin(), off_.end(), [&](double off) { return off > counts; }));
   }
   bool states_agree() const { return count_disagreeing() == 0; }
 
   /// The state to try next. Near a solution a contact that sticks while it is pulled slides before it opens:
   /// it may be its own friction that pulls.
   unsigned char next(std::size_t c) const {
-    const unsigned char now = states_[c], at_d = state_at_d(c);
+    const unsigned char now = states_[c], at_d = at_d_[c];
     if (inside_ && now == (pressed | stuck) && at_d == open)
       return pressed | (forces_[c].shear > 0 ? at_upper : at_lower);
     return next_state(now, at_d);
@@ -244,7 +260,7 @@ class Staged {
     std::size_t worst = 0;
     double furthest = 0;
     for (std::size_t c = 0; c < terms_.size(); ++c) {
-      const double off = distance_from_law(c);
+      const double off = off_[c];
       if (off <= negligible_force * report_.residual.scale) continue;
       all[c] = next(c);
       if (off > furthest) {
@@ -263,21 +279,20 @@ class Staged {
   /// not.
   bool take_law(double tolerance) {
     std::vector<ContactForce> forces(terms_.size());
-    for (std::size_t c = 0; c < terms_.size(); ++c) forces[c] = contact_force(terms_[c], d_);
+    for (std::size_t c = 0; c < terms_.size(); ++c) forces[c] = law_force(c);
     Residual residual;
     system_.compute_residual(d_, contacts_, terms_, forces, residual);
     if (!(residual.own <= tolerance)) return false;
-    for (std::size_t c = 0; c < terms_.size(); ++c) states_[c] = state_at_d(c);
+    states_ = at_d_;
     forces_ = std::move(forces);
+    std::fill(off_.begin(), off_.end(), 0);
     report_.residual = std::move(residual);
     return true;
   }
 
   /// Forces that differ from the law's by what does not count: inside the cone they are the law's.
   void take_law_where_negligible() {
-    bool differs = false;
-    for (std::size_t c = 0; c < terms_.size() && !differs; ++c) differs = state_at_d(c) != states_[c];
-    if (differs) take_law(options_.residual_tolerance);
+    if (states_ != at_d_) take_law(options_.residual_tolerance);
   }
 
   std::vector<RelaxedLaw> laws() const {
@@ -293,10 +308,10 @@ class Staged {
     system_.linearize(d_);
     const BlockGroups* const groups = tangent_.groups(terms_);
     if (!groups) return false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const Multiplier& m = multipliers_[c];
-      forces_[c] = n_relaxations_ == 0 ? ContactForce{m.normal, m.shear} : contact_force(terms_[c], d_);
-    }
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      forces_[c] = n_relaxations_ > 0 ? law_force(c)
+                   : options_.again   ? ContactForce{contacts_[c].normal, contacts_[c].shear}
+                                      : ContactForce{multipliers_[c].normal, multipliers_[c].shear};
     ++n_relaxations_;
     system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
     VectorXd d = d_;
@@ -331,7 +346,7 @@ class Staged {
         return leave_states();
       solutions_of_states_ = 0;
       best_ = infinity;
-      look();
+      look_at_states();
     }
     if (since_best_ > 3 * patience) return leave_states();
     if (solutions_of_states_ == 0 || report_.residual.own > stale_factor_gain * last_own_) {
@@ -342,7 +357,8 @@ class Staged {
     last_own_ = report_.residual.own;
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
-    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
+    const double enough = aim_of_solution * aim_of_floor / report_.residual.over_floor;
+    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, enough, correction_))
       return leave_states();
     VectorXd next = d_;
     if (solutions_of_states_ >= first_accelerated)
@@ -450,11 +466,11 @@ class Staged {
     double worst = 1;
     report_.worst_contact = -1;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const unsigned char acts = active_springs(terms_[c], d_);
       const double tolerance = options_.penetration_tolerance * contacts_[c].size;
       double error = 0;
-      if (acts & 1) error = std::abs(terms_[c].gap(d_));
-      if ((acts & 2) && forces_[c].shear != 0) error = std::max(error, std::abs(terms_[c].slip(d_)));
+      if (springs_[c].normal.acts()) error = std::abs(terms_[c].gap(d_));
+      if (springs_[c].tangential.acts() && forces_[c].shear != 0)
+        error = std::max(error, std::abs(terms_[c].slip(d_)));
       if (error > worst * tolerance) {
         worst = error / tolerance;
         report_.worst_contact = static_cast<int>(c);
@@ -485,7 +501,7 @@ class Staged {
   double gap_at_d(std::size_t c) const { return multipliers_[c].gap + terms_[c].gap.change(d_); }
 
   bool is_sliding(std::size_t c) const {
-    return terms_[c].sheared && terms_[c].bound > 0 && !(active_springs(terms_[c], d_) & 2);
+    return terms_[c].sheared && terms_[c].bound > 0 && !springs_[c].tangential.acts();
   }
 
   StagedReport settle() {
@@ -539,12 +555,12 @@ class Staged {
   }
 
   StagedReport end(StagedStatus status) {
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    for_contacts(contacts_.size(), [&](std::size_t c) {
       contacts_[c].gap = gap_at_d(c);
       contacts_[c].gap_change = terms_[c].gap.change(d_);
       contacts_[c].slip_change = terms_[c].slip.change(d_);
       contacts_[c].end_slip = terms_[c].slip(d_);
-    }
+    });
     if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
     report_.tangent += tangent_.counts();
@@ -556,7 +572,10 @@ class Staged {
   std::vector<Contact>& contacts_;
   VectorXd& d_;
   std::vector<ContactTerm> terms_;
+  std::vector<ContactSprings> springs_;  ///< of the terms at d
+  std::vector<unsigned char> at_d_;      ///< states of the law there
   std::vector<ContactForce> forces_;
+  std::vector<double> off_;  ///< the force by which the law differs from the springs of the state
   std::vector<Multiplier> multipliers_;
   StagedReport report_;
   double best_ = infinity;

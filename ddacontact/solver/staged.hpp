@@ -14,6 +14,7 @@ struct StagedOptions {
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   bool mean_forces = false;          ///< contact forces act at the middle of the step
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
+  bool again = false;  ///< d and the contacts' forces are those of a solution nearby; local steps start there
   int max_solutions = 600;
   bool inside = true;  ///< false: stage 0 alone
   int max_augmentations = 10;

@@ -74,9 +74,31 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
     }
   }
   blocks_.begin_step(state, start);
+  own_at_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(state, load_time, load_forces_);
   blocks_.add_gravity(gravity_forces_);
+}
+
+void StepSystem::find_own_forces(const VectorXd& d) const {
+  if (own_at_.size() == d.size() && own_at_ == d) return;
+  own_at_ = d;
+  own_forces_.resize(d.size());
+  own_sums_.resize(active_.size());
+  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+    thread_local BlockForces of_block;
+    const Block& block = blocks_.block(active_[a]);
+    const Range& u = block.unknowns();
+    const auto lengths = unknown_lengths_.segment(u.first, u.count);
+    block.forces(d.segment(u.first, u.count), of_block);
+    own_forces_.segment(u.first, u.count) = of_block.elastic + of_block.inertia + of_block.damping;
+    double sum = 0;
+    for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping})
+      sum += f->cwiseQuotient(lengths).lpNorm<1>();
+    for (const VectorXd* f : {&load_forces_, &gravity_forces_})
+      sum += f->segment(u.first, u.count).cwiseQuotient(lengths).lpNorm<1>();
+    own_sums_[a] = {sum, d.segment(u.first, u.count).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};
+  });
 }
 
 void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
@@ -90,8 +112,9 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     const Contact& contact = contacts[c];
     terms[c].gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
     terms[c].slip.add_gradient(forces[c].shear, residual.external);
+    const double magnitude = std::hypot(forces[c].normal, forces[c].shear);
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
-      magnitude_[b] += std::hypot(forces[c].normal, forces[c].shear);
+      magnitude_[b] += magnitude;
       stiffest_[b] = std::max(stiffest_[b], contact.law.normal_stiffness);
     }
   }
@@ -103,24 +126,18 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     stiffest_[b] = std::max(stiffest_[b], held_stiffness_);
   }
 
+  find_own_forces(d);
   residual.force = -residual.external;
   sums_.resize(active_.size());
   for_blocks(static_cast<int>(active_.size()), [&](int a) {
-    thread_local BlockForces of_block;
     const int b = active_[a];
     const Block& block = blocks_.block(b);
     const Range& u = block.unknowns();
     const auto lengths = unknown_lengths_.segment(u.first, u.count);
-    block.forces(d.segment(u.first, u.count), of_block);
     auto r = residual.force.segment(u.first, u.count);
-    double sum = magnitude_[b];
-    for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping}) {
-      r += *f;
-      sum += f->cwiseQuotient(lengths).lpNorm<1>();
-    }
-    for (const VectorXd* f : {&load_forces_, &gravity_forces_})
-      sum += f->segment(u.first, u.count).cwiseQuotient(lengths).lpNorm<1>();
-    const double furthest = d.segment(u.first, u.count).cwiseProduct(lengths).lpNorm<Eigen::Infinity>();
+    r += own_forces_.segment(u.first, u.count);
+    const auto& [own, furthest] = own_sums_[a];
+    const double sum = magnitude_[b] + own;
     const double floor =
         floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * (block.size() + furthest) +
                         inertia_ * block.mass_total() / (dt_ * dt_) * furthest);
@@ -231,7 +248,7 @@ double StepSystem::memory() const {
   return problem_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
          bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
          bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) + bytes_of(magnitude_) +
-         bytes_of(stiffest_);
+         bytes_of(stiffest_) + bytes_of(own_at_) + bytes_of(own_forces_) + bytes_of(own_sums_);
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

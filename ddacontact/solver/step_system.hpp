@@ -82,6 +82,8 @@ class StepSystem {
 
  private:
   double largest_relative_move(const VectorXd& change) const;
+  /// Makes what follows from displacements alone, unless it is there.
+  void find_own_forces(const VectorXd& d) const;
 
   BlockSystem& blocks_;
   std::vector<int> active_;         ///< blocks that may change
@@ -100,6 +102,14 @@ class StepSystem {
   };
   mutable BlockForces forces_;
   mutable std::vector<Sums> sums_;  ///< of the active blocks
+  /// Of the active blocks: the sum of the magnitudes of all forces but those of contacts and holding springs,
+  /// and the furthest that an unknown moves.
+  struct OwnSums {
+    double forces, furthest;
+  };
+  mutable VectorXd own_at_,
+      own_forces_;  ///< displacements, empty: none; elastic, inertia's and damping there
+  mutable std::vector<OwnSums> own_sums_;
   mutable VectorXd magnitude_, stiffest_;
 };
 

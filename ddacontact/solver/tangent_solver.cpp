@@ -3,6 +3,9 @@
 #include <ddacontact/solver/krylov.hpp>
 #include <ddacontact/solver/tangent_operator.hpp>
 
+#include <algorithm>
+#include <limits>
+
 namespace ddacontact {
 
 namespace {
@@ -21,8 +24,9 @@ TangentSolver::TangentSolver(FrictionProblem& problem, const Skips& skip, bool l
     : problem_(problem), stale_(skip.stale_factor), local_(skip.cg && local) {}
 
 bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
-                          const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
-  if (local_ && solve_without_factor(terms, active, couplings, b, x)) return true;
+                          const std::vector<Coupling>& couplings, const VectorXd& b, double enough,
+                          VectorXd& x) {
+  if (local_ && solve_without_factor(terms, active, couplings, b, enough, x)) return true;
   if (stale_ && has_factor_ && solve_with_stale_factor(terms, active, couplings, b, x)) return true;
   has_factor_ = false;
   if (!problem_.factorize(terms, active)) return false;
@@ -41,15 +45,20 @@ const BlockGroups* TangentSolver::groups(const std::vector<ContactTerm>& terms) 
 bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
                                          const std::vector<unsigned char>& active,
                                          const std::vector<Coupling>& couplings, const VectorXd& b,
-                                         VectorXd& x) {
+                                         double enough, VectorXd& x) {
   if (!groups(terms)) return local_ = false;
   if (!sweeps_.set(problem_, groups_, terms, active, couplings)) return local_ = false;
-  VectorXd packed, solution;
+  using Vector = TangentSweeps::Vector;
+  VectorXd packed;
   groups_.pack(b, packed);
+  const double scale = std::max(packed.lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
+  const Vector right = (packed / scale).cast<float>();
+  Vector solution;
   const KrylovReport report =
-      bicgstab([&](const VectorXd& in, VectorXd& out, VectorXd& product) { sweeps_.apply(in, out, product); },
-               packed, tolerance, most_iterations, solution);
-  groups_.unpack(solution, x);
+      bicgstab([&](const Vector& in, Vector& out, Vector& product) { sweeps_.apply(in, out, product); },
+               right, std::max(tolerance, enough), most_iterations, solution);
+  packed = scale * solution.cast<double>();
+  groups_.unpack(packed, x);
   counts_.iterations += report.iterations;
   if (report.converged) {
     ++counts_.without_factor;

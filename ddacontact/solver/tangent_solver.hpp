@@ -35,8 +35,10 @@ class TangentSolver {
   TangentSolver(FrictionProblem& problem, const Skips& skip, bool local);
 
   /// x = 0 on held unknowns. False: the matrix is not positive definite.
+  /// \param[in] enough  of |b|: Krylov iterations without a factor need not leave less
   [[nodiscard]] bool solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
-                           const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
+                           const std::vector<Coupling>& couplings, const VectorXd& b, double enough,
+                           VectorXd& x);
 
   /// Blocks as sweeps run through them where the step is local. nullptr: they cannot be swept.
   /// \param[in] terms  contacts of the step
@@ -46,7 +48,8 @@ class TangentSolver {
 
  private:
   bool solve_without_factor(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
-                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
+                            const std::vector<Coupling>& couplings, const VectorXd& b, double enough,
+                            VectorXd& x);
   bool solve_with_stale_factor(const std::vector<ContactTerm>& terms,
                                const std::vector<unsigned char>& active,
                                const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);

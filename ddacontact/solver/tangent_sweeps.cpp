@@ -4,6 +4,7 @@
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 namespace ddacontact {
@@ -20,9 +21,10 @@ bool TangentSweeps::set(FrictionProblem& problem, const BlockGroups& groups,
   groups_ = &groups;
   laws_.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    laws_[c] = {active[c] & 1 ? contacts[c].normal_stiffness : 0,
-                active[c] & 2 ? contacts[c].tangential_stiffness : 0, 0};
-  for (const Coupling& coupling : couplings) laws_[coupling.contact].mixed += coupling.rate;
+    laws_[c] = {active[c] & 1 ? static_cast<float>(contacts[c].normal_stiffness) : 0,
+                active[c] & 2 ? static_cast<float>(contacts[c].tangential_stiffness) : 0, 0};
+  for (const Coupling& coupling : couplings)
+    laws_[coupling.contact].mixed += static_cast<float>(coupling.rate);
   forces_.resize(static_cast<std::size_t>(groups.n_neighbours()));
 
   blocks_.resize(static_cast<std::size_t>(groups.n_blocks()));
@@ -55,7 +57,9 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
   Block& block = blocks_[static_cast<std::size_t>(b)];
   const Range unknowns = groups_->unknowns(b);
   const auto n = static_cast<Index>(unknowns.count);
-  Eigen::Map<MatrixXd> D(inverses_.data() + block.inverse, n, n);
+  std::array<double, largest * largest> values;
+  Eigen::Map<MatrixXd> D(values.data(), n, n);
+  std::array<SideEntry, largest / 2> of_side;
   groups_->copy_matrix(problem, b, D);
   int side = block.earlier.first, entry = block.earlier.first_entry;
   const auto add_sides = [&](Sides& sides, const auto& is_of_kind) {
@@ -66,11 +70,11 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
       const Law& law = laws_[static_cast<std::size_t>(contact)];
       if (!is_of_kind(other) || (law.normal == 0 && law.shear == 0 && law.mixed == 0)) continue;
       const ContactTerm& term = contacts[static_cast<std::size_t>(contact)];
-      SideEntry* const of_side = entries_.data() + entry;
-      const int count = find_entries(term, *groups_, unknowns, of_side);
+      const int count = find_entries(term, *groups_, unknowns, of_side.data());
       for (int i = 0; i < count; ++i) {
         const SideEntry& column = of_side[i];
-        const Vec2 normal = law.normal * column.gap, shear = law.shear * column.slip + law.mixed * column.gap;
+        const double with_gap = law.normal, with_slip = law.shear, mixed = law.mixed;
+        const Vec2 normal = with_gap * column.gap, shear = with_slip * column.slip + mixed * column.gap;
         for (int k = 0; k < count; ++k)
           D.block<2, 2>(of_side[k].place, column.place) +=
               of_side[k].gap * normal.transpose() + of_side[k].slip * shear.transpose();
@@ -78,7 +82,11 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
       if (other < 0) continue;
       sides_[static_cast<std::size_t>(side++)] = {slot, back, count, law};
       ++sides.count;
-      entry += count;
+      for (const SideEntry* of = of_side.data(); of < of_side.data() + count; ++of) {
+        Entry& to = entries_[static_cast<std::size_t>(entry++)];
+        to.coefficients << of->gap.cast<float>(), of->slip.cast<float>();
+        to.place = of->place;
+      }
     }
   };
   const auto in_group = [&](int other) {
@@ -87,10 +95,12 @@ bool TangentSweeps::set_block(FrictionProblem& problem, const std::vector<Contac
   add_sides(block.earlier, [&](int other) { return in_group(other) && other < b; });
   add_sides(block.later, [&](int other) { return in_group(other) && other > b; });
   add_sides(block.apart, [&](int other) { return !in_group(other); });
-  return invert(D.data(), unknowns.count);
+  if (!invert(D.data(), unknowns.count)) return false;
+  Eigen::Map<Eigen::MatrixXf>(inverses_.data() + block.inverse, n, n) = D.cast<float>();
+  return true;
 }
 
-void TangentSweeps::apply(const VectorXd& b, VectorXd& x, VectorXd& y) {
+void TangentSweeps::apply(const Vector& b, Vector& x, Vector& y) {
   x.resize(b.size());
   y.resize(b.size());
   polyfem::for_ranges(groups_->n_groups(), 1, [&](Index begin, Index end) {
@@ -101,30 +111,37 @@ void TangentSweeps::apply(const VectorXd& b, VectorXd& x, VectorXd& y) {
   });
 }
 
-void TangentSweeps::leave_forces(const Sides& sides, const double* x) {
-  const SideEntry* entry = entries_.data() + sides.first_entry;
+void TangentSweeps::leave_forces(const Sides& sides, const float* x) {
+  const Entry* entry = entries_.data() + sides.first_entry;
   for (int k = sides.first; k < sides.first + sides.count; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
-    const GapSlip change = change_of(entry, side.n_entries, x);
-    entry += side.n_entries;
-    forces_[static_cast<std::size_t>(side.slot_of_other)] = side.law(change);
+    Eigen::Array4f sum = Eigen::Array4f::Zero();
+    for (const Entry* const end = entry + side.n_entries; entry < end; ++entry) {
+      const float a = x[entry->place], b = x[entry->place + 1];
+      sum += entry->coefficients * Eigen::Array4f(a, b, a, b);
+    }
+    forces_[static_cast<std::size_t>(side.slot_of_other)] = side.law({sum[0] + sum[1], sum[2] + sum[3]});
   }
 }
 
-void TangentSweeps::add_forces(const Sides& sides, double factor, double* y) const {
-  const SideEntry* entry = entries_.data() + sides.first_entry;
+void TangentSweeps::add_forces(const Sides& sides, float factor, float* y) const {
+  const Entry* entry = entries_.data() + sides.first_entry;
   for (int k = sides.first; k < sides.first + sides.count; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
-    const GapSlip& left = forces_[static_cast<std::size_t>(side.slot)];
-    const double gap = factor * left.gap, slip = factor * left.slip;
-    for (const SideEntry* const end = entry + side.n_entries; entry < end; ++entry)
-      Eigen::Map<Vec2>(y + entry->place) += gap * entry->gap + slip * entry->slip;
+    const Forces& left = forces_[static_cast<std::size_t>(side.slot)];
+    const float gap = factor * left.gap, slip = factor * left.slip;
+    const Eigen::Array4f of_both(gap, gap, slip, slip);
+    for (const Entry* const end = entry + side.n_entries; entry < end; ++entry) {
+      const Eigen::Array4f added = of_both * entry->coefficients;
+      y[entry->place] += added[0] + added[2];
+      y[entry->place + 1] += added[1] + added[3];
+    }
   }
 }
 
-void TangentSweeps::sweep(int g, const VectorXd& b, VectorXd& x, VectorXd& y) {
+void TangentSweeps::sweep(int g, const Vector& b, Vector& x, Vector& y) {
   const Range group = groups_->group(g);
-  double forces[largest], change[largest];
+  float forces[largest], change[largest];
   // (D + L) z = b, z in x.
   for (int k = group.first; k < group.end(); ++k) {
     const Block& block = blocks_[static_cast<std::size_t>(k)];
@@ -139,7 +156,7 @@ void TangentSweeps::sweep(int g, const VectorXd& b, VectorXd& x, VectorXd& y) {
     const Block& block = blocks_[static_cast<std::size_t>(k)];
     const auto [first, n] = groups_->unknowns(k);
     if (block.later.count > 0) {
-      std::fill_n(forces, n, 0.0);
+      std::fill_n(forces, n, 0.0F);
       add_forces(block.later, -1, forces);
       multiply(inverses_.data() + block.inverse, n, forces, change);
       for (int i = 0; i < n; ++i) x[first + i] += change[i];
@@ -156,7 +173,7 @@ void TangentSweeps::sweep(int g, const VectorXd& b, VectorXd& x, VectorXd& y) {
   }
 }
 
-void TangentSweeps::add_apart(int g, VectorXd& y) const {
+void TangentSweeps::add_apart(int g, Vector& y) const {
   const Range group = groups_->group(g);
   for (int k = group.first; k < group.end(); ++k)
     add_forces(blocks_[static_cast<std::size_t>(k)].apart, 1, y.data() + groups_->unknowns(k).first);

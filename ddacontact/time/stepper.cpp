@@ -2,12 +2,12 @@
 
 #include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
+#include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/out_of_memory.hpp>
-#include <polyfem/core/parallel.hpp>
 #include <polyfem/core/stopwatch.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -41,14 +41,6 @@ std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
 }
 
-/// Calls work(c) for all contacts: what it writes must belong to contact c alone.
-void for_contacts(std::size_t n_contacts, const auto& work) {
-  constexpr Index grain = 512;
-  polyfem::for_ranges(static_cast<Index>(n_contacts), grain, [&](Index begin, Index end) {
-    for (Index c = begin; c < end; ++c) work(static_cast<std::size_t>(c));
-  });
-}
-
 /// The velocity of a support, from the steps before and after; where it jumps, by much more than in the steps
 /// beside, that before.
 double velocity_at(const HeldUnknown& held, double time, double dt, double end_time) {
@@ -63,6 +55,13 @@ double velocity_at(const HeldUnknown& held, double time, double dt, double end_t
   const double jump = std::abs(way[2] - way[1]),
                beside = std::max(std::abs(way[1] - way[0]), std::abs(way[3] - way[2]));
   return (jump > much * beside ? way[1] : (way[1] + way[2]) / 2) / dt;
+}
+
+std::vector<ContactForce> forces_of(const std::vector<Contact>& contacts) {
+  std::vector<ContactForce> forces;
+  forces.reserve(contacts.size());
+  for (const Contact& contact : contacts) forces.push_back({contact.normal, contact.shear});
+  return forces;
 }
 
 /// Lets blocks that contacts bear, and that move no faster than gravity would make them in the step, start
@@ -301,7 +300,7 @@ Stepper::Solution Stepper::solve(double dt) {
   if (method_ == ContactMethod::classic || is_static()) {
     StepImpact none;
     none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
-    return solve_with(dt, none);
+    return solve_with(dt, none, nullptr);
   }
   std::vector<char> also;
   Solution solution;
@@ -309,10 +308,11 @@ Stepper::Solution Stepper::solve(double dt) {
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
+      if (round > 0) solution.forces = forces_of(tried_);
       restart_contacts();
       impact = foresee_impact(blocks_, state_, tried_, state_.velocity, dt, also);
     }
-    solution = solve_with(dt, impact);
+    solution = solve_with(dt, impact, round > 0 ? &solution : nullptr);
     solution.impact = std::move(impact);
     if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
   }
@@ -331,7 +331,7 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
   return also != before && std::find(also.begin(), also.end(), 1) != also.end();
 }
 
-Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
+Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact, const Solution* nearby) {
   const StepStart start{.rule = step_rule(analysis_),
                         .dt = dt,
                         .velocity = start_velocity(),
@@ -355,7 +355,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact) {
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
-    solve_by_stages(start, solution);
+    solve_by_stages(start, nearby, solution);
   counts_.linear_solves += cholesky.n_solves() - solves;
   counts_.factorizations += cholesky.n_factorizations() - factorizations;
   times_.analyses += cholesky.n_analyses() - analyses;
@@ -387,12 +387,20 @@ void Stepper::solve_by_open_close(Solution& solution) {
   }
 }
 
-void Stepper::solve_by_stages(const StepStart& start, Solution& solution) {
+void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution) {
   staged_.local = !is_static() && std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
     return carries_waves(blocks_, contact, system_->dt());
   });
   staged_.skip = analysis_.skip;
-  solution.d = system_->free_path();
+  solution.d = solution.start = system_->free_path();
+  staged_.again = staged_.local && nearby;
+  if (staged_.again) {
+    solution.d += nearby->d - nearby->start;
+    for_contacts(tried_.size(), [&](std::size_t c) {
+      tried_[c].normal = nearby->forces[c].normal;
+      tried_[c].shear = nearby->forces[c].shear;
+    });
+  }
   if (!is_static() && !staged_.local) start_borne_blocks(blocks_, tried_, start, solution.d);
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, tried_);

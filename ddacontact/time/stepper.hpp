@@ -35,7 +35,7 @@ struct StepMemory {
   double detection = 0;  ///< outlines, boxes, pairs
   double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13), the matrix of held
                          ///< contacts; without factors
-  double factor = 0;  ///< of (13) and of held contacts, and what making them takes
+  double factor = 0;     ///< of (13) and of held contacts, and what making them takes
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.
@@ -133,14 +133,17 @@ class Stepper {
     std::string objection;
     bool friction_unsettled = false;  ///< and nothing else
     StepImpact impact;
+    VectorXd start;                    ///< where d was looked for from, without an earlier solution
+    std::vector<ContactForce> forces;  ///< of the contacts, when it is solved again
   };
   Solution solve(double dt);
   /// One try with an impact foreseen.
-  Solution solve_with(double dt, const StepImpact& impact);
+  /// \param[in] nearby  what was found with an impact that differs little; may be null
+  Solution solve_with(double dt, const StepImpact& impact, const Solution* nearby);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
   void solve_by_open_close(Solution& solution);
-  void solve_by_stages(const StepStart& start, Solution& solution);
+  void solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution);
   std::string between(int contact) const;
   /// Whether an outline that is not convex is simple; notes one that was convex in `turned_concave_`.
   bool check_concave(int block, const BlockState& next);
