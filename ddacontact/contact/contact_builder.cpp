@@ -67,6 +67,16 @@ class ContactsByPair {
 
 }  // namespace
 
+JointLaw ContactProperties::law(const ContactRecord& contact) const {
+  const JointStrength& joint = strength(contact.pair);
+  return {.normal_stiffness = normal_stiffness,
+          .tangential_stiffness = tangential_stiffness,
+          .friction = joint.friction,
+          .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
+          .cohesion = joint.cohesion * contact.history.length,
+          .tension = joint.tensile_strength * contact.history.length};
+}
+
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
@@ -166,30 +176,22 @@ MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdg
           edge_block.vertex_map(next)};
 }
 
-void ContactBuilder::set_law(ContactRecord& contact) const {
-  const JointStrength& joint = strength(contact.pair);
-  contact.law.normal_stiffness = properties_.normal_stiffness;
-  contact.law.tangential_stiffness = properties_.tangential_stiffness;
-  contact.law.friction = joint.friction;
-  contact.law.friction_law = joint.friction_law ? &joint.friction_law : nullptr;
-  contact.law.restitution = joint.restitution;
-  contact.law.dashpot = 0;
-  if (joint.dashpot == 0) return;
+double ContactBuilder::dashpot(const VertexEdge& pair) const {
+  const double ratio = properties_.strength(pair).dashpot;
+  if (ratio == 0) return 0;
   double lighter = std::numeric_limits<double>::infinity();
-  for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+  for (int b : {pair.vertex_block, pair.edge_block})
     if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
-  contact.law.dashpot = 2 * joint.dashpot * std::sqrt(properties_.normal_stiffness * lighter);
+  return 2 * ratio * std::sqrt(properties_.normal_stiffness * lighter);
 }
 
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
   Contact contact;
   contact.pair = pair;
-  set_law(contact);
   contact.motion = motion(state, pair);
   contact.gap = contact.first_gap().constant;
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
-  contact.edge_length = outlines_[pair.edge_block].sides[pair.edge].length;
   const Range& v = blocks_.block(pair.edge_block).vertices();
   const PointsRef outline = state.position.middleCols(v.first, v.count);
   const auto sides = outlines_[pair.edge_block].sides;
@@ -197,23 +199,9 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_before = straight_before_start(outline, pair.edge);
   if (sides[next(pair.edge, outline)].corner == Corner::straight)
     contact.straight_after = straight_beyond_end(outline, pair.edge);
-  contact.augmented = properties_.method == ContactMethod::staged && properties_.penetration_tolerance > 0;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
+  contact.law = properties_.law(contact);
   return contact;
-}
-
-void ContactBuilder::set_bond_strength(ContactRecord& contact) const {
-  const JointStrength& joint = strength(contact.pair);
-  contact.law.cohesion = joint.cohesion * contact.history.length;
-  contact.law.tension = joint.tensile_strength * contact.history.length;
-}
-
-void ContactBuilder::set_joints(JointTable joints, std::vector<ContactRecord>& contacts) {
-  properties_.joints = std::move(joints);
-  for (ContactRecord& contact : contacts) {
-    set_law(contact);
-    if (contact.history.bonded) set_bond_strength(contact);
-  }
 }
 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
@@ -230,7 +218,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
       const int origin = pair.edge_block;
       history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                                       blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
-      set_bond_strength(contact);
+      contact.law = properties_.law(contact);
       history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     }
     contacts.push_back(contact);
@@ -280,11 +268,10 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
     contact.history.gap_offset = old->history.gap_offset;
   } else if (old) {
     contact.history = old->history;
-    contact.law.cohesion = old->law.cohesion;
-    contact.law.tension = old->law.tension;
+    contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks.
-    if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length;
+    if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length();
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
@@ -293,8 +280,9 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
   return contact;
 }
 
-void ContactBuilder::restart(const ContactStart& start, Contact& contact) const {
-  start.write(contact.history);
+void ContactBuilder::restart(Contact& contact) const {
+  contact.history.state = contact.start_state;
+  contact.history.bonded = contact.start_bonded;
   contact.law.normal_stiffness = properties_.normal_stiffness;
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;

@@ -21,6 +21,14 @@ struct ContactProperties {
   std::vector<int> materials;  ///< of each block
   ContactMethod method = ContactMethod::classic;
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
+
+  /// Whether forces of contacts are multipliers: their springs store no energy.
+  bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }
+  const JointStrength& strength(const VertexEdge& pair) const {
+    return joints.between(materials[pair.vertex_block], materials[pair.edge_block]);
+  }
+  /// At the start of a step, with the strength that a bond has over the length of the contact.
+  JointLaw law(const ContactRecord& contact) const;
 };
 
 /// Finds the contacts of each step and hands on what they carry from step to step.
@@ -38,7 +46,10 @@ class ContactBuilder {
   void build(const BlockState& state, const std::vector<double>& reach,
              const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Makes a contact what it was before a try of a step.
-  void restart(const ContactStart& start, Contact& contact) const;
+  void restart(Contact& contact) const;
+  /// Against the rate of the gap of a contact while it is closed, N s/m per m.
+  double dashpot(const VertexEdge& pair) const;
+  const ContactProperties& properties() const { return properties_; }
   /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
   /// either way.
   void keep_pairs(bool keep) { keeps_pairs_ = keep; }
@@ -52,8 +63,8 @@ class ContactBuilder {
   /// Adds to the same contacts, as they are in `start`, those of the vertices found.
   void add_entered(const BlockState& start, std::vector<Contact>& contacts);
 
-  /// From now on contacts follow these joints, the bonds of `contacts` too.
-  void set_joints(JointTable joints, std::vector<ContactRecord>& contacts);
+  /// From now on contacts follow these joints, their bonds too.
+  void set_joints(JointTable joints) { properties_.joints = std::move(joints); }
 
   /// Bytes of the heap.
   double memory() const;
@@ -80,14 +91,6 @@ class ContactBuilder {
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const ContactRecord> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
-  /// Everything but the bond.
-  void set_law(ContactRecord& contact) const;
-  /// Of a bonded contact, over its length.
-  void set_bond_strength(ContactRecord& contact) const;
-  const JointStrength& strength(const VertexEdge& pair) const {
-    return properties_.joints.between(properties_.materials[pair.vertex_block],
-                                      properties_.materials[pair.edge_block]);
-  }
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
   bool may_have_entered(int a, int b, const BlockState& end) const;
   MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;

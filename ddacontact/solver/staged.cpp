@@ -112,7 +112,7 @@ class Staged {
     const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
     const double n_edges = system_.n_vertices(edge_block);
     const int next = edge + 1 == n_edges ? 0 : edge + 1;
-    const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length, 0.0, 1.0);
+    const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
     const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
                  of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
                                 t * t / system_.vertex_stiffness(edge_block, next, normal));
@@ -478,8 +478,6 @@ class Staged {
       contact.was_closed = contact.was_closed || closed;
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;
-      history.normal = closed && options_.penetration_tolerance > 0 ? elastic_normal(c) : 0;
-      history.shear = closed && options_.penetration_tolerance > 0 ? forces_[c].shear : 0;
     }
     return end(StagedStatus::settled);
   }
