@@ -73,10 +73,10 @@ class ContactBuilder {
   double pair_size(int a, int b) const;
 
  private:
-  /// The vertices and edges that may meet while no vertex of block b moves further than reach[b], ordered by
-  /// the pairs of blocks; of `previous` those that are closed win ties. Valid until the next call.
-  const std::vector<VertexEdge>& detect(const BlockState& state, const std::vector<double>& reach,
-                                        const std::vector<ContactRecord>& previous);
+  /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
+  /// ordered by the pairs of blocks; of `previous` those that are closed win ties. How many there are.
+  std::size_t detect(const BlockState& state, const std::vector<double>& reach,
+                     const std::vector<ContactRecord>& previous);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state, const std::vector<double>& reach);
   /// Appends the contacts of a pair; `closed` were so before.
@@ -100,14 +100,14 @@ class ContactBuilder {
   std::vector<double> half_width_, size_;  ///< of each block
   bool keeps_pairs_ = true;
 
-  // Working arrays of `detect`.
   OutlineTable outlines_;
   NearbyPairs nearby_;
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;                        ///< of blocks that may meet
-  std::vector<std::vector<VertexEdge>> found_in_;  ///< of each range of pairs
-  std::vector<VertexEdge> found_;
+  std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
+  std::vector<std::size_t> first_found_;           ///< of each range, among all
+  std::vector<VertexEdge> entered_;
 };
 
 }  // namespace ddacontact

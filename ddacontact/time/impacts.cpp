@@ -80,7 +80,7 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (touches[b] || !blocks.is_free(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    acceleration.segment(u.first, u.count) = blocks.block(b).rigid_modes().leftCols<2>() * blocks.gravity;
+    acceleration.segment(u.first, u.count) = blocks.block(b).translations() * blocks.gravity;
   }
 
   std::vector<double> times(blocks.n_blocks(), infinity);

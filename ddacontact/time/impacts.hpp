@@ -22,9 +22,9 @@ struct StepImpact {
 
 /// Follows the blocks on their way without forces (with gravity those that touch nothing) and lets those that
 /// meet within the step collide as rigid bodies: the approach of a hitting contact becomes `restitution`
-/// (of its joint) times itself away. Closed contacts take part, without restitution. A contact hits when its
-/// approach is faster than what gravity makes in a tenth of the step; its restitution counts when it is
-/// faster than what gravity makes in two steps: bounces that short are not resolved.
+/// (of its joint) times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
+/// faster than what gravity makes in a tenth of the step; its restitution counts when it is faster than what
+/// gravity makes in two steps: bounces that short are not resolved.
 ///
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] properties   of the contacts of these blocks

@@ -121,10 +121,11 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   apply(stages_.front());
   substep_ = analysis_.time_step;
   blocks_.prepare(state_, true);
-  for (int b = 0; b < blocks_.n_blocks(); ++b)
-    convex_.push_back(blocks_.block(b).cell(0).basis == &polyfem::wachspress &&
-                      !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
-                          blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Block& block = blocks_.block(b);
+    convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
+                      !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
+  }
   const std::vector<Contact> first =
       contact_builder_->build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
   contacts_.assign(first.begin(), first.end());
@@ -470,7 +471,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     const Range& v = blocks_.block(b).vertices();
     const auto outline = next.position.middleCols(v.first, v.count);
     is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
-    const double angle = best_fit_rotation(blocks_.reference().middleCols(v.first, v.count), outline);
+    const double angle = best_fit_rotation(blocks_.block(b).reference().leftCols(v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
   });
   for (int b = 0; b < blocks_.n_blocks(); ++b)
@@ -553,8 +554,7 @@ void Stepper::prepare_and_keep_momentum() {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);
     const Vec2 lost = before.col(b) - rigid_velocity(block, state_.velocity).linear;
-    state_.velocity.segment(block.unknowns().first, block.unknowns().count) +=
-        block.rigid_modes().leftCols<2>() * lost;
+    state_.velocity.segment(block.unknowns().first, block.unknowns().count) += block.translations() * lost;
   }
 }
 

@@ -35,7 +35,7 @@ struct StepMemory {
   double detection = 0;  ///< outlines, boxes, pairs
   double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13), the matrix of held
                          ///< contacts; without factors
-  double factor = 0;     ///< of (13) and of held contacts, and what making them takes
+  double factor = 0;  ///< of (13) and of held contacts, and what making them takes
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.

@@ -64,8 +64,7 @@ void Stepper::set_flight_acceleration() {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (touches[static_cast<std::size_t>(b)] || !blocks_.is_free(b)) continue;
     const Range& u = blocks_.block(b).unknowns();
-    state_.acceleration.segment(u.first, u.count) =
-        blocks_.block(b).rigid_modes().leftCols<2>() * blocks_.gravity;
+    state_.acceleration.segment(u.first, u.count) = blocks_.block(b).translations() * blocks_.gravity;
   }
 }
 

@@ -80,60 +80,88 @@ int place_of(const SparseMatrix& matrix, int row, int column, int guess) {
   return static_cast<int>(std::lower_bound(rows + outer[column], rows + outer[column + 1], row) - rows);
 }
 
-/// Of every pair i >= j of the rows of every element, both multiples of `stride`, j slowest, the place of its
-/// entry in the lower triangle; -1 when one of the two is left out.
-void find_places(const Connectivity& elements, const SparseMatrix& lower, std::size_t stride,
+/// Of every two of the rows of every element, the later one fastest, the place of their entry in the lower
+/// triangle; -1 when one of the two is left out.
+/// \param[in] stride  between places that may follow each other
+void find_places(const Connectivity& elements, const SparseMatrix& lower, int stride,
                  std::vector<int>& place) {
   place.clear();
   for (int e = 0; e < elements.n_elements(); ++e) {
     const auto rows = elements.rows_of(e);
-    for (std::size_t j = 0; j < rows.size(); j += stride) {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
       int last = -1;
-      for (std::size_t i = j; i < rows.size(); i += stride) {
+      for (std::size_t i = j; i < rows.size(); ++i) {
         const bool kept = rows[i] >= 0 && rows[j] >= 0;
-        place.push_back(kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]),
-                                        last + static_cast<int>(stride))
-                             : -1);
+        place.push_back(
+            kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]), last + stride)
+                 : -1);
         last = place.back();
       }
     }
   }
 }
 
-/// Whether all elements have their rows two by two, an even one and the next, none twice.
-bool comes_in_pairs(const Connectivity& connectivity) {
+/// Whether the rows of all elements come in groups of so many, a multiple of it and the next ones, none of
+/// more than one row twice in an element; of each the first row goes to `groups`, -1 for one that is left
+/// out.
+bool comes_in_groups(const Connectivity& connectivity, int size, Connectivity& groups) {
+  const auto n = static_cast<std::size_t>(size);
+  groups.clear();
   for (int e = 0; e < connectivity.n_elements(); ++e) {
     const auto rows = connectivity.rows_of(e);
-    if (rows.size() % 2 != 0) return false;
-    for (std::size_t k = 0; k < rows.size(); k += 2) {
-      const bool left_out = rows[k] < 0 && rows[k + 1] < 0;
-      if (!left_out && (rows[k] < 0 || rows[k] % 2 != 0 || rows[k + 1] != rows[k] + 1)) return false;
-      for (std::size_t l = 0; l < k; l += 2)
-        if (!left_out && rows[l] == rows[k]) return false;
+    if (rows.size() % n != 0) return false;
+    const std::size_t begin = groups.rows.size();
+    for (std::size_t k = 0; k < rows.size(); k += n) {
+      const bool left_out = rows[k] < 0;
+      if (!left_out && rows[k] % size != 0) return false;
+      for (std::size_t l = 1; l < n; ++l)
+        if (left_out ? rows[k + l] >= 0 : rows[k + l] != rows[k + l - 1] + 1) return false;
+      const auto before = groups.rows.begin() + static_cast<std::ptrdiff_t>(begin);
+      if (size > 1 && !left_out && std::find(before, groups.rows.end(), rows[k]) != groups.rows.end())
+        return false;
+      groups.rows.push_back(left_out ? -1 : rows[k]);
     }
+    groups.first.push_back(static_cast<int>(groups.rows.size()));
   }
   return true;
 }
 
 }  // namespace
 
+bool PatternMatrix::is_of(const Connectivity& connectivity) const {
+  const auto size = static_cast<std::size_t>(group_size_);
+  if (connectivity.rows.size() != size * groups_.rows.size() ||
+      connectivity.first.size() != groups_.first.size())
+    return false;
+  for (std::size_t e = 0; e < groups_.first.size(); ++e)
+    if (connectivity.first[e] != group_size_ * groups_.first[e]) return false;
+  const int* row = connectivity.rows.data();
+  for (const int first : groups_.rows)
+    for (int l = 0; l < group_size_; ++l, ++row)
+      if (first < 0 ? *row >= 0 : *row != first + l) return false;
+  return true;
+}
+
 bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivity) {
-  if (n_rows == lower_.rows() && connectivity == connectivity_) return false;
+  if (n_rows == lower_.rows() && is_of(connectivity)) return false;
   SparseMatrix pattern = make_pattern(n_rows, connectivity);
   const bool changed = !have_same_pattern(pattern, lower_);
   if (changed) lower_ = std::move(pattern);
-  connectivity_ = connectivity;
   set_zero();
-  paired_ = comes_in_pairs(connectivity);
-  const std::size_t stride = paired_ ? 2 : 1;
-  first_place_.assign(static_cast<std::size_t>(connectivity.n_elements()) + 1, 0);
-  for (int e = 0; e < connectivity.n_elements(); ++e) {
-    const std::size_t k = connectivity.rows_of(e).size() / stride;
+  for (int size : {3, 2, 1}) {
+    group_size_ = size;
+    if (comes_in_groups(connectivity, size, groups_)) break;
+  }
+  groups_.first.shrink_to_fit();
+  groups_.rows.shrink_to_fit();
+  first_place_.assign(static_cast<std::size_t>(groups_.n_elements()) + 1, 0);
+  for (int e = 0; e < groups_.n_elements(); ++e) {
+    const std::size_t k = groups_.rows_of(e).size();
     first_place_[static_cast<std::size_t>(e) + 1] =
         first_place_[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
   }
   place_.reserve(first_place_.back());
-  find_places(connectivity, lower_, stride, place_);
+  find_places(groups_, lower_, group_size_, place_);
   return changed;
 }
 
@@ -146,56 +174,58 @@ void PatternMatrix::set_identity() {
   for (int c = 0; c < lower_.cols(); ++c) lower_.valuePtr()[lower_.outerIndexPtr()[c]] = 1;
 }
 
-// A pair i > j stands for the entries (i, j) and (j, i) of the element. They fall on (r, c) and (c, r), of
+// Two rows i, j of an element stand for the entries (i, j) and (j, i). They fall on (r, c) and (c, r), of
 // which only the lower one is stored, unless both rows are the same: then both fall on the diagonal.
 
-template <class Visit>
-void PatternMatrix::for_places(int element, const Visit& visit) const {
-  const auto rows = connectivity_.rows_of(element);
-  const std::size_t k = rows.size();
+template <int size, class Visit>
+void PatternMatrix::for_groups(int element, const Visit& visit) const {
+  const auto groups = groups_.rows_of(element);
   const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
-  if (!paired_) {
-    for (std::size_t j = 0; j < k; ++j)
-      for (std::size_t i = j; i < k; ++i, ++place)
-        if (*place >= 0) visit(i, j, *place);
-    return;
-  }
   const int* outer = lower_.outerIndexPtr();
-  for (std::size_t j = 0; j < k; j += 2)
-    for (std::size_t i = j; i < k; i += 2, ++place) {
+  for (std::size_t j = 0; j < groups.size(); ++j)
+    for (std::size_t i = j; i < groups.size(); ++i, ++place) {
       if (*place < 0) continue;
-      const int column = std::min(rows[i], rows[j]);
-      const int right =
-          *place + outer[column + 1] - outer[column] - 1;  // in the next column, without its top
-      visit(i, j, *place);
-      if (i == j) {
-        visit(i + 1, j, *place + 1);
-        visit(i + 1, j + 1, right + 1);
-        continue;
+      const bool below = groups[i] >= groups[j];
+      const int first = below ? groups[j] : groups[i];
+      for (int column = 0; column < size; ++column) {  // of the group; each lacks the top of the one before
+        const int top = *place + outer[first + column] - outer[first] - column;
+        for (int row = i == j ? column : 0; row < size; ++row)
+          visit(size * i + static_cast<std::size_t>(below ? row : column),
+                size * j + static_cast<std::size_t>(below ? column : row), top + row);
       }
-      const bool below = rows[i] > rows[j];
-      visit(i + 1, j, below ? *place + 1 : right);
-      visit(i, j + 1, below ? right : *place + 1);
-      visit(i + 1, j + 1, right + 1);
     }
 }
 
+template <class Visit>
+void PatternMatrix::for_places(int element, const Visit& visit) const {
+  switch (group_size_) {
+    case 3:
+      return for_groups<3>(element, visit);
+    case 2:
+      return for_groups<2>(element, visit);
+    default:
+      return for_groups<1>(element, visit);
+  }
+}
+
 void PatternMatrix::add(int element, const Eigen::Ref<const MatrixXd>& matrix) {
-  const auto rows = connectivity_.rows_of(element);
-  assert(matrix.rows() == static_cast<Index>(rows.size()) && matrix.cols() == matrix.rows());
+  const auto groups = groups_.rows_of(element);
+  assert(matrix.rows() == group_size_ * static_cast<Index>(groups.size()) && matrix.cols() == matrix.rows());
   double* values = lower_.valuePtr();
+  const bool may_repeat = group_size_ == 1;
   for_places(element, [&](std::size_t i, std::size_t j, int place) {
     const double entry = matrix(static_cast<Index>(i), static_cast<Index>(j));
-    values[place] += i != j && rows[i] == rows[j] ? 2 * entry : entry;
+    values[place] += may_repeat && i != j && groups[i] == groups[j] ? 2 * entry : entry;
   });
 }
 
 void PatternMatrix::add_outer(int element, double factor, std::span<const double> a) {
-  const auto rows = connectivity_.rows_of(element);
-  assert(a.size() == rows.size());
+  const auto groups = groups_.rows_of(element);
+  assert(a.size() == static_cast<std::size_t>(group_size_) * groups.size());
   double* values = lower_.valuePtr();
+  const bool may_repeat = group_size_ == 1;
   for_places(element, [&](std::size_t i, std::size_t j, int place) {
-    values[place] += (i != j && rows[i] == rows[j] ? 2 * factor : factor) * a[i] * a[j];
+    values[place] += (may_repeat && i != j && groups[i] == groups[j] ? 2 * factor : factor) * a[i] * a[j];
   });
 }
 
@@ -203,7 +233,7 @@ double PatternMatrix::memory() const {
   const auto bytes = [](const auto& numbers) {
     return static_cast<double>(numbers.capacity() * sizeof(numbers[0]));
   };
-  return bytes(connectivity_.first) + bytes(connectivity_.rows) + bytes(first_place_) + bytes(place_) +
+  return bytes(groups_.first) + bytes(groups_.rows) + bytes(first_place_) + bytes(place_) +
          static_cast<double>(lower_.data().allocatedSize()) *
              (sizeof(double) + sizeof(SparseMatrix::StorageIndex)) +
          static_cast<double>(lower_.outerSize()) * sizeof(SparseMatrix::StorageIndex);
