@@ -60,8 +60,8 @@ struct Contact : ContactRecord {
   JointLaw law;
   MovingVertexEdge motion;
   // At the end of the last try of the step; before one, the gap at its start.
-  double gap = 0;                          ///< without its offset
-  double gap_change = 0, slip_change = 0;  ///< within the step
+  double gap = 0;                                  ///< without its offset
+  double gap_change = 0, slip_change = 0;          ///< within the step
   double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m

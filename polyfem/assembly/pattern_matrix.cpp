@@ -10,53 +10,71 @@
 namespace polyfem {
 namespace {
 
-/// The rows at and below the diagonal of the columns 0, 1, ...: found one column after another.
-class ColumnRows {
+/// The groups of rows at and below the diagonal of the columns of each group: found one after another. A
+/// group is told by its first row.
+class ColumnGroups {
  public:
-  ColumnRows(int n_rows, const Connectivity& connectivity)
-      : first_(static_cast<std::size_t>(n_rows) + 1, 0), seen_in_(static_cast<std::size_t>(n_rows), -1) {
-    for (int row : connectivity.rows)
-      if (row >= 0) ++first_[static_cast<std::size_t>(row) + 1];
+  ColumnGroups(int n_groups, int size, const Connectivity& groups)
+      : size_(size),
+        first_(static_cast<std::size_t>(n_groups) + 1, 0),
+        seen_in_(static_cast<std::size_t>(n_groups), -1) {
+    for (int row : groups.rows)
+      if (row >= 0) ++first_[number(row) + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     elements_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (int e = 0; e < connectivity.n_elements(); ++e)
-      for (int row : connectivity.rows_of(e)) {
-        assert(row < n_rows);
-        if (row >= 0) elements_[next[static_cast<std::size_t>(row)]++] = connectivity.rows_of(e);
+    for (int e = 0; e < groups.n_elements(); ++e)
+      for (int row : groups.rows_of(e)) {
+        assert(number(row) < next.size() || row < 0);
+        if (row >= 0) elements_[next[number(row)]++] = groups.rows_of(e);
       }
   }
 
-  /// Appends those of a column, ascending.
-  void append(int column, std::vector<int>& rows) {
-    const auto begin = static_cast<std::ptrdiff_t>(rows.size());
-    rows.push_back(column);
-    seen_in_[static_cast<std::size_t>(column)] = column;
-    for (std::size_t k = first_[static_cast<std::size_t>(column)];
-         k < first_[static_cast<std::size_t>(column) + 1]; ++k)
+  /// Whether the group is in any element.
+  bool occurs(int column) const { return first_[number(column)] < first_[number(column) + 1]; }
+  /// Writes those of a column, ascending.
+  void find(int column, std::vector<int>& rows) {
+    rows.assign(1, column);
+    seen_in_[number(column)] = column;
+    for (std::size_t k = first_[number(column)]; k < first_[number(column) + 1]; ++k)
       for (int row : elements_[k]) {
-        if (row < column || seen_in_[static_cast<std::size_t>(row)] == column) continue;
-        seen_in_[static_cast<std::size_t>(row)] = column;
+        if (row < column || seen_in_[number(row)] == column) continue;
+        seen_in_[number(row)] = column;
         rows.push_back(row);
       }
-    std::sort(rows.begin() + begin, rows.end());
+    std::sort(rows.begin(), rows.end());
   }
 
  private:
-  std::vector<std::size_t> first_;              ///< of each row in elements_
-  std::vector<std::span<const int>> elements_;  ///< the rows of those that a row is in
-  std::vector<int> seen_in_;                    ///< of each row the last column that has it
+  std::size_t number(int row) const { return static_cast<std::size_t>(row / size_); }
+
+  int size_;
+  std::vector<std::size_t> first_;              ///< of each group in elements_
+  std::vector<std::span<const int>> elements_;  ///< the groups of those that a group is in
+  std::vector<int> seen_in_;                    ///< of each group the last column that has it
 };
 
-SparseMatrix make_pattern(int n_rows, const Connectivity& connectivity) {
-  ColumnRows columns(n_rows, connectivity);
-  std::vector<int> rows, first{0};
-  for (int c = 0; c < n_rows; ++c) {
-    columns.append(c, rows);
+SparseMatrix make_pattern(int n_rows, int size, const Connectivity& groups) {
+  const int n_groups = n_rows / size;
+  ColumnGroups columns(n_groups, size, groups);
+  std::vector<int> rows, found, first{0};
+  const auto end_column = [&] {
     if (rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw OutOfMemory("a matrix of " + std::to_string(n_rows) +
                         " rows has more entries than 32-bit indices can count");
     first.push_back(static_cast<int>(rows.size()));
+  };
+  for (int column = 0; column < n_rows; ++column) {
+    const int group = column - column % size;
+    if (group >= size * n_groups || !columns.occurs(group)) {
+      rows.push_back(column);
+      end_column();
+      continue;
+    }
+    if (column == group) columns.find(group, found);
+    for (int row : found)
+      for (int k = std::max(row, column); k < row + size; ++k) rows.push_back(k);
+    end_column();
   }
   SparseMatrix pattern(n_rows, n_rows);
   pattern.resizeNonZeros(first.back());
@@ -144,16 +162,17 @@ bool PatternMatrix::is_of(const Connectivity& connectivity) const {
 
 bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivity) {
   if (n_rows == lower_.rows() && is_of(connectivity)) return false;
-  SparseMatrix pattern = make_pattern(n_rows, connectivity);
+  Connectivity groups;
+  int size = 3;
+  while (!comes_in_groups(connectivity, size, groups)) --size;
+  groups.first.shrink_to_fit();
+  groups.rows.shrink_to_fit();
+  SparseMatrix pattern = make_pattern(n_rows, size, groups);
   const bool changed = !have_same_pattern(pattern, lower_);
   if (changed) lower_ = std::move(pattern);
+  group_size_ = size;
+  groups_ = std::move(groups);
   set_zero();
-  for (int size : {3, 2, 1}) {
-    group_size_ = size;
-    if (comes_in_groups(connectivity, size, groups_)) break;
-  }
-  groups_.first.shrink_to_fit();
-  groups_.rows.shrink_to_fit();
   first_place_.assign(static_cast<std::size_t>(groups_.n_elements()) + 1, 0);
   for (int e = 0; e < groups_.n_elements(); ++e) {
     const std::size_t k = groups_.rows_of(e).size();
@@ -177,56 +196,54 @@ void PatternMatrix::set_identity() {
 // Two rows i, j of an element stand for the entries (i, j) and (j, i). They fall on (r, c) and (c, r), of
 // which only the lower one is stored, unless both rows are the same: then both fall on the diagonal.
 
-template <int size, class Visit>
-void PatternMatrix::for_groups(int element, const Visit& visit) const {
+template <int size, class Entry>
+void PatternMatrix::add_groups(int element, const Entry& entry) {
   const auto groups = groups_.rows_of(element);
+  const int n = static_cast<int>(groups.size());
   const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
   const int* outer = lower_.outerIndexPtr();
-  for (std::size_t j = 0; j < groups.size(); ++j)
-    for (std::size_t i = j; i < groups.size(); ++i, ++place) {
+  double* values = lower_.valuePtr();
+  for (int j = 0; j < n; ++j)
+    for (int i = j; i < n; ++i, ++place) {
       if (*place < 0) continue;
-      const bool below = groups[i] >= groups[j];
-      const int first = below ? groups[j] : groups[i];
-      for (int column = 0; column < size; ++column) {  // of the group; each lacks the top of the one before
-        const int top = *place + outer[first + column] - outer[first] - column;
-        for (int row = i == j ? column : 0; row < size; ++row)
-          visit(size * i + static_cast<std::size_t>(below ? row : column),
-                size * j + static_cast<std::size_t>(below ? column : row), top + row);
+      const int row = groups[static_cast<std::size_t>(i)], column = groups[static_cast<std::size_t>(j)];
+      double entries[size][size];  // by columns
+      for (int l = 0; l < size; ++l)
+        for (int k = 0; k < size; ++k) entries[l][k] = entry(size * i + k, size * j + l);
+      if (size == 1 && i != j && row == column) entries[0][0] *= 2;
+      const int first = std::min(row, column);
+      for (int l = 0; l < size; ++l) {
+        // A column of a group lacks the top of the one before.
+        double* const top = values + *place + (l > 0 ? outer[first + l] - outer[first] - l : 0);
+        if (row >= column)
+          for (int k = i == j ? l : 0; k < size; ++k) top[k] += entries[l][k];
+        else
+          for (int k = 0; k < size; ++k) top[k] += entries[k][l];
       }
     }
 }
 
-template <class Visit>
-void PatternMatrix::for_places(int element, const Visit& visit) const {
+template <class Entry>
+void PatternMatrix::add_entries(int element, const Entry& entry) {
   switch (group_size_) {
     case 3:
-      return for_groups<3>(element, visit);
+      return add_groups<3>(element, entry);
     case 2:
-      return for_groups<2>(element, visit);
+      return add_groups<2>(element, entry);
     default:
-      return for_groups<1>(element, visit);
+      return add_groups<1>(element, entry);
   }
 }
 
 void PatternMatrix::add(int element, const Eigen::Ref<const MatrixXd>& matrix) {
-  const auto groups = groups_.rows_of(element);
-  assert(matrix.rows() == group_size_ * static_cast<Index>(groups.size()) && matrix.cols() == matrix.rows());
-  double* values = lower_.valuePtr();
-  const bool may_repeat = group_size_ == 1;
-  for_places(element, [&](std::size_t i, std::size_t j, int place) {
-    const double entry = matrix(static_cast<Index>(i), static_cast<Index>(j));
-    values[place] += may_repeat && i != j && groups[i] == groups[j] ? 2 * entry : entry;
-  });
+  assert(matrix.rows() == group_size_ * static_cast<Index>(groups_.rows_of(element).size()) &&
+         matrix.cols() == matrix.rows());
+  add_entries(element, [&](int i, int j) { return matrix(i, j); });
 }
 
 void PatternMatrix::add_outer(int element, double factor, std::span<const double> a) {
-  const auto groups = groups_.rows_of(element);
-  assert(a.size() == static_cast<std::size_t>(group_size_) * groups.size());
-  double* values = lower_.valuePtr();
-  const bool may_repeat = group_size_ == 1;
-  for_places(element, [&](std::size_t i, std::size_t j, int place) {
-    values[place] += (may_repeat && i != j && groups[i] == groups[j] ? 2 * factor : factor) * a[i] * a[j];
-  });
+  assert(a.size() == static_cast<std::size_t>(group_size_) * groups_.rows_of(element).size());
+  add_entries(element, [factor, a = a.data()](int i, int j) { return factor * a[i] * a[j]; });
 }
 
 double PatternMatrix::memory() const {

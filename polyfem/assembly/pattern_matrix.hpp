@@ -51,12 +51,11 @@ class PatternMatrix {
  private:
   /// Whether the last connectivity was this one.
   bool is_of(const Connectivity& connectivity) const;
-  /// Calls visit(i, j, place in lower_.valuePtr()) for each two rows of the element that are not left out,
-  /// once in either order.
-  template <class Visit>
-  void for_places(int element, const Visit& visit) const;
-  template <int size, class Visit>
-  void for_groups(int element, const Visit& visit) const;
+  /// Adds a symmetric matrix: entry(i, j) of the rows of the element.
+  template <class Entry>
+  void add_entries(int element, const Entry& entry);
+  template <int size, class Entry>
+  void add_groups(int element, const Entry& entry);
 
   /// The rows of all elements come in groups of so many, a multiple of it and the next ones: the columns of a
   /// group have the same rows then, and where one entry of two groups is tells where the others are.
