@@ -77,9 +77,11 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
       displacements.row(2 * k + 1) = transformation(outline.col(control_->y[k]) - centroid).row(1);
     }
     basis_ = displacements.inverse();
-    rigid_modes_ = displacements.leftCols<3>();
+    translations_ = displacements.leftCols<2>();
+    new_rotation() = displacements.col(2);
   } else {
-    rigid_modes_ = Mat6::Identity().leftCols<3>();
+    translations_ = Mat6::Identity().leftCols<2>();
+    new_rotation() = Mat6::Identity().col(2);
   }
   for (int v = 0; v < n_vertices(); ++v) {
     const Eigen::Matrix<double, 2, 6> map = transformation(outline.col(v) - centroid) * basis_;

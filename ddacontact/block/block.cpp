@@ -13,11 +13,13 @@ namespace ddacontact {
 
 Block::Block(const BlockMaterial& material, const PointsRef& places, int n_vertices)
     : material_(material),
-      reference_(places),
+      reference_(static_cast<std::size_t>(places.cols())),
       reference_area_(polyfem::signed_area(places.leftCols(n_vertices))),
       grid_(std::exp2(std::floor(std::log2(reference_area_) / 2))),
       n_vertices_(n_vertices),
-      moments_(polyfem::area_moments(places.leftCols(n_vertices))) {}
+      moments_(polyfem::area_moments(places.leftCols(n_vertices))) {
+  Points::Map(reference_.front().data(), 2, places.cols()) = places;
+}
 
 void Block::place(int index, int first_place, int first_unknown, int first_stress_point) {
   index_ = index;
@@ -33,6 +35,12 @@ Mat3 Block::compliance() const {
 
 double Block::size() const {
   return std::sqrt(reference_area_);
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> Block::rigid_modes() const {
+  Eigen::Matrix<double, Eigen::Dynamic, 3> modes(n_unknowns(), 3);
+  modes << translations(), rotation();
+  return modes;
 }
 
 Vec2 Block::grid_point(const Vec2& near) const {
@@ -85,7 +93,7 @@ VectorXd Block::place_weights(const Vec2& x) const {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int c = 0; c < n_cells() && least > 0; ++c) {
-    const Points outline = reference_(Eigen::all, cell(c).corners);
+    const Points outline = reference()(Eigen::all, cell(c).corners);
     const double distance = polyfem::distance_outside(outline, x);
     if (distance >= least) continue;
     least = distance;
@@ -93,14 +101,14 @@ VectorXd Block::place_weights(const Vec2& x) const {
   }
   const BlockCell in = cell(nearest);
   polyfem::ShapeValues shape;
-  (*in.basis)(reference_(Eigen::all, in.corners), x, shape);
+  (*in.basis)(reference()(Eigen::all, in.corners), x, shape);
   VectorXd weights = VectorXd::Zero(n_places());
   weights(in.corners) = shape.values;
   return weights;
 }
 
 BlockCell Block::cell(int /*c*/) const {
-  BlockCell cell{std::vector<int>(n_vertices_), &polyfem::suitable_basis(reference_.leftCols(n_vertices_))};
+  BlockCell cell{std::vector<int>(n_vertices_), &polyfem::suitable_basis(reference().leftCols(n_vertices_))};
   std::iota(cell.corners.begin(), cell.corners.end(), 0);
   return cell;
 }

@@ -52,7 +52,7 @@ class Block {
   /// Whether steps change what the state has of the block's stress.
   virtual bool changes_stress() const { return true; }
   int n_vertices() const { return n_vertices_; }
-  int n_places() const { return static_cast<int>(reference_.cols()); }
+  int n_places() const { return static_cast<int>(reference_.size()); }
   /// Its number, and where its entries start in the arrays of the state.
   void place(int index, int first_place, int first_unknown, int first_stress_point);
   /// Of the outline, the first of `places`.
@@ -62,7 +62,7 @@ class Block {
   const Range& stress_points() const { return stress_points_; }
 
   /// The places at the start, relative to the model's origin.
-  const Points& reference() const { return reference_; }
+  Eigen::Map<const Points> reference() const { return {reference_.front().data(), 2, n_places()}; }
   double reference_area() const { return reference_area_; }
   double mass_total() const { return material_.density * reference_area_; }
   /// The square root of the reference area: what tolerances are relative to.
@@ -86,8 +86,14 @@ class Block {
   virtual double kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const {
     return velocity.dot(times_mass(velocity).col(0)) / 2;
   }
-  /// Unknowns of a unit translation in x, in y and a unit rotation about the centroid: n_unknowns x 3.
-  const Eigen::Matrix<double, Eigen::Dynamic, 3>& rigid_modes() const { return rigid_modes_; }
+  /// Unknowns of a unit translation in x and in y: n_unknowns x 2.
+  virtual const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const = 0;
+  /// Unknowns of a unit rotation about the centroid.
+  Eigen::Map<const VectorXd> rotation() const {
+    return {rotation_.data(), static_cast<Index>(rotation_.size())};
+  }
+  /// All three, n_unknowns x 3.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> rigid_modes() const;
   /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.
   virtual Points integration_points() const = 0;
   /// Area that belongs to each integration point.
@@ -161,11 +167,17 @@ class Block {
   /// Moves the origin in `state` back to the block when it has gone far from it.
   void follow_with_origin(BlockState& state) const;
 
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rigid_modes_;
+  /// Of the size of rotation(), to be written by prepare_shape.
+  Eigen::Map<VectorXd> new_rotation() {
+    rotation_.resize(static_cast<std::size_t>(n_unknowns()));
+    return {rotation_.data(), n_unknowns()};
+  }
 
  private:
   BlockMaterial material_;
-  Points reference_;
+  // Not as matrices, which take 64 bytes more.
+  std::vector<Vec2> reference_;
+  std::vector<double> rotation_;
   double reference_area_;
   double grid_;  ///< spacing of the origins
   int index_ = 0;

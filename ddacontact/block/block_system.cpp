@@ -27,9 +27,6 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   }
   block_of_place_.reserve(static_cast<std::size_t>(n_places));
   block_of_unknown_.reserve(static_cast<std::size_t>(n_unknowns_));
-  reference_.resize(2, n_places);
-  for (const auto& block : blocks_)
-    reference_.middleCols(block->places().first, block->places().count) = block->reference();
   for (int b = 0; b < n_blocks(); ++b) {
     block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
     block_of_unknown_.insert(block_of_unknown_.end(), block(b).n_unknowns(), b);
@@ -40,6 +37,13 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   present_.assign(blocks_.size(), true);
   resting_.assign(blocks_.size(), false);
   number_equations();
+}
+
+Points BlockSystem::reference() const {
+  Points places(2, static_cast<Index>(block_of_place_.size()));
+  for (const auto& block : blocks_)
+    places.middleCols(block->places().first, block->places().count) = block->reference();
+  return places;
 }
 
 void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
@@ -94,10 +98,10 @@ void BlockSystem::number_equations() {
 BlockState BlockSystem::initial_state() const {
   BlockState state;
   state.origin.resize(2, n_blocks());
-  state.position = reference_;
+  state.position = reference();
   for (int b = 0; b < n_blocks(); ++b) {
     const Range &v = block(b).vertices(), &all = block(b).places();
-    state.origin.col(b) = block(b).grid_point(reference_.middleCols(v.first, v.count).rowwise().mean());
+    state.origin.col(b) = block(b).grid_point(state.position.middleCols(v.first, v.count).rowwise().mean());
     state.position.middleCols(all.first, all.count).colwise() -= state.origin.col(b);
   }
   state.velocity = state.acceleration = VectorXd::Zero(n_unknowns_);

@@ -59,7 +59,7 @@ class BlockSystem {
   int n_stress_points() const { return n_stress_points_; }
   const Block& block(int b) const { return *blocks_[b]; }
   /// All places at the start.
-  const Points& reference() const { return reference_; }
+  Points reference() const;
 
   std::vector<std::string> names;  ///< of the blocks, for messages; their indices unless replaced
   Vec2 gravity{0, 0};              ///< m/s2
@@ -139,7 +139,6 @@ class BlockSystem {
   void number_equations();
 
   std::vector<std::unique_ptr<Block>> blocks_;
-  Points reference_;
   BlockState start_, zero_;  ///< places and origins alone; zero_ is empty while displacements are counted
                              ///< from the start
   std::vector<int> block_of_place_, block_of_unknown_;

@@ -91,11 +91,8 @@ void CorotationalBlock::add_body_force(const Vec2& b, VectorXd& F) const {
 }
 
 void CorotationalBlock::prepare_shape(const PointsRef& places) {
-  rigid_modes_.resize(n_unknowns(), 3);
   with_nodes(*shape_, [&](const auto& nodes) {
-    nodes.to_unknowns(nodes.everywhere(Vec2::UnitX()), rigid_modes_.col(0));
-    nodes.to_unknowns(nodes.everywhere(Vec2::UnitY()), rigid_modes_.col(1));
-    nodes.to_unknowns(nodes.spin(nodes.of_places(places)), rigid_modes_.col(2));
+    nodes.to_unknowns(nodes.spin(nodes.of_places(places)), new_rotation());
   });
 }
 

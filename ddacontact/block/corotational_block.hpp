@@ -19,6 +19,9 @@ class CorotationalBlock final : public Block {
   bool changes_stress() const override { return false; }
   VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
   PointMap vertex_map(int place) const override;
+  const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
+    return shape_->translations;
+  }
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void begin_step(const BlockState& state, const StepStart& start) override;

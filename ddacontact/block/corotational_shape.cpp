@@ -1,5 +1,6 @@
 #include <ddacontact/block/corotational_shape.hpp>
 
+#include <ddacontact/block/corotational_motion.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/b_bar.hpp>
@@ -105,6 +106,10 @@ void complete(CorotationalShape& shape) {
   shape.mass_of_translation = shape.is_one_cell() ? VectorXd(shape.cells[0].mass * shape.translation)
                                                   : VectorXd(shape.mass * shape.translation);
   shape.mass_total = shape.translation.dot(shape.mass_of_translation);
+  shape.translations.resize(shape.n_unknowns(), 2);
+  const NodalKinematics<polyfem::AnyNodes> nodes(shape);
+  for (int axis = 0; axis < 2; ++axis)
+    nodes.to_unknowns(nodes.everywhere(Vec2::Unit(axis)), shape.translations.col(axis));
 }
 
 /// A matrix of m nodes acting on x and y alike, 2m x 2m.

@@ -41,9 +41,10 @@ struct CorotationalShape {
   /// Changes of the nodes by the unknowns, 2m x u, and back; empty: they are the unknowns.
   Eigen::SparseMatrix<double, Eigen::RowMajor> basis, inverse_basis;
 
-  VectorXd mass_of_translation{};  ///< M t
-  double mass_total = 0;           ///< t M t
-  VectorXd integration_weights{};  ///< of the points of all cells
+  Eigen::Matrix<double, Eigen::Dynamic, 2> translations{};  ///< see Block::translations
+  VectorXd mass_of_translation{};                           ///< M t
+  double mass_total = 0;                                    ///< t M t
+  VectorXd integration_weights{};                           ///< of the points of all cells
   /// See StepMatrices, of the blocks of this shape.
   std::unique_ptr<LastStepMatrices> step_matrices = std::make_unique<LastStepMatrices>();
 

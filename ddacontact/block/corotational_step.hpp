@@ -24,7 +24,7 @@ struct CorotationalStart {
   /// accelerations (Newmark's); the first axis of that frame; of each cell the first axis of its frame,
   /// (stretch, 0) and the places of its nodes there; and where there is any, the forces on the nodes of each
   /// cell of the stress that the reference shape has.
-  Points arrays;
+  std::vector<Vec2> arrays;
 };
 
 /// A step that was begun.
@@ -52,27 +52,27 @@ class CorotationalStep {
     const std::vector<ShapeCell>& cells = nodes.shape().cells;
     const Places at(nodes.shape(), rule);
     const bool stressed = !initial_stress.isZero(0);
-    start.arrays.resize(2, stressed ? at.end : at.initial_forces);
+    start.arrays.resize(static_cast<std::size_t>(stressed ? at.end : at.initial_forces));
     const auto put = [&](const Vectors& array, Index column) {
-      Eigen::Map<Vectors, Eigen::Aligned16>(start.arrays.col(column).data(), 2, array.cols()) = array;
+      Eigen::Map<Vectors, Eigen::Aligned16>(start.arrays[column].data(), 2, array.cols()) = array;
     };
     put(y, 0);
     put(velocity, at.velocity);
     const Mat2 R = nodes.rotation(y);
-    start.arrays.col(at.axis) = R.col(0);
+    start.arrays[at.axis] = R.col(0);
     if (rule.scheme == Scheme::decaying)
       put(R.transpose() * nodes.split(y, velocity).deformation, at.deforming);
     if (keeps_acceleration(rule)) put(acceleration, at.acceleration);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Frame frame = nodes.frame(y, c);
       const Index k = at.cell(cells[c], c), n = cells[c].elastic.n_nodes();
-      start.arrays.col(k) = frame.rotation.col(0);
-      start.arrays.col(k + 1) << frame.stretch, 0;
+      start.arrays[k] = frame.rotation.col(0);
+      start.arrays[k + 1] = {frame.stretch, 0};
       put(frame.local, k + 2);
       if (!stressed) continue;
       polyfem::stress_forces(
           cells[c].element, initial_stress.middleCols(cells[c].first_point, cells[c].element.n_points()),
-          Eigen::Map<VectorXd>(start.arrays.col(at.initial_forces + cells[c].first_node).data(), 2 * n));
+          Eigen::Map<VectorXd>(start.arrays[at.initial_forces + cells[c].first_node].data(), 2 * n));
     }
   }
 
@@ -207,7 +207,7 @@ class CorotationalStep {
  private:
   static bool keeps_acceleration(const StepRule& rule) { return rule.history() != 0 || rule.gamma != 1; }
 
-  /// Columns of CorotationalStart::arrays.
+  /// Indices in CorotationalStart::arrays.
   struct Places {
     Places(const CorotationalShape& shape, const StepRule& rule) {
       const Index m = shape.nodes.cols();
@@ -225,12 +225,12 @@ class CorotationalStep {
     Index velocity, deforming, acceleration, axis, initial_forces, end;
   };
 
-  Array array(Index column, Index n) const { return {start_.arrays.data() + 2 * column, 2, n}; }
+  Array array(Index column, Index n) const { return {start_.arrays[column].data(), 2, n}; }
   Array velocity() const { return array(at_.velocity, nodes_.n_nodes()); }
   Array acceleration() const { return array(at_.acceleration, nodes_.n_nodes()); }
   Array deforming() const { return array(at_.deforming, nodes_.n_nodes()); }
   Mat2 rotation_at(Index column) const {
-    const Vec2 axis = start_.arrays.col(column);
+    const Vec2& axis = start_.arrays[column];
     Mat2 R;
     R << axis.x(), -axis.y(), axis.y(), axis.x();
     return R;
@@ -241,7 +241,7 @@ class CorotationalStep {
     const ShapeCell& cell = nodes_.shape().cells[c];
     const Index k = at_.cell(cell, c);
     Frame frame;
-    frame.stretch = start_.arrays(0, k + 1);
+    frame.stretch = start_.arrays[k + 1].x();
     frame.rotation = rotation_at(k);
     frame.local = array(k + 2, cell.elastic.n_nodes());
     cell.elastic.complete(frame);
@@ -249,7 +249,8 @@ class CorotationalStep {
   }
   Stacked initial_force(std::size_t c) const {
     const ShapeCell& cell = nodes_.shape().cells[c];
-    if (start_.arrays.cols() == at_.initial_forces) return Stacked::Zero(2 * cell.elastic.n_nodes());
+    if (static_cast<Index>(start_.arrays.size()) == at_.initial_forces)
+      return Stacked::Zero(2 * cell.elastic.n_nodes());
     return array(at_.initial_forces + cell.first_node, cell.elastic.n_nodes()).reshaped();
   }
 

@@ -13,6 +13,7 @@ class IncrementalBlock : public Block {
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
   using Block::tangent;
   void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override;
+  const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override { return translations_; }
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override {
     return mass_ * velocities;
   }
@@ -38,6 +39,7 @@ class IncrementalBlock : public Block {
   /// The density scaled by reference over current area, so that a block that inflates makes no mass.
   double current_density() const { return material().density * reference_area() / moments().area; }
 
+  Eigen::Matrix<double, Eigen::Dynamic, 2> translations_;
   MatrixXd stiffness_, mass_;
   VectorXd integration_weights_;
 

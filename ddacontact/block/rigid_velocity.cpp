@@ -3,7 +3,7 @@
 namespace ddacontact {
 
 RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity) {
-  const auto& modes = block.rigid_modes();
+  const auto modes = block.rigid_modes();
   const MatrixXd weighted = block.times_mass(modes);  // the momenta of unit motions, by unknown
   const Vec3 momentum =
       weighted.transpose() * velocity.segment(block.unknowns().first, block.unknowns().count);

@@ -26,7 +26,6 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   system_.present_.assign(blocks_.size(), true);
   system_.resting_ = resting_;
   system_.computes_fixed_ = whole.computes_fixed_;
-  system_.reference_.resize(2, next.places.first);
   std::vector<std::pair<const BlockState*, BlockState*>> kept{{&whole.start_, &system_.start_}};
   if (whole.zero_.position.size() > 0) kept.emplace_back(&whole.zero_, &system_.zero_);
   for (const auto& [in, out] : kept) {
@@ -39,7 +38,6 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
     system_.block_of_place_.insert(system_.block_of_place_.end(), to.count, static_cast<int>(k));
     system_.block_of_unknown_.insert(system_.block_of_unknown_.end(), in_part_[k].unknowns.count,
                                      static_cast<int>(k));
-    system_.reference_.middleCols(to.first, to.count) = whole.reference_.middleCols(from.first, from.count);
     for (const auto& [in, out] : kept) {
       out->position.middleCols(to.first, to.count) = in->position.middleCols(from.first, from.count);
       out->origin.col(column) = in->origin.col(blocks_[k]);

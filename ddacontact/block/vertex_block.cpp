@@ -50,11 +50,12 @@ void VertexBlock::prepare_shape(const PointsRef& outline) {
   polyfem::shape_integrals(element_, shape_integrals_);
   integration_weights_ = element_.rule.weights;
 
-  rigid_modes_.resize(n_unknowns(), 3);
+  translations_.resize(n_unknowns(), 2);
+  auto rotation = new_rotation();
   for (int i = 0; i < n_vertices(); ++i) {
     const Vec2 r = outline.col(i) - moments().centroid;
-    rigid_modes_.row(2 * i) << 1, 0, -r.y();
-    rigid_modes_.row(2 * i + 1) << 0, 1, r.x();
+    translations_.middleRows<2>(2 * i).setIdentity();
+    rotation.segment<2>(2 * i) << -r.y(), r.x();
   }
 }
 

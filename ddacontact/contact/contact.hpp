@@ -43,32 +43,37 @@ struct MovingVertexEdge {
 /// A contact between two steps: what the last one left and the next one carries on.
 struct ContactRecord {
   VertexEdge pair;
-  JointLaw law;
-  ContactHistory history;  ///< at the start of the step, then at its end
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
-  double normal = 0;        ///< N, > 0 compression
-  double shear = 0;         ///< force on the vertex along the edge from j to k
+  double normal = 0;  ///< N, > 0 compression
+  double shear = 0;   ///< force on the vertex along the edge from j to k
+  /// At the start of the step, then at its end. Flags stand where it would be padded.
+  [[no_unique_address]] ContactHistory history;
   bool was_closed = false;  ///< at the start, at the end or in between
-  bool augmented = false;   ///< its forces are multipliers: its springs store no energy
 
   bool closed() const { return history.state != ContactState::open; }
-  /// Whether a bond of some strength holds it.
-  bool has_bond() const { return history.bonded && (law.cohesion > 0 || law.tension > 0); }
   /// Whether the next step has to know of it: an open one has its overlap of the start still.
   bool lasts() const { return closed() || history.gap_offset < 0; }
 };
 
 /// A vertex of one block against an edge of another, through one step.
 struct Contact : ContactRecord {
+  bool start_bonded = false;  ///< `history.bonded` and `history.state` before a try, which changes them
+  ContactState start_state = ContactState::open;
+  JointLaw law;
   MovingVertexEdge motion;
   // At the end of the last try of the step; before one, the gap at its start.
-  double gap = 0;                          ///< without its offset
-  double gap_change = 0, slip_change = 0;  ///< within the step
-  double edge_length = 0;
+  double gap = 0;                                  ///< without its offset
+  double gap_change = 0, slip_change = 0;          ///< within the step
+  bool gap_stays = false, slip_stays = false;      ///< see ContactHistory
   double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m
+
+  /// Whether a bond of some strength holds it.
+  bool has_bond() const { return history.bonded && (law.cohesion > 0 || law.tension > 0); }
+  /// At the start of the step, m.
+  double edge_length() const { return (motion.start.k - motion.start.j).norm(); }
 
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.
   VertexEdgeForm first_gap() const { return gap_form(motion.start); }
@@ -81,37 +86,9 @@ struct Contact : ContactRecord {
 
   /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.
   bool is_on_edge(double at_slip) const {
-    const double along = history.lock * edge_length + at_slip;
+    const double length = edge_length(), along = history.lock * length + at_slip;
     return along >= -(end_tolerance() + straight_before) &&
-           along <= edge_length + straight_after + end_tolerance();
-  }
-};
-
-/// What a try of a step changes of a contact's history: as it was before.
-struct ContactStart {
-  double gap_offset = 0, normal = 0, shear = 0;
-  ContactState state = ContactState::open;
-  bool bonded = false, gap_stays = false, slip_stays = false;
-
-  ContactStart() = default;
-  explicit ContactStart(const ContactHistory& history)
-      : gap_offset(history.gap_offset),
-        normal(history.normal),
-        shear(history.shear),
-        state(history.state),
-        bonded(history.bonded),
-        gap_stays(history.gap_stays),
-        slip_stays(history.slip_stays) {}
-
-  bool closed() const { return state != ContactState::open; }
-  void write(ContactHistory& history) const {
-    history.gap_offset = gap_offset;
-    history.normal = normal;
-    history.shear = shear;
-    history.state = state;
-    history.bonded = bonded;
-    history.gap_stays = gap_stays;
-    history.slip_stays = slip_stays;
+           along <= length + straight_after + end_tolerance();
   }
 };
 

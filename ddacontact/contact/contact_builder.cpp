@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <ranges>
 
 namespace ddacontact {
 
@@ -25,7 +26,7 @@ constexpr double entered_depth = 1e-5;
 /// Pairs of blocks are looked for so many reaches further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
-constexpr Index blocks_of_range = 512, pairs_of_range = 256, contacts_of_range = 512;
+constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 
 /// The contacts of one pair of blocks stand together: ordered by the pair, then by contact.
 Pair block_pair(const VertexEdge& contact) {
@@ -67,16 +68,26 @@ class ContactsByPair {
 
 }  // namespace
 
+JointLaw ContactProperties::law(const ContactRecord& contact) const {
+  const JointStrength& joint = strength(contact.pair);
+  return {.normal_stiffness = normal_stiffness,
+          .tangential_stiffness = tangential_stiffness,
+          .friction = joint.friction,
+          .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
+          .cohesion = joint.cohesion * contact.history.length,
+          .tension = joint.tensile_strength * contact.history.length};
+}
+
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
   half_width_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
   size_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
   for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const Range& v = blocks.block(b).vertices();
-    half_width_.push_back(half_width(blocks.reference().middleCols(v.first, v.count)));
-    size_.push_back(blocks.block(b).size());
-    n_vertices.push_back(v.count);
+    const Block& block = blocks.block(b);
+    half_width_.push_back(half_width(block.reference().leftCols(block.n_vertices())));
+    size_.push_back(block.size());
+    n_vertices.push_back(block.n_vertices());
   }
   outlines_ = OutlineTable(n_vertices);
 }
@@ -102,13 +113,12 @@ void ContactBuilder::find_pairs(const BlockState& state, const std::vector<doubl
     }
   };
   polyfem::for_ranges(n, blocks_of_range, std::ref(look_at_blocks));
-  pairs_.clear();
-  for (const Pair& pair : nearby_.overlapping_pairs(boxes_, margins_)) {
+  nearby_.find(boxes_, margins_, pairs_);
+  std::erase_if(pairs_, [&](const Pair& pair) {
     const auto [a, b] = pair;
-    if (!blocks_.is_movable(a) && !blocks_.is_movable(b)) continue;
-    if (!blocks_.is_present(a) || !blocks_.is_present(b)) continue;
-    pairs_.push_back(pair);
-  }
+    return (!blocks_.is_movable(a) && !blocks_.is_movable(b)) || !blocks_.is_present(a) ||
+           !blocks_.is_present(b);
+  });
 }
 
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
@@ -130,27 +140,27 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                 {b, shifted.leftCols(of_b.count)}, sides_b, limits, closed, found);
 }
 
-const std::vector<VertexEdge>& ContactBuilder::detect(const BlockState& state,
-                                                      const std::vector<double>& reach,
-                                                      const std::vector<ContactRecord>& previous) {
+std::size_t ContactBuilder::detect(const BlockState& state, const std::vector<double>& reach,
+                                   const std::vector<ContactRecord>& previous) {
   find_pairs(state, reach);
   const Index n = static_cast<Index>(pairs_.size());
-  if (found_in_.size() < pairs_.size() / pairs_of_range + 1) found_in_.resize(n / pairs_of_range + 1);
-  for (auto& found : found_in_) found.clear();
+  found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
   const auto look_at_pairs = [&](Index begin, Index end) {
     thread_local std::vector<VertexEdge> closed;
     ContactsByPair old(previous, pairs_[begin]);
+    std::vector<VertexEdge>& found = found_in_[begin / pairs_of_range];
+    found.clear();
     for (Index p = begin; p < end; ++p) {
       closed.clear();
       for (const ContactRecord& contact : old.of(pairs_[p]))
         if (contact.closed()) closed.push_back(contact.pair);
-      find_contacts_of(pairs_[p], state, reach, closed, found_in_[begin / pairs_of_range]);
+      find_contacts_of(pairs_[p], state, reach, closed, found);
     }
   };
   polyfem::for_ranges(n, pairs_of_range, std::ref(look_at_pairs));
-  found_.clear();
-  for (const auto& found : found_in_) found_.insert(found_.end(), found.begin(), found.end());
-  return found_;
+  first_found_.assign(1, 0);
+  for (const auto& found : found_in_) first_found_.push_back(first_found_.back() + found.size());
+  return first_found_.back();
 }
 
 MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdge& pair) const {
@@ -166,30 +176,22 @@ MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdg
           edge_block.vertex_map(next)};
 }
 
-void ContactBuilder::set_law(ContactRecord& contact) const {
-  const JointStrength& joint = strength(contact.pair);
-  contact.law.normal_stiffness = properties_.normal_stiffness;
-  contact.law.tangential_stiffness = properties_.tangential_stiffness;
-  contact.law.friction = joint.friction;
-  contact.law.friction_law = joint.friction_law ? &joint.friction_law : nullptr;
-  contact.law.restitution = joint.restitution;
-  contact.law.dashpot = 0;
-  if (joint.dashpot == 0) return;
+double ContactBuilder::dashpot(const VertexEdge& pair) const {
+  const double ratio = properties_.strength(pair).dashpot;
+  if (ratio == 0) return 0;
   double lighter = std::numeric_limits<double>::infinity();
-  for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+  for (int b : {pair.vertex_block, pair.edge_block})
     if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
-  contact.law.dashpot = 2 * joint.dashpot * std::sqrt(properties_.normal_stiffness * lighter);
+  return 2 * ratio * std::sqrt(properties_.normal_stiffness * lighter);
 }
 
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
   Contact contact;
   contact.pair = pair;
-  set_law(contact);
   contact.motion = motion(state, pair);
   contact.gap = contact.first_gap().constant;
   const auto& [i, j, k] = contact.motion.start;
   contact.history.lock = edge_fraction(i, j, k);
-  contact.edge_length = outlines_[pair.edge_block].sides[pair.edge].length;
   const Range& v = blocks_.block(pair.edge_block).vertices();
   const PointsRef outline = state.position.middleCols(v.first, v.count);
   const auto sides = outlines_[pair.edge_block].sides;
@@ -197,30 +199,15 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_before = straight_before_start(outline, pair.edge);
   if (sides[next(pair.edge, outline)].corner == Corner::straight)
     contact.straight_after = straight_beyond_end(outline, pair.edge);
-  contact.augmented = properties_.method == ContactMethod::staged && properties_.penetration_tolerance > 0;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
+  contact.law = properties_.law(contact);
   return contact;
-}
-
-void ContactBuilder::set_bond_strength(ContactRecord& contact) const {
-  const JointStrength& joint = strength(contact.pair);
-  contact.law.cohesion = joint.cohesion * contact.history.length;
-  contact.law.tension = joint.tensile_strength * contact.history.length;
-}
-
-void ContactBuilder::set_joints(JointTable joints, std::vector<ContactRecord>& contacts) {
-  properties_.joints = std::move(joints);
-  for (ContactRecord& contact : contacts) {
-    set_law(contact);
-    if (contact.history.bonded) set_bond_strength(contact);
-  }
 }
 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
   std::vector<Contact> contacts;
-  detect(state, reach, {});
-  contacts.reserve(found_.size());
-  for (const VertexEdge& pair : found_) {
+  contacts.reserve(detect(state, reach, {}));
+  for (const VertexEdge& pair : found_in_ | std::views::join) {
     Contact contact = make_contact(state, pair);
     ContactHistory& history = contact.history;
     if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
@@ -230,7 +217,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
       const int origin = pair.edge_block;
       history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                                       blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
-      set_bond_strength(contact);
+      contact.law = properties_.law(contact);
       history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     }
     contacts.push_back(contact);
@@ -280,11 +267,10 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
     contact.history.gap_offset = old->history.gap_offset;
   } else if (old) {
     contact.history = old->history;
-    contact.law.cohesion = old->law.cohesion;
-    contact.law.tension = old->law.tension;
+    contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks.
-    if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length;
+    if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length();
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
@@ -293,25 +279,27 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
   return contact;
 }
 
-void ContactBuilder::restart(const ContactStart& start, Contact& contact) const {
-  start.write(contact.history);
+void ContactBuilder::restart(Contact& contact) const {
+  contact.history.state = contact.start_state;
+  contact.history.bonded = contact.start_bonded;
   contact.law.normal_stiffness = properties_.normal_stiffness;
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
-  contact.was_closed = false;
+  contact.was_closed = contact.gap_stays = contact.slip_stays = false;
   contact.gap = contact.first_gap().constant;
 }
 
 void ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
                            const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts) {
-  detect(state, reach, previous);
-  contacts.resize(found_.size());
-  const auto carry_on_range = [&](Index begin, Index end) {
-    ContactsByPair old(previous, block_pair(found_[begin]));
-    for (Index c = begin; c < end; ++c)
-      contacts[c] = carry_on(state, found_[c], old.of(block_pair(found_[c])));
+  contacts.resize(detect(state, reach, previous));
+  const auto carry_on_range = [&](Index begin, Index /*end*/) {
+    const std::vector<VertexEdge>& found = found_in_[begin];
+    if (found.empty()) return;
+    ContactsByPair old(previous, block_pair(found.front()));
+    for (std::size_t k = 0; k < found.size(); ++k)
+      contacts[first_found_[begin] + k] = carry_on(state, found[k], old.of(block_pair(found[k])));
   };
-  polyfem::for_ranges(static_cast<Index>(found_.size()), contacts_of_range, std::ref(carry_on_range));
+  polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
 }
 
 bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const {
@@ -328,7 +316,7 @@ bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const
 
 bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end,
                                   const std::vector<Contact>& contacts) {
-  found_.clear();
+  entered_.clear();
   for_blocks(blocks_.n_blocks(), [&](int b) {
     const Range& v = blocks_.block(b).vertices();
     boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
@@ -342,15 +330,15 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
     };
     const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
-    find_entries({a, start_a, end_a}, {b, start_b, end_b}, entered_depth * pair_size(a, b), found_);
+    find_entries({a, start_a, end_a}, {b, start_b, end_b}, entered_depth * pair_size(a, b), entered_);
   }
-  std::erase_if(found_,
+  std::erase_if(entered_,
                 [&](const VertexEdge& entry) { return is_among(entry, of_same_pair(entry, contacts)); });
-  return !found_.empty();
+  return !entered_.empty();
 }
 
 void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& contacts) {
-  for (const VertexEdge& entry : found_) {
+  for (const VertexEdge& entry : entered_) {
     const auto same_pair = of_same_pair(entry, contacts);
     if (is_among(entry, same_pair)) continue;
     contacts.insert(same_pair.end(), make_contact(start, entry));
@@ -360,7 +348,7 @@ void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& 
 double ContactBuilder::memory() const {
   double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
                  outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
-                 bytes_of(pairs_) + bytes_of(found_in_) + bytes_of(found_);
+                 bytes_of(pairs_) + bytes_of(found_in_) + bytes_of(first_found_) + bytes_of(entered_);
   for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
   return bytes;
 }

@@ -21,6 +21,14 @@ struct ContactProperties {
   std::vector<int> materials;  ///< of each block
   ContactMethod method = ContactMethod::classic;
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
+
+  /// Whether forces of contacts are multipliers: their springs store no energy.
+  bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }
+  const JointStrength& strength(const VertexEdge& pair) const {
+    return joints.between(materials[pair.vertex_block], materials[pair.edge_block]);
+  }
+  /// At the start of a step, with the strength that a bond has over the length of the contact.
+  JointLaw law(const ContactRecord& contact) const;
 };
 
 /// Finds the contacts of each step and hands on what they carry from step to step.
@@ -38,7 +46,10 @@ class ContactBuilder {
   void build(const BlockState& state, const std::vector<double>& reach,
              const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Makes a contact what it was before a try of a step.
-  void restart(const ContactStart& start, Contact& contact) const;
+  void restart(Contact& contact) const;
+  /// Against the rate of the gap of a contact while it is closed, N s/m per m.
+  double dashpot(const VertexEdge& pair) const;
+  const ContactProperties& properties() const { return properties_; }
   /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
   /// either way.
   void keep_pairs(bool keep) { keeps_pairs_ = keep; }
@@ -52,8 +63,8 @@ class ContactBuilder {
   /// Adds to the same contacts, as they are in `start`, those of the vertices found.
   void add_entered(const BlockState& start, std::vector<Contact>& contacts);
 
-  /// From now on contacts follow these joints, the bonds of `contacts` too.
-  void set_joints(JointTable joints, std::vector<ContactRecord>& contacts);
+  /// From now on contacts follow these joints, their bonds too.
+  void set_joints(JointTable joints) { properties_.joints = std::move(joints); }
 
   /// Bytes of the heap.
   double memory() const;
@@ -62,10 +73,10 @@ class ContactBuilder {
   double pair_size(int a, int b) const;
 
  private:
-  /// The vertices and edges that may meet while no vertex of block b moves further than reach[b], ordered by
-  /// the pairs of blocks; of `previous` those that are closed win ties. Valid until the next call.
-  const std::vector<VertexEdge>& detect(const BlockState& state, const std::vector<double>& reach,
-                                        const std::vector<ContactRecord>& previous);
+  /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
+  /// ordered by the pairs of blocks; of `previous` those that are closed win ties. How many there are.
+  std::size_t detect(const BlockState& state, const std::vector<double>& reach,
+                     const std::vector<ContactRecord>& previous);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state, const std::vector<double>& reach);
   /// Appends the contacts of a pair; `closed` were so before.
@@ -80,14 +91,6 @@ class ContactBuilder {
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const ContactRecord> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
-  /// Everything but the bond.
-  void set_law(ContactRecord& contact) const;
-  /// Of a bonded contact, over its length.
-  void set_bond_strength(ContactRecord& contact) const;
-  const JointStrength& strength(const VertexEdge& pair) const {
-    return properties_.joints.between(properties_.materials[pair.vertex_block],
-                                      properties_.materials[pair.edge_block]);
-  }
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
   bool may_have_entered(int a, int b, const BlockState& end) const;
   MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;
@@ -97,14 +100,14 @@ class ContactBuilder {
   std::vector<double> half_width_, size_;  ///< of each block
   bool keeps_pairs_ = true;
 
-  // Working arrays of `detect`.
   OutlineTable outlines_;
   NearbyPairs nearby_;
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;                        ///< of blocks that may meet
-  std::vector<std::vector<VertexEdge>> found_in_;  ///< of each range of pairs
-  std::vector<VertexEdge> found_;
+  std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
+  std::vector<std::size_t> first_found_;           ///< of each range, among all
+  std::vector<VertexEdge> entered_;
 };
 
 }  // namespace ddacontact

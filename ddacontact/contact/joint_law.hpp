@@ -29,8 +29,6 @@ struct JointLaw {
   const FrictionLaw* friction_law = nullptr;  ///< in place of N tan(phi); not owned
   double cohesion = 0;                        ///< c l, while the contact is bonded
   double tension = 0;                         ///< tensile strength times l, while the contact is bonded
-  double dashpot = 0;                         ///< N s/m per m, against the rate of the gap while closed
-  double restitution = 0;                     ///< 0..1 of blocks that meet
 
   /// Nothing acts along the edge: no tangential terms are needed.
   bool frictionless() const { return !has_friction() && cohesion == 0; }

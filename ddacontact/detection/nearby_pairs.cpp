@@ -16,12 +16,15 @@ bool NearbyPairs::holds(const std::vector<Box>& boxes) const {
   return true;
 }
 
-const std::vector<Pair>& NearbyPairs::overlapping_pairs(const std::vector<Box>& boxes,
-                                                        const std::vector<double>& margins) {
+void NearbyPairs::find(const std::vector<Box>& boxes, const std::vector<double>& margins,
+                       std::vector<Pair>& pairs) {
+  pairs.clear();
   if (margins.empty()) {
     wide_.clear();
     ++n_searches_;
-    return broad_phase_.overlapping_pairs(boxes);
+    const std::vector<Pair>& found = broad_phase_.overlapping_pairs(boxes);
+    pairs.assign(found.begin(), found.end());
+    return;
   }
   if (!holds(boxes)) {
     wide_.resize(boxes.size());
@@ -30,16 +33,15 @@ const std::vector<Pair>& NearbyPairs::overlapping_pairs(const std::vector<Box>& 
       wide_[b] = {boxes[b].low - margin, boxes[b].high + margin};
     }
     candidates_ = broad_phase_.overlapping_pairs(wide_);
+    broad_phase_ = {};
     ++n_searches_;
   }
-  near_.clear();
   for (const Pair& pair : candidates_)
-    if (touch(boxes[pair[0]], boxes[pair[1]])) near_.push_back(pair);
-  return near_;
+    if (touch(boxes[pair[0]], boxes[pair[1]])) pairs.push_back(pair);
 }
 
 double NearbyPairs::memory() const {
-  return broad_phase_.memory() + bytes_of(wide_) + bytes_of(candidates_) + bytes_of(near_);
+  return broad_phase_.memory() + bytes_of(wide_) + bytes_of(candidates_);
 }
 
 }  // namespace ddacontact

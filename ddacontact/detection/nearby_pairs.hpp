@@ -9,13 +9,12 @@ namespace ddacontact {
 bool lies_in(const Box& p, const Box& q);
 
 /// The pairs that BroadPhase finds, in its order. They are looked for among wider boxes, and of these they
-/// are taken until a box leaves its wider one.
+/// are taken until a box leaves its wider one: what the search works with is given back.
 class NearbyPairs {
  public:
   /// \param[in] margins  by how much each box is widened when pairs are looked for; none: looks each time
-  /// Valid until the next call.
-  const std::vector<Pair>& overlapping_pairs(const std::vector<Box>& boxes,
-                                             const std::vector<double>& margins);
+  /// Writes `pairs`.
+  void find(const std::vector<Box>& boxes, const std::vector<double>& margins, std::vector<Pair>& pairs);
   /// How often pairs were looked for.
   long n_searches() const { return n_searches_; }
   /// Bytes of the heap.
@@ -26,7 +25,7 @@ class NearbyPairs {
 
   BroadPhase broad_phase_;
   std::vector<Box> wide_;  ///< that `candidates_` overlap in
-  std::vector<Pair> candidates_, near_;
+  std::vector<Pair> candidates_;
   long n_searches_ = 0;
 };
 

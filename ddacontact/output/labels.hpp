@@ -3,6 +3,7 @@
 
 #include <ddacontact/core/types.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct Labels {
   std::vector<std::string> block_reasons;   ///< why the block has this model; empty: the scene says so
   std::vector<int> block_materials;         ///< index into material_names
   std::vector<std::string> material_names;  ///< in the order of the scene
-  std::vector<OutlineLabels> outlines;      ///< of each block
+  std::vector<std::shared_ptr<const OutlineLabels>> outlines;  ///< of each block; many share theirs
 };
 
 }  // namespace ddacontact

@@ -163,7 +163,7 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
     const double area = block.moments().area;
     const RigidVelocity velocity = rigid_velocity(block, state.velocity);
     const StressRange s = stress_range(block, state);
-    csv.row(labels_.block_names[b], labels_.block_models[b], labels_.outlines[b].n_vertices, x.x(), x.y(),
+    csv.row(labels_.block_names[b], labels_.block_models[b], labels_.outlines[b]->n_vertices, x.x(), x.y(),
             area, area / block.reference_area(), state.rotation[b] * 180 / std::numbers::pi,
             velocity.linear.x(), velocity.linear.y(), s.mean[0], s.min[0], s.max[0], s.mean[1], s.min[1],
             s.max[1], s.mean[2], s.min[2], s.max[2], s.s1_max, s.s2_min, velocity.angular, block.n_cells(),
@@ -180,7 +180,7 @@ void ResultDirectory::write_vertices(const Stepper& stepper) {
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     if (!stepper.blocks().is_present(b)) continue;
     const Block& block = stepper.blocks().block(b);
-    const std::vector<int> order = in_scene_order(labels_.outlines[b]);
+    const std::vector<int> order = in_scene_order(*labels_.outlines[b]);
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
       const int v = order[scene_v];
       const int column = block.vertices().first + v;
@@ -198,7 +198,7 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
   for (const ContactRecord& contact : stepper.contacts()) {
     if (!contact.was_closed) continue;
     const VertexEdge& pair = contact.pair;
-    const OutlineLabels &a = labels_.outlines[pair.vertex_block], &b = labels_.outlines[pair.edge_block];
+    const OutlineLabels &a = *labels_.outlines[pair.vertex_block], &b = *labels_.outlines[pair.edge_block];
     // An edge of a block given clockwise runs the other way in the scene's order.
     const double shear = b.turned ? -contact.shear : contact.shear;
     csv.row(labels_.block_names[pair.vertex_block], a.vertex[pair.vertex],
@@ -214,15 +214,15 @@ void ResultDirectory::write_supports(const Stepper& stepper) {
   const std::vector<int>& held = blocks.supported_vertices;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
-    const std::vector<int> order = in_scene_order(labels_.outlines[b]);
+    const std::vector<int> order = in_scene_order(*labels_.outlines[b]);
     const auto is_held = [&](int scene_v) {
       return std::binary_search(held.begin(), held.end(), block.vertices().first + order[scene_v]);
     };
-    const int n = labels_.outlines[b].n_vertices;
+    const int n = labels_.outlines[b]->n_vertices;
     bool any_held = false;
     for (int v = 0; v < n; ++v) any_held = any_held || is_held(v);
     if (!any_held) continue;
-    const Points forces = at_scene_vertices(block, labels_.outlines[b], stepper.reactions());
+    const Points forces = at_scene_vertices(block, *labels_.outlines[b], stepper.reactions());
     for (int v = 0; v < n; ++v)
       if (is_held(v)) csv.row(labels_.block_names[b], v, forces(0, v), forces(1, v));
   }

@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace ddacontact {
 
@@ -172,7 +174,7 @@ class Builder {
       built_.labels.block_models.push_back(model_name(scene_.blocks[b].model));
       built_.labels.block_materials.push_back(scene_.blocks[b].material);
       built_.labels.block_reasons.push_back(reasons_[b]);
-      built_.labels.outlines.push_back(placed_[b].labels());
+      built_.labels.outlines.push_back(outline_labels(placed_[b]));
     }
     for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
     for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));
@@ -195,6 +197,14 @@ class Builder {
     system.end_time = scene_.end_time();
     add_loads(system);
     return system;
+  }
+
+  /// The same for all outlines of so many vertices in the same sense.
+  std::shared_ptr<const OutlineLabels> outline_labels(const Placed& placed) {
+    if (placed.mesh) return std::make_shared<const OutlineLabels>(placed.labels());
+    auto& labels = outline_labels_[{placed.outline.cols(), placed.turned}];
+    if (!labels) labels = std::make_shared<const OutlineLabels>(placed.labels());
+    return labels;
   }
 
   std::unique_ptr<Block> make_block(int b) {
@@ -416,6 +426,7 @@ class Builder {
   const std::vector<std::string>& reasons_;
   Vec2 origin_;
   CongruentShapes shapes_;
+  std::map<std::pair<Index, bool>, std::shared_ptr<const OutlineLabels>> outline_labels_;
   std::vector<Placed> placed_;
   std::vector<Holds> holds_;
   std::vector<std::vector<LocalHold>> local_holds_ =

@@ -15,9 +15,9 @@ namespace {
 // Bytes measured in runs of walls of 1e3 to 1e5 blocks of each model; see tests/apps/memory_test.cpp.
 constexpr double program = 16e6;
 constexpr double of_scene_block = 900, of_scene_vertex = 60;
-constexpr double of_block = 1000, of_vertex = 500, of_cell = 2500, of_unknown_pair = 24;
-constexpr double of_contact = 1130, contacts_of_vertex = 1.5;
-constexpr double of_matrix_entry = 42, of_relaxed_entry = 8, of_relaxed_contact = 600;
+constexpr double of_block = 700, of_vertex = 400, of_cell = 2500, of_unknown_pair = 24;
+constexpr double of_contact = 900, contacts_of_vertex = 1.5;
+constexpr double of_matrix_entry = 36, of_relaxed_entry = 8, of_relaxed_contact = 600;
 /// Entries of the factor: so many n log2 n of n rows; bytes of each with what CHOLMOD works in.
 constexpr double fill = 7, of_factor_entry = 12;
 

@@ -135,7 +135,7 @@ class Staged {
     const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
     const double n_edges = system_.n_vertices(edge_block);
     const int next = edge + 1 == n_edges ? 0 : edge + 1;
-    const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length, 0.0, 1.0);
+    const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
     const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
                  of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
                                 t * t / system_.vertex_stiffness(edge_block, next, normal));
@@ -525,15 +525,13 @@ class Staged {
         return closed && std::abs(after - before) <= staying_part * std::abs(before) &&
                resistance <= moving_part * stiffness * std::abs(after);
       };
-      history.gap_stays = stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_),
+      contact.gap_stays = stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_),
                                 contact.law.normal_stiffness);
-      history.slip_stays =
+      contact.slip_stays =
           stays(contact.first_slip().constant, terms_[c].slip(d_), contact.law.tangential_stiffness);
       contact.was_closed = contact.was_closed || closed;
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;
-      history.normal = closed && options_.penetration_tolerance > 0 ? elastic_normal(c) : 0;
-      history.shear = closed && options_.penetration_tolerance > 0 ? forces_[c].shear : 0;
     }
     return end(StagedStatus::settled);
   }

@@ -20,13 +20,14 @@ constexpr double largest_move = 0.25;
 
 /// Whether an unknown of the block by itself moves it without straining it.
 bool moves_as_a_whole(const Block& block, int unknown) {
-  const auto& modes = block.rigid_modes();
-  for (Index mode = 0; mode < modes.cols(); ++mode) {
-    bool by_itself = modes(unknown, mode) != 0;
-    for (Index k = 0; by_itself && k < modes.rows(); ++k) by_itself = k == unknown || modes(k, mode) == 0;
-    if (by_itself) return true;
-  }
-  return false;
+  const auto is_by_itself = [&](const auto& mode) {
+    bool by_itself = mode[unknown] != 0;
+    for (Index k = 0; by_itself && k < mode.size(); ++k) by_itself = k == unknown || mode[k] == 0;
+    return by_itself;
+  };
+  const auto& translations = block.translations();
+  return is_by_itself(translations.col(0)) || is_by_itself(translations.col(1)) ||
+         is_by_itself(block.rotation());
 }
 
 }  // namespace

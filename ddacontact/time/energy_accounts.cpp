@@ -6,13 +6,6 @@ namespace ddacontact {
 
 namespace {
 
-double normal_energy(const JointLaw& law, double gap) {
-  return law.normal_stiffness * gap * gap / 2;
-}
-double shear_energy(const JointLaw& law, double slip) {
-  return law.tangential_stiffness * slip * slip / 2;
-}
-
 /// What forces took from the block's motion less what it has of it after the step: elastic, and by inertia;
 /// and what its damping took.
 Vec2 block_losses(const Block& block, const AcceptedStep& step) {
@@ -26,30 +19,28 @@ Vec2 block_losses(const Block& block, const AcceptedStep& step) {
           d.dot(forces.damping)};
 }
 
-/// What the springs of a contact store when its gap and slip are these.
-double stored_normal(const ContactRecord& contact, double gap) {
-  return contact.closed() && !contact.augmented ? normal_energy(contact.law, gap) : 0;
+/// What the springs of a contact store in a state at this gap or slip.
+double stored_normal(const ContactProperties& properties, ContactState state, double gap) {
+  const bool stores = state != ContactState::open && !properties.has_multipliers();
+  return stores ? properties.normal_stiffness * gap * gap / 2 : 0;
 }
-double stored_shear(const ContactRecord& contact, double slip) {
-  return contact.history.state == ContactState::stick && !contact.augmented ? shear_energy(contact.law, slip)
-                                                                            : 0;
+double stored_shear(const ContactProperties& properties, ContactState state, double slip) {
+  const bool stores = state == ContactState::stick && !properties.has_multipliers();
+  return stores ? properties.tangential_stiffness * slip * slip / 2 : 0;
 }
 
-void account_contact(const ContactStart& start, const Contact& after, Energy& energy) {
-  const double by_dashpot = after.normal != 0 ? -after.damping * after.gap_change : 0;
-  energy.damping_dissipated -= by_dashpot * after.gap_change;
-  double normal_before = 0, shear_before = 0;
-  if (!after.augmented) {
-    ContactRecord before = after;
-    start.write(before.history);
-    normal_before = stored_normal(before, after.first_gap().constant - start.gap_offset);
-    shear_before = stored_shear(before, after.first_slip().constant);
-  }
-  energy.numerical_dissipated +=
-      normal_before - stored_normal(after, after.end_gap) - (after.normal - by_dashpot) * after.gap_change;
-  const double from_shear =
-      shear_before - stored_shear(after, after.end_slip) - after.shear * after.slip_change;
-  (is_slipping(after.history.state) ? energy.friction_dissipated : energy.numerical_dissipated) += from_shear;
+void account_contact(const ContactProperties& properties, const Contact& contact, Energy& energy) {
+  const double by_dashpot = contact.normal != 0 ? -contact.damping * contact.gap_change : 0;
+  energy.damping_dissipated -= by_dashpot * contact.gap_change;
+  const ContactState before = contact.start_state, after = contact.history.state;
+  const double offset = contact.history.gap_offset;
+  energy.numerical_dissipated += stored_normal(properties, before, contact.first_gap().constant - offset) -
+                                 stored_normal(properties, after, contact.gap - offset) -
+                                 (contact.normal - by_dashpot) * contact.gap_change;
+  const double from_shear = stored_shear(properties, before, contact.first_slip().constant) -
+                            stored_shear(properties, after, contact.end_slip) -
+                            contact.shear * contact.slip_change;
+  (is_slipping(after) ? energy.friction_dissipated : energy.numerical_dissipated) += from_shear;
 }
 
 }  // namespace
@@ -62,12 +53,14 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
 }
 
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
-                      const std::vector<ContactRecord>& contacts, double held_stiffness) {
+                      const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
+                      double held_stiffness) {
   double energy = sum_over_blocks(blocks.n_blocks(), [&](int b) {
     return blocks.is_present(b) ? blocks.block(b).elastic_energy(state) : 0;
   });
   for (const ContactRecord& contact : contacts) {
-    energy += stored_normal(contact, contact.end_gap) + stored_shear(contact, contact.end_slip);
+    energy += stored_normal(properties, contact.history.state, contact.end_gap) +
+              stored_shear(properties, contact.history.state, contact.end_slip);
   }
   for (const HeldVertex& held : blocks.held_vertices) {
     const int v = blocks.block(held.block).vertices().first + held.vertex;
@@ -99,7 +92,7 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
     energy.numerical_dissipated += system.held_stiffness() * change * change / 2;
     energy.external -= system.held_stiffness() * spring.form(step.d) * spring.target_change;
   }
-  for (std::size_t c = 0; c < step.after.size(); ++c) account_contact(step.before[c], step.after[c], energy);
+  for (const Contact& contact : step.contacts) account_contact(step.properties, contact, energy);
 }
 
 }  // namespace ddacontact

@@ -1,6 +1,7 @@
 /// \file The energies of a state and what a step did to them, each from its own definition.
 #pragma once
 
+#include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/solver/step_system.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 
@@ -14,7 +15,8 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 /// Of the blocks, of the springs of closed contacts at the end of their step,
 /// and of the springs of held vertices.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
-                      const std::vector<ContactRecord>& contacts, double held_stiffness);
+                      const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
+                      double held_stiffness);
 
 /// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {
@@ -23,8 +25,8 @@ struct AcceptedStep {
   const VectorXd& start_velocity;  ///< what the step was computed with
   const VectorXd& end_velocity;
   const Residual& residual;
-  const std::vector<ContactStart>& before;  ///< the contacts at the start
-  const std::vector<Contact>& after;        ///< and at the end
+  const std::vector<Contact>& contacts;  ///< at the end, with the overlaps that they started with
+  const ContactProperties& properties;   ///< of the contacts
 };
 
 /// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it

@@ -66,8 +66,9 @@ double least_approach(const BlockSystem& blocks, const Contact& contact, double 
   return std::max(0.1 * blocks.gravity.norm() * dt, 1e-9 * contact.size / dt);
 }
 
-StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const std::vector<Contact>& contacts,
-                          const VectorXd& velocity, double dt, const std::vector<char>& also) {
+StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
+                          const std::vector<Contact>& contacts, const VectorXd& velocity, double dt,
+                          const std::vector<char>& also) {
   StepImpact result;
   result.jump = result.jump_path = VectorXd::Zero(velocity.size());
   result.hit.assign(contacts.size(), 0);
@@ -79,7 +80,7 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (touches[b] || !blocks.is_free(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    acceleration.segment(u.first, u.count) = blocks.block(b).rigid_modes().leftCols<2>() * blocks.gravity;
+    acceleration.segment(u.first, u.count) = blocks.block(b).translations() * blocks.gravity;
   }
 
   std::vector<double> times(blocks.n_blocks(), infinity);
@@ -129,8 +130,8 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const st
     const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
     taking_part.push_back({rate_form(gap_gradient(place), contact.motion),
                            rate_form(slip_gradient(place, contact.history.lock), contact.motion),
-                           shear_bound(contact.law, 1, false), bounces ? contact.law.restitution : 0,
-                           contact.has_bond()});
+                           shear_bound(contact.law, 1, false),
+                           bounces ? properties.strength(contact.pair).restitution : 0, contact.has_bond()});
     their_contacts.push_back(c);
     if (result.hit[c]) least = std::min(least, least_approach(blocks, contact, dt));
   }

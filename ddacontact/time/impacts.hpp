@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
-#include <ddacontact/contact/contact.hpp>
+#include <ddacontact/contact/contact_builder.hpp>
 
 #include <vector>
 
@@ -22,14 +22,16 @@ struct StepImpact {
 
 /// Follows the blocks on their way without forces (with gravity those that touch nothing) and lets those that
 /// meet within the step collide as rigid bodies: the approach of a hitting contact becomes `restitution`
-/// times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
+/// (of its joint) times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
 /// faster than what gravity makes in a tenth of the step; its restitution counts when it is faster than what
 /// gravity makes in two steps: bounces that short are not resolved.
 ///
 /// \param[in,out] blocks   prepared for `state`, before and after
+/// \param[in] properties   of the contacts of these blocks
 /// \param[in] also         contacts that are known to close within the step; empty: none
-StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const std::vector<Contact>& contacts,
-                          const VectorXd& velocity, double dt, const std::vector<char>& also);
+StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
+                          const std::vector<Contact>& contacts, const VectorXd& velocity, double dt,
+                          const std::vector<char>& also);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

@@ -19,7 +19,7 @@ constexpr double foreseen_part = 0.9;
 
 void MotionLimits::set_analysis(const AnalysisOptions& analysis) {
   analysis_ = analysis;
-  const Points& x = blocks_.reference();
+  const Points x = blocks_.reference();
   const double larger_side = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
   largest_displacement_ = analysis.max_displacement_ratio * larger_side / 2;
 }

@@ -17,9 +17,9 @@ MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
   std::vector<Index> held;
   for (int k = 0; k < count; ++k)
     if (blocks.equation()[first + k] < 0) held.push_back(k);
-  if (held.empty()) return block.rigid_modes();
-
-  MatrixXd modes = block.rigid_modes();
+  MatrixXd modes(count, 3);
+  modes << block.translations(), block.rotation();
+  if (held.empty()) return modes;
   modes.col(2) /= block.size();  // comparable to the translations
   Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
   rows.setThreshold(1e-9);

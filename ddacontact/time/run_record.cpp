@@ -25,16 +25,11 @@ void visit_contact(Archive& visit, Contact& c) {
   visit(c.history.length);
   visit(c.history.normal);
   visit(c.history.shear);
-  visit(c.law.normal_stiffness);
-  visit(c.law.tangential_stiffness);
-  visit(c.law.cohesion);
-  visit(c.law.tension);
   visit(c.end_gap);
   visit(c.end_slip);
   visit(c.normal);
   visit(c.shear);
   visit(c.was_closed);
-  visit(c.augmented);
 }
 
 template <class Archive, class Counts>

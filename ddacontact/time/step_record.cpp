@@ -62,8 +62,6 @@ void contact_numbers(Numbers& numbers, Contact& contact) {
   numbers(contact.history.length);
   numbers(contact.history.normal);
   numbers(contact.history.shear);
-  numbers(contact.law.cohesion);
-  numbers(contact.law.tension);
   numbers(contact.end_slip);
   numbers(contact.history.gap_stays);
   numbers(contact.history.slip_stays);

@@ -18,7 +18,7 @@ struct StageProgress {
 };
 
 /// Where a run stands. Of the contacts only what one step hands to the next is kept: which they are, their
-/// history, the strength of their bonds and their slip at the end.
+/// history and their slip at the end.
 struct StepRecord {
   long steps = 0;      ///< whole steps made
   bool begun = false;  ///< a substep has been made: contacts carry on those of the record

@@ -120,10 +120,11 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   apply(stages_.front());
   substep_ = analysis_.time_step;
   blocks_.prepare(state_, true);
-  for (int b = 0; b < blocks_.n_blocks(); ++b)
-    convex_.push_back(blocks_.block(b).cell(0).basis == &polyfem::wachspress &&
-                      !polyfem::find_non_convex_corner(blocks_.reference().middleCols(
-                          blocks_.block(b).vertices().first, blocks_.block(b).n_vertices())));
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Block& block = blocks_.block(b);
+    convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
+                      !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
+  }
   const std::vector<Contact> first =
       contact_builder_->build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
   contacts_.assign(first.begin(), first.end());
@@ -278,14 +279,16 @@ void Stepper::detect(double dt) {
 }
 
 void Stepper::keep_start() {
-  starts_.resize(tried_.size());
-  for_contacts(tried_.size(), [&](std::size_t c) { starts_[c] = ContactStart(tried_[c].history); });
+  for_contacts(tried_.size(), [&](std::size_t c) {
+    tried_[c].start_state = tried_[c].history.state;
+    tried_[c].start_bonded = tried_[c].history.bonded;
+  });
   has_tried_ = false;
 }
 
 void Stepper::restart_contacts() {
   if (!has_tried_) return;
-  for_contacts(tried_.size(), [&](std::size_t c) { contact_builder_->restart(starts_[c], tried_[c]); });
+  for_contacts(tried_.size(), [&](std::size_t c) { contact_builder_->restart(tried_[c]); });
   has_tried_ = false;
 }
 
@@ -310,7 +313,8 @@ Stepper::Solution Stepper::solve(double dt) {
       const polyfem::Stopwatch watch(times_.solver);
       if (round > 0) solution.forces = forces_of(tried_);
       restart_contacts();
-      impact = foresee_impact(blocks_, state_, tried_, state_.velocity, dt, also);
+      impact =
+          foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, state_.velocity, dt, also);
     }
     solution = solve_with(dt, impact, round > 0 ? &solution : nullptr);
     solution.impact = std::move(impact);
@@ -323,8 +327,8 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
   const std::vector<char> before = also;
   also.resize(tried_.size(), 0);
   for (std::size_t c = 0; c < tried_.size(); ++c) {
-    if (starts_[c].closed() || !tried_[c].closed() || solution.impact.hit[c]) continue;
     const Contact& start = tried_[c];
+    if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
     const double rate = start.motion.change_along(start.first_gap().gradient, state_.velocity);
     if (-rate > least_approach(blocks_, start, dt)) also[c] = 1;
   }
@@ -346,7 +350,7 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact, const
   const polyfem::Stopwatch watch(times_.solver);
   restart_contacts();
   has_tried_ = true;
-  for (Contact& contact : tried_) contact.damping = contact.law.dashpot / dt;
+  for (Contact& contact : tried_) contact.damping = contact_builder_->dashpot(contact.pair) / dt;
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
@@ -475,7 +479,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     const Range& v = blocks_.block(b).vertices();
     const auto outline = next.position.middleCols(v.first, v.count);
     is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
-    const double angle = best_fit_rotation(blocks_.reference().middleCols(v.first, v.count), outline);
+    const double angle = best_fit_rotation(blocks_.block(b).reference().leftCols(v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
   });
   for (int b = 0; b < blocks_.n_blocks(); ++b)
@@ -501,10 +505,10 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   accepting_ = true;
   record_reactions(solution.d, solution.residual);
-  record_contacts();
   account_step(blocks_, *system_,
-               {dt, solution.d, start_velocity(), next.velocity, solution.residual, starts_, tried_},
+               {dt, solution.d, start_velocity(), next.velocity, solution.residual, tried_, properties_},
                energy_.now);
+  record_contacts();
   // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
   const double of_impact = solution.impact.friction_loss + solution.impact.normal_loss;
   const double by_friction =
@@ -528,7 +532,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   state_ = std::move(next);
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
   const bool some_fell_asleep = fall_asleep(dt);
   energy_.close_step();
@@ -558,8 +562,7 @@ void Stepper::prepare_and_keep_momentum() {
     if (!blocks_.is_free(b)) continue;
     const Block& block = blocks_.block(b);
     const Vec2 lost = before.col(b) - rigid_velocity(block, state_.velocity).linear;
-    state_.velocity.segment(block.unknowns().first, block.unknowns().count) +=
-        block.rigid_modes().leftCols<2>() * lost;
+    state_.velocity.segment(block.unknowns().first, block.unknowns().count) += block.translations() * lost;
   }
 }
 
@@ -585,12 +588,20 @@ void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
 void Stepper::record_contacts() {
   counts_.contacts = asleep_ ? asleep_->n_closed : 0;
   for (Contact& contact : tried_) {
-    contact.end_gap = contact.gap - contact.history.gap_offset;
+    ContactHistory& history = contact.history;
+    contact.end_gap = contact.gap - history.gap_offset;
+    const bool hands_on = contact.closed() && properties_.has_multipliers();
+    const double by_dashpot =
+        contact.normal == 0 ? 0 : contact.damping * (contact.gap - gap(contact.motion.start));
+    history.normal = hands_on ? contact.normal + by_dashpot : 0;
+    history.shear = hands_on ? contact.shear : 0;
+    history.gap_stays = contact.gap_stays;
+    history.slip_stays = contact.slip_stays;
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
-    if (slid || !contact.closed()) contact.history.bonded = false;
+    if (slid || !contact.closed()) history.bonded = false;
     if (!contact.closed()) {
-      const double left = std::clamp(contact.gap, contact.history.gap_offset, 0.0);
-      contact.history.gap_offset = left < -contact.length_tolerance() ? left : 0;
+      const double left = std::clamp(contact.gap, history.gap_offset, 0.0);
+      history.gap_offset = left < -contact.length_tolerance() ? left : 0;
       continue;
     }
     ++counts_.contacts;

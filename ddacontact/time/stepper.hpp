@@ -31,7 +31,7 @@ struct StepTimes {
 /// Bytes of the heap between two steps, by what takes them; the blocks and what describes them are the rest.
 struct StepMemory {
   double state = 0;      ///< of the blocks, with reactions
-  double contacts = 0;   ///< and what they were before the last try
+  double contacts = 0;   ///< of the last substep, and what it handed to the next
   double detection = 0;  ///< outlines, boxes, pairs
   double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13), the matrix of held
                          ///< contacts; without factors
@@ -81,6 +81,8 @@ class Stepper {
   const std::vector<ContactRecord>& contacts() const;
   /// Those that a step from here begins with; where blocks sleep, by the numbers of those that take part.
   std::vector<Contact> contacts_to_begin_with();
+  /// With the joints of the present stage.
+  const ContactProperties& contact_properties() const { return properties_; }
   const EnergyLedger& energy() const { return energy_; }
   /// Forces that the supports exert at the end of the last accepted substep, N per
   /// m, 2 x all outline vertices.
@@ -214,9 +216,8 @@ class Stepper {
   EnergyLedger energy_;
   Points reactions_;
 
-  std::vector<Contact> tried_;        ///< of the present substep, as the last try left them
-  std::vector<ContactStart> starts_;  ///< of these
-  std::vector<double> reach_;         ///< that they were looked for in
+  std::vector<Contact> tried_;  ///< of the present substep, as the last try left them
+  std::vector<double> reach_;   ///< that they were looked for in
   double reach_scale_ = 1;
   bool begun_ = false;      ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;   ///< tried_ are those of state_

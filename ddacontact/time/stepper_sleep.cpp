@@ -103,7 +103,7 @@ std::vector<char> Stepper::find_restless(double dt) const {
   for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const auto [vertex_block, vertex, edge_block, edge] = tried_[c].pair;
-    const bool changed = starts_[c].state != tried_[c].history.state;
+    const bool changed = tried_[c].start_state != tried_[c].history.state;
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
       if (changed || (tried_[c].closed() && !blocks_.is_movable(other) && restless[other])) restless[b] = 1;
   }

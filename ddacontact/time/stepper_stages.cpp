@@ -16,7 +16,7 @@ void Stepper::apply(const Stage& stage) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
   properties_.joints = stage.joints;
-  contact_builder_->set_joints(stage.joints, contacts_);
+  contact_builder_->set_joints(stage.joints);
 }
 
 void Stepper::make_system() {
@@ -38,7 +38,7 @@ void Stepper::enter_stage(int stage) {
   Energy& e = energy_.now;
   // What goes with the blocks that are taken out is work done on them.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),
-               elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+               elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
   e.kinetic = kinetic;
   e.elastic = elastic;
@@ -64,8 +64,7 @@ void Stepper::set_flight_acceleration() {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (touches[static_cast<std::size_t>(b)] || !blocks_.is_free(b)) continue;
     const Range& u = blocks_.block(b).unknowns();
-    state_.acceleration.segment(u.first, u.count) =
-        blocks_.block(b).rigid_modes().leftCols<2>() * blocks_.gravity;
+    state_.acceleration.segment(u.first, u.count) = blocks_.block(b).translations() * blocks_.gravity;
   }
 }
 
@@ -76,7 +75,7 @@ void Stepper::leave_stage() {
 void Stepper::start_accounts() {
   energy_ = {};
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, held_stiffness_);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   energy_.start();
 }
 
@@ -116,7 +115,7 @@ StepMemory Stepper::memory() const {
   return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
                    bytes_of(s.acceleration) + bytes_of(s.stress) + bytes_of(s.rotation) +
                    bytes_of(reactions_),
-          .contacts = bytes_of(contacts_) + bytes_of(tried_) + bytes_of(starts_),
+          .contacts = bytes_of(contacts_) + bytes_of(tried_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
           .equations = system_->memory() + hold_factor_.matrix.memory(),
           .factor = system_->problem().cholesky().memory() + hold_factor_.cholesky.memory()};

@@ -10,53 +10,71 @@
 namespace polyfem {
 namespace {
 
-/// The rows at and below the diagonal of the columns 0, 1, ...: found one column after another.
-class ColumnRows {
+/// The groups of rows at and below the diagonal of the columns of each group: found one after another. A
+/// group is told by its first row.
+class ColumnGroups {
  public:
-  ColumnRows(int n_rows, const Connectivity& connectivity)
-      : first_(static_cast<std::size_t>(n_rows) + 1, 0), seen_in_(static_cast<std::size_t>(n_rows), -1) {
-    for (int row : connectivity.rows)
-      if (row >= 0) ++first_[static_cast<std::size_t>(row) + 1];
+  ColumnGroups(int n_groups, int size, const Connectivity& groups)
+      : size_(size),
+        first_(static_cast<std::size_t>(n_groups) + 1, 0),
+        seen_in_(static_cast<std::size_t>(n_groups), -1) {
+    for (int row : groups.rows)
+      if (row >= 0) ++first_[number(row) + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     elements_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (int e = 0; e < connectivity.n_elements(); ++e)
-      for (int row : connectivity.rows_of(e)) {
-        assert(row < n_rows);
-        if (row >= 0) elements_[next[static_cast<std::size_t>(row)]++] = connectivity.rows_of(e);
+    for (int e = 0; e < groups.n_elements(); ++e)
+      for (int row : groups.rows_of(e)) {
+        assert(number(row) < next.size() || row < 0);
+        if (row >= 0) elements_[next[number(row)]++] = groups.rows_of(e);
       }
   }
 
-  /// Appends those of a column, ascending.
-  void append(int column, std::vector<int>& rows) {
-    const auto begin = static_cast<std::ptrdiff_t>(rows.size());
-    rows.push_back(column);
-    seen_in_[static_cast<std::size_t>(column)] = column;
-    for (std::size_t k = first_[static_cast<std::size_t>(column)];
-         k < first_[static_cast<std::size_t>(column) + 1]; ++k)
+  /// Whether the group is in any element.
+  bool occurs(int column) const { return first_[number(column)] < first_[number(column) + 1]; }
+  /// Writes those of a column, ascending.
+  void find(int column, std::vector<int>& rows) {
+    rows.assign(1, column);
+    seen_in_[number(column)] = column;
+    for (std::size_t k = first_[number(column)]; k < first_[number(column) + 1]; ++k)
       for (int row : elements_[k]) {
-        if (row < column || seen_in_[static_cast<std::size_t>(row)] == column) continue;
-        seen_in_[static_cast<std::size_t>(row)] = column;
+        if (row < column || seen_in_[number(row)] == column) continue;
+        seen_in_[number(row)] = column;
         rows.push_back(row);
       }
-    std::sort(rows.begin() + begin, rows.end());
+    std::sort(rows.begin(), rows.end());
   }
 
  private:
-  std::vector<std::size_t> first_;              ///< of each row in elements_
-  std::vector<std::span<const int>> elements_;  ///< the rows of those that a row is in
-  std::vector<int> seen_in_;                    ///< of each row the last column that has it
+  std::size_t number(int row) const { return static_cast<std::size_t>(row / size_); }
+
+  int size_;
+  std::vector<std::size_t> first_;              ///< of each group in elements_
+  std::vector<std::span<const int>> elements_;  ///< the groups of those that a group is in
+  std::vector<int> seen_in_;                    ///< of each group the last column that has it
 };
 
-SparseMatrix make_pattern(int n_rows, const Connectivity& connectivity) {
-  ColumnRows columns(n_rows, connectivity);
-  std::vector<int> rows, first{0};
-  for (int c = 0; c < n_rows; ++c) {
-    columns.append(c, rows);
+SparseMatrix make_pattern(int n_rows, int size, const Connectivity& groups) {
+  const int n_groups = n_rows / size;
+  ColumnGroups columns(n_groups, size, groups);
+  std::vector<int> rows, found, first{0};
+  const auto end_column = [&] {
     if (rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw OutOfMemory("a matrix of " + std::to_string(n_rows) +
                         " rows has more entries than 32-bit indices can count");
     first.push_back(static_cast<int>(rows.size()));
+  };
+  for (int column = 0; column < n_rows; ++column) {
+    const int group = column - column % size;
+    if (group >= size * n_groups || !columns.occurs(group)) {
+      rows.push_back(column);
+      end_column();
+      continue;
+    }
+    if (column == group) columns.find(group, found);
+    for (int row : found)
+      for (int k = std::max(row, column); k < row + size; ++k) rows.push_back(k);
+    end_column();
   }
   SparseMatrix pattern(n_rows, n_rows);
   pattern.resizeNonZeros(first.back());
@@ -80,60 +98,89 @@ int place_of(const SparseMatrix& matrix, int row, int column, int guess) {
   return static_cast<int>(std::lower_bound(rows + outer[column], rows + outer[column + 1], row) - rows);
 }
 
-/// Of every pair i >= j of the rows of every element, both multiples of `stride`, j slowest, the place of its
-/// entry in the lower triangle; -1 when one of the two is left out.
-void find_places(const Connectivity& elements, const SparseMatrix& lower, std::size_t stride,
+/// Of every two of the rows of every element, the later one fastest, the place of their entry in the lower
+/// triangle; -1 when one of the two is left out.
+/// \param[in] stride  between places that may follow each other
+void find_places(const Connectivity& elements, const SparseMatrix& lower, int stride,
                  std::vector<int>& place) {
   place.clear();
   for (int e = 0; e < elements.n_elements(); ++e) {
     const auto rows = elements.rows_of(e);
-    for (std::size_t j = 0; j < rows.size(); j += stride) {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
       int last = -1;
-      for (std::size_t i = j; i < rows.size(); i += stride) {
+      for (std::size_t i = j; i < rows.size(); ++i) {
         const bool kept = rows[i] >= 0 && rows[j] >= 0;
-        place.push_back(kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]),
-                                        last + static_cast<int>(stride))
-                             : -1);
+        place.push_back(
+            kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]), last + stride)
+                 : -1);
         last = place.back();
       }
     }
   }
 }
 
-/// Whether all elements have their rows two by two, an even one and the next, none twice.
-bool comes_in_pairs(const Connectivity& connectivity) {
+/// Whether the rows of all elements come in groups of so many, a multiple of it and the next ones, none of
+/// more than one row twice in an element; of each the first row goes to `groups`, -1 for one that is left
+/// out.
+bool comes_in_groups(const Connectivity& connectivity, int size, Connectivity& groups) {
+  const auto n = static_cast<std::size_t>(size);
+  groups.clear();
   for (int e = 0; e < connectivity.n_elements(); ++e) {
     const auto rows = connectivity.rows_of(e);
-    if (rows.size() % 2 != 0) return false;
-    for (std::size_t k = 0; k < rows.size(); k += 2) {
-      const bool left_out = rows[k] < 0 && rows[k + 1] < 0;
-      if (!left_out && (rows[k] < 0 || rows[k] % 2 != 0 || rows[k + 1] != rows[k] + 1)) return false;
-      for (std::size_t l = 0; l < k; l += 2)
-        if (!left_out && rows[l] == rows[k]) return false;
+    if (rows.size() % n != 0) return false;
+    const std::size_t begin = groups.rows.size();
+    for (std::size_t k = 0; k < rows.size(); k += n) {
+      const bool left_out = rows[k] < 0;
+      if (!left_out && rows[k] % size != 0) return false;
+      for (std::size_t l = 1; l < n; ++l)
+        if (left_out ? rows[k + l] >= 0 : rows[k + l] != rows[k + l - 1] + 1) return false;
+      const auto before = groups.rows.begin() + static_cast<std::ptrdiff_t>(begin);
+      if (size > 1 && !left_out && std::find(before, groups.rows.end(), rows[k]) != groups.rows.end())
+        return false;
+      groups.rows.push_back(left_out ? -1 : rows[k]);
     }
+    groups.first.push_back(static_cast<int>(groups.rows.size()));
   }
   return true;
 }
 
 }  // namespace
 
+bool PatternMatrix::is_of(const Connectivity& connectivity) const {
+  const auto size = static_cast<std::size_t>(group_size_);
+  if (connectivity.rows.size() != size * groups_.rows.size() ||
+      connectivity.first.size() != groups_.first.size())
+    return false;
+  for (std::size_t e = 0; e < groups_.first.size(); ++e)
+    if (connectivity.first[e] != group_size_ * groups_.first[e]) return false;
+  const int* row = connectivity.rows.data();
+  for (const int first : groups_.rows)
+    for (int l = 0; l < group_size_; ++l, ++row)
+      if (first < 0 ? *row >= 0 : *row != first + l) return false;
+  return true;
+}
+
 bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivity) {
-  if (n_rows == lower_.rows() && connectivity == connectivity_) return false;
-  SparseMatrix pattern = make_pattern(n_rows, connectivity);
+  if (n_rows == lower_.rows() && is_of(connectivity)) return false;
+  Connectivity groups;
+  int size = 3;
+  while (!comes_in_groups(connectivity, size, groups)) --size;
+  groups.first.shrink_to_fit();
+  groups.rows.shrink_to_fit();
+  SparseMatrix pattern = make_pattern(n_rows, size, groups);
   const bool changed = !have_same_pattern(pattern, lower_);
   if (changed) lower_ = std::move(pattern);
-  connectivity_ = connectivity;
+  group_size_ = size;
+  groups_ = std::move(groups);
   set_zero();
-  paired_ = comes_in_pairs(connectivity);
-  const std::size_t stride = paired_ ? 2 : 1;
-  first_place_.assign(static_cast<std::size_t>(connectivity.n_elements()) + 1, 0);
-  for (int e = 0; e < connectivity.n_elements(); ++e) {
-    const std::size_t k = connectivity.rows_of(e).size() / stride;
+  first_place_.assign(static_cast<std::size_t>(groups_.n_elements()) + 1, 0);
+  for (int e = 0; e < groups_.n_elements(); ++e) {
+    const std::size_t k = groups_.rows_of(e).size();
     first_place_[static_cast<std::size_t>(e) + 1] =
         first_place_[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
   }
   place_.reserve(first_place_.back());
-  find_places(connectivity, lower_, stride, place_);
+  find_places(groups_, lower_, group_size_, place_);
   return changed;
 }
 
@@ -146,64 +193,64 @@ void PatternMatrix::set_identity() {
   for (int c = 0; c < lower_.cols(); ++c) lower_.valuePtr()[lower_.outerIndexPtr()[c]] = 1;
 }
 
-// A pair i > j stands for the entries (i, j) and (j, i) of the element. They fall on (r, c) and (c, r), of
+// Two rows i, j of an element stand for the entries (i, j) and (j, i). They fall on (r, c) and (c, r), of
 // which only the lower one is stored, unless both rows are the same: then both fall on the diagonal.
 
-template <class Visit>
-void PatternMatrix::for_places(int element, const Visit& visit) const {
-  const auto rows = connectivity_.rows_of(element);
-  const std::size_t k = rows.size();
+template <int size, class Entry>
+void PatternMatrix::add_groups(int element, const Entry& entry) {
+  const auto groups = groups_.rows_of(element);
+  const int n = static_cast<int>(groups.size());
   const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
-  if (!paired_) {
-    for (std::size_t j = 0; j < k; ++j)
-      for (std::size_t i = j; i < k; ++i, ++place)
-        if (*place >= 0) visit(i, j, *place);
-    return;
-  }
   const int* outer = lower_.outerIndexPtr();
-  for (std::size_t j = 0; j < k; j += 2)
-    for (std::size_t i = j; i < k; i += 2, ++place) {
+  double* values = lower_.valuePtr();
+  for (int j = 0; j < n; ++j)
+    for (int i = j; i < n; ++i, ++place) {
       if (*place < 0) continue;
-      const int column = std::min(rows[i], rows[j]);
-      const int right =
-          *place + outer[column + 1] - outer[column] - 1;  // in the next column, without its top
-      visit(i, j, *place);
-      if (i == j) {
-        visit(i + 1, j, *place + 1);
-        visit(i + 1, j + 1, right + 1);
-        continue;
+      const int row = groups[static_cast<std::size_t>(i)], column = groups[static_cast<std::size_t>(j)];
+      double entries[size][size];  // by columns
+      for (int l = 0; l < size; ++l)
+        for (int k = 0; k < size; ++k) entries[l][k] = entry(size * i + k, size * j + l);
+      if (size == 1 && i != j && row == column) entries[0][0] *= 2;
+      const int first = std::min(row, column);
+      for (int l = 0; l < size; ++l) {
+        // A column of a group lacks the top of the one before.
+        double* const top = values + *place + (l > 0 ? outer[first + l] - outer[first] - l : 0);
+        if (row >= column)
+          for (int k = i == j ? l : 0; k < size; ++k) top[k] += entries[l][k];
+        else
+          for (int k = 0; k < size; ++k) top[k] += entries[k][l];
       }
-      const bool below = rows[i] > rows[j];
-      visit(i + 1, j, below ? *place + 1 : right);
-      visit(i, j + 1, below ? right : *place + 1);
-      visit(i + 1, j + 1, right + 1);
     }
 }
 
+template <class Entry>
+void PatternMatrix::add_entries(int element, const Entry& entry) {
+  switch (group_size_) {
+    case 3:
+      return add_groups<3>(element, entry);
+    case 2:
+      return add_groups<2>(element, entry);
+    default:
+      return add_groups<1>(element, entry);
+  }
+}
+
 void PatternMatrix::add(int element, const Eigen::Ref<const MatrixXd>& matrix) {
-  const auto rows = connectivity_.rows_of(element);
-  assert(matrix.rows() == static_cast<Index>(rows.size()) && matrix.cols() == matrix.rows());
-  double* values = lower_.valuePtr();
-  for_places(element, [&](std::size_t i, std::size_t j, int place) {
-    const double entry = matrix(static_cast<Index>(i), static_cast<Index>(j));
-    values[place] += i != j && rows[i] == rows[j] ? 2 * entry : entry;
-  });
+  assert(matrix.rows() == group_size_ * static_cast<Index>(groups_.rows_of(element).size()) &&
+         matrix.cols() == matrix.rows());
+  add_entries(element, [&](int i, int j) { return matrix(i, j); });
 }
 
 void PatternMatrix::add_outer(int element, double factor, std::span<const double> a) {
-  const auto rows = connectivity_.rows_of(element);
-  assert(a.size() == rows.size());
-  double* values = lower_.valuePtr();
-  for_places(element, [&](std::size_t i, std::size_t j, int place) {
-    values[place] += (i != j && rows[i] == rows[j] ? 2 * factor : factor) * a[i] * a[j];
-  });
+  assert(a.size() == static_cast<std::size_t>(group_size_) * groups_.rows_of(element).size());
+  add_entries(element, [factor, a = a.data()](int i, int j) { return factor * a[i] * a[j]; });
 }
 
 double PatternMatrix::memory() const {
   const auto bytes = [](const auto& numbers) {
     return static_cast<double>(numbers.capacity() * sizeof(numbers[0]));
   };
-  return bytes(connectivity_.first) + bytes(connectivity_.rows) + bytes(first_place_) + bytes(place_) +
+  return bytes(groups_.first) + bytes(groups_.rows) + bytes(first_place_) + bytes(place_) +
          static_cast<double>(lower_.data().allocatedSize()) *
              (sizeof(double) + sizeof(SparseMatrix::StorageIndex)) +
          static_cast<double>(lower_.outerSize()) * sizeof(SparseMatrix::StorageIndex);

@@ -49,17 +49,20 @@ class PatternMatrix {
   double memory() const;
 
  private:
-  /// Calls visit(i, j, place in lower_.valuePtr()) for each pair i >= j of the element that is not left out.
-  template <class Visit>
-  void for_places(int element, const Visit& visit) const;
+  /// Whether the last connectivity was this one.
+  bool is_of(const Connectivity& connectivity) const;
+  /// Adds a symmetric matrix: entry(i, j) of the rows of the element.
+  template <class Entry>
+  void add_entries(int element, const Entry& entry);
+  template <int size, class Entry>
+  void add_groups(int element, const Entry& entry);
 
-  Connectivity connectivity_;
-  /// All elements have their rows two by two, an even one and the next: two columns have the same rows then,
-  /// and where one of four entries is tells where the others are.
-  bool paired_ = false;
+  /// The rows of all elements come in groups of so many, a multiple of it and the next ones: the columns of a
+  /// group have the same rows then, and where one entry of two groups is tells where the others are.
+  int group_size_ = 1;
+  Connectivity groups_;                   ///< first rows of the groups of each element
   std::vector<std::size_t> first_place_;  ///< of each element in place_
-  std::vector<int> place_;  ///< index into lower_.valuePtr() for each pair i >= j (paired: of even i and j),
-                            ///< or -1
+  std::vector<int> place_;  ///< index into lower_.valuePtr() for each two groups of an element, or -1
   SparseMatrix lower_;
 };
 

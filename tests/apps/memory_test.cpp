@@ -83,10 +83,10 @@ TEST_F(Memory, IsCountedForAFactorOnlyWhereOneMayBeMade) {
 }
 
 TEST_F(Memory, ThatDoesNotSufficeIsToldBeforeAnythingIsWritten) {
-  write("wall.toml", wall(60, 100, "wachspress"));
+  write("wall.toml", wall(80, 100, "wachspress"));
   for (const std::string verb : {"run", "check"}) {
     EXPECT_EQ(dda_within(300'000, verb + " wall.toml"), 2) << err_;
-    EXPECT_EQ(err_.rfind("wall.toml:1:1: error: 6001 blocks with ", 0), 0u) << err_;
+    EXPECT_EQ(err_.rfind("wall.toml:1:1: error: 8001 blocks with ", 0), 0u) << err_;
     for (const char* words : {" of memory, ", " of it for the factor of their equations; ",
                               " are available (about ", " blocks like these would fit)"})
       EXPECT_NE(err_.find(words), std::string::npos) << words << " in " << err_;

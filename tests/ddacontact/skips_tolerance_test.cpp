@@ -37,7 +37,7 @@ std::vector<double> tolerated_forces(const Stepper& stepper, const Vec2& gravity
     for (const int of_pair : {contact.pair.vertex_block, contact.pair.edge_block}) {
       const auto b = static_cast<std::size_t>(of_pair);
       forces[b] += std::hypot(contact.normal, contact.shear);
-      stiffest[b] = std::max(stiffest[b], contact.law.normal_stiffness);
+      stiffest[b] = std::max(stiffest[b], stepper.contact_properties().normal_stiffness);
     }
   for (std::size_t b = 0; b < n; ++b) {
     const Block& block = blocks.block(static_cast<int>(b));

@@ -181,7 +181,7 @@ void add_momenta(const Stepper& stepper, const Scales& scale, Rows& rows) {
     const Block& block = stepper.blocks().block(b);
     const RigidVelocity velocity = rigid_velocity(block, stepper.state().velocity);
     const Vec2 momentum = block.mass_total() * velocity.linear;
-    const auto turning = block.rigid_modes().col(2);
+    const VectorXd& turning = block.rotation();
     linear += momentum;
     angular += cross(block.centroid(), momentum) + velocity.angular * turning.dot(block.mass() * turning);
   });

@@ -44,7 +44,7 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
     for (const ContactRecord& contact : stepper.contacts()) {
       if (!contact.closed() || largest == 0) continue;
       ++check.contacts;
-      const JointLaw& law = contact.law;
+      const JointLaw law = stepper.contact_properties().law(contact);
       const double bound = shear_bound(law, contact.normal, contact.history.bonded);
       check.outside = std::max({check.outside, (std::abs(contact.shear) - bound) / largest,
                                 (-contact.normal - bond(law.tension, contact)) / largest});

@@ -257,7 +257,7 @@ void concave_corners(Page& page) {
         if (!stepper.notes().empty() && noted_at == 0) noted_at = k;
         all_sound = all_sound && outline.allFinite() && stepper.state().stress.allFinite();
         const MatrixXd M = of.mass();
-        const auto shift = of.rigid_modes().leftCols<2>();
+        const auto& shift = of.translations();
         least_mass =
             std::min(least_mass,
                      Eigen::SelfAdjointEigenSolver<MatrixXd>(M).eigenvalues().minCoeff() / of.mass_total());

@@ -181,7 +181,7 @@ std::vector<Points> vertex_displacements(const BuiltScene& built) {
   const Points all = blocks.displacements(built.stepper->state());
   std::vector<Points> by_block;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const OutlineLabels& labels = built.labels.outlines[static_cast<std::size_t>(b)];
+    const OutlineLabels& labels = *built.labels.outlines[static_cast<std::size_t>(b)];
     Points& of = by_block.emplace_back(2, labels.n_vertices);
     const int first = blocks.block(b).vertices().first;
     for (std::size_t v = 0; v < labels.vertex.size(); ++v)

@@ -152,7 +152,7 @@ TEST_P(CorotationalBlocks, RigidMotionsHaveTheMassInertiaAndWeightOfTheOutlineAt
     for (double angle : {0., 1.1, 2.9}) {
       one.rotate(angle);
       const Block& block = one.block();
-      const auto& rigid = block.rigid_modes();
+      const auto rigid = block.rigid_modes();
       const double mass = 1500 * block.moments().area, inertia = 1500 * block.moments().second.trace();
       const Mat3 expected = Vec3(mass, mass, inertia).asDiagonal();
       EXPECT_LE((rigid.transpose() * block.mass() * rigid - expected).norm(), 1e-11 * mass);

@@ -24,6 +24,13 @@ void move(Box& box, const Vec2& by) {
   box.high += by;
 }
 
+std::vector<Pair> found_by(NearbyPairs& nearby, const std::vector<Box>& boxes,
+                           const std::vector<double>& margins) {
+  std::vector<Pair> pairs;
+  nearby.find(boxes, margins, pairs);
+  return pairs;
+}
+
 }  // namespace
 
 /// However boxes move, the pairs and their order are those of a new search; slow ones need few.
@@ -35,7 +42,7 @@ TEST(NearbyPairs, AreThoseOfASearchAtEveryStep) {
     NearbyPairs nearby;
     for (int step = 0; step < 100; ++step) {
       for (Box& box : boxes) move(box, speed * Vec2(uniform(-1, 1, random), uniform(-1, 1, random)));
-      ASSERT_EQ(nearby.overlapping_pairs(boxes, margins), overlapping_pairs(boxes));
+      ASSERT_EQ(found_by(nearby, boxes, margins), overlapping_pairs(boxes));
     }
     const int most = speed == 0.001 ? 3 : 100;
     EXPECT_LE(nearby.n_searches(), most);
@@ -51,12 +58,12 @@ TEST(NearbyPairs, AreLookedForOnceWhileBoxesStayWithinTheirMargins) {
     std::vector<Box> boxes = start;
     for (Box& box : boxes) move(box, Vec2(uniform(-0.05, 0.05, random), uniform(-0.05, 0.05, random)));
     if (step == 0) boxes = start;
-    EXPECT_EQ(nearby.overlapping_pairs(boxes, margins), overlapping_pairs(boxes));
+    EXPECT_EQ(found_by(nearby, boxes, margins), overlapping_pairs(boxes));
   }
   EXPECT_EQ(nearby.n_searches(), 1);
   std::vector<Box> boxes = start;
   move(boxes[7], Vec2(0.0501, 0));
-  EXPECT_EQ(nearby.overlapping_pairs(boxes, margins), overlapping_pairs(boxes));
+  EXPECT_EQ(found_by(nearby, boxes, margins), overlapping_pairs(boxes));
   EXPECT_EQ(nearby.n_searches(), 2);
 }
 
@@ -64,7 +71,6 @@ TEST(NearbyPairs, AreLookedForEachTimeWithoutMargins) {
   std::mt19937 random(5);
   const std::vector<Box> boxes = random_boxes(random);
   NearbyPairs nearby;
-  for (int step = 0; step < 3; ++step)
-    EXPECT_EQ(nearby.overlapping_pairs(boxes, {}), overlapping_pairs(boxes));
+  for (int step = 0; step < 3; ++step) EXPECT_EQ(found_by(nearby, boxes, {}), overlapping_pairs(boxes));
   EXPECT_EQ(nearby.n_searches(), 3);
 }

@@ -174,7 +174,7 @@ TEST(ResultDirectory, ReactionsAtNodesOnEdgesGoToTheScenesVertices) {
     scene.blocks = {block(outline, true)};
     BuiltScene built = build(scene);
     run(*built.stepper, 1);
-    built.labels.outlines[0] = label_outline(4, {0, 2, 3}, turned);
+    built.labels.outlines[0] = std::make_shared<OutlineLabels>(label_outline(4, {0, 2, 3}, turned));
     built.labels.block_reasons[0] = "held, so one cell";
     const Directory directory;
     ResultDirectory results(directory.path, built.labels);

@@ -24,6 +24,9 @@ class MisjudgedBlock final : public Block {
   int n_stress_points() const override { return right_.n_stress_points(); }
   VectorXd unknown_lengths() const override { return right_.unknown_lengths(); }
   PointMap vertex_map(int vertex) const override { return right_.vertex_map(vertex); }
+  const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
+    return right_.translations();
+  }
   void add_body_force(const Vec2& b, VectorXd& F) const override { right_.add_body_force(b, F); }
   void begin_step(const BlockState& state, const StepStart& start) override {
     right_.begin_step(state, start);
@@ -59,7 +62,7 @@ class MisjudgedBlock final : public Block {
     state.origin = Points::Zero(2, 1);
     state.position = outline;
     right_.prepare(state);
-    rigid_modes_ = right_.rigid_modes();
+    new_rotation() = right_.rotation();
   }
 
   CorotationalBlock right_;

@@ -38,7 +38,7 @@ struct HeldWall {
     for (int b = 1; b < scene.blocks.n_blocks(); ++b) {
       const Block& block = scene.blocks.block(b);
       const Range& u = block.unknowns();
-      const auto& modes = block.rigid_modes();
+      const auto modes = block.rigid_modes();
       const Vec3 inertia = (modes.transpose() * block.mass() * modes).diagonal();
       v.segment(u.first, u.count) =
           modes * (modes.transpose() * force.segment(u.first, u.count)).cwiseQuotient(inertia);

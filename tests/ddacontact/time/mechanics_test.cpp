@@ -39,7 +39,7 @@ RigidVelocity rigid(const Stepper& stepper, int b) {
 
 double spin_momentum(const Stepper& stepper, int b) {
   const Block& of = stepper.blocks().block(b);
-  const auto turning = of.rigid_modes().col(2);
+  const VectorXd& turning = of.rotation();
   return turning.dot(of.mass() * turning) * rigid(stepper, b).angular;
 }
 

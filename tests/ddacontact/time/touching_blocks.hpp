@@ -36,7 +36,7 @@ struct TouchingBlocks {
     return scene;
   }
 
-  const Points& outlines() const { return blocks.reference(); }
+  Points outlines() const { return blocks.reference(); }
   Vec2 vertex(int b, int k) const {
     const Range& of = blocks.block(b).vertices();
     return outlines().col(of.first + k % of.count);
@@ -103,7 +103,7 @@ struct TouchingBlocks {
     return sum;
   }
   double inertia(int b) const {
-    const auto& modes = blocks.block(b).rigid_modes();
+    const auto modes = blocks.block(b).rigid_modes();
     return modes.col(2).dot(blocks.block(b).mass() * modes.col(2));
   }
 

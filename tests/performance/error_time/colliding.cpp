@@ -50,7 +50,7 @@ Scene scene(const Method& method, double time_step) {
 /// By which the first edge has turned.
 double rotation(const Stepper& stepper, int b) {
   const int first = stepper.blocks().block(b).vertices().first;
-  const Points now = stepper.blocks().positions(stepper.state()), &before = stepper.blocks().reference();
+  const Points now = stepper.blocks().positions(stepper.state()), before = stepper.blocks().reference();
   const Vec2 was = before.col(first + 1) - before.col(first), is = now.col(first + 1) - now.col(first);
   return std::atan2(was.x() * is.y() - was.y() * is.x(), was.dot(is));
 }

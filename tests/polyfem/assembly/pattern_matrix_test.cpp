@@ -23,17 +23,17 @@ Connectivity random_connectivity(int n_rows, int n_elements, std::mt19937& rando
   return connectivity;
 }
 
-/// Elements of up to four different pairs of rows in any order, some left out.
-Connectivity random_pairs(int n_rows, int n_elements, std::mt19937& random) {
-  std::vector<int> pairs(static_cast<std::size_t>(n_rows / 2));
-  std::iota(pairs.begin(), pairs.end(), 0);
-  std::uniform_int_distribution<std::size_t> size(1, std::min<std::size_t>(4, pairs.size()));
+/// Elements of up to four different groups of so many rows in any order, some left out.
+Connectivity random_groups(int size, int n_rows, int n_elements, std::mt19937& random) {
+  std::vector<int> groups(static_cast<std::size_t>(n_rows / size));
+  std::iota(groups.begin(), groups.end(), 0);
+  std::uniform_int_distribution<std::size_t> count(1, std::min<std::size_t>(4, groups.size()));
   Connectivity connectivity;
   for (int e = 0; e < n_elements; ++e) {
-    std::ranges::shuffle(pairs, random);
+    std::ranges::shuffle(groups, random);
     std::vector<int> rows;
-    for (std::size_t k = 0, n = size(random); k < n; ++k)
-      for (int of_pair : {0, 1}) rows.push_back(e % 3 == 0 && k == 1 ? -1 : 2 * pairs[k] + of_pair);
+    for (std::size_t k = 0, n = count(random); k < n; ++k)
+      for (int row = 0; row < size; ++row) rows.push_back(e % 3 == 0 && k == 1 ? -1 : size * groups[k] + row);
     connectivity.append(rows);
   }
   return connectivity;
@@ -57,7 +57,7 @@ void add_dense(std::span<const int> rows, const MatrixXd& matrix, MatrixXd& sum)
 
 struct Size {
   int n_rows, n_elements;
-  bool paired = false;
+  int group = 1;  ///< rows come in groups of so many
 };
 
 class PatternMatrixOfRandomElements : public testing::TestWithParam<Size> {
@@ -72,30 +72,36 @@ class PatternMatrixOfRandomElements : public testing::TestWithParam<Size> {
 
   std::mt19937 random_{1};
   int n_ = GetParam().n_rows;
-  Connectivity connectivity_ =
-      (GetParam().paired ? random_pairs : random_connectivity)(n_, GetParam().n_elements, random_);
+  Connectivity connectivity_ = GetParam().group == 1
+                                   ? random_connectivity(n_, GetParam().n_elements, random_)
+                                   : random_groups(GetParam().group, n_, GetParam().n_elements, random_);
   PatternMatrix matrix_;
 };
 INSTANTIATE_TEST_SUITE_P(Sizes, PatternMatrixOfRandomElements,
                          testing::Values(Size{1, 0}, Size{1, 5}, Size{3, 40}, Size{10, 4}, Size{60, 100},
-                                         Size{2, 5, true}, Size{10, 40, true}, Size{60, 100, true}));
+                                         Size{2, 5, 2}, Size{10, 40, 2}, Size{60, 100, 2}, Size{3, 5, 3},
+                                         Size{9, 40, 3}, Size{60, 100, 3}, Size{61, 100, 3}));
 
-/// One element more that does not come in pairs takes away what the others save.
-TEST(PatternMatrix, KeepsAThirdOfThePlacesWhereRowsComeInPairs) {
-  std::mt19937 random{2};
-  Connectivity connectivity = random_pairs(200, 1000, random);
-  double n_places = 0;
-  for (int e = 0; e < connectivity.n_elements(); ++e) {
-    const auto k = static_cast<double>(connectivity.rows_of(e).size());
-    n_places += k * (k + 1) / 2;
+/// One element more that does not come in groups takes away what the others save: most of the places and of
+/// the rows.
+TEST(PatternMatrix, KeepsAPlaceAndARowOfEachGroup) {
+  for (const int group : {2, 3}) {
+    std::mt19937 random{2};
+    Connectivity connectivity = random_groups(group, 240, 1000, random);
+    double n_places = 0;
+    for (int e = 0; e < connectivity.n_elements(); ++e) {
+      const auto k = static_cast<double>(connectivity.rows_of(e).size());
+      n_places += k * (k + 1) / 2;
+    }
+    PatternMatrix matrix;
+    matrix.set_connectivity(240, connectivity);
+    const double grouped = matrix.memory();
+    const std::vector<int> one{0};
+    connectivity.append(one);
+    matrix.set_connectivity(240, connectivity);
+    const double n_rows = static_cast<double>(connectivity.rows.size()), saved = 1 - 1. / group;
+    EXPECT_GT(matrix.memory() - grouped, sizeof(int) * (saved * n_rows + 0.6 * n_places));
   }
-  PatternMatrix matrix;
-  matrix.set_connectivity(200, connectivity);
-  const double paired = matrix.memory();
-  const std::vector<int> one{0};
-  connectivity.append(one);
-  matrix.set_connectivity(200, connectivity);
-  EXPECT_GT(matrix.memory() - paired, 0.6 * sizeof(int) * n_places);
 }
 
 TEST_P(PatternMatrixOfRandomElements, SumsWhatDenseAssemblySums) {
