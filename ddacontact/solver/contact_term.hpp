@@ -50,6 +50,7 @@ inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) 
 struct ContactSprings {
   ClippedSpring normal, tangential;
 };
+/// Both at d.
 inline ContactSprings springs_at(const ContactTerm& c, const VectorXd& d) {
   return {normal_spring(c, d), tangential_spring(c, d)};
 }

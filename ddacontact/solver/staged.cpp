@@ -54,7 +54,7 @@ constexpr int patience = 4;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
 constexpr double aim_of_floor = 0.05;
 /// Nothing is solved to less than this part of that.
-constexpr double aim_of_solution = 0.3;
+constexpr double aim_of_solution = 0.01;
 /// Bonds that exceed their strength by this part of the worst excess break together.
 constexpr double breaking_part = 0.5;
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double brick_length = 1, brick_height = 0.5;
 
-constexpr int n_settling_steps = 3;
+constexpr int n_settling_steps = 50;
 
 Scene rock_scene(double friction_angle = 35) {
   Scene scene;
