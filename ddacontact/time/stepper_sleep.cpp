@@ -101,11 +101,18 @@ std::vector<char> Stepper::find_restless(double dt) const {
   for (const HeldUnknown& held : blocks_.held_unknowns())
     if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_place(held.vertex)] = 1;
   for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
+  // Contacts that open, or go from sticking to sliding and back as those at their bound do by round-off, show
+  // in speeds; those that close under more than makes such a speed bear something new.
+  const auto force_of_rest = [&](int b) {
+    return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt) / dt;
+  };
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const auto [vertex_block, vertex, edge_block, edge] = tried_[c].pair;
-    const bool changed = tried_[c].start_state != tried_[c].history.state;
+    const bool has_closed = tried_[c].start_state == ContactState::open && tried_[c].closed();
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
-      if (changed || (tried_[c].closed() && !blocks_.is_movable(other) && restless[other])) restless[b] = 1;
+      if ((has_closed && tried_[c].normal > force_of_rest(b)) ||
+          (tried_[c].closed() && !blocks_.is_movable(other) && restless[other]))
+        restless[b] = 1;
   }
   return restless;
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double brick_length = 1, brick_height = 0.5;
 
-constexpr int n_settling_steps = 50;
+constexpr int n_settling_steps = 100;
 
 Scene rock_scene(double friction_angle = 35) {
   Scene scene;
