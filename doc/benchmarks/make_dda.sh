@@ -38,7 +38,7 @@ if wants walls; then
   rm -f "$measured/walls.csv" "$measured/box2d.csv"
   [ -x "$steps/box2d_performance" ] && "$steps/box2d_performance" "$measured/box2d.csv"
   measure walls --sizes 200 1000 10000 --starts sudden --no-cholmod --warm 0 --steps 20
-  measure walls --sizes 200 1000 10000 --starts settled --without none sleep --no-cholmod --warm 10 --steps 20
+  measure walls --sizes 200 1000 10000 --starts settled --without none sleep --no-cholmod --warm 40 --steps 20
   measure walls --sizes 200 1000 10000 --starts sudden settled --classic --no-cholmod --warm 0 --steps 20
 fi
 if wants growth; then
