@@ -504,9 +504,27 @@ class Staged {
     return terms_[c].sheared && terms_[c].bound > 0 && !springs_[c].tangential.acts();
   }
 
-  StagedReport settle() {
+  /// Notes which closed contacts have a gap or a slip that stays.
+  void note_what_stays() {
     std::vector<double> motions(system_.n_blocks());
     for (int b = 0; b < system_.n_blocks(); ++b) motions[b] = system_.largest_motion(b, d_);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      Contact& contact = contacts_[c];
+      const ContactHistory& history = contact.history;
+      const JointLaw& law = contact.law;
+      const double resistance = multipliers_[c].softer * std::max(motions[contact.pair.vertex_block],
+                                                                  motions[contact.pair.edge_block]);
+      const auto stays = [&](double before, double after, double stiffness) {
+        return contact.closed() && std::abs(after - before) <= staying_part * std::abs(before) &&
+               resistance <= moving_part * stiffness * std::abs(after);
+      };
+      contact.gap_stays =
+          stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_), law.normal_stiffness);
+      contact.slip_stays = stays(contact.first_slip().constant, terms_[c].slip(d_), law.tangential_stiffness);
+    }
+  }
+
+  StagedReport settle() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Contact& contact = contacts_[c];
       ContactHistory& history = contact.history;
@@ -519,20 +537,11 @@ class Staged {
         history.state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;
       else
         history.state = ContactState::stick;
-      const double resistance = multipliers_[c].softer * std::max(motions[contact.pair.vertex_block],
-                                                                  motions[contact.pair.edge_block]);
-      const auto stays = [&](double before, double after, double stiffness) {
-        return closed && std::abs(after - before) <= staying_part * std::abs(before) &&
-               resistance <= moving_part * stiffness * std::abs(after);
-      };
-      contact.gap_stays = stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_),
-                                contact.law.normal_stiffness);
-      contact.slip_stays =
-          stays(contact.first_slip().constant, terms_[c].slip(d_), contact.law.tangential_stiffness);
       contact.was_closed = contact.was_closed || closed;
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;
     }
+    note_what_stays();
     return end(StagedStatus::settled);
   }
 

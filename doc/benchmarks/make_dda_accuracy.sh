@@ -6,6 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release}
 cmake --build "$build" --target error_time
+export OPENBLAS_NUM_THREADS=1  # others would wait busily at first, and their time be counted
 program=$build/tests/performance/error_time/error_time
 "$program" measure doc/benchmarks/dda_accuracy.csv
 "$program" page doc/benchmarks/dda_accuracy.csv doc/benchmarks
