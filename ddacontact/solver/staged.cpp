@@ -87,7 +87,7 @@ class Staged {
 
   StagedReport solve() {
     system_.linearize(d_);
-    const std::vector<double> loads = loads_of_blocks();
+    const std::vector<double> loads = options_.local ? std::vector<double>() : loads_of_blocks();
     for_contacts(contacts_.size(), [&](std::size_t c) {
       start(contacts_[c], loads, multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
@@ -508,7 +508,7 @@ class Staged {
   void note_what_stays() {
     std::vector<double> motions(system_.n_blocks());
     for (int b = 0; b < system_.n_blocks(); ++b) motions[b] = system_.largest_motion(b, d_);
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    for_contacts(contacts_.size(), [&](std::size_t c) {
       Contact& contact = contacts_[c];
       const ContactHistory& history = contact.history;
       const JointLaw& law = contact.law;
@@ -521,7 +521,7 @@ class Staged {
       contact.gap_stays =
           stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_), law.normal_stiffness);
       contact.slip_stays = stays(contact.first_slip().constant, terms_[c].slip(d_), law.tangential_stiffness);
-    }
+    });
   }
 
   StagedReport settle() {

@@ -17,8 +17,7 @@ MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
   std::vector<Index> held;
   for (int k = 0; k < count; ++k)
     if (blocks.equation()[first + k] < 0) held.push_back(k);
-  MatrixXd modes(count, 3);
-  modes << block.translations(), block.rotation();
+  MatrixXd modes = block.rigid_modes();
   if (held.empty()) return modes;
   modes.col(2) /= block.size();  // comparable to the translations
   Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
