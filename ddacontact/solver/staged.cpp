@@ -98,7 +98,7 @@ class Staged {
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
-      if (is_balanced() && (states_agree() || take_law(options_.residual_aim))) {
+      if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
         if (break_bonds()) continue;
         if (is_close()) {
           take_law_where_negligible();
@@ -243,6 +243,11 @@ class Staged {
         std::count_if(off_.begin(), off_.end(), [&](double off) { return off > counts; }));
   }
   bool states_agree() const { return count_disagreeing() == 0; }
+  /// What the forces of the law may leave where they differ from those of the states: more when these have
+  /// changed so often.
+  double aim_of_states() const {
+    return changes_ >= patience ? options_.residual_tolerance : options_.residual_aim;
+  }
 
   /// The state to try next. Near a solution a contact that sticks while it is pulled slides before it opens:
   /// it may be its own friction that pulls.
