@@ -22,7 +22,8 @@ using LinearSolution = std::function<void(const VectorXd& b, VectorXd& x)>;
 
 /// x with (A + sum of row * rate * column^T) x = b. GMRES on the values of column^T x, with a solution of A
 /// an iteration, to `tolerance` of what they are without the couplings; false: not as near as that.
-bool solve_coupled(const LinearSolution& solve, const std::vector<Coupling>& couplings, const VectorXd& b,
-                   double tolerance, VectorXd& x);
+/// \param[in] rough  solves in the iterations: what it errs by shows in the values alone, and is looked at
+bool solve_coupled(const LinearSolution& solve, const LinearSolution& rough,
+                   const std::vector<Coupling>& couplings, const VectorXd& b, double tolerance, VectorXd& x);
 
 }  // namespace ddacontact

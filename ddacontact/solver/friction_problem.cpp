@@ -111,13 +111,29 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
   return true;
 }
 
-void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
+/// Of the unknowns to rhs_, and solution_ to them.
+void FrictionProblem::pack(const VectorXd& residual) {
   rhs_.resize(n_equations_);
   for (Index k = 0; k < residual.size(); ++k)
     if (equation_[k] >= 0) rhs_[equation_[k]] = residual[k];
+}
+
+void FrictionProblem::unpack(VectorXd& correction) const {
+  correction.resize(static_cast<Index>(equation_.size()));
+  for (Index k = 0; k < correction.size(); ++k)
+    correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
+}
+
+void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
+  pack(residual);
   cholesky_.solve(rhs_, solution_);
-  correction.resize(residual.size());
-  for (Index k = 0; k < residual.size(); ++k) correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
+  unpack(correction);
+}
+
+void FrictionProblem::solve_roughly(const VectorXd& residual, VectorXd& correction) {
+  pack(residual);
+  cholesky_.solve_roughly(rhs_, solution_);
+  unpack(correction);
 }
 
 double FrictionProblem::memory() const {

@@ -62,6 +62,8 @@ class FrictionProblem {
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
+  /// The same in single precision where that is quicker.
+  void solve_roughly(const VectorXd& residual, VectorXd& correction);
   /// b with 0 at held unknowns.
   VectorXd free_part(const VectorXd& b) const;
 
@@ -82,6 +84,8 @@ class FrictionProblem {
 
  private:
   void set_pattern(const std::vector<ContactTerm>& contacts);
+  void pack(const VectorXd& residual);
+  void unpack(VectorXd& correction) const;
   double largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const;
   bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
                     const VectorXd& d);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ddacontact {
 
@@ -251,8 +252,13 @@ class InteriorPoint {
       terms_[c].gap.add_gradient(-i.cN, rhs_);
       if (i.sheared) terms_[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs_);
     }
-    const auto solution = [&](const VectorXd& b, VectorXd& x) { system_.problem().solve(b, x); };
-    if (!solve_coupled(solution, couplings_, rhs_, tolerance, correction_)) ++report_.fallbacks;
+    const LinearSolution solution = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve(b, x); },
+                         rough = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve_roughly(b, x); };
+    if (!solve_coupled(solution, rough_ ? rough : solution, couplings_, rhs_, tolerance, correction_)) {
+      ++report_.fallbacks;
+      if (std::exchange(rough_, false))
+        solve_coupled(solution, solution, couplings_, rhs_, tolerance, correction_);
+    }
     for (std::size_t c = 0; c < inside_.size(); ++c) {
       Inside& i = inside_[c];
       if (!i.acts) continue;
@@ -306,6 +312,7 @@ class InteriorPoint {
   std::vector<unsigned char> active_;
   std::vector<Coupling> couplings_;
   bool follows_normal_ = true;
+  bool rough_ = true;  ///< iterations solve in single precision, as long as these do
   Residual residual_;
   VectorXd rhs_, correction_;
   InteriorReport report_;

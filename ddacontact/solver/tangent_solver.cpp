@@ -33,7 +33,7 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   has_factor_ = true;
   factored_ = active;
   const auto solution = [&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); };
-  if (!solve_coupled(solution, couplings, b, tolerance, x)) ++counts_.fallbacks;
+  if (!solve_coupled(solution, solution, couplings, b, tolerance, x)) ++counts_.fallbacks;
   return true;
 }
 
@@ -80,13 +80,13 @@ bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& term
   const TangentOperator tangent(problem_, terms, active, couplings);
   VectorXd solved;
   const auto multiply = [&](const VectorXd& in, VectorXd& out) {
-    problem_.solve(in, solved);
+    problem_.solve_roughly(in, solved);
     tangent.multiply(solved, out);
   };
   VectorXd forces;
   const KrylovReport report =
       gmres(multiply, problem_.free_part(b), tolerance, most_stale_iterations, forces);
-  problem_.solve(forces, x);
+  problem_.solve_roughly(forces, x);
   counts_.iterations += report.iterations;
   if (report.converged)
     ++counts_.with_stale_factor;

@@ -116,8 +116,8 @@ bool Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool
       form.gap.add_gradient(normal, lacking);
       form.slip.add_gradient(shear, lacking);
     }
-    settled = solve_coupled(solve, couplings, lacking, rough ? rough_friction_tolerance : friction_tolerance,
-                            move) &&
+    settled = solve_coupled(solve, solve, couplings, lacking,
+                            rough ? rough_friction_tolerance : friction_tolerance, move) &&
               settled;
     q += move;
     const Rates change = rates(of_coefficients_, move);

@@ -20,6 +20,8 @@ struct Cholesky::Factor {
   cholmod_factor* L = nullptr;
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;  // kept from solve to solve
   VectorXd work;
+  std::vector<float> rounded;  ///< entries of L; empty: not yet
+  Eigen::VectorXf rough_work;
 
   Factor() {
     cholmod_start(&common);
@@ -134,6 +136,7 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
   const NoThreads no_threads;
   if (lower.rows() == 0) return true;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
+  factor_->rounded.clear();
   cholmod_sparse A = view_of_lower(lower);
   cholmod_factorize(&A, factor_->L, &factor_->common);
   factor_->check("factorize", lower.rows());
@@ -158,13 +161,25 @@ void Cholesky::solve(const VectorXd& b, VectorXd& x) {
   std::copy_n(static_cast<const double*>(factor_->solution->x), b.size(), x.data());
 }
 
+void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
+  if (b.size() == 0 || !factor_->L->is_super) {
+    solve(b, x);
+    return;
+  }
+  ++n_solves_;
+  const Stopwatch watch(seconds_.solution);
+  if (factor_->rounded.empty()) factor_->rounded = single_precision_entries(*factor_->L);
+  solve_supernodal(*factor_->L, factor_->rounded, b, factor_->rough_work, x);
+}
+
 int Cholesky::failed_row() const {
   const cholmod_factor* L = factor_->L;
   return L && L->minor < L->n ? static_cast<const int*>(L->Perm)[L->minor] : -1;
 }
 
 double Cholesky::memory() const {
-  return static_cast<double>(factor_->common.memory_inuse);
+  return static_cast<double>(factor_->common.memory_inuse) +
+         static_cast<double>(factor_->rounded.capacity() * sizeof(float));
 }
 
 double Cholesky::n_factor_entries() const {

@@ -3,6 +3,8 @@
 
 #include <polyfem/core/types.hpp>
 
+#include <vector>
+
 struct cholmod_factor_struct;
 
 namespace polyfem {
@@ -12,5 +14,13 @@ namespace polyfem {
 ///
 /// \param[in,out] work  storage
 void solve_supernodal(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& work, VectorXd& x);
+/// The same in single precision.
+///
+/// \param[in] entries  see single_precision_entries
+void solve_supernodal(const cholmod_factor_struct& L, const std::vector<float>& entries, const VectorXd& b,
+                      Eigen::VectorXf& work, VectorXd& x);
+
+/// The entries of L, rounded.
+std::vector<float> single_precision_entries(const cholmod_factor_struct& L);
 
 }  // namespace polyfem
