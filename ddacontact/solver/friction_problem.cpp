@@ -47,6 +47,8 @@ void add_magnitude(const AffineForm& form, double force, VectorXd& sums) {
     sums[form.unknowns()[k]] += std::abs(form.coefficients()[k]) * force;
 }
 
+/// Of more equations than these nested dissection leaves fewer entries than minimum degree.
+constexpr int many_equations = 20000;
 /// A residual of so many ulps of what it is the sum of is round-off.
 constexpr double round_off = 32 * std::numeric_limits<double>::epsilon();
 
@@ -85,8 +87,20 @@ void FrictionProblem::set_pattern(const std::vector<ContactTerm>& contacts) {
     assert(!contact.sheared || over_the_same_unknowns(contact.gap, contact.slip));
     append(contact.gap.unknowns());
   }
-  if (matrix_.set_connectivity(n_equations_, connectivity)) cholesky_.analyze(matrix_.lower());
+  if (matrix_.set_connectivity(n_equations_, connectivity)) {
+    cholesky_.analyze(matrix_.lower());
+    is_dissected_ = false;
+  }
   has_pattern_ = true;
+}
+
+void FrictionProblem::order_for_many(const std::vector<ContactTerm>& contacts) {
+  if (n_equations_ < many_equations) return;
+  if (!has_pattern_) set_pattern(contacts);
+  if (is_dissected_) return;
+  cholesky_.dissect(matrix_.lower());
+  is_dissected_ = true;
+  matrices_changed();
 }
 
 bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,

@@ -51,6 +51,10 @@ class FrictionProblem {
   /// another matrix's then.
   void matrices_changed() { factored_springs_.clear(); }
 
+  /// Tells that these contacts are to be factorized many times: where that pays the equations are ordered so
+  /// that factors are small, at more effort.
+  void order_for_many(const std::vector<ContactTerm>& contacts);
+
   /// Whether `factorize` leaves the last factor as it is when that is of the same matrix (it does unless told
   /// otherwise), or makes the same one again.
   void keep_factor(bool keep) { keeps_factor_ = keep; }
@@ -106,6 +110,7 @@ class FrictionProblem {
   int n_iterations_ = 0;
   bool keeps_factor_ = true;
   bool has_pattern_ = false;                     ///< matrix_ is that of the present contacts
+  bool is_dissected_ = false;                    ///< and ordered for many factors
   std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;

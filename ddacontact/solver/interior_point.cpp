@@ -101,6 +101,7 @@ class InteriorPoint {
     double mu = scale * scale, length = 1;
     int n_near = 0;
     look_inside(mu);
+    system_.problem().order_for_many(terms_);
     for (int n_starts = 1; report_.solutions < most_solutions;) {
       balance();
       const double mean = mean_product(0);
@@ -252,12 +253,13 @@ class InteriorPoint {
       terms_[c].gap.add_gradient(-i.cN, rhs_);
       if (i.sheared) terms_[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs_);
     }
-    const LinearSolution solution = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve(b, x); },
+    const LinearSolution exact = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve(b, x); },
                          rough = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve_roughly(b, x); };
-    if (!solve_coupled(solution, rough_ ? rough : solution, couplings_, rhs_, tolerance, correction_)) {
+    const bool predicts = tolerance == predictor_tolerance;
+    if (!solve_coupled(rough_ && predicts ? rough : exact, rough_ ? rough : exact, couplings_, rhs_,
+                       tolerance, correction_)) {
       ++report_.fallbacks;
-      if (std::exchange(rough_, false))
-        solve_coupled(solution, solution, couplings_, rhs_, tolerance, correction_);
+      if (std::exchange(rough_, false)) solve_coupled(exact, exact, couplings_, rhs_, tolerance, correction_);
     }
     for (std::size_t c = 0; c < inside_.size(); ++c) {
       Inside& i = inside_[c];

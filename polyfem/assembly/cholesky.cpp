@@ -115,18 +115,27 @@ void Cholesky::analyze(const SparseMatrix& lower) {
   factor_->check("analyze", lower.rows());
 }
 
+void Cholesky::dissect(const SparseMatrix& lower) {
+  analyze(lower, CHOLMOD_METIS, nullptr);
+}
+
 void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
   assert(static_cast<Index>(order.size()) == lower.rows());
+  analyze(lower, CHOLMOD_GIVEN, order.data());
+}
+
+/// By one of CHOLMOD's orderings; the order if that is given.
+void Cholesky::analyze(const SparseMatrix& lower, int ordering, const int* order) {
   ++n_analyses_;
   const Stopwatch watch(seconds_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
   const int n_methods = std::exchange(factor_->common.nmethods, 1);
-  const int ordering = std::exchange(factor_->common.method[0].ordering, CHOLMOD_GIVEN);
-  factor_->L = cholmod_analyze_p(&A, const_cast<int*>(order.data()), nullptr, 0, &factor_->common);
+  const int before = std::exchange(factor_->common.method[0].ordering, ordering);
+  factor_->L = cholmod_analyze_p(&A, const_cast<int*>(order), nullptr, 0, &factor_->common);
   factor_->common.nmethods = n_methods;
-  factor_->common.method[0].ordering = ordering;
+  factor_->common.method[0].ordering = before;
   factor_->check("analyze", lower.rows());
 }
 

@@ -29,6 +29,9 @@ class Cholesky {
 
   /// Finds the ordering and the pattern of L. Call again only when the pattern of K changes.
   void analyze(const SparseMatrix& lower);
+  /// The same by nested dissection (METIS), which takes several times as long and leaves fewer entries of
+  /// large matrices: pays for many factors and solutions.
+  void dissect(const SparseMatrix& lower);
   /// The same with the ordering given: the rows in the order in which to eliminate them (up to a reordering
   /// that leaves the number of entries of L as it is).
   void analyze(const SparseMatrix& lower, std::span<const int> order);
@@ -53,6 +56,8 @@ class Cholesky {
   const CholeskySeconds& seconds() const { return seconds_; }
 
  private:
+  void analyze(const SparseMatrix& lower, int ordering, const int* order);
+
   struct Factor;
   std::unique_ptr<Factor> factor_;
   int n_analyses_ = 0, n_factorizations_ = 0, n_solves_ = 0;
