@@ -319,3 +319,38 @@ TEST(FrictionProblem, ManyContactsMayChangeAtOnce) {
     EXPECT_LE(report.iterations, 3);
   }
 }
+
+TEST(FrictionProblem, OrdersLargeEquationsAnewWhereManyFactorsAreToCome) {
+  for (const int n_blocks : {100, 5000}) {
+    const int n = 6 * n_blocks;
+    std::vector<int> equation(static_cast<std::size_t>(n));
+    std::iota(equation.begin(), equation.end(), 0);
+    FrictionProblem problem(equation, n);
+    std::vector<Range> blocks;
+    for (int b = 0; b < n_blocks; ++b) blocks.push_back({6 * b, 6});
+    problem.set_matrices(listed(blocks));
+    for (MatrixXd& matrix : problem.elements()) matrix.setIdentity();
+    std::vector<ContactTerm> chain(static_cast<std::size_t>(n_blocks) - 1);
+    for (int c = 0; c < n_blocks - 1; ++c) {
+      ContactTerm& term = chain[static_cast<std::size_t>(c)];
+      for (const int u : {6 * c, 6 * c + 6}) {
+        term.gap.add(u, u == 6 * c ? 1 : -1);
+        term.slip.add(u, 1);
+      }
+      term.normal_stiffness = term.tangential_stiffness = 10;
+    }
+    const std::vector<unsigned char> all(chain.size(), 3);
+    const VectorXd b = VectorXd::LinSpaced(n, -1, 1);
+    VectorXd before, after, rough;
+    ASSERT_TRUE(problem.factorize(chain, all));
+    problem.solve(b, before);
+    problem.order_for_many(chain);
+    problem.order_for_many(chain);
+    EXPECT_EQ(problem.cholesky().n_analyses(), n_blocks > 1000 ? 2 : 1) << n_blocks;
+    ASSERT_TRUE(problem.factorize(chain, all));
+    problem.solve(b, after);
+    EXPECT_LT((after - before).norm(), 1e-13 * before.norm()) << n_blocks;
+    problem.solve_roughly(b, rough);
+    EXPECT_LT((rough - before).norm(), 1e-5 * before.norm()) << n_blocks;
+  }
+}

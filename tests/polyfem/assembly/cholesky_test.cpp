@@ -83,6 +83,47 @@ TEST_P(CholeskyOfGrid, KeepsItsAnalysisForNewValues) {
   EXPECT_EQ(cholesky.n_solves(), 8);
 }
 
+TEST_P(CholeskyOfGrid, SolvesRoughlyWithTheLastFactor) {
+  const VectorXd b = 1e12 * random_vector(GetParam() * GetParam());
+  VectorXd x;
+  Cholesky cholesky;
+  cholesky.analyze(grid_laplacian(GetParam(), 0.1));
+  for (const double shift : {0.1, 1., 10.}) {
+    const SparseMatrix K = grid_laplacian(GetParam(), shift);
+    ASSERT_TRUE(cholesky.factorize(K));
+    for (int repetition = 0; repetition < 2; ++repetition) {
+      cholesky.solve_roughly(b, x);
+      EXPECT_LT(relative_residual(K, x, b), 1e-5);
+    }
+    cholesky.solve(b, x);
+    EXPECT_LT(relative_residual(K, x, b), 1e-13) << "the factor itself is as it was";
+  }
+  cholesky.solve_roughly(VectorXd::Zero(b.size()), x);
+  EXPECT_TRUE(x.isZero(0));
+  EXPECT_EQ(cholesky.n_solves(), 10);
+}
+
+TEST_P(CholeskyOfGrid, DissectedSolvesTheSame) {
+  const SparseMatrix K = grid_laplacian(GetParam(), 0.1);
+  const VectorXd b = random_vector(K.rows());
+  VectorXd x;
+  Cholesky cholesky;
+  cholesky.dissect(K);
+  ASSERT_TRUE(cholesky.factorize(K));
+  cholesky.solve(b, x);
+  EXPECT_LT(relative_residual(K, x, b), 1e-13);
+}
+
+TEST(Cholesky, LeavesFewerEntriesOfWhatItDissects) {
+  const SparseMatrix K = grid_laplacian(400, 0.1);
+  Cholesky cholesky;
+  cholesky.analyze(K, minimum_degree_order({K.outerIndexPtr(), K.outerIndexPtr() + K.rows() + 1},
+                                           {K.innerIndexPtr(), K.innerIndexPtr() + K.nonZeros()}));
+  const double n_entries = cholesky.n_factor_entries();
+  cholesky.dissect(K);
+  EXPECT_LT(cholesky.n_factor_entries(), 0.95 * n_entries);
+}
+
 TEST_P(CholeskyOfGrid, ReportsAMatrixThatIsNotPositiveDefiniteAndRecovers) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
