@@ -3,8 +3,10 @@
 #include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/for_contacts.hpp>
+#include <ddacontact/time/borne_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/held_contacts.hpp>
+#include <ddacontact/time/support_velocity.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/out_of_memory.hpp>
@@ -41,47 +43,11 @@ std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
 }
 
-/// The velocity of a support, from the steps before and after; where it jumps, by much more than in the steps
-/// beside, that before.
-double velocity_at(const HeldUnknown& held, double time, double dt, double end_time) {
-  constexpr double much = 4;
-  double way[4];  // in the steps that end at time - dt, time, ...
-  Vec2 before = held.motion.at(time - 2 * dt, end_time);
-  for (int k = 0; k < 4; ++k) {
-    const Vec2 after = held.motion.at(time + (k - 1) * dt, end_time);
-    way[k] = (after - before)[held.axis];
-    before = after;
-  }
-  const double jump = std::abs(way[2] - way[1]),
-               beside = std::max(std::abs(way[1] - way[0]), std::abs(way[3] - way[2]));
-  return (jump > much * beside ? way[1] : (way[1] + way[2]) / 2) / dt;
-}
-
 std::vector<ContactForce> forces_of(const std::vector<Contact>& contacts) {
   std::vector<ContactForce> forces;
   forces.reserve(contacts.size());
   for (const Contact& contact : contacts) forces.push_back({contact.normal, contact.shear});
   return forces;
-}
-
-/// Lets blocks that contacts bear, and that move no faster than gravity would make them in the step, start
-/// from where they would go on to: next to where they end, as the free path under gravity is not.
-void start_borne_blocks(const BlockSystem& blocks, const std::vector<Contact>& contacts,
-                        const StepStart& start, VectorXd& d) {
-  std::vector<char> is_borne(blocks.n_blocks(), 0);
-  for (const Contact& contact : contacts)
-    if (contact.history.normal > 0)
-      is_borne[contact.pair.vertex_block] = is_borne[contact.pair.edge_block] = 1;
-  const double slow = blocks.gravity.norm() * start.dt;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const Block& block = blocks.block(b);
-    const Range& u = block.unknowns();
-    if (!is_borne[b] || !blocks.is_free(b) || !start.jump.segment(u.first, u.count).isZero(0)) continue;
-    bool is_slow = true;
-    for (int v = 0; v < block.n_vertices(); ++v)
-      is_slow = is_slow && block.vertex_map(v)(start.velocity).norm() <= slow;
-    if (is_slow) d.segment(u.first, u.count) = start.dt * start.velocity.segment(u.first, u.count);
-  }
 }
 
 }  // namespace
@@ -495,7 +461,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     // the step would be half a step late, and make it twice as large as the support's acceleration does.
     const bool of_both_sides = by_trapezoid && held.motion.kind == TimeFunction::Kind::history;
     next.velocity[held.unknown] =
-        of_both_sides ? velocity_at(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
+        of_both_sides ? support_velocity(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }
   if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
     held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, hold_factor_, next);
