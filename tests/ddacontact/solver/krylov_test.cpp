@@ -130,6 +130,14 @@ TEST(Krylov, SaysThatItHasNotConvergedWhereItBreaksDown) {
   EXPECT_EQ(x, VectorXd::Zero(2));
 }
 
+TEST(Krylov, SumsOfPartsHaveEveryEntryOnce) {
+  for (Index n : {0, 1, 4096, 4097, 20000}) {
+    const VectorXd numbers = VectorXd::LinSpaced(n, 1, static_cast<double>(n));
+    EXPECT_EQ(sum_of_parts(n, [&](Index k, Index m) { return numbers.segment(k, m).sum(); }),
+              static_cast<double>(n * (n + 1) / 2));
+  }
+}
+
 /// More entries than one thread sums by itself.
 TEST(Krylov, GivesTheSameBytesForAnyNumberOfThreads) {
   const Index n = 20000;
