@@ -45,6 +45,7 @@ TEST(Krylov, BicgstabSolvesUnsymmetricEquationsToTheTolerance) {
       VectorXd x;
       const KrylovReport report = e.bicgstab(tolerance, 40, x);
       EXPECT_TRUE(report.converged) << n;
+      EXPECT_LE(report.iterations, n) << "with directions apart from all before";
       EXPECT_LE(e.left(x), tolerance + 1e-14) << n;
       if (report.iterations == 1) continue;
       EXPECT_FALSE(e.bicgstab(tolerance, report.iterations - 1, x).converged) << "one fewer would have done";
