@@ -47,7 +47,7 @@ ContactForce ContactRelaxation::solve(const Local& local, const GapSlip& own, co
                rt = multiplier * local.tangential_compliance - own.slip, mixed = local.mixed;
   const double determinant = an * at - mixed * mixed;
   const ContactForce stuck{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
-  if (local.bonded && !(local.unilateral && stuck.normal < 0)) return stuck;
+  if (local.bonded) return local.unilateral && stuck.normal < 0 ? ContactForce{0, rt / at} : stuck;
   if (stuck.normal <= 0) return pressed;
   const double bound = bound_under(*local.law.joint, stuck.normal);
   if (std::abs(stuck.shear) <= bound) return stuck;

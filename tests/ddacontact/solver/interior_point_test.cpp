@@ -1,0 +1,115 @@
+#include <ddacontact/solver/interior_point.hpp>
+#include <ddacontact/solver/spring_state.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+using namespace support;
+
+namespace {
+
+constexpr double dt = 0.1;
+
+/// Two blocks side by side on a fixed plane, each with one more on it; friction 0.5 unless said otherwise,
+/// loads in their centres.
+Scene stacks(const std::vector<Vec2>& loads, double friction = 0.5) {
+  Scene scene = rock_scene(dt, 1);
+  scene.analysis.mode = Mode::statics;
+  scene.joints[0].friction_angle = std::atan(friction) * 180 / std::numbers::pi;
+  scene.blocks = {block(rectangle(-2, -1, 12, 1), true), block(rectangle(0, 0, 3, 1)),
+                  block(rectangle(5, 0, 3, 1)), block(rectangle(1, 1, 1, 1)), block(rectangle(6, 1, 1, 1))};
+  for (int b = 1; b < 5; ++b) {
+    const Points& vertices = scene.blocks[static_cast<std::size_t>(b)].vertices;
+    scene.loads.push_back(
+        point_load(b, vertices.rowwise().mean(), constant(loads[static_cast<std::size_t>(b - 1)])));
+  }
+  return scene;
+}
+
+/// One step of the scene.
+struct Found {
+  BuiltScene built;
+  StepSystem system;
+  std::vector<Contact> contacts;
+  std::vector<RelaxedLaw> laws;
+  std::vector<ContactTerm> terms;
+  std::vector<unsigned char> states;
+  VectorXd d;
+  InteriorReport report;
+
+  explicit Found(const Scene& scene)
+      : built(build(scene)),
+        system(blocks_of(built)),
+        contacts(built.stepper->contacts_to_begin_with()),
+        terms(contacts.size()),
+        states(contacts.size()) {
+    const BlockState& state = built.stepper->state();
+    system.problem().contacts_changed();
+    system.set_step(state, step_start(state, dt), 1e9);
+    for (const Contact& contact : contacts) laws.push_back({&contact.law, 0, false});
+    d = system.prescribed();
+    const auto look = [&] { look_at_contacts(); };
+    report = find_states_from_inside(system, contacts, laws, look, terms, d, states);
+    look();
+  }
+  void look_at_contacts() {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const Contact& contact = contacts[c];
+      terms[c] = {.gap = contact.motion.form(contact.first_gap()),
+                  .slip = contact.motion.form(contact.first_slip()),
+                  .normal_stiffness = contact.law.normal_stiffness,
+                  .tangential_stiffness = contact.law.tangential_stiffness,
+                  .sheared = contact.law.has_friction()};
+      terms[c].bound = shear_bound(contact.law, normal_spring(terms[c], d).clipped(), false);
+    }
+  }
+  /// That the law's forces at d are balanced, and leave contacts in the states that were found.
+  void expect_law() {
+    ASSERT_TRUE(report.found);
+    EXPECT_LE(report.solutions, 40);
+    ASSERT_GE(contacts.size(), 8u);
+    std::vector<ContactForce> forces;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      forces.push_back(contact_force(terms[c], d));
+      EXPECT_EQ(states[c], state_at(terms[c], contacts[c].law, springs_at(terms[c], d))) << c;
+    }
+    Residual residual;
+    system.compute_residual(d, contacts, terms, forces, residual);
+    EXPECT_LE(residual.own, 1e-3);
+  }
+  /// How many contacts of these two blocks are in this state.
+  int count(int a, int b, unsigned char state) const {
+    int n = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const VertexEdge& pair = contacts[c].pair;
+      n += std::minmax(pair.vertex_block, pair.edge_block) == std::minmax(a, b) && states[c] == state;
+    }
+    return n;
+  }
+};
+
+}  // namespace
+
+TEST(InteriorPoint, BlocksAtRestStick) {
+  Found found(stacks({{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
+  found.expect_law();
+  for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}, {2, 4}})
+    EXPECT_EQ(found.count(a, b, pressed | stuck), 2) << a << " " << b;
+}
+
+/// One block above is pushed along, the other is lifted off; one below is pushed the other way.
+TEST(InteriorPoint, BlocksStickSlideAndLiftOffAsTheLawSays) {
+  Found found(stacks({{0, 0}, {-60e3, 0}, {15e3, 0}, {0, 30e3}}));
+  found.expect_law();
+  EXPECT_EQ(found.count(0, 1, pressed | stuck), 2);
+  EXPECT_EQ(found.count(2, 4, open), 2);
+  const int up = found.count(1, 3, pressed | at_upper), down = found.count(1, 3, pressed | at_lower);
+  EXPECT_EQ(up + down, 2);
+  EXPECT_EQ(up * down, 0);
+  EXPECT_EQ(found.count(0, 2, up > 0 ? pressed | at_lower : pressed | at_upper), 2);
+}
+
+TEST(InteriorPoint, WithoutFrictionContactsAreOpenOrPressed) {
+  Found found(stacks({{0, 0}, {-60e3, 0}, {15e3, 0}, {0, 30e3}}, 0));
+  found.expect_law();
+  for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}}) EXPECT_EQ(found.count(a, b, pressed), 2);
+  EXPECT_EQ(found.count(2, 4, open), 2);
+}
