@@ -48,11 +48,13 @@ ContactForce ContactRelaxation::solve(const Local& local, const GapSlip& own, co
   const double determinant = an * at - mixed * mixed;
   const ContactForce stuck{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
   if (local.bonded) return local.unilateral && stuck.normal < 0 ? ContactForce{0, rt / at} : stuck;
-  if (stuck.normal <= 0) return pressed;
-  const double bound = bound_under(*local.law.joint, stuck.normal);
-  if (std::abs(stuck.shear) <= bound) return stuck;
-  // N with T = +- bound(N), the bound linear from here.
-  const double sense = stuck.shear > 0 ? 1 : -1, rate = sense * bound / stuck.normal;
+  // Where friction that sticks would pull the contact open it slides under what presses without it.
+  const double near = stuck.normal > 0 ? stuck.normal : pressed.normal;
+  if (near <= 0) return pressed;
+  const double bound = bound_under(*local.law.joint, near);
+  if (stuck.normal > 0 && std::abs(stuck.shear) <= bound) return stuck;
+  // N with T = +- bound(N), the bound linear from there.
+  const double sense = stuck.shear > 0 ? 1 : -1, rate = sense * bound / near;
   const double normal = std::max(0.0, rn / (an + rate * mixed));
   return {normal, sense * bound_under(*local.law.joint, normal)};
 }
