@@ -14,6 +14,9 @@ namespace {
 constexpr double margin = 12, tick_size = 11, label_size = 12, title_size = 14.5, title_line = 26;
 constexpr double tick_length = 4, below_axis = 40, between = 14, key_line = 17, sample = 24;
 
+/// Names in the key have room in fonts that stand in for the one that is asked for.
+constexpr double wider = 1.15;
+
 /// One direction: values, their pixels and their ticks.
 struct Axis {
   bool logarithmic = false;
@@ -115,7 +118,8 @@ class ChartPage {
       for (std::size_t i = 0; i < y_axes_.back().ticks.values.size(); ++i)
         widest_tick_ = std::max(widest_tick_, text_width(y_axes_.back().text(i), tick_size));
       for (const Series& line : chart.series)
-        if (chart.series.size() > 1) widest_name_ = std::max(widest_name_, text_width(line.name, tick_size));
+        if (chart.series.size() > 1)
+          widest_name_ = std::max(widest_name_, wider * text_width(line.name, tick_size));
     }
     left_ = margin + label_size + 8 + widest_tick_ + tick_length + 4;
     const double key = widest_name_ > 0 ? sample + 10 + widest_name_ + 6 : 14;
