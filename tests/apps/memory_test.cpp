@@ -35,10 +35,10 @@ std::string wall(int rows, int columns, const std::string& model,
 
 class Memory : public Program {
  protected:
-  /// Calls the program with so many kB of address space.
+  /// Calls the program with so many kB of address space; a call that hangs is ended, with the status 124.
   int dda_within(int kilobytes, const std::string& arguments) {
     std::ofstream(directory_ / "limited.sh")
-        << "ulimit -v " << kilobytes << "\nexec '" << POLYDDA_PROGRAM << "' \"$@\"\n";
+        << "ulimit -v " << kilobytes << "\nexec timeout 60 '" << POLYDDA_PROGRAM << "' \"$@\"\n";
     const std::string command = "cd '" + directory_.string() + "' && sh limited.sh " + arguments +
                                 " > out.txt 2> err.txt < /dev/null";
     const int status = std::system(command.c_str());
@@ -93,6 +93,12 @@ TEST_F(Memory, ThatDoesNotSufficeIsToldBeforeAnythingIsWritten) {
     EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
   }
   EXPECT_FALSE(fs::exists(directory_ / "wall-out"));
+}
+
+TEST_F(Memory, ThatIsShortSufficesForAFewBlocks) {
+  write("wall.toml", wall(2, 3, "wachspress"));
+  for (const std::string verb : {"check", "run"})
+    EXPECT_EQ(dda_within(200'000, verb + " wall.toml"), 0) << err_;
 }
 
 TEST_F(Memory, ForTooManyCellsIsRefused) {
