@@ -101,6 +101,14 @@ TEST_F(Memory, ThatIsShortSufficesForAFewBlocks) {
     EXPECT_EQ(dda_within(200'000, verb + " wall.toml"), 0) << err_;
 }
 
+TEST_F(Memory, ThatTheBlasLacksEndsARun) {
+  write("wall.toml", wall(30, 40, "wachspress"));
+  const int status = dda_within(180'000, "run wall.toml");
+  if (status == 0) GTEST_SKIP() << "this BLAS takes no such buffer";
+  EXPECT_EQ(status, 3) << err_;
+  EXPECT_NE(err_.find("not enough memory for the 128 MB that OpenBLAS works in"), std::string::npos) << err_;
+}
+
 TEST_F(Memory, ForTooManyCellsIsRefused) {
   EXPECT_EQ(dda_within(1'000'000, "make voronoi --cells 5000000 -o cells.wkt"), 2);
   EXPECT_NE(err_.find("5000000 cells take about"), std::string::npos) << err_;
