@@ -35,6 +35,11 @@ std::string wall(int rows, int columns, const std::string& model,
 
 class Memory : public Program {
  protected:
+#ifdef __SANITIZE_ADDRESS__
+  void SetUp() override {
+    GTEST_SKIP() << "under a sanitizer memory is not the program's own";
+  }
+#endif
   /// Calls the program with so many kB of address space; a call that hangs is ended, with the status 124.
   int dda_within(int kilobytes, const std::string& arguments) {
     std::ofstream(directory_ / "limited.sh")
