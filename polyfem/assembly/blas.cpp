@@ -1,6 +1,10 @@
 #include <polyfem/assembly/blas.hpp>
+#include <polyfem/core/out_of_memory.hpp>
 
 #include <dlfcn.h>
+#include <sys/mman.h>
+
+#include <cstddef>
 
 namespace polyfem {
 namespace {
@@ -9,6 +13,16 @@ namespace {
 template <class Function>
 Function* loaded(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
+/// True; throws where it would not be.
+bool there_is_room_for_the_buffer(std::size_t beside) {
+  if (!loaded<char*()>("openblas_get_config")) return true;
+  const std::size_t size = (std::size_t{128} << 20) + beside;
+  void* const place = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED) throw OutOfMemory("not enough memory for the 128 MB that OpenBLAS works in");
+  munmap(place, size);
+  return true;
 }
 
 }  // namespace
@@ -20,6 +34,10 @@ std::string pin_blas_to_one_thread() {
   if (!set_num_threads || !get_config || !get_corename) return "unknown (slow?)";
   set_num_threads(1);
   return std::string(get_config()) + ", core " + get_corename();
+}
+
+void expect_room_for_blas(std::size_t beside) {
+  [[maybe_unused]] static const bool there_is = there_is_room_for_the_buffer(beside);
 }
 
 }  // namespace polyfem

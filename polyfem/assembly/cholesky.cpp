@@ -1,3 +1,4 @@
+#include <polyfem/assembly/blas.hpp>
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/assembly/supernodal_solution.hpp>
 #include <polyfem/core/error.hpp>
@@ -146,6 +147,7 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
   if (lower.rows() == 0) return true;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
   factor_->rounded.clear();
+  if (factor_->L->is_super) expect_room_for_blas(sizeof(double) * (factor_->L->xsize + factor_->L->maxcsize));
   cholmod_sparse A = view_of_lower(lower);
   cholmod_factorize(&A, factor_->L, &factor_->common);
   factor_->check("factorize", lower.rows());

@@ -35,10 +35,15 @@ std::string wall(int rows, int columns, const std::string& model,
 
 class Memory : public Program {
  protected:
-  /// Calls the program with so many kB of address space.
+#ifdef __SANITIZE_ADDRESS__
+  void SetUp() override {
+    GTEST_SKIP() << "under a sanitizer memory is not the program's own";
+  }
+#endif
+  /// Calls the program with so many kB of address space; a call that hangs is ended, with the status 124.
   int dda_within(int kilobytes, const std::string& arguments) {
     std::ofstream(directory_ / "limited.sh")
-        << "ulimit -v " << kilobytes << "\nexec '" << POLYDDA_PROGRAM << "' \"$@\"\n";
+        << "ulimit -v " << kilobytes << "\nexec timeout 60 '" << POLYDDA_PROGRAM << "' \"$@\"\n";
     const std::string command = "cd '" + directory_.string() + "' && sh limited.sh " + arguments +
                                 " > out.txt 2> err.txt < /dev/null";
     const int status = std::system(command.c_str());
@@ -93,6 +98,20 @@ TEST_F(Memory, ThatDoesNotSufficeIsToldBeforeAnythingIsWritten) {
     EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
   }
   EXPECT_FALSE(fs::exists(directory_ / "wall-out"));
+}
+
+TEST_F(Memory, ThatIsShortSufficesForAFewBlocks) {
+  write("wall.toml", wall(2, 3, "wachspress"));
+  for (const std::string verb : {"check", "run"})
+    EXPECT_EQ(dda_within(200'000, verb + " wall.toml"), 0) << err_;
+}
+
+TEST_F(Memory, ThatTheBlasLacksEndsARun) {
+  write("wall.toml", wall(30, 40, "wachspress"));
+  const int status = dda_within(180'000, "run wall.toml");
+  if (status == 0) GTEST_SKIP() << "this BLAS takes no such buffer";
+  EXPECT_EQ(status, 3) << err_;
+  EXPECT_NE(err_.find("not enough memory for the 128 MB that OpenBLAS works in"), std::string::npos) << err_;
 }
 
 TEST_F(Memory, ForTooManyCellsIsRefused) {
