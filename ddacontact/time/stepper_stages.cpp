@@ -3,7 +3,21 @@
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 
+#include <algorithm>
+
 namespace ddacontact {
+
+namespace {
+
+/// Whether the pair names a vertex and an edge of these blocks.
+bool is_between(const BlockSystem& blocks, const VertexEdge& pair) {
+  const auto has = [&](int b, int corner) {
+    return b >= 0 && b < blocks.n_blocks() && corner >= 0 && corner < blocks.block(b).n_vertices();
+  };
+  return has(pair.vertex_block, pair.vertex) && has(pair.edge_block, pair.edge);
+}
+
+}  // namespace
 
 void Stepper::apply(const Stage& stage) {
   analysis_ = stage.analysis;
@@ -90,7 +104,9 @@ void Stepper::restore(StepRecord record) {
   if (record.state.position.cols() != state_.position.cols() ||
       record.state.velocity.size() != state_.velocity.size() ||
       record.state.stress.cols() != state_.stress.cols() ||
-      record.progress.stage >= static_cast<int>(stages_.size()))
+      record.progress.stage >= static_cast<int>(stages_.size()) ||
+      !std::ranges::all_of(record.contacts,
+                           [&](const ContactRecord& contact) { return is_between(blocks_, contact.pair); }))
     throw Error("the record is of other blocks or stages");
   wake_all();
   while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);

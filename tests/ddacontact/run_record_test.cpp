@@ -101,3 +101,15 @@ TEST(RunRecord, GoesOnToTheBitInRandomStagesOfAnyShapes) {
     expect_resumable(any_drop(seed), random);
   }
 }
+
+TEST(RunRecord, OfContactsThatTheBlocksDoNotHaveIsRefused) {
+  const BuiltScene scene = build(random_drop(1000));
+  while (scene.stepper->record().contacts.empty()) ASSERT_TRUE(scene.stepper->step());
+  for (int VertexEdge::*part :
+       {&VertexEdge::vertex_block, &VertexEdge::vertex, &VertexEdge::edge_block, &VertexEdge::edge})
+    for (const int wrong : {-1, 1000}) {
+      StepRecord record = scene.stepper->record();
+      record.contacts[0].pair.*part = wrong;
+      EXPECT_THROW(scene.stepper->restore(std::move(record)), Error);
+    }
+}
