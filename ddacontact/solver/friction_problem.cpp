@@ -87,7 +87,8 @@ void FrictionProblem::set_pattern(const std::vector<ContactTerm>& contacts) {
     assert(!contact.sheared || over_the_same_unknowns(contact.gap, contact.slip));
     append(contact.gap.unknowns());
   }
-  if (matrix_.set_connectivity(n_equations_, connectivity)) {
+  // Steps go on from what a record holds, which says nothing of orders.
+  if (matrix_.set_connectivity(n_equations_, connectivity) || is_dissected_) {
     cholesky_.analyze(matrix_.lower());
     is_dissected_ = false;
   }

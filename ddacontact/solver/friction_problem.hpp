@@ -52,7 +52,7 @@ class FrictionProblem {
   void matrices_changed() { factored_springs_.clear(); }
 
   /// Tells that these contacts are to be factorized many times: where that pays the equations are ordered so
-  /// that factors are small, at more effort.
+  /// that factors are small, at more effort, until the contacts change.
   void order_for_many(const std::vector<ContactTerm>& contacts);
 
   /// Whether `factorize` leaves the last factor as it is when that is of the same matrix (it does unless told
