@@ -15,8 +15,9 @@ constexpr double stiffness_factor = 1e4;
 constexpr int most_rounds = 10;
 /// A round that moves less than this part of all is the last one, and so is one that gains less than half.
 constexpr double small_motion = 1e-7;
-/// Of the rates that normal impulses answer.
-constexpr double friction_tolerance = 1e-6, rough_friction_tolerance = 1e-4;
+/// Of the rates that normal impulses answer: of all, and in a round that others follow.
+constexpr double friction_tolerance = 1e-6, friction_tolerance_of_round = 1e-3;
+constexpr double rough_friction_tolerance = 1e-4;
 
 /// That takes out a rate by all but 1 / stiffness_factor when its contact is the only one.
 double stiffness_against(const AffineForm& rate) {
@@ -116,9 +117,10 @@ bool Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool
       form.gap.add_gradient(normal, lacking);
       form.slip.add_gradient(shear, lacking);
     }
-    settled = solve_coupled(solve, solve, couplings, lacking,
-                            rough ? rough_friction_tolerance : friction_tolerance, move) &&
-              settled;
+    const double of_all = round == 0 ? 1 : friction_tolerance * q.norm() / last,
+                 tolerance = rough ? rough_friction_tolerance
+                                   : std::clamp(of_all, friction_tolerance, friction_tolerance_of_round);
+    settled = solve_coupled(solve, solve, couplings, lacking, tolerance, move) && settled;
     q += move;
     const Rates change = rates(of_coefficients_, move);
     left.gap += change.gap;

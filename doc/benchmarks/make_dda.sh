@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Measures what steps cost and makes doc/benchmarks/dda.md anew:
 #   bash doc/benchmarks/make_dda.sh BUILD_DIRECTORY [--long | --million]
-# About five minutes on a quiet machine; --long goes to 100 000 blocks and takes half an hour, --million on to a million, which takes
-# 20 GB of memory. Measurements stay in the folder
-# "benchmarks/dda" of the build directory; a set that is named (SETS="walls field") is measured alone, the others are taken from there.
+# About ten minutes on a quiet machine; --long goes to 100 000 blocks and takes two hours, --million on to a million, which takes
+# 20 GB of memory. Measurements stay in the folder "benchmarks/dda" of the build directory; a set that is named (SETS="walls field") is
+# measured alone, the others are taken from there.
 set -euo pipefail
 source_directory=$(cd "$(dirname "$0")/../.." && pwd)
 build=${1:?usage: make_dda.sh BUILD_DIRECTORY [--long | --million]}
@@ -17,9 +17,10 @@ measured=$build/benchmarks/dda
 steps=$build/tests/performance/steps
 mkdir -p "$measured"
 sets=${SETS:-growth scenes skips walls threads field}
-seconds=12 large=() million=()
+# Walls of 10 000 settle in five minutes, those of 100 000 in an hour.
+seconds=12 large=() million=() settled=(1000) settled_seconds=12
 if [ -n "$long" ]; then
-  seconds=120 large=(100000)
+  seconds=120 large=(100000) settled=(1000 10000) settled_seconds=600
 fi
 if [ "$long" = --million ]; then
   million=(1000000)
@@ -38,16 +39,21 @@ if wants walls; then
   rm -f "$measured/walls.csv" "$measured/box2d.csv"
   [ -x "$steps/box2d_performance" ] && "$steps/box2d_performance" "$measured/box2d.csv"
   measure walls --sizes 200 1000 10000 --starts sudden --no-cholmod --warm 0 --steps 20
-  measure walls --sizes 200 1000 10000 --starts settled --without none sleep --no-cholmod --warm 40 --steps 20
+  seconds=$settled_seconds measure walls --sizes 200 "${settled[@]}" --starts settled --without none sleep --no-cholmod \
+    --warm 40 --steps 20
   measure walls --sizes 200 1000 10000 --starts sudden settled --classic --no-cholmod --warm 0 --steps 20
 fi
 if wants growth; then
   rm -f "$measured/growth.csv"
   measure growth --time-steps 1e-4 --sizes 1000 10000 100000 "${million[@]}" --warm 2 --steps 5
   measure growth --sizes 1000 10000 --warm 2 --steps 5
-  [ -n "$long" ] && measure growth --sizes "${large[@]}" --warm 0 --steps 1
-  measure growth --starts settled --without sleep --sizes 1000 10000 --warm 3 --steps 5
-  measure growth --scenes slide --sizes 1000 10000 --warm 2 --steps 5
+  measure growth --scenes slide --sizes 1000 --warm 2 --steps 5
+  seconds=$settled_seconds measure growth --scenes wall glide --starts settled --without sleep --sizes "${settled[@]}" --warm 5 --steps 10
+  if [ -n "$long" ]; then
+    measure growth --sizes "${large[@]}" --warm 0 --steps 1
+    measure growth --scenes slide --sizes 10000 --warm 0 --steps 2
+    seconds=2400 measure growth --starts settled --without sleep --sizes "${large[@]}" --warm 3 --steps 3
+  fi
 fi
 if wants scenes; then
   rm -f "$measured/scenes.csv"
@@ -68,7 +74,7 @@ fi
 if wants threads; then
   rm -f "$measured/threads.csv"
   measure threads --time-steps 1e-4 --sizes 100000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
-  measure threads --sizes 10000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
+  [ -z "$long" ] || measure threads --sizes "${large[@]}" --threads 1 2 --warm 0 --steps 1 --no-cholmod
 fi
 if wants field; then
   rm -f "$measured/field.csv"

@@ -28,7 +28,7 @@ struct Cholesky::Factor {
     cholmod_start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_AUTO;
-    common.supernodal_switch = 80;  // operations an entry; below, dense kernels cost more than they bring
+    common.supernodal_switch = 55;  // operations an entry; below, dense kernels cost more than they bring
     common.final_ll = 1;  // L L^T also where it is not supernodal: L D L^T would accept an indefinite matrix
   }
   ~Factor() {

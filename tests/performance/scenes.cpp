@@ -18,6 +18,9 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double brick_length = 1, brick_height = 0.5;
 
+/// Waves cross tens of blocks in a static step, friction finds its way in a few of them, and hardly a step
+/// has to be cut: with steps of 1 s many of the first ones are.
+constexpr double settling_step = 0.03;
 constexpr int n_settling_steps = 100;
 
 Scene rock_scene(double friction_angle = 35) {
@@ -141,6 +144,21 @@ Scene brick_wall(int n) {
   return scene;
 }
 
+Scene gliding_wall(int n) {
+  constexpr double dip = 20 * degree, friction_angle_of_floor = 10;
+  Scene scene = brick_wall(n);
+  const double gravity = scene.analysis.gravity.norm();
+  scene.analysis.gravity = gravity * Vec2(std::sin(dip), -std::cos(dip));
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].name = "floor";
+  scene.blocks[0].material = 1;
+  Joint smooth;
+  smooth.friction_angle = friction_angle_of_floor;
+  smooth.between = {0, 1};
+  scene.joints.push_back(smooth);
+  return scene;
+}
+
 Scene long_polygons(int n) {
   Scene scene = rock_scene();
   const int n_columns = whole_root(n / 4.), n_rows = 4 * n_columns;
@@ -250,6 +268,7 @@ Scene field_with_mover(int n) {
 
 std::span<const SceneKind> scene_kinds() {
   static constexpr std::array kinds{SceneKind{"wall", brick_wall},
+                                    SceneKind{"glide", gliding_wall},
                                     SceneKind{"arch", arch},
                                     SceneKind{"heap", heap},
                                     SceneKind{"loose_heap", loose_heap},
@@ -276,7 +295,7 @@ void set_time_step(Scene& scene, double time_step) {
 void settle_first(Scene& scene) {
   StageDescription settle = scene.stage("settle");
   settle.analysis.mode = Mode::statics;
-  settle.analysis.time_step = 1;
+  settle.analysis.time_step = settling_step;
   settle.analysis.steps = n_settling_steps;
   scene.stages = {settle, scene.stage("measured")};
 }

@@ -16,6 +16,9 @@ using namespace ddacontact;
 
 /// Running bond upon a slab, as many rows as bricks in a row, half bricks at both ends of every second row.
 Scene brick_wall(int n);
+/// The same on a floor that dips by 20 degrees, with 10 degrees of friction there: once settled it glides down
+/// as a whole.
+Scene gliding_wall(int n);
 /// A semicircle of n voussoirs upon two fixed springers, a fifth of its radius thick.
 Scene arch(int n);
 /// Convex blocks that fill a box whose floor and sides are held, shrunk about their centroids by `gap` of
@@ -40,8 +43,8 @@ struct SceneKind {
   const char* name;
   Scene (*make)(int n);
 };
-/// All of them: "wall", "arch", "heap", "loose_heap", "smooth_heap", "slope", "slide", "rain", "field",
-/// "columns".
+/// All of them: "wall", "glide", "arch", "heap", "loose_heap", "smooth_heap", "slope", "slide", "rain",
+/// "field", "columns".
 std::span<const SceneKind> scene_kinds();
 /// Throws Error for an unknown name.
 Scene make_scene(const std::string& kind, int n);

@@ -54,6 +54,7 @@ std::string three_digits(double value) {
 const Which dynamic{.time_step = 1e-4};
 const Which settling{};
 const Which settled{.start = "settled", .without = "sleep"};
+const Which gliding{.scene = "glide", .start = "settled", .without = "sleep"};
 
 void add_times(const std::vector<Measurement>& table, const Which& which, const std::string& name,
                std::initializer_list<std::pair<double, double>> aims, Bars& bars) {
@@ -92,8 +93,7 @@ Table bars_table(const Tables& tables) {
             {{1e3, 0.01}, {1e4, 0.1}, {1e5, 1.}, {1e6, 15.}}, bars);
   add_times(tables.growth, settled, "stiff steps (1e-2 s), settled, awake",
             {{1e3, 0.03}, {1e4, 0.5}, {1e5, 8.}}, bars);
-  add_times(tables.growth, {.scene = "slide"}, "stiff steps (1e-2 s), sliding", {{1e3, 0.03}, {1e4, 0.5}},
-            bars);
+  add_times(tables.growth, gliding, "stiff steps (1e-2 s), sliding", {{1e3, 0.03}, {1e4, 0.5}}, bars);
   const auto rest = find(tables.walls, {.start = "settled"}, 200), falls = find(tables.walls, settling, 200);
   bars.add("wall of 200, at rest: at most 0.3 ms a step", 0.3e-3,
            rest ? std::optional(rest->mean) : std::nullopt, time_text);

@@ -139,7 +139,7 @@ int main(int argc, char** argv) {
   measuring->add_option("-o,--output", arguments.output, "The table to write")->required();
   measuring->add_flag("--append", arguments.append, "Keep what the table holds already");
   measuring->add_option("--scenes", arguments.scenes,
-                        "wall arch heap loose_heap smooth_heap slope slide rain field columns");
+                        "wall glide arch heap loose_heap smooth_heap slope slide rain field columns");
   measuring->add_option("--sizes", arguments.sizes, "Numbers of blocks, ascending");
   measuring->add_option("--time-steps", arguments.time_steps, "Lengths of steps, s");
   measuring->add_option("--starts", arguments.starts, "From what")
