@@ -41,7 +41,7 @@ if wants walls; then
   measure walls --sizes 200 1000 10000 --starts sudden --no-cholmod --warm 0 --steps 20
   seconds=$settled_seconds measure walls --sizes 200 "${settled[@]}" --starts settled --without none sleep --no-cholmod \
     --warm 40 --steps 20
-  measure walls --sizes 200 1000 10000 --starts sudden settled --classic --no-cholmod --warm 0 --steps 20
+  seconds=20 measure walls --sizes 200 1000 --starts sudden settled --classic --no-cholmod --warm 0 --steps 20
 fi
 if wants growth; then
   rm -f "$measured/growth.csv"
