@@ -20,9 +20,8 @@ struct Cholesky::Factor {
   cholmod_common common{};
   cholmod_factor* L = nullptr;
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;  // kept from solve to solve
-  VectorXd work;
+  SupernodalSolution solution_of_groups;
   std::vector<float> rounded;  ///< entries of L; empty: not yet
-  Eigen::VectorXf rough_work;
 
   Factor() {
     cholmod_start(&common);
@@ -114,6 +113,7 @@ void Cholesky::analyze(const SparseMatrix& lower) {
   cholmod_sparse A = view_of_lower(lower);
   factor_->L = cholmod_analyze(&A, &factor_->common);
   factor_->check("analyze", lower.rows());
+  if (factor_->L->is_super) factor_->solution_of_groups.analyze(*factor_->L);
 }
 
 void Cholesky::dissect(const SparseMatrix& lower) {
@@ -138,6 +138,7 @@ void Cholesky::analyze(const SparseMatrix& lower, int ordering, const int* order
   factor_->common.nmethods = n_methods;
   factor_->common.method[0].ordering = before;
   factor_->check("analyze", lower.rows());
+  if (factor_->L->is_super) factor_->solution_of_groups.analyze(*factor_->L);
 }
 
 bool Cholesky::factorize(const SparseMatrix& lower) {
@@ -157,14 +158,14 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
   ++n_solves_;
   const Stopwatch watch(seconds_.solution);
-  const NoThreads no_threads;
   x.resize(b.size());
   if (b.size() == 0) return;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == b.size());
   if (factor_->L->is_super) {
-    solve_supernodal(*factor_->L, b, factor_->work, x);
+    factor_->solution_of_groups.solve(*factor_->L, b, x);
     return;
   }
+  const NoThreads no_threads;
   cholmod_dense rhs = view_of(b);
   cholmod_solve2(CHOLMOD_A, factor_->L, &rhs, nullptr, &factor_->solution, nullptr, &factor_->work_y,
                  &factor_->work_e, &factor_->common);
@@ -180,7 +181,7 @@ void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
   ++n_solves_;
   const Stopwatch watch(seconds_.solution);
   if (factor_->rounded.empty()) factor_->rounded = single_precision_entries(*factor_->L);
-  solve_supernodal(*factor_->L, factor_->rounded, b, factor_->rough_work, x);
+  factor_->solution_of_groups.solve(*factor_->L, factor_->rounded, b, x);
 }
 
 int Cholesky::failed_row() const {
@@ -190,7 +191,8 @@ int Cholesky::failed_row() const {
 
 double Cholesky::memory() const {
   return static_cast<double>(factor_->common.memory_inuse) +
-         static_cast<double>(factor_->rounded.capacity() * sizeof(float));
+         static_cast<double>(factor_->rounded.capacity() * sizeof(float)) +
+         factor_->solution_of_groups.memory();
 }
 
 double Cholesky::n_factor_entries() const {

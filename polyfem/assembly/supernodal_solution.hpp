@@ -12,13 +12,45 @@ namespace polyfem {
 /// x = (L L^T)^-1 b, L supernodal and of real numbers with its ordering. CHOLMOD asks BLAS for each group;
 /// those of small blocks have a few columns, for which the calls cost more than what they do.
 ///
-/// \param[in,out] work  storage
-void solve_supernodal(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& work, VectorXd& x);
-/// The same in single precision.
-///
-/// \param[in] entries  see single_precision_entries
-void solve_supernodal(const cholmod_factor_struct& L, const std::vector<float>& entries, const VectorXd& b,
-                      Eigen::VectorXf& work, VectorXd& x);
+/// Threads share a large factor by parts of its elimination tree that hang together with the rest by the
+/// groups above them alone. The parts follow from L: x has the same bytes with any number of threads.
+class SupernodalSolution {
+ public:
+  /// What follows from where L has entries.
+  void analyze(const cholmod_factor_struct& L);
+
+  void solve(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& x);
+  /// The same in single precision.
+  ///
+  /// \param[in] entries  see single_precision_entries
+  void solve(const cholmod_factor_struct& L, const std::vector<float>& entries, const VectorXd& b,
+             VectorXd& x);
+
+  /// Bytes that it holds.
+  double memory() const;
+
+ private:
+  /// Groups `first` .. `end` - 1: all that is below some of them, which are neighbours.
+  struct Part {
+    std::size_t first, end;
+    Index first_sum, n_sums;  ///< what it adds to rows of other groups is summed apart
+    Index scratch;            ///< where its groups work
+  };
+
+  template <class Real>
+  void solve(const cholmod_factor_struct& L, const Real* entries, const VectorXd& b,
+             Eigen::Matrix<Real, Eigen::Dynamic, 1>& work, VectorXd& x) const;
+  void add_part(const cholmod_factor_struct& L, std::size_t first, std::size_t end);
+
+  std::vector<Part> parts_;
+  std::vector<std::size_t> above_;  ///< groups of no part, ascending
+  std::vector<int> target_;         ///< where a group adds to each of its rows: the row, or a sum of its part
+  std::vector<int> row_of_sum_;
+  Index scratch_ = 0;  ///< where groups above the parts work
+  Index n_work_ = 0;
+  VectorXd work_;
+  Eigen::VectorXf rough_work_;
+};
 
 /// The entries of L, rounded.
 std::vector<float> single_precision_entries(const cholmod_factor_struct& L);

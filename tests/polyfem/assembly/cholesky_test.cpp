@@ -1,5 +1,6 @@
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/core/out_of_memory.hpp>
+#include <polyfem/core/parallel.hpp>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,34 @@ TEST_P(CholeskyOfGrid, SolvesRoughlyWithTheLastFactor) {
   cholesky.solve_roughly(VectorXd::Zero(b.size()), x);
   EXPECT_TRUE(x.isZero(0));
   EXPECT_EQ(cholesky.n_solves(), 10);
+}
+
+TEST(Cholesky, SolvesWithTheSameBytesByAnyNumberOfThreads) {
+  const SparseMatrix K = grid_laplacian(300, 0.1);
+  const VectorXd b = random_vector(K.rows());
+  for (const bool dissected : {false, true}) {
+    Cholesky cholesky;
+    if (dissected)
+      cholesky.dissect(K);
+    else
+      cholesky.analyze(K);
+    ASSERT_TRUE(cholesky.factorize(K));
+    ASSERT_GT(cholesky.n_factor_entries(), 1e6) << "too small to be shared";
+    VectorXd alone, alone_roughly;
+    cholesky.solve(b, alone);
+    cholesky.solve_roughly(b, alone_roughly);
+    EXPECT_LT(relative_residual(K, alone, b), 1e-13);
+    EXPECT_LT(relative_residual(K, alone_roughly, b), 1e-5);
+    for (const int threads : {2, 3, 8}) {
+      set_threads(threads);
+      VectorXd shared;
+      cholesky.solve(b, shared);
+      EXPECT_EQ(shared, alone) << threads;
+      cholesky.solve_roughly(b, shared);
+      EXPECT_EQ(shared, alone_roughly) << threads;
+    }
+    set_threads(1);
+  }
 }
 
 TEST(Cholesky, LeavesFewerEntriesOfWhatItDissects) {
