@@ -42,6 +42,13 @@ double relative_residual(const SparseMatrix& lower, const VectorXd& x, const Vec
   return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
 }
 
+void analyze(const SparseMatrix& K, bool dissected, Cholesky& cholesky) {
+  if (dissected)
+    cholesky.dissect(K);
+  else
+    cholesky.analyze(K);
+}
+
 /// Small grids are factorized simplicially, the largest one by supernodes.
 class CholeskyOfGrid : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Side, CholeskyOfGrid, testing::Values(1, 2, 5, 20, 150));
@@ -52,10 +59,7 @@ TEST_P(CholeskyOfGrid, Solves) {
   VectorXd x;
   for (const bool dissected : {false, true}) {
     Cholesky cholesky;
-    if (dissected)
-      cholesky.dissect(K);
-    else
-      cholesky.analyze(K);
+    analyze(K, dissected, cholesky);
     ASSERT_TRUE(cholesky.factorize(K));
     cholesky.solve(b, x);
     EXPECT_LT(relative_residual(K, x, b), 1e-13);
@@ -114,10 +118,7 @@ TEST(Cholesky, SolvesWithTheSameBytesByAnyNumberOfThreads) {
   const VectorXd b = random_vector(K.rows());
   for (const bool dissected : {false, true}) {
     Cholesky cholesky;
-    if (dissected)
-      cholesky.dissect(K);
-    else
-      cholesky.analyze(K);
+    analyze(K, dissected, cholesky);
     ASSERT_TRUE(cholesky.factorize(K));
     ASSERT_GT(cholesky.n_factor_entries(), 1e6) << "too small to be shared";
     VectorXd alone, alone_roughly;
