@@ -17,9 +17,9 @@ struct ContactHistory {
   double shear = 0;       ///< T at the end of the last step
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
-  /// Of a closed one: its gap and its slip hardly changed in the last step; more of N and T does not move
-  /// them.
-  bool gap_stays = false, slip_stays = false;
+  /// Of a closed one: the steps in a row, up to those that count, in which its gap and its slip hardly changed;
+  /// more of N and T does not move them.
+  unsigned char gap_stays = 0, slip_stays = 0;
 };
 
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
@@ -65,7 +65,7 @@ struct Contact : ContactRecord {
   // At the end of the last try of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
   double gap_change = 0, slip_change = 0;          ///< within the step
-  bool gap_stays = false, slip_stays = false;      ///< see ContactHistory
+  unsigned char gap_stays = 0, slip_stays = 0;     ///< see ContactHistory
   double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m

@@ -18,11 +18,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// A gap or a slip stays when it changes by less than this part of itself in a step, and its blocks move so
-/// little that what resists that is less than this part of what the contact adds to its force for it: it
-/// hangs together with others, as gaps of a wall do, and would go on to change forces for hundreds of steps.
-/// The contact lets it be, up to this part of the forces on the block.
-constexpr double staying_part = 0.5, moving_part = 0.5, negligible_correction = 0.1;
+/// A gap or a slip stays in a step when it changes by less than this part of itself, and its blocks move so
+/// little that what resists that is less than this multiple of what the contact adds to its force for it. What
+/// stays in so many steps in a row hangs together with others, as gaps of a wall do, and would go on to change
+/// forces for hundreds of steps. The contact lets it be, up to this part of the forces on the block. No smooth
+/// motion of pulsation w does: it changes gaps by w dt of themselves, and inertia resists it with 1/(w dt)^2 of
+/// the force.
+constexpr double staying_part = 0.4, moving_multiple = 2, negligible_correction = 0.1;
+constexpr int staying_steps = 3;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
@@ -154,8 +157,8 @@ class Staged {
     const double of_gap = law.normal_stiffness * (contact.first_gap().constant - history.gap_offset),
                  of_slip = law.tangential_stiffness * contact.first_slip().constant,
                  negligible = negligible_correction * std::min(loads[vertex_block], loads[edge_block]);
-    if (history.gap_stays && std::abs(of_gap) <= negligible) multiplier.normal += of_gap;
-    if (history.slip_stays && !multiplier.sliding && std::abs(of_slip) <= negligible)
+    if (history.gap_stays >= staying_steps && std::abs(of_gap) <= negligible) multiplier.normal += of_gap;
+    if (history.slip_stays >= staying_steps && !multiplier.sliding && std::abs(of_slip) <= negligible)
       multiplier.shear += of_slip;
   }
 
@@ -509,7 +512,7 @@ class Staged {
     return terms_[c].sheared && terms_[c].bound > 0 && !springs_[c].tangential.acts();
   }
 
-  /// Notes which closed contacts have a gap or a slip that stays.
+  /// Counts the steps in which gaps and slips of closed contacts have stayed.
   void note_what_stays() {
     std::vector<double> motions(system_.n_blocks());
     for (int b = 0; b < system_.n_blocks(); ++b) motions[b] = system_.largest_motion(b, d_);
@@ -519,13 +522,15 @@ class Staged {
       const JointLaw& law = contact.law;
       const double resistance = multipliers_[c].softer * std::max(motions[contact.pair.vertex_block],
                                                                   motions[contact.pair.edge_block]);
-      const auto stays = [&](double before, double after, double stiffness) {
-        return contact.closed() && std::abs(after - before) <= staying_part * std::abs(before) &&
-               resistance <= moving_part * stiffness * std::abs(after);
+      const auto count = [&](unsigned char steps, double before, double after, double stiffness) {
+        const bool stays = contact.closed() && std::abs(after - before) <= staying_part * std::abs(before) &&
+                           resistance <= moving_multiple * stiffness * std::abs(after);
+        return static_cast<unsigned char>(stays ? std::min(steps + 1, staying_steps) : 0);
       };
-      contact.gap_stays =
-          stays(contact.first_gap().constant - history.gap_offset, terms_[c].gap(d_), law.normal_stiffness);
-      contact.slip_stays = stays(contact.first_slip().constant, terms_[c].slip(d_), law.tangential_stiffness);
+      contact.gap_stays = count(history.gap_stays, contact.first_gap().constant - history.gap_offset,
+                                terms_[c].gap(d_), law.normal_stiffness);
+      contact.slip_stays = count(history.slip_stays, contact.first_slip().constant, terms_[c].slip(d_),
+                                 law.tangential_stiffness);
     });
   }
 
