@@ -24,7 +24,7 @@ constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 /// forces for hundreds of steps. The contact lets it be, up to this part of the forces on the block. No smooth
 /// motion of pulsation w does: it changes gaps by w dt of themselves, and inertia resists it with 1/(w dt)^2 of
 /// the force.
-constexpr double staying_part = 0.4, moving_multiple = 5, negligible_correction = 0.1;
+constexpr double staying_part = 0.45, moving_multiple = 5, negligible_correction = 0.1;
 constexpr int staying_steps = 3;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of

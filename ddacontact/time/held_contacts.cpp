@@ -13,7 +13,8 @@ namespace ddacontact {
 
 namespace {
 
-/// Rates of closed contacts below this part of what gravity makes in the step are left to themselves.
+/// Rates of closed contacts below this part of what gravity makes in the step are left to themselves, and so
+/// is what moves blocks no faster.
 constexpr double negligible_rate = 1e-9;
 /// What friction follows the impulses is found in so many rounds.
 constexpr int most_friction_rounds = 6;
@@ -79,6 +80,7 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
   held.reserve(all.size());
   contacts.reserve(all.size());
   bool moves = false;
+  const double negligible = negligible_rate * blocks.gravity.norm() * dt;
   // Where one contact of two blocks slides the others slide with it, rigid as the blocks are here. By blocks:
   // what friction has taken in the step, which impulses may give back.
   std::map<std::pair<int, int>, double> rubbed;
@@ -90,17 +92,16 @@ HeldReport hold_closed_contacts(BlockSystem& blocks, const std::vector<Contact>&
     if (contact.normal <= 0 || (!parted.empty() && parted[c]) || carries_waves(blocks, contact, dt)) continue;
     HeldContact rates = rates_at(contact, d);
     rates.tangential = contact.history.state == ContactState::stick && !rubbed.contains(blocks_of(contact));
-    const double negligible =
-        std::max(negligible_rate * blocks.gravity.norm() * dt, 1e-12 * contact.size / dt);
-    moves = moves || std::abs(rates.gap.change(next.velocity)) > negligible ||
-            (rates.tangential && std::abs(rates.slip.change(next.velocity)) > negligible);
+    const double least = std::max(negligible, 1e-12 * contact.size / dt);
+    moves = moves || std::abs(rates.gap.change(next.velocity)) > least ||
+            (rates.tangential && std::abs(rates.slip.change(next.velocity)) > least);
     held.push_back(rates);
     contacts.push_back(&contact);
   }
   if (!moves) return {};
   blocks.prepare(next);
   const VectorXd moving = next.velocity;
-  const Hold hold(blocks, held, factor);
+  const Hold hold(blocks, held, negligible, factor);
   const VectorXd jump = hold.jump(moving);
   if (jump.isZero(0)) return {};  // no impulses that friction could follow
   next.velocity += jump;

@@ -1,6 +1,7 @@
 #include <ddacontact/time/hold.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -13,7 +14,8 @@ namespace {
 /// blocks do that slide along each other while they deform is such a motion.
 constexpr double stiffness_factor = 1e4;
 constexpr int most_rounds = 10;
-/// A round that moves less than this part of all is the last one, and so is one that gains less than half.
+/// A round that moves less than this part of all, or what is negligible, is the last one, and so is one that
+/// gains less than half.
 constexpr double small_motion = 1e-7;
 /// Of the rates that normal impulses answer: of all, and in a round that others follow.
 constexpr double friction_tolerance = 1e-6, friction_tolerance_of_round = 1e-3;
@@ -39,10 +41,12 @@ std::vector<int> blocks_of(const BlockSystem& blocks, const std::vector<HeldCont
 
 }  // namespace
 
-Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, HoldFactor& factor)
+Hold::Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, double negligible,
+           HoldFactor& factor)
     : blocks_(blocks),
       contacts_(contacts),
       motions_(blocks, blocks_of(blocks, contacts)),
+      negligible_(negligible * std::sqrt(motions_.smallest_mass())),
       stiffness_(zeros(contacts.size())),
       factor_(factor) {
   of_coefficients_.reserve(contacts.size());
@@ -128,7 +132,7 @@ bool Hold::take_out(Rates& left, const std::vector<HeldFriction>& friction, bool
     impulses.gap -= stiffness_.gap.cwiseProduct(left.gap);
     impulses.slip -= stiffness_.slip.cwiseProduct(left.slip);
     const double moved = move.norm();
-    if (rough || moved <= small_motion * q.norm() || moved > last / 2) break;
+    if (rough || moved <= std::max(small_motion * q.norm(), negligible_) || moved > last / 2) break;
     last = moved;
   }
   return settled;

@@ -39,12 +39,14 @@ struct HoldFactor {
 class Hold {
  public:
   /// \param[in] blocks      prepared for the shapes meant; they must stay so
+  /// \param[in] negligible  a velocity that need not be found, m/s
   /// \param[in,out] factor  of this one's, as long as it lives
-  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, HoldFactor& factor);
+  Hold(const BlockSystem& blocks, const std::vector<HeldContact>& contacts, double negligible,
+       HoldFactor& factor);
 
   /// The change of velocity, a rigid motion of each block of least kinetic energy, that leaves the least
-  /// squares of the rates that velocities v have, and of those that it changes about a millionth. Shortened
-  /// where it would make energy.
+  /// squares of the rates that velocities v have, and of those that it changes about a millionth, or what is
+  /// negligible. Shortened where it would make energy.
   VectorXd jump(const VectorXd& v) const;
   /// The impulses of a jump, and what they move with the friction that they make, one for every contact.
   /// \param[in] rough  a ten-thousandth of the rates may be left
@@ -66,6 +68,7 @@ class Hold {
   const BlockSystem& blocks_;
   const std::vector<HeldContact>& contacts_;
   RigidMotions motions_;
+  double negligible_;                         ///< of the norm of coefficients of motions_
   std::vector<HeldContact> of_coefficients_;  ///< contacts_ as forms of the coefficients of motions_
   Rates stiffness_;                           ///< of springs against the rates
   HoldFactor& factor_;                        ///< of 1 + sum of stiffness * gradient * gradient^T

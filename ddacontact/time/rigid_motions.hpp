@@ -16,6 +16,7 @@ class RigidMotions {
   int n_coefficients() const { return n_coefficients_; }
   /// Of a block that moves, kg per m.
   double largest_mass() const;
+  double smallest_mass() const;  ///< 0: none moves
   /// The rigid part of velocities of all unknowns: what is left over is orthogonal to it in kinetic energy.
   VectorXd coefficients(const VectorXd& velocity) const;
   /// velocity += the motion q, on all unknowns; 0 on held ones.

@@ -54,7 +54,7 @@ TEST(Hold, TakesTheRatesOutAtLeastEnergy) {
   for (int seed = 0; seed < 30; ++seed) {
     const HeldWall wall(seed);
     const TouchingBlocks& scene = wall.scene;
-    const Hold hold(scene.blocks, wall.held, factor);
+    const Hold hold(scene.blocks, wall.held, 0, factor);
     const VectorXd jump = hold.jump(scene.v), after = scene.v + jump;
     for (const HeldContact& contact : wall.held) {
       EXPECT_NEAR(contact.gap.change(after), 0, 1e-6);
@@ -79,7 +79,7 @@ TEST(Hold, FrictionGoesWithTheImpulses) {
     std::vector<HeldFriction> friction(wall.held.size());
     for (std::size_t c = 0; c < friction.size(); ++c)
       if (!wall.held[c].tangential) friction[c] = {wall.uniform(-0.3, 0.3), wall.uniform(-1, 1)};
-    const Hold hold(scene.blocks, wall.held, factor);
+    const Hold hold(scene.blocks, wall.held, 0, factor);
     const HeldJump jump = hold.with_friction(hold.jump(scene.v), friction);
     for (std::size_t c = 0; c < friction.size(); ++c) {
       const auto k = static_cast<Index>(c);
@@ -102,12 +102,30 @@ TEST(Hold, ContradictingRatesAreLeftWithoutMakingEnergy) {
   std::vector<HeldContact> held;
   for (const ImpactContact& contact : scene.contacts) held.push_back({contact.gap, contact.slip, true});
   HoldFactor factor;
-  const VectorXd jump = Hold(scene.blocks, held, factor).jump(scene.v);
+  const VectorXd jump = Hold(scene.blocks, held, 0, factor).jump(scene.v);
   EXPECT_LE(scene.energy(scene.v + jump), scene.energy(scene.v) * (1 + 1e-12));
   scene.set_velocity(1, {0.3, -2, 0.1});
-  const VectorXd moving = Hold(scene.blocks, held, factor).jump(scene.v);
+  const VectorXd moving = Hold(scene.blocks, held, 0, factor).jump(scene.v);
   EXPECT_TRUE(moving.allFinite());
   EXPECT_LE(scene.energy(scene.v + moving), scene.energy(scene.v) * (1 + 1e-12));
+}
+
+/// Velocities below what is negligible may be left, others not.
+TEST(Hold, FindsVelocitiesToWhatIsNegligible) {
+  for (int seed = 0; seed < 10; ++seed) {
+    const HeldWall wall(seed);
+    HoldFactor factor;
+    const VectorXd whole = Hold(wall.scene.blocks, wall.held, 0, factor).jump(wall.scene.v);
+    for (const double part : {1e-1, 1e-3, 1e-5}) {
+      const double negligible = part * whole.lpNorm<Eigen::Infinity>();
+      const VectorXd rough = Hold(wall.scene.blocks, wall.held, negligible, factor).jump(wall.scene.v);
+      const double off = (rough - whole).lpNorm<Eigen::Infinity>();
+      EXPECT_LE(off, negligible);
+      if (part == 1e-1) {
+        EXPECT_GT(off, 0);
+      }
+    }
+  }
 }
 
 /// The factor of another wall, or of the same one, changes nothing; of the same one its analysis serves
@@ -117,10 +135,10 @@ TEST(Hold, FindsTheSameWhateverItsFactorWasMadeFor) {
   for (int seed = 0; seed < 10; ++seed) {
     const HeldWall wall(seed);
     HoldFactor fresh;
-    const VectorXd jump = Hold(wall.scene.blocks, wall.held, fresh).jump(wall.scene.v);
+    const VectorXd jump = Hold(wall.scene.blocks, wall.held, 0, fresh).jump(wall.scene.v);
     for (int twice = 0; twice < 2; ++twice) {
       const int n_analyses = kept.cholesky.n_analyses();
-      EXPECT_EQ(Hold(wall.scene.blocks, wall.held, kept).jump(wall.scene.v), jump);
+      EXPECT_EQ(Hold(wall.scene.blocks, wall.held, 0, kept).jump(wall.scene.v), jump);
       if (twice == 1) {
         EXPECT_EQ(kept.cholesky.n_analyses(), n_analyses);
       }
