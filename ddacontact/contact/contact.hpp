@@ -17,8 +17,8 @@ struct ContactHistory {
   double shear = 0;       ///< T at the end of the last step
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
-  /// Of a closed one: the steps in a row, up to those that count, in which its gap and its slip hardly changed;
-  /// more of N and T does not move them.
+  /// Of a closed one: the steps in a row in which its gap and its slip stayed (see staged.cpp), up to as many
+  /// as count.
   unsigned char gap_stays = 0, slip_stays = 0;
 };
 

@@ -18,12 +18,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// A gap or a slip stays in a step when it changes by less than this part of itself, and its blocks move so
-/// little that what resists that is less than this multiple of what the contact adds to its force for it. What
-/// stays in so many steps in a row hangs together with others, as gaps of a wall do, and would go on to change
-/// forces for hundreds of steps. The contact lets it be, up to this part of the forces on the block. No smooth
-/// motion of pulsation w does: it changes gaps by w dt of themselves, and inertia resists it with 1/(w dt)^2 of
-/// the force.
+/// A gap or a slip stays in a step when it changes by less than this part of itself, and the softer side's
+/// stiffness times the larger motion of the two blocks is less than this multiple of what the contact adds to
+/// its force for it. What stays in so many steps in a row hangs together with others, as gaps of a wall do,
+/// and would go on to change forces for hundreds of steps. The contact lets it be, up to this part of the
+/// contact forces on either block. Of smooth motions slow ones, of a pulsation w with w dt < 0.44, do not
+/// stay by the second condition, since inertia resists them with 1/(w dt)^2 of the force, and most faster
+/// ones by the first.
 constexpr double staying_part = 0.45, moving_multiple = 5, negligible_correction = 0.1;
 constexpr int staying_steps = 3;
 constexpr int anderson_depth = 8;
@@ -512,8 +513,9 @@ class Staged {
     return terms_[c].sheared && terms_[c].bound > 0 && !springs_[c].tangential.acts();
   }
 
-  /// Counts the steps in which gaps and slips of closed contacts have stayed.
+  /// Counts the steps in which gaps and slips of closed contacts have stayed; where none is let be, from 0.
   void note_what_stays() {
+    if (options_.local || options_.penetration_tolerance == 0) return;
     std::vector<double> motions(system_.n_blocks());
     for (int b = 0; b < system_.n_blocks(); ++b) motions[b] = system_.largest_motion(b, d_);
     for_contacts(contacts_.size(), [&](std::size_t c) {

@@ -45,8 +45,8 @@ class Hold {
        HoldFactor& factor);
 
   /// The change of velocity, a rigid motion of each block of least kinetic energy, that leaves the least
-  /// squares of the rates that velocities v have, and of those that it changes about a millionth, or what is
-  /// negligible. Shortened where it would make energy.
+  /// squares of the rates that velocities v have, and of those that it changes about a millionth, or what
+  /// negligible velocities make. Shortened where it would make energy.
   VectorXd jump(const VectorXd& v) const;
   /// The impulses of a jump, and what they move with the friction that they make, one for every contact.
   /// \param[in] rough  a ten-thousandth of the rates may be left
