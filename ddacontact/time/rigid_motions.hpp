@@ -14,9 +14,9 @@ class RigidMotions {
   RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks);
 
   int n_coefficients() const { return n_coefficients_; }
-  /// Of a block that moves, kg per m.
+  /// Of the blocks that move, kg per m; 0: none does.
   double largest_mass() const;
-  double smallest_mass() const;  ///< 0: none moves
+  double smallest_mass() const;
   /// The rigid part of velocities of all unknowns: what is left over is orthogonal to it in kinetic energy.
   VectorXd coefficients(const VectorXd& velocity) const;
   /// velocity += the motion q, on all unknowns; 0 on held ones.

@@ -4,12 +4,23 @@
 
 #include <cstdlib>
 #include <istream>
+#include <limits>
 #include <ostream>
 #include <string>
+#include <type_traits>
 
 namespace ddacontact {
 
 namespace {
+
+/// Whether a number of type T can be that.
+template <class T>
+bool fits(double value) {
+  if constexpr (std::is_integral_v<T>)
+    return value >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
+           value <= static_cast<double>(std::numeric_limits<T>::max());
+  return true;
+}
 
 /// The numbers of a record in their order: the same list for writing and for reading.
 template <class Stream>
@@ -26,7 +37,7 @@ class Numbers {
       stream_ >> word;
       char* end = nullptr;
       const double value = std::strtod(word.c_str(), &end);
-      if (word.empty() || *end != 0)
+      if (word.empty() || *end != 0 || !fits<T>(value))
         throw Error("not a step record: '" + word + "' where a number should be");
       number = static_cast<T>(value);
     }

@@ -23,8 +23,10 @@ TEST(StepRecord, ReadsBackAndTheRunGoesOnAsItWould) {
 }
 
 TEST(StepRecord, RefusesWhatIsNone) {
-  std::istringstream text("0x1p+0 nonsense");
-  EXPECT_THROW((void)read_record(text), Error);
+  for (const char* record : {"0x1p+0 nonsense", "0x1p+0 nan", "0x1p+0 -0x1p+900"}) {
+    std::istringstream text(record);
+    EXPECT_THROW((void)read_record(text), Error) << record;
+  }
 }
 
 /// A step that does not balance is cut: never accepted as it is. Most balance at the length they were
