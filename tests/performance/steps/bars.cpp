@@ -91,6 +91,8 @@ Table bars_table(const Tables& tables) {
   }
   add_times(tables.growth, dynamic, "small steps (1e-4 s, 10 GPa)",
             {{1e3, 0.01}, {1e4, 0.1}, {1e5, 1.}, {1e6, 15.}}, bars);
+  add_times(tables.walls, {.start = "settled"}, "stiff steps (1e-2 s), settled, asleep",
+            {{1e3, 0.03}, {1e4, 0.5}}, bars);
   add_times(tables.growth, settled, "stiff steps (1e-2 s), settled, awake",
             {{1e3, 0.03}, {1e4, 0.5}, {1e5, 8.}}, bars);
   add_times(tables.growth, gliding, "stiff steps (1e-2 s), sliding", {{1e3, 0.03}, {1e4, 0.5}}, bars);
