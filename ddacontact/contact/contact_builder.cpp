@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <ranges>
+#include <set>
 
 namespace ddacontact {
 
@@ -21,8 +22,6 @@ namespace {
 constexpr double coincidence = 1e-6;
 /// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
 constexpr double near_corner = 1e-2;
-/// A vertex this times the block size inside another block went into it.
-constexpr double entered_depth = 1e-5;
 /// Pairs of blocks are looked for so many reaches further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
@@ -121,14 +120,26 @@ void ContactBuilder::find_pairs(const BlockState& state, const std::vector<doubl
   });
 }
 
-void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
-                                      const std::vector<double>& reach, std::span<const VertexEdge> closed,
-                                      std::vector<VertexEdge>& found) const {
-  thread_local Points shifted;
+void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
+                                      std::span<const ContactRecord> previous, bool ties,
+                                      std::vector<VertexEdge>& found, std::vector<Choice>& choices) const {
+  thread_local Points shifted, moved_a, moved_b;
+  thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
-  const PairLimits limits{.reach = reach[a] + reach[b],
+  const double size = pair_size(a, b);
+  const PairLimits limits{.reach = reach_[a] + reach_[b],
                           .max_depth = std::min(half_width_[a], half_width_[b]),
-                          .coincidence = coincidence * pair_size(a, b)};
+                          .coincidence = coincidence * size,
+                          .lip = properties_.lip * size};
+  earlier.clear();
+  for (const ContactRecord& contact : previous)
+    if (contact.lasts())
+      earlier.push_back({contact.pair, contact.history.gap_offset, ties && contact.closed()});
+  const auto move = [&](int block, const PointsRef& outline, Points& moved) {
+    if (moved.cols() < outline.cols()) moved.resize(2, outline.cols());
+    for (Index v = 0; v < outline.cols(); ++v)
+      moved.col(v) = outline.col(v) + blocks_.block(block).vertex_map(static_cast<int>(v))(motion);
+  };
   // The origin of either block serves, as long as it is always that of the smaller index.
   const Range &of_a = blocks_.block(a).vertices(), &of_b = blocks_.block(b).vertices();
   if (shifted.cols() < of_b.count) shifted.resize(2, of_b.count);
@@ -136,31 +147,91 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   shifted.leftCols(of_b.count) = state.position.middleCols(of_b.first, of_b.count).colwise() + shift;
   OutlineSides sides_b = outlines_[b];
   sides_b.box = {sides_b.box.low + shift, sides_b.box.high + shift};
-  find_contacts({a, state.position.middleCols(of_a.first, of_a.count)}, outlines_[a],
-                {b, shifted.leftCols(of_b.count)}, sides_b, limits, closed, found);
+  const auto start_a = state.position.middleCols(of_a.first, of_a.count);
+  const auto start_b = shifted.leftCols(of_b.count);
+  move(a, start_a, moved_a);
+  move(b, start_b, moved_b);
+  find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
+                {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
 }
 
-std::size_t ContactBuilder::detect(const BlockState& state, const std::vector<double>& reach,
+std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
+                                   const std::vector<double>& reach,
                                    const std::vector<ContactRecord>& previous) {
   find_pairs(state, reach);
+  reach_ = reach;
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
+  choices_in_.resize(found_in_.size());
   const auto look_at_pairs = [&](Index begin, Index end) {
-    thread_local std::vector<VertexEdge> closed;
     ContactsByPair old(previous, pairs_[begin]);
     std::vector<VertexEdge>& found = found_in_[begin / pairs_of_range];
+    std::vector<Choice>& choices = choices_in_[begin / pairs_of_range];
     found.clear();
-    for (Index p = begin; p < end; ++p) {
-      closed.clear();
-      for (const ContactRecord& contact : old.of(pairs_[p]))
-        if (contact.closed()) closed.push_back(contact.pair);
-      find_contacts_of(pairs_[p], state, reach, closed, found);
-    }
+    choices.clear();
+    for (Index p = begin; p < end; ++p)
+      find_contacts_of(pairs_[p], state, motion, old.of(pairs_[p]), true, found, choices);
   };
   polyfem::for_ranges(n, pairs_of_range, std::ref(look_at_pairs));
   first_found_.assign(1, 0);
   for (const auto& found : found_in_) first_found_.push_back(first_found_.back() + found.size());
   return first_found_.back();
+}
+
+bool ContactBuilder::has_choices() const {
+  return std::ranges::any_of(choices_in_, [](const auto& choices) { return !choices.empty(); });
+}
+
+std::vector<int> ContactBuilder::find_doubtful(const BlockState& state, const VectorXd& solved,
+                                               double least_force,
+                                               const std::vector<Contact>& contacts) const {
+  const auto number_of = [&](const VertexEdge& pair) {
+    for (const Contact& contact : of_same_pair(pair, contacts))
+      if (contact.pair == pair) return static_cast<int>(&contact - contacts.data());
+    return -1;
+  };
+  std::set<Pair> doubtful;
+  for (const Choice& choice : choices_in_ | std::views::join) {
+    const int chosen = number_of(choice.chosen);
+    if (chosen < 0 || contacts[chosen].normal <= least_force) continue;
+    const MovingVertexEdge rival = motion(state, choice.rival);
+    if (ddacontact::gap(rival.at(solved)) - choice.rival_offset >= -properties_.lip * contacts[chosen].size)
+      doubtful.insert(block_pair(choice.chosen));
+  }
+  std::set<int> numbers;
+  for (const Choice& choice : choices_in_ | std::views::join) {
+    const int chosen = number_of(choice.chosen);
+    if (chosen >= 0 && doubtful.contains(block_pair(choice.chosen))) numbers.insert(chosen);
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motion, bool decided,
+                                  const std::vector<ContactRecord>& previous,
+                                  std::vector<Contact>& contacts) {
+  std::set<Pair> pairs;
+  for (const Choice& choice : choices_in_ | std::views::join) pairs.insert(block_pair(choice.chosen));
+  choices_in_.assign(1, {});
+  bool changed = false;
+  std::vector<VertexEdge> found;
+  for (const Pair& pair : pairs) {
+    found.clear();
+    const std::span<const ContactRecord> old = ContactsByPair(previous, pair).of(pair);
+    find_contacts_of(pair, state, motion, old, !decided, found, choices_in_.front());
+    const auto same_pair =
+        std::ranges::equal_range(contacts, pair, {}, [](const Contact& of) { return block_pair(of.pair); });
+    if (std::ranges::equal(same_pair, found, {}, [](const Contact& of) { return of.pair; })) continue;
+    changed = true;
+    std::vector<Contact> chosen;
+    for (const VertexEdge& of : found) {
+      const auto same = std::ranges::find(same_pair, of, [](const Contact& c) { return c.pair; });
+      chosen.push_back(same != same_pair.end() ? *same : carry_on(state, of, old));
+    }
+    const auto at = contacts.erase(same_pair.begin(), same_pair.end());
+    contacts.insert(at, chosen.begin(), chosen.end());
+  }
+  if (decided) choices_in_.front().clear();
+  return changed;
 }
 
 MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdge& pair) const {
@@ -204,9 +275,10 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   return contact;
 }
 
-std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
+std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const VectorXd& motion,
+                                                 const std::vector<double>& reach) {
   std::vector<Contact> contacts;
-  contacts.reserve(detect(state, reach, {}));
+  contacts.reserve(detect(state, motion, reach, {}));
   for (const VertexEdge& pair : found_in_ | std::views::join) {
     Contact contact = make_contact(state, pair);
     ContactHistory& history = contact.history;
@@ -290,9 +362,9 @@ void ContactBuilder::restart(Contact& contact) const {
   contact.gap = contact.first_gap().constant;
 }
 
-void ContactBuilder::build(const BlockState& state, const std::vector<double>& reach,
+void ContactBuilder::build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
                            const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts) {
-  contacts.resize(detect(state, reach, previous));
+  contacts.resize(detect(state, motion, reach, previous));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
     const std::vector<VertexEdge>& found = found_in_[begin];
     if (found.empty()) return;
@@ -306,7 +378,7 @@ void ContactBuilder::build(const BlockState& state, const std::vector<double>& r
 bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const {
   const Range& of_a = blocks_.block(a).vertices();
   const Vec2 shift = end.origin.col(a) - end.origin.col(b),
-             depth = Vec2::Constant(entered_depth / 2 * pair_size(a, b));
+             depth = Vec2::Constant(properties_.lip / 2 * pair_size(a, b));
   const Box within{boxes_[b].low + depth, boxes_[b].high - depth};
   for (int v = of_a.first; v < of_a.end(); ++v) {
     const Vec2 x = end.position.col(v) + shift;
@@ -331,7 +403,7 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
     };
     const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
-    find_entries({a, start_a, end_a}, {b, start_b, end_b}, entered_depth * pair_size(a, b), entered_);
+    find_entries({a, start_a, end_a}, {b, start_b, end_b}, properties_.lip * pair_size(a, b), entered_);
   }
   std::erase_if(entered_,
                 [&](const VertexEdge& entry) { return is_among(entry, of_same_pair(entry, contacts)); });
@@ -349,8 +421,9 @@ void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& 
 double ContactBuilder::memory() const {
   double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
                  outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
-                 bytes_of(pairs_) + bytes_of(found_in_) + bytes_of(first_found_) + bytes_of(entered_);
+                 bytes_of(pairs_) + bytes_of(reach_) + bytes_of(found_in_) + bytes_of(first_found_) + bytes_of(entered_);
   for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
+  for (const std::vector<Choice>& choices : choices_in_) bytes += bytes_of(choices);
   return bytes;
 }
 

@@ -21,6 +21,10 @@ struct ContactProperties {
   std::vector<int> materials;  ///< of each block
   ContactMethod method = ContactMethod::classic;
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
+  /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
+  /// flush to that.
+  double lip = default_lip;
+  static constexpr double default_lip = 1e-4, lip_of_paper = 1e-6;
 
   /// Whether forces of contacts are multipliers: their springs store no energy.
   bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }
@@ -38,13 +42,29 @@ class ContactBuilder {
   ContactBuilder(const BlockSystem& blocks, ContactProperties properties);
 
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
-  /// an overlap is taken as stress-free.
-  std::vector<Contact> build_first(const BlockState& state, const std::vector<double>& reach);
+  /// an overlap is taken as stress-free. \param[in] motion  see `build`
+  std::vector<Contact> build_first(const BlockState& state, const VectorXd& motion,
+                                   const std::vector<double>& reach);
   /// Writes into `contacts` those that may close while no vertex of block b moves
   /// further than reach[b]. Those also in `previous` carry on its history; so does a vertex that slid
   /// straight on onto the next edge, or across a corner onto the neighbour's vertex.
-  void build(const BlockState& state, const std::vector<double>& reach,
+  /// \param[in] motion  displacements of all unknowns predicted for the step: of lines that a corner may meet
+  ///   they tell which
+  void build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
              const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
+  /// Whether some corner may meet more than one line: contacts built last depend on the motion.
+  bool has_choices() const;
+  /// Of the contacts built last, by their numbers, those pressed by more than `least_force` (N per m) in a
+  /// solution of the step although their corner could go the other way: another line that it may meet instead
+  /// has not been passed, so that perhaps no force is needed. With them all contacts of the same two blocks
+  /// that were preferred to others.
+  std::vector<int> find_doubtful(const BlockState& state, const VectorXd& solved, double least_force,
+                                 const std::vector<Contact>& contacts) const;
+  /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
+  /// \param[in] decided  the motion is that without the contacts in doubt: which of their lines bore before
+  ///   does not count, and the choice is final for this step
+  bool choose_again(const BlockState& state, const VectorXd& motion, bool decided,
+                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Makes a contact what it was before a try of a step.
   void restart(Contact& contact) const;
   /// Against the rate of the gap of a contact while it is closed, N s/m per m.
@@ -57,7 +77,7 @@ class ContactBuilder {
   long n_searches() const { return nearby_.n_searches(); }
 
   /// Looks for vertices that went into another block through an edge on the way from `start` to `end`, deeper
-  /// than 1e-5 of the block size, and had none of these contacts, the last ones built, with it. False: there
+  /// than the lip, and had none of these contacts, the last ones built, with it. False: there
   /// are none.
   bool find_entered(const BlockState& start, const BlockState& end, const std::vector<Contact>& contacts);
   /// Adds to the same contacts, as they are in `start`, those of the vertices found.
@@ -75,13 +95,15 @@ class ContactBuilder {
  private:
   /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
   /// ordered by the pairs of blocks; of `previous` those that are closed win ties. How many there are.
-  std::size_t detect(const BlockState& state, const std::vector<double>& reach,
+  std::size_t detect(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
                      const std::vector<ContactRecord>& previous);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state, const std::vector<double>& reach);
-  /// Appends the contacts of a pair; `closed` were so before.
-  void find_contacts_of(const Pair& pair, const BlockState& state, const std::vector<double>& reach,
-                        std::span<const VertexEdge> closed, std::vector<VertexEdge>& found) const;
+  /// Appends the contacts of a pair, and where they were preferred to others.
+  /// \param[in] ties  contacts that were closed win ties
+  void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
+                        std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
+                        std::vector<Choice>& choices) const;
   /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
   Contact carry_on(const BlockState& state, const VertexEdge& pair,
                    std::span<const ContactRecord> previous) const;
@@ -105,7 +127,9 @@ class ContactBuilder {
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;                        ///< of blocks that may meet
+  std::vector<double> reach_;                      ///< that contacts were looked for in
   std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
+  std::vector<std::vector<Choice>> choices_in_;    ///< likewise
   std::vector<std::size_t> first_found_;           ///< of each range, among all
   std::vector<VertexEdge> entered_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace ddacontact {
@@ -13,6 +14,7 @@ namespace {
 
 /// A vertex nearer to an end of an edge than this part of its length is at that end.
 constexpr double end_part = 1e-6;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Edge {
   Vec2 start, tangent, normal;  // outward normal of a counter-clockwise polygon
@@ -51,11 +53,13 @@ struct VertexCorner {
   }
 };
 
+/// Gaps are those of the start, without the offset of an earlier contact.
 struct Candidate {
   VertexEdge contact;
   double gap, overshoot;
   Vec2 normal;
-  bool kept;
+  double offset;  ///< of the gap
+  bool kept;      ///< closed before
   bool strict = false;  ///< admissible as it stands, without turning within the step
   bool dropped = false;
 
@@ -63,6 +67,27 @@ struct Candidate {
   double aside() const { return std::max(overshoot, 0.0); }
   double distance() const { return std::hypot(gap, aside()); }
 };
+
+/// When the predicted motion takes a vertex past the line of an edge, and where it ends.
+struct Passage {
+  double time;  ///< as a part of the step; infinity: not within it
+  double end_gap, end_overshoot;
+
+  Passage(const Candidate& of, const Outline& vertex_outline, const Outline& edge_outline, double lip) {
+    const Edge edge(edge_outline.moved, of.contact.edge);
+    const Vec2 x = vertex_outline.moved.col(of.contact.vertex);
+    end_gap = edge.gap(x) - of.offset;
+    end_overshoot = edge.overshoot(x);
+    time = end_gap >= -lip ? infinity : of.gap <= -lip ? 0 : (of.gap + lip) / (of.gap - end_gap);
+  }
+};
+
+/// By what the line that is passed last is found: the time; of those that are not passed an earlier contact
+/// comes last, then the one that the motion violates least, beyond what it was violated before.
+using Order = std::tuple<double, bool, double, double>;
+Order order_of_passing(const Candidate& of, const Passage& passage) {
+  return {passage.time, of.kept, passage.end_gap - std::min(of.gap, 0.0), passage.end_gap};
+}
 
 struct NumberedEdge {
   int number;
@@ -75,8 +100,9 @@ struct Workspace {
   std::vector<Candidate> at_vertex, in_b, in_a;
 };
 
-bool is_kept(std::span<const VertexEdge> kept, const VertexEdge& contact) {
-  return std::find(kept.begin(), kept.end(), contact) != kept.end();
+EarlierContact find_earlier(std::span<const EarlierContact> earlier, const VertexEdge& contact) {
+  const auto same = std::ranges::find(earlier, contact, &EarlierContact::pair);
+  return same == earlier.end() ? EarlierContact{contact, 0, false} : *same;
 }
 
 bool is_within(double distance, const Vec2& x) {
@@ -87,15 +113,17 @@ bool is_within(double distance, const Vec2& x) {
 class Entrances {
  public:
   Entrances(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
-            const PairLimits& limits, std::span<const VertexEdge> kept, Workspace& work)
+            const PairLimits& limits, std::span<const EarlierContact> earlier, Workspace& work,
+            std::vector<Choice>& choices)
       : a_(a),
         b_(b),
         of_a_(of_a),
         of_b_(of_b),
         limits_(limits),
-        kept_(kept),
+        earlier_(earlier),
         edges_(work.edges),
         near_(work.at_vertex),
+        choices_(choices),
         margin_(std::max(limits.reach, limits.max_depth) + 2 * limits.coincidence) {}
 
   void find(std::vector<Candidate>& found) {
@@ -131,15 +159,16 @@ class Entrances {
     near_.clear();
     bool behind = false;
     for (const auto& [e, edge] : edges_) {
-      const double gap = edge.gap(x);
+      const VertexEdge contact{a_.block, i, b_.block, e};
+      const EarlierContact earlier = find_earlier(earlier_, contact);
+      const double gap = edge.gap(x) - earlier.gap_offset;
       if (gap < -limits_.max_depth || gap > limits_.reach) continue;
       const double overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
       if (!is_within(limits_.reach, {off, aside})) continue;
       if (!corner.admissible(edge.normal, limits_.reach)) continue;
-      const VertexEdge contact{a_.block, i, b_.block, e};
-      const bool stays = overshoot <= limits_.coincidence && is_kept(kept_, contact);
-      near_.push_back({contact, gap, overshoot, edge.normal, stays});
+      const bool stays = overshoot <= limits_.coincidence && earlier.closed;
+      near_.push_back({contact, gap, overshoot, edge.normal, earlier.gap_offset, stays});
       behind = behind || is_behind(near_.back());
     }
     if (near_.empty()) return;
@@ -156,18 +185,18 @@ class Entrances {
     }
   }
 
-  bool is_behind(const Candidate& c) const { return c.gap < -limits_.coincidence; }
+  bool is_behind(const Candidate& c) const { return c.gap < -limits_.lip; }
 
-  /// Whether x is no nearer to b than the coincidence: of a convex polygon beyond the line of an edge.
+  /// Whether x has not passed all lines of a convex polygon; of another whether it is no deeper in it than that.
   bool is_outside(const Vec2& x) {
     if (!of_b_.concave) {
       for (int e = 0; e < b_.vertices.cols(); ++e)
-        if (Edge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > limits_.coincidence) return true;
+        if (Edge(b_.vertices.col(e), of_b_.sides[e]).gap(x) >= -limits_.lip) return true;
       return false;
     }
-    if (polyfem::contains(b_.vertices, x)) return false;
-    return std::none_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
-      return is_within(limits_.coincidence, {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
+    if (!polyfem::contains(b_.vertices, x)) return true;
+    return std::any_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
+      return is_within(limits_.lip, {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
     });
   }
 
@@ -197,31 +226,31 @@ class Entrances {
     return std::abs(p.gap) < std::abs(q.gap) - round_off;
   }
 
-  /// Leaves of edges that a vertex can enter only one of the one with the largest gap, or the one kept.
+  /// Of edges between which a vertex can enter only once leaves the one whose line is passed last.
   void choose(bool inside) {
-    if (!of_b_.concave) {
-      near_.front() = *std::max_element(near_.begin(), near_.end(), comes_later);
-      near_.resize(1);
-      return;
-    }
-    std::sort(near_.begin(), near_.end(), [](const Candidate& p, const Candidate& q) {
-      return std::tuple(p.kept, p.gap, q.contact.edge) > std::tuple(q.kept, q.gap, p.contact.edge);
-    });
+    const auto later = [this](const Candidate& p, const Candidate& q) {
+      return std::tuple_cat(order(p), std::tuple(-p.contact.edge)) >
+             std::tuple_cat(order(q), std::tuple(-q.contact.edge));
+    };
+    std::sort(near_.begin(), near_.end(), later);
     if (inside) came_in_through_the_nearest();
     std::size_t n_chosen = 1;
     for (std::size_t k = 1; k < near_.size(); ++k) {
       const auto excludes = [&](const Candidate& c) {
-        return turns_left(b_.vertices, c.contact.edge, near_[k].contact.edge) ||
+        return !of_b_.concave || turns_left(b_.vertices, c.contact.edge, near_[k].contact.edge) ||
                turns_left(b_.vertices, near_[k].contact.edge, c.contact.edge);
       };
-      if (std::none_of(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(n_chosen), excludes))
+      const auto chosen = near_.begin() + static_cast<std::ptrdiff_t>(n_chosen),
+                 excluding = std::find_if(near_.begin(), chosen, excludes);
+      if (excluding == chosen)
         near_[n_chosen++] = near_[k];
+      else if (!inside)
+        choices_.push_back({excluding->contact, near_[k].contact, near_[k].offset});
     }
     near_.resize(n_chosen);
   }
-
-  static bool comes_later(const Candidate& p, const Candidate& q) {
-    return std::pair(p.kept, p.gap) < std::pair(q.kept, q.gap);
+  Order order(const Candidate& of) const {
+    return order_of_passing(of, Passage(of, a_, b_, limits_.lip));
   }
 
   /// Of a vertex inside: first the edge it came through; of those it is behind else only kept ones and the
@@ -255,9 +284,10 @@ class Entrances {
   const Outline &a_, &b_;
   const OutlineSides &of_a_, &of_b_;
   const PairLimits& limits_;
-  std::span<const VertexEdge> kept_;
+  std::span<const EarlierContact> earlier_;
   std::vector<NumberedEdge>& edges_;  ///< of b that a may be near
   std::vector<Candidate>& near_;      ///< of the vertex at hand
+  std::vector<Choice>& choices_;
   double margin_;
 };
 
@@ -278,58 +308,57 @@ bool share_corner(const Candidate& p, const Outline& a, const Candidate& q, cons
 
 /// Vertex on vertex: decides which of the two stays, or both as the two ends of a short overlap.
 void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline& b,
-                    const PairLimits& limits) {
+                    const PairLimits& limits, std::vector<Choice>& choices) {
   const bool parallel = p.normal.dot(q.normal) < 0 && std::abs(cross(p.normal, q.normal)) <= sin_parallel;
-  if (p.kept != q.kept) {
-    // Both may stay only as the two ends of one overlap.
-    Candidate& other = p.kept ? q : p;
+  const Passage of_p(p, a, b, limits.lip), of_q(q, b, a, limits.lip);
+  const auto drop = [](Candidate& of) { of.dropped = true; };
+  if (parallel) {
     const Vec2 distance = a.vertices.col(p.contact.vertex) - b.vertices.col(q.contact.vertex);
-    if (!parallel || !other.inside() || std::abs(cross(p.normal, distance)) <= limits.coincidence)
-      other.dropped = true;
-    return;
-  }
-  if (!parallel && p.strict != q.strict) {
+    const bool one_place = std::abs(cross(p.normal, distance)) <= limits.coincidence;
+    const bool p_over = p.inside() || of_p.end_overshoot <= 0, q_over = q.inside() || of_q.end_overshoot <= 0;
+    if (p.kept != q.kept && (one_place || !(p.kept ? q_over : p_over)))
+      drop(p.kept ? q : p);
+    else if (p.kept == q.kept && p_over != q_over)
+      drop(p_over ? q : p);
+    else if (p.kept == q.kept && (!p_over || (one_place && !p.kept)))
+      drop(p.gap >= q.gap ? q : p);
+  } else if (p.strict != q.strict) {
     // One is an entrance only if its corner turns within the step: it may wait for that, open.
     Candidate& loose = p.strict ? q : p;
     loose.dropped = loose.gap <= 0;
-  } else if (!parallel && !p.strict && p.inside() != q.inside()) {
+  } else if (!p.strict && p.inside() != q.inside()) {
     // Both wait for a turn, as two sides that are nearly parallel do: they meet where a vertex is over one.
-    (p.inside() ? q : p).dropped = true;
-  } else if (!parallel) {
-    (p.gap >= q.gap ? q : p).dropped = true;
-  } else if (p.inside() != q.inside()) {
-    (p.inside() ? q : p).dropped = true;
+    drop(p.inside() ? q : p);
   } else {
-    const Vec2 distance = a.vertices.col(p.contact.vertex) - b.vertices.col(q.contact.vertex);
-    const bool one_place = std::abs(cross(p.normal, distance)) <= limits.coincidence;
-    if (!p.inside())
-      (p.gap >= q.gap ? q : p).dropped = true;
-    else if (one_place && !p.kept)
-      q.dropped = true;
+    const bool p_last = order_of_passing(p, of_p) >= order_of_passing(q, of_q);
+    const Candidate &last = p_last ? p : q, &other = p_last ? q : p;
+    if (other.gap >= -limits.lip) choices.push_back({last.contact, other.contact, other.offset});
+    drop(p_last ? q : p);
   }
 }
 
 }  // namespace
 
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
-                   std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts) {
+                   std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
+                   std::vector<Choice>& choices) {
   OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
   table.set(0, a.vertices);
   table.set(1, b.vertices);
-  find_contacts(a, table[0], b, table[1], limits, kept, contacts);
+  find_contacts(a, table[0], b, table[1], limits, earlier, contacts, choices);
 }
 
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
-                   const PairLimits& limits, std::span<const VertexEdge> kept,
-                   std::vector<VertexEdge>& contacts) {
+                   const PairLimits& limits, std::span<const EarlierContact> earlier,
+                   std::vector<VertexEdge>& contacts, std::vector<Choice>& choices) {
   thread_local Workspace work;
   auto &in_b = work.in_b, &in_a = work.in_a;
-  Entrances(a, of_a, b, of_b, limits, kept, work).find(in_b);
-  Entrances(b, of_b, a, of_a, limits, kept, work).find(in_a);
+  Entrances(a, of_a, b, of_b, limits, earlier, work, choices).find(in_b);
+  Entrances(b, of_b, a, of_a, limits, earlier, work, choices).find(in_a);
   for (Candidate& p : in_b)
     for (Candidate& q : in_a)
       if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.reach))
-        resolve_corner(p, a, q, b, limits);
+        resolve_corner(p, a, q, b, limits, choices);
   for (const auto* candidates : {&in_b, &in_a})
     for (const Candidate& c : *candidates)
       if (!c.dropped) contacts.push_back(c.contact);

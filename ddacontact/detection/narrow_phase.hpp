@@ -16,10 +16,16 @@ struct VertexEdge {
   auto operator<=>(const VertexEdge&) const = default;
 };
 
-/// One of the two polygons of a pair.
+/// One of the two polygons of a pair, at the start of a step and where a predicted motion takes it.
 struct Outline {
   int block;
   PointsRef vertices;  ///< simple, counter-clockwise
+  PointsRef moved;     ///< the same vertices at the end of the predicted motion
+
+  /// At rest.
+  Outline(int number, const PointsRef& at) : block(number), vertices(at), moved(at) {}
+  Outline(int number, const PointsRef& start, const PointsRef& end)
+      : block(number), vertices(start), moved(end) {}
 };
 
 /// Lengths by which the contacts of two polygons are chosen, m.
@@ -27,27 +33,43 @@ struct PairLimits {
   double reach;        ///< pairs of features further apart than this cannot meet within the step
   double max_depth;    ///< a vertex deeper inside than this did not come through this edge
   double coincidence;  ///< two vertices no further apart along the edge than this count as one place
+  double lip;          ///< a vertex passes an edge's line when it is further behind it than this
+};
+
+/// A contact of the step before that still counts.
+struct EarlierContact {
+  VertexEdge pair;
+  double gap_offset = 0;  ///< <= 0: the gap from which the contact's own gap counts, m
+  bool closed = true;
+};
+
+/// Where a vertex may meet either of two edges' lines, the one that became its contact and the other.
+struct Choice {
+  VertexEdge chosen, rival;
+  double rival_offset = 0;  ///< as in EarlierContact
 };
 
 /// Appends the contacts of a pair to `contacts`: the vertices of `a` on edges of `b`, then those of `b`.
 ///
 /// A vertex may enter through an edge on whose outer side its whole corner lies; a reflex one through none.
-/// Of edges that go straight on into each other it meets the one it is over. A vertex may enter a convex
-/// polygon through one edge only, the one with the largest gap, as it is outside as long as it is beyond one
-/// edge. So it is with edges of any polygon between which the outline turns left; edges with a reflex corner
-/// between them, as the two of a notch, are met each. Whether a vertex is outside is decided exactly, up to
-/// `coincidence`: then it meets no edge that it is behind. One inside came in through the nearest edge, or
-/// one that was closed before, and of edges that it is behind meets besides only the other one of a notch.
+/// Of edges that are collinear with their neighbours it meets the one it is over. A convex polygon is entered
+/// when the last of its edges' lines is passed, and that line is the contact: see `later`. So it is with
+/// edges of any polygon between which the outline turns left; edges with a reflex corner between them, as the
+/// two of a notch, are met each. A line passed before the step begins is no contact, unless all are: a vertex
+/// inside came in through the nearest edge, or one that was closed before, and of edges that it is behind
+/// meets besides only the other one of a notch.
 ///
-/// Two touching edges come out as the two ends of their overlap; where vertex meets vertex the two corners'
-/// entrance edges are compared, and one stays. `kept` are contacts of this pair that were closed before:
-/// where the choice is a tie they win, so that a resting contact keeps its lock point.
+/// Two touching edges come out as the two ends of their overlap; where vertex meets vertex the lines of both
+/// corners are compared, and the one passed last stays. Where that leaves a tie, an earlier contact wins, so
+/// that a resting contact keeps its lock point. `choices`: the lines that a contact was preferred to, none of
+/// them passed at the start.
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
-                   std::span<const VertexEdge> kept, std::vector<VertexEdge>& contacts);
+                   std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
+                   std::vector<Choice>& choices);
 /// The same where the sides are known; their boxes are relative to the origin of the vertices.
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
-                   const PairLimits& limits, std::span<const VertexEdge> kept,
-                   std::vector<VertexEdge>& contacts);
+                   const PairLimits& limits, std::span<const EarlierContact> earlier,
+                   std::vector<VertexEdge>& contacts, std::vector<Choice>& choices);
 
 /// The length over which a vertex contact stands for two touching edges: half the overlap of its edge with
 /// the neighbouring edge of its vertex that lies along it, of both where its vertex is on a straight line; 0

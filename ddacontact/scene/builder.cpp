@@ -405,7 +405,9 @@ class Builder {
             joint_table(first_stage().joints),
             std::move(materials),
             scene_.contact.method,
-            scene_.contact.penetration_tolerance};
+            scene_.contact.penetration_tolerance,
+            scene_.analysis.preset == Preset::paper ? ContactProperties::lip_of_paper
+                                                                 : ContactProperties::default_lip};
   }
 
   StageDescription first_stage() const {

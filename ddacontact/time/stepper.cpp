@@ -92,7 +92,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
                       !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
   }
   const std::vector<Contact> first =
-      contact_builder_->build_first(state_, limits_.reach(state_, {}, analysis_.time_step, 1));
+      contact_builder_->build_first(state_, predicted_motion(analysis_.time_step),
+                                    limits_.reach(state_, {}, analysis_.time_step, 1));
   contacts_.assign(first.begin(), first.end());
   accepted_ = {substep_, counts_, {}};
   set_flight_acceleration();
@@ -185,7 +186,7 @@ void Stepper::forget_tries() {
 Stepper::Try Stepper::try_step(double dt) {
   wake_changing(dt);
   if (!detected_) detect(dt);
-  const Solution solution = solve(dt);
+  const Solution solution = solve_with_corners(dt);
 
   const polyfem::Stopwatch watch(times_.update);
   if (wake_hit(solution)) return Try::woke_blocks;
@@ -237,9 +238,9 @@ void Stepper::detect(double dt) {
   look_around(dt);
   contact_builder_->keep_pairs(analysis_.skip.skin);
   if (begun_)
-    contact_builder_->build(state_, reach_, contacts_, tried_);
+    contact_builder_->build(state_, predicted_motion(dt), reach_, contacts_, tried_);
   else
-    tried_ = contact_builder_->build_first(state_, reach_);
+    tried_ = contact_builder_->build_first(state_, predicted_motion(dt), reach_);
   keep_start();
   detected_ = true;
 }

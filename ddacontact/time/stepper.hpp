@@ -139,6 +139,12 @@ class Stepper {
     std::vector<ContactForce> forces;  ///< of the contacts, when it is solved again
   };
   Solution solve(double dt);
+  /// The same, with the lines that corners meet chosen by the motion that is found.
+  Solution solve_with_corners(double dt);
+  /// The motion of a step without the contacts at corners that are in doubt.
+  Solution solve_without(const std::vector<int>& doubtful, double dt);
+  /// Of all unknowns in a step, as velocities and supports have it.
+  VectorXd predicted_motion(double dt) const;
   /// One try with an impact foreseen.
   /// \param[in] nearby  what was found with an impact that differs little; may be null
   Solution solve_with(double dt, const StepImpact& impact, const Solution* nearby);

@@ -1,0 +1,60 @@
+// Which lines corners meet, by the motion of the step itself.
+#include <ddacontact/time/stepper.hpp>
+
+#include <algorithm>
+
+namespace ddacontact {
+
+namespace {
+
+/// A step is solved so often for lines that turn out to be others.
+constexpr int most_corner_rounds = 4;
+
+}  // namespace
+
+VectorXd Stepper::predicted_motion(double dt) const {
+  const bool at_rest = is_static() || analysis_.preset == Preset::paper;
+  VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.velocity);
+  if (analysis_.preset == Preset::paper || blocks_.held_unknowns().empty()) return d;
+  const VectorXd prescribed = blocks_.prescribed(state_, state_.time + dt);
+  for (const HeldUnknown& held : blocks_.held_unknowns()) d[held.unknown] = prescribed[held.unknown];
+  return d;
+}
+
+Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, double dt) {
+  restart_contacts();
+  const std::vector<Contact> all = tried_;
+  for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) tried_.erase(tried_.begin() + *c);
+  Solution without = solve(dt);
+  tried_ = all;
+  has_tried_ = false;
+  return without;
+}
+
+Stepper::Solution Stepper::solve_with_corners(double dt) {
+  Solution solution = solve(dt);
+  if (analysis_.preset == Preset::paper) return solution;
+  for (int round = 0; round < most_corner_rounds && contact_builder_->has_choices(); ++round) {
+    if (!solution.objection.empty()) break;
+    const std::vector<Contact> solved = tried_;
+    const std::vector<int> doubtful = contact_builder_->find_doubtful(
+        state_, solution.d, staged_.residual_tolerance * solution.residual.scale, tried_);
+    bool changed = false;
+    if (doubtful.empty()) {
+      restart_contacts();
+      changed = contact_builder_->choose_again(state_, solution.d, false, contacts_, tried_);
+    } else if (const Solution without = solve_without(doubtful, dt); without.objection.empty()) {
+      changed = contact_builder_->choose_again(state_, without.d, true, contacts_, tried_);
+    }
+    if (!changed) {
+      tried_ = solved;
+      has_tried_ = true;
+      break;
+    }
+    keep_start();
+    solution = solve(dt);
+  }
+  return solution;
+}
+
+}  // namespace ddacontact
