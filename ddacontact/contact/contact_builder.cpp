@@ -194,8 +194,8 @@ std::vector<int> ContactBuilder::find_doubtful(const BlockState& state, const Ve
   for (const Choice& choice : choices_in_ | std::views::join) {
     const int chosen = number_of(choice.chosen);
     if (chosen < 0 || contacts[chosen].normal <= least_force) continue;
-    const MovingVertexEdge rival = motion(state, choice.rival);
-    if (ddacontact::gap(rival.at(solved)) - choice.rival_offset >= -properties_.lip * contacts[chosen].size)
+    const double rival_gap = ddacontact::gap(motion(state, choice.rival).at(solved)) - choice.rival_offset;
+    if (!choice.passes_rival || rival_gap >= -properties_.lip * contacts[chosen].size)
       doubtful.insert(block_pair(choice.chosen));
   }
   std::set<int> numbers;

@@ -56,8 +56,8 @@ class ContactBuilder {
   bool has_choices() const;
   /// Of the contacts built last, by their numbers, those pressed by more than `least_force` (N per m) in a
   /// solution of the step although their corner could go the other way: another line that it may meet instead
-  /// has not been passed, so that perhaps no force is needed. With them all contacts of the same two blocks
-  /// that were preferred to others.
+  /// is not passed in the motion that they were chosen by, or not in the solution, so that perhaps no force is
+  /// needed. With them all contacts of the same two blocks that were preferred to others.
   std::vector<int> find_doubtful(const BlockState& state, const VectorXd& solved, double least_force,
                                  const std::vector<Contact>& contacts) const;
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.

@@ -80,6 +80,7 @@ struct Passage {
     end_overshoot = edge.overshoot(x);
     time = end_gap >= -lip ? infinity : of.gap <= -lip ? 0 : (of.gap + lip) / (of.gap - end_gap);
   }
+  bool happens() const { return time < infinity; }
 };
 
 /// By what the line that is passed last is found: the time; of those that are not passed an earlier contact
@@ -245,7 +246,8 @@ class Entrances {
       if (excluding == chosen)
         near_[n_chosen++] = near_[k];
       else if (!inside)
-        choices_.push_back({excluding->contact, near_[k].contact, near_[k].offset});
+        choices_.push_back({excluding->contact, near_[k].contact, near_[k].offset,
+                            Passage(near_[k], a_, b_, limits_.lip).happens()});
     }
     near_.resize(n_chosen);
   }
@@ -332,7 +334,9 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
   } else {
     const bool p_last = order_of_passing(p, of_p) >= order_of_passing(q, of_q);
     const Candidate &last = p_last ? p : q, &other = p_last ? q : p;
-    if (other.gap >= -limits.lip) choices.push_back({last.contact, other.contact, other.offset});
+    if (other.gap >= -limits.lip)
+      choices.push_back(
+          {last.contact, other.contact, other.offset, (p_last ? of_q : of_p).happens()});
     drop(p_last ? q : p);
   }
 }

@@ -46,7 +46,8 @@ struct EarlierContact {
 /// Where a vertex may meet either of two edges' lines, the one that became its contact and the other.
 struct Choice {
   VertexEdge chosen, rival;
-  double rival_offset = 0;  ///< as in EarlierContact
+  double rival_offset = 0;    ///< as in EarlierContact
+  bool passes_rival = false;  ///< in the predicted motion
 };
 
 /// Appends the contacts of a pair to `contacts`: the vertices of `a` on edges of `b`, then those of `b`.

@@ -86,6 +86,7 @@ void whole(benchmark::State& state, const Blocks& blocks) {
   BroadPhase broad_phase;
   std::vector<Box> boxes(blocks.boxes.size());
   std::vector<VertexEdge> contacts;
+  std::vector<Choice> choices;
   std::vector<int> n_vertices;
   for (const Points& outline : blocks.outlines) n_vertices.push_back(static_cast<int>(outline.cols()));
   OutlineTable outlines(n_vertices);
@@ -96,12 +97,14 @@ void whole(benchmark::State& state, const Blocks& blocks) {
       boxes[b] = {outlines[b].box.low - margin, outlines[b].box.high + margin};
     }
     contacts.clear();
+    choices.clear();
     for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) {
+      const double size = std::min(blocks.reaches[a], blocks.reaches[b]) / reach;
       const PairLimits limits{blocks.reaches[a] + blocks.reaches[b],
-                              std::min(blocks.half_widths[a], blocks.half_widths[b]),
-                              1e-6 / reach * std::min(blocks.reaches[a], blocks.reaches[b])};
+                              std::min(blocks.half_widths[a], blocks.half_widths[b]), 1e-6 * size,
+                              1e-4 * size};
       find_contacts({a, blocks.outlines[a]}, outlines[a], {b, blocks.outlines[b]}, outlines[b], limits, {},
-                    contacts);
+                    contacts, choices);
     }
     benchmark::DoNotOptimize(contacts.data());
   }

@@ -32,11 +32,12 @@ struct BlockOnPlate {
   static ContactProperties properties(double friction) {
     return {1e9, 4e8, one_joint({friction, 7e3, 5e3}), {0, 0}};
   }
+  VectorXd at_rest() const { return VectorXd::Zero(state.velocity.size()); }
   void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }
-  std::vector<Contact> first() { return builder.build_first(state, reach); }
+  std::vector<Contact> first() { return builder.build_first(state, at_rest(), reach); }
   std::vector<Contact> after(const std::vector<Contact>& previous) {
     std::vector<Contact> contacts;
-    builder.build(state, reach, {previous.begin(), previous.end()}, contacts);
+    builder.build(state, at_rest(), reach, {previous.begin(), previous.end()}, contacts);
     return contacts;
   }
 };
@@ -135,7 +136,7 @@ TEST(ContactBuilder, AContactGoesStraightOnToTheNextEdge) {
   const BuiltScene built = build(scene);
   ContactBuilder builder(built.stepper->blocks(), BlockOnPlate::properties(0.5));
   BlockState state = built.stepper->state();
-  std::vector<Contact> contacts = builder.build_first(state, {0.1, 0.1});
+  std::vector<Contact> contacts = builder.build_first(state, state.velocity, {0.1, 0.1});
   const auto corner = [](const std::vector<Contact>& of) {
     return *std::find_if(of.begin(), of.end(),
                          [](const Contact& c) { return c.pair.vertex_block == 1 && c.pair.vertex == 0; });
@@ -145,7 +146,7 @@ TEST(ContactBuilder, AContactGoesStraightOnToTheNextEdge) {
   for (Contact& c : contacts) c.end_slip = 0.1;
   state.position.rightCols<4>().row(0).array() += 0.1;
   std::vector<Contact> later;
-  builder.build(state, {0.1, 0.1}, {contacts.begin(), contacts.end()}, later);
+  builder.build(state, state.velocity, {0.1, 0.1}, {contacts.begin(), contacts.end()}, later);
   const Contact moved = corner(later);
   EXPECT_EQ(moved.pair.edge, 2);
   EXPECT_EQ(moved.history.state, corner(contacts).history.state);
@@ -167,14 +168,14 @@ TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
   ContactBuilder kept(built.stepper->blocks(), BlockOnPlate::properties(0.5)),
       searched(built.stepper->blocks(), BlockOnPlate::properties(0.5));
   searched.keep_pairs(false);
-  std::vector<Contact> by_kept = kept.build_first(state, reach), by_searched;
+  std::vector<Contact> by_kept = kept.build_first(state, state.velocity, reach), by_searched;
   for (int step = 0; step < 6; ++step) {
     const std::vector<ContactRecord> before(by_kept.begin(), by_kept.end());
     state.position += 1e-3 * Points::Random(2, state.position.cols());
     polyfem::set_threads(1 + step % 3);
-    kept.build(state, reach, before, by_kept);
+    kept.build(state, state.velocity, reach, before, by_kept);
     polyfem::set_threads(1);
-    searched.build(state, reach, before, by_searched);
+    searched.build(state, state.velocity, reach, before, by_searched);
     ASSERT_EQ(by_kept.size(), by_searched.size());
     for (std::size_t c = 0; c < by_kept.size(); ++c) {
       const Contact &p = by_kept[c], &q = by_searched[c];

@@ -17,7 +17,7 @@ namespace support {
 
 using ddacontact::VertexEdge;
 
-inline constexpr double coincidence = 1e-6;
+inline constexpr double coincidence = 1e-6, lip = 1e-4;
 
 inline Points box(double x, double y, double width, double height) {
   Points p(2, 4);
@@ -29,6 +29,7 @@ inline Points box(double x, double y, double width, double height) {
 /// Two polygons, blocks 0 and 1.
 struct PolygonPair {
   Points a, b;
+  Vec2 motion_of_a = Vec2::Zero();  ///< predicted for the step; b stays where it is
 
   const Points& of(int block) const { return block == 0 ? a : b; }
   Vec2 vertex(const VertexEdge& c) const { return of(c.vertex_block).col(c.vertex); }
@@ -48,12 +49,16 @@ struct PolygonPair {
   std::vector<VertexEdge> contacts(double reach, const std::vector<VertexEdge>& kept = {},
                                    bool swapped = false) const {
     const ddacontact::PairLimits limits{reach, std::min(ddacontact::half_width(a), ddacontact::half_width(b)),
-                                        coincidence};
+                                        coincidence, lip};
+    std::vector<ddacontact::EarlierContact> earlier;
+    for (const VertexEdge& pair : kept) earlier.push_back({pair});
     std::vector<VertexEdge> found;
+    std::vector<ddacontact::Choice> choices;
+    const ddacontact::Outline of_a{0, a, a.colwise() + motion_of_a}, of_b{1, b};
     if (swapped)
-      ddacontact::find_contacts({1, b}, {0, a}, limits, kept, found);
+      ddacontact::find_contacts(of_b, of_a, limits, earlier, found, choices);
     else
-      ddacontact::find_contacts({0, a}, {1, b}, limits, kept, found);
+      ddacontact::find_contacts(of_a, of_b, limits, earlier, found, choices);
     return found;
   }
   std::set<VertexEdge> contact_set(double reach, const std::vector<VertexEdge>& kept = {},
