@@ -157,7 +157,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
                                    const std::vector<double>& reach,
-                                   const std::vector<ContactRecord>& previous) {
+                                   const std::vector<ContactRecord>& previous, bool ties) {
   find_pairs(state, reach);
   reach_ = reach;
   const Index n = static_cast<Index>(pairs_.size());
@@ -170,7 +170,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
     found.clear();
     choices.clear();
     for (Index p = begin; p < end; ++p)
-      find_contacts_of(pairs_[p], state, motion, old.of(pairs_[p]), true, found, choices);
+      find_contacts_of(pairs_[p], state, motion, old.of(pairs_[p]), ties, found, choices);
   };
   polyfem::for_ranges(n, pairs_of_range, std::ref(look_at_pairs));
   first_found_.assign(1, 0);
@@ -182,9 +182,8 @@ bool ContactBuilder::has_choices() const {
   return std::ranges::any_of(choices_in_, [](const auto& choices) { return !choices.empty(); });
 }
 
-std::vector<int> ContactBuilder::find_doubtful(const BlockState& state, const VectorXd& solved,
-                                               double least_force,
-                                               const std::vector<Contact>& contacts) const {
+std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts,
+                                               double least_force) const {
   const auto number_of = [&](const VertexEdge& pair) {
     for (const Contact& contact : of_same_pair(pair, contacts))
       if (contact.pair == pair) return static_cast<int>(&contact - contacts.data());
@@ -193,9 +192,7 @@ std::vector<int> ContactBuilder::find_doubtful(const BlockState& state, const Ve
   std::set<Pair> doubtful;
   for (const Choice& choice : choices_in_ | std::views::join) {
     const int chosen = number_of(choice.chosen);
-    if (chosen < 0 || contacts[chosen].normal <= least_force) continue;
-    const double rival_gap = ddacontact::gap(motion(state, choice.rival).at(solved)) - choice.rival_offset;
-    if (!choice.passes_rival || rival_gap >= -properties_.lip * contacts[chosen].size)
+    if (choice.open && chosen >= 0 && contacts[chosen].normal > least_force)
       doubtful.insert(block_pair(choice.chosen));
   }
   std::set<int> numbers;
@@ -278,7 +275,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const VectorXd& motion,
                                                  const std::vector<double>& reach) {
   std::vector<Contact> contacts;
-  contacts.reserve(detect(state, motion, reach, {}));
+  contacts.reserve(detect(state, motion, reach, {}, false));
   for (const VertexEdge& pair : found_in_ | std::views::join) {
     Contact contact = make_contact(state, pair);
     ContactHistory& history = contact.history;
@@ -363,8 +360,9 @@ void ContactBuilder::restart(Contact& contact) const {
 }
 
 void ContactBuilder::build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
-                           const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts) {
-  contacts.resize(detect(state, motion, reach, previous));
+                           const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts,
+                           bool ties) {
+  contacts.resize(detect(state, motion, reach, previous, ties));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
     const std::vector<VertexEdge>& found = found_in_[begin];
     if (found.empty()) return;

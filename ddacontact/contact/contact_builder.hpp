@@ -50,16 +50,15 @@ class ContactBuilder {
   /// straight on onto the next edge, or across a corner onto the neighbour's vertex.
   /// \param[in] motion  displacements of all unknowns predicted for the step: of lines that a corner may meet
   ///   they tell which
+  /// \param[in] ties  where the motion does not tell, a corner goes on with the line that it met before
   void build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
-             const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
+             const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts, bool ties = true);
   /// Whether some corner may meet more than one line: contacts built last depend on the motion.
   bool has_choices() const;
   /// Of the contacts built last, by their numbers, those pressed by more than `least_force` (N per m) in a
-  /// solution of the step although their corner could go the other way: another line that it may meet instead
-  /// is not passed in the motion that they were chosen by, or not in the solution, so that perhaps no force is
-  /// needed. With them all contacts of the same two blocks that were preferred to others.
-  std::vector<int> find_doubtful(const BlockState& state, const VectorXd& solved, double least_force,
-                                 const std::vector<Contact>& contacts) const;
+  /// solution of the step although nothing told that their corner could not go the other way. With them all
+  /// contacts of the same two blocks that were preferred to others.
+  std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force) const;
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
   /// \param[in] decided  the motion is that without the contacts in doubt: which of their lines bore before
   ///   does not count, and the choice is final for this step
@@ -96,7 +95,7 @@ class ContactBuilder {
   /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
   /// ordered by the pairs of blocks; of `previous` those that are closed win ties. How many there are.
   std::size_t detect(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
-                     const std::vector<ContactRecord>& previous);
+                     const std::vector<ContactRecord>& previous, bool ties);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state, const std::vector<double>& reach);
   /// Appends the contacts of a pair, and where they were preferred to others.

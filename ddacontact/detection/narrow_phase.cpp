@@ -80,15 +80,26 @@ struct Passage {
     end_overshoot = edge.overshoot(x);
     time = end_gap >= -lip ? infinity : of.gap <= -lip ? 0 : (of.gap + lip) / (of.gap - end_gap);
   }
-  bool happens() const { return time < infinity; }
 };
 
 /// By what the line that is passed last is found: the time; of those that are not passed an earlier contact
 /// comes last, then the one that the motion violates least, beyond what it was violated before.
-using Order = std::tuple<double, bool, double, double>;
-Order order_of_passing(const Candidate& of, const Passage& passage) {
-  return {passage.time, of.kept, passage.end_gap - std::min(of.gap, 0.0), passage.end_gap};
-}
+struct Order {
+  double time;
+  bool kept;
+  double violation, end_gap;
+
+  Order(const Candidate& of, const Passage& passage)
+      : time(passage.time),
+        kept(of.kept),
+        violation(passage.end_gap - std::min(of.gap, 0.0)),
+        end_gap(passage.end_gap) {}
+  auto operator<=>(const Order&) const = default;
+  /// Whether only round-off orders the two.
+  bool ties_with(const Order& other, double round_off) const {
+    return time == other.time && kept == other.kept && std::abs(violation - other.violation) <= round_off;
+  }
+};
 
 struct NumberedEdge {
   int number;
@@ -222,7 +233,7 @@ class Entrances {
   }
   bool is_nearer(const Candidate& p, const Candidate& q) const {
     if (p.kept != q.kept) return p.kept;
-    const double round_off = 1e-3 * limits_.coincidence;
+    const double round_off = limits_.round_off();
     if (std::abs(p.aside() - q.aside()) > round_off) return p.aside() < q.aside();
     return std::abs(p.gap) < std::abs(q.gap) - round_off;
   }
@@ -230,8 +241,7 @@ class Entrances {
   /// Of edges between which a vertex can enter only once leaves the one whose line is passed last.
   void choose(bool inside) {
     const auto later = [this](const Candidate& p, const Candidate& q) {
-      return std::tuple_cat(order(p), std::tuple(-p.contact.edge)) >
-             std::tuple_cat(order(q), std::tuple(-q.contact.edge));
+      return std::pair(order(p), -p.contact.edge) > std::pair(order(q), -q.contact.edge);
     };
     std::sort(near_.begin(), near_.end(), later);
     if (inside) came_in_through_the_nearest();
@@ -246,13 +256,13 @@ class Entrances {
       if (excluding == chosen)
         near_[n_chosen++] = near_[k];
       else if (!inside)
-        choices_.push_back({excluding->contact, near_[k].contact, near_[k].offset,
-                            Passage(near_[k], a_, b_, limits_.lip).happens()});
+        choices_.push_back({excluding->contact, near_[k].contact,
+                            order(*excluding).ties_with(order(near_[k]), limits_.round_off())});
     }
     near_.resize(n_chosen);
   }
   Order order(const Candidate& of) const {
-    return order_of_passing(of, Passage(of, a_, b_, limits_.lip));
+    return {of, Passage(of, a_, b_, limits_.lip)};
   }
 
   /// Of a vertex inside: first the edge it came through; of those it is behind else only kept ones and the
@@ -332,12 +342,13 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     // Both wait for a turn, as two sides that are nearly parallel do: they meet where a vertex is over one.
     drop(p.inside() ? q : p);
   } else {
-    const bool p_last = order_of_passing(p, of_p) >= order_of_passing(q, of_q);
-    const Candidate &last = p_last ? p : q, &other = p_last ? q : p;
+    const Order order_p(p, of_p), order_q(q, of_q);
+    const bool p_last = order_p >= order_q;
+    const Candidate& last = p_last ? p : q;
+    Candidate& other = p_last ? q : p;
     if (other.gap >= -limits.lip)
-      choices.push_back(
-          {last.contact, other.contact, other.offset, (p_last ? of_q : of_p).happens()});
-    drop(p_last ? q : p);
+      choices.push_back({last.contact, other.contact, order_p.ties_with(order_q, limits.round_off())});
+    drop(other);
   }
 }
 

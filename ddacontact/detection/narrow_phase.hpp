@@ -34,6 +34,9 @@ struct PairLimits {
   double max_depth;    ///< a vertex deeper inside than this did not come through this edge
   double coincidence;  ///< two vertices no further apart along the edge than this count as one place
   double lip;          ///< a vertex passes an edge's line when it is further behind it than this
+
+  /// Differences of gaps below this do not tell anything.
+  double round_off() const { return 1e-3 * coincidence; }
 };
 
 /// A contact of the step before that still counts.
@@ -43,11 +46,10 @@ struct EarlierContact {
   bool closed = true;
 };
 
-/// Where a vertex may meet either of two edges' lines, the one that became its contact and the other.
+/// Where a corner may meet either of two edges' lines, the one that became its contact and the other.
 struct Choice {
   VertexEdge chosen, rival;
-  double rival_offset = 0;    ///< as in EarlierContact
-  bool passes_rival = false;  ///< in the predicted motion
+  bool open;  ///< neither an earlier contact nor the predicted motion tells which
 };
 
 /// Appends the contacts of a pair to `contacts`: the vertices of `a` on edges of `b`, then those of `b`.
@@ -63,7 +65,7 @@ struct Choice {
 /// Two touching edges come out as the two ends of their overlap; where vertex meets vertex the lines of both
 /// corners are compared, and the one passed last stays. Where that leaves a tie, an earlier contact wins, so
 /// that a resting contact keeps its lock point. `choices`: the lines that a contact was preferred to, none of
-/// them passed at the start.
+/// them passed at the start. Where one is open the step's forces have to tell.
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                    std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
                    std::vector<Choice>& choices);

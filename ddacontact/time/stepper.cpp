@@ -238,7 +238,8 @@ void Stepper::detect(double dt) {
   look_around(dt);
   contact_builder_->keep_pairs(analysis_.skip.skin);
   if (begun_)
-    contact_builder_->build(state_, predicted_motion(dt), reach_, contacts_, tried_);
+    contact_builder_->build(state_, predicted_motion(dt), reach_, contacts_, tried_,
+                            state_.time > progress_.start_time);
   else
     tried_ = contact_builder_->build_first(state_, predicted_motion(dt), reach_);
   keep_start();

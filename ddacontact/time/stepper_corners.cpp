@@ -38,7 +38,7 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
     if (!solution.objection.empty()) break;
     const std::vector<Contact> solved = tried_;
     const std::vector<int> doubtful = contact_builder_->find_doubtful(
-        state_, solution.d, staged_.residual_tolerance * solution.residual.scale, tried_);
+        tried_, staged_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();
