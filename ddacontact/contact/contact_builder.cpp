@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <ranges>
 
 namespace ddacontact {
 
@@ -207,21 +206,22 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const std::vector<double>& reach) {
   std::vector<Contact> contacts;
   contacts.reserve(detect(state, reach, {}));
-  for (const VertexEdge& pair : found_in_ | std::views::join) {
-    Contact contact = make_contact(state, pair);
-    ContactHistory& history = contact.history;
-    if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
-        contact.is_on_edge(contact.first_slip().constant)) {
-      history.bonded = true;
-      history.gap_offset = std::min(contact.gap, 0.0);
-      const int origin = pair.edge_block;
-      history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
-                                      blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
-      contact.law = properties_.law(contact);
-      history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+  for (const std::vector<VertexEdge>& found : found_in_)
+    for (const VertexEdge& pair : found) {
+      Contact contact = make_contact(state, pair);
+      ContactHistory& history = contact.history;
+      if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
+          contact.is_on_edge(contact.first_slip().constant)) {
+        history.bonded = true;
+        history.gap_offset = std::min(contact.gap, 0.0);
+        const int origin = pair.edge_block;
+        history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
+                                        blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
+        contact.law = properties_.law(contact);
+        history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+      }
+      contacts.push_back(contact);
     }
-    contacts.push_back(contact);
-  }
   return contacts;
 }
 
