@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace ddacontact {
 
@@ -33,10 +34,13 @@ Pair block_pair(const VertexEdge& contact) {
           std::max(contact.vertex_block, contact.edge_block)};
 }
 
+constexpr auto pair_of = [](const Contact& of) { return block_pair(of.pair); };
+
 /// Of contacts ordered by their pairs, those of the pair of this one.
-auto of_same_pair(const VertexEdge& contact, auto& contacts) {
-  return std::ranges::equal_range(contacts, block_pair(contact), {},
-                                  [](const Contact& of) { return block_pair(of.pair); });
+std::span<const Contact> of_same_pair(const VertexEdge& contact, const std::vector<Contact>& contacts) {
+  const Pair pair = block_pair(contact);
+  return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
+          std::ranges::upper_bound(contacts, pair, {}, pair_of)};
 }
 
 bool is_among(const VertexEdge& contact, const auto& contacts) {
@@ -340,9 +344,9 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
 
 void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& contacts) {
   for (const VertexEdge& entry : entered_) {
-    const auto same_pair = of_same_pair(entry, contacts);
-    if (is_among(entry, same_pair)) continue;
-    contacts.insert(same_pair.end(), make_contact(start, entry));
+    if (is_among(entry, of_same_pair(entry, contacts))) continue;
+    contacts.insert(std::ranges::upper_bound(contacts, block_pair(entry), {}, pair_of),
+                    make_contact(start, entry));
   }
 }
 
