@@ -35,9 +35,10 @@ constexpr double rigid_energy = 1e-10;
 
 /// The reason and the cure, or nothing when K is symmetric.
 std::string asymmetry(const MatrixXd& K) {
+  const auto difference = (K - K.transpose()).cwiseAbs();
+  if (difference.maxCoeff() <= largest_asymmetry * K.cwiseAbs().maxCoeff()) return {};
   Index i = 0, j = 0;
-  const double difference = (K - K.transpose()).cwiseAbs().maxCoeff(&i, &j);
-  if (difference <= largest_asymmetry * K.cwiseAbs().maxCoeff()) return {};
+  difference.maxCoeff(&i, &j);
   std::ostringstream text;
   text << "is not symmetric: K(" << i << ", " << j << ") = " << K(i, j) << ", K(" << j << ", " << i
        << ") = " << K(j, i)
