@@ -4,8 +4,6 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/quadrature/gauss_rule.hpp>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -34,11 +32,11 @@ constexpr double largest_asymmetry = 1e-8;
 constexpr double rigid_energy = 1e-10;
 
 /// The reason and the cure, or nothing when K is symmetric.
-std::string asymmetry(const MatrixXd& K) {
-  const auto difference = (K - K.transpose()).cwiseAbs();
-  if (difference.maxCoeff() <= largest_asymmetry * K.cwiseAbs().maxCoeff()) return {};
+std::string asymmetry(const MatrixXd& K, double largest) {
+  const auto difference = K - K.transpose();
+  if (difference.lpNorm<Eigen::Infinity>() <= largest_asymmetry * largest) return {};
   Index i = 0, j = 0;
-  difference.maxCoeff(&i, &j);
+  difference.cwiseAbs().maxCoeff(&i, &j);
   std::ostringstream text;
   text << "is not symmetric: K(" << i << ", " << j << ") = " << K(i, j) << ", K(" << j << ", " << i
        << ") = " << K(j, i)
@@ -47,13 +45,18 @@ std::string asymmetry(const MatrixXd& K) {
   return text.str();
 }
 
-/// Whether some u has u.Ku < 0, by a factorization that fails then. `scratch` is overwritten.
-bool has_negative_energy(const MatrixXd& K, MatrixXd& scratch) {
-  const double largest = K.cwiseAbs().maxCoeff();
-  if (!(largest > 0)) return false;
-  scratch = K;
-  scratch.diagonal().array() += rigid_energy * largest;
-  return Eigen::LLT<Eigen::Ref<MatrixXd>>(scratch).info() != Eigen::Success;
+/// Whether some u has u.Ku < -shift u.u: elimination meets a pivot that is not positive then. `left` is what
+/// is left of the matrix to eliminate.
+bool has_negative_energy(const MatrixXd& K, double shift, MatrixXd& left) {
+  left = K;
+  const Index n = K.rows();
+  for (Index j = 0; j < n; ++j) {
+    const double pivot = left(j, j) + shift;
+    if (pivot < 0) return true;
+    if (pivot == 0) continue;  // of a zero matrix
+    for (Index k = j + 1; k < n; ++k) left.col(k).tail(n - k) -= left(k, j) / pivot * left.col(j).tail(n - k);
+  }
+  return false;
 }
 
 std::vector<int> expanded(const std::vector<int>& vertices, int n_components) {
@@ -179,7 +182,7 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
   first_negative_cell_ = -1;
   n_negative_cells_ = 0;
   Points polygon;
-  MatrixXd K, scratch;
+  MatrixXd K, left;
   VectorXd f;
   for (int c = 0; c < mesh_->n_cells(); ++c) {
     const std::span<const int> corners = mesh_->cell(c);
@@ -199,9 +202,11 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
     if (!K.allFinite() || !f.allFinite())
       throw Error("the matrix or load of cell " + std::to_string(c) +
                   " is not finite: look for a defect of the mesh there, or of what fills it");
-    if (const std::string reason = asymmetry(K); !reason.empty())
+    const double largest = K.lpNorm<Eigen::Infinity>();
+    if (const std::string reason = asymmetry(K, largest); !reason.empty())
       throw Error("the matrix of cell " + std::to_string(c) + " " + reason);
-    if (has_negative_energy(K, scratch) && n_negative_cells_++ == 0) first_negative_cell_ = c;
+    if (has_negative_energy(K, rigid_energy * largest, left) && n_negative_cells_++ == 0)
+      first_negative_cell_ = c;
     matrix_.add(c, K);
     for (Index k = 0; k < n; ++k)
       cell_loads_.segment(n_components_ * corners[k], n_components_) +=
