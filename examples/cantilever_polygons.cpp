@@ -17,9 +17,10 @@
 // the stress sigma_xx as the shape functions have it: cantilever_polygons.svg.
 #include <ddacontact/picture/picture.hpp>
 #include <polyfem/assembly/field_problem.hpp>
-#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/element/error_norms.hpp>
 #include <polyfem/element/matrices.hpp>
+#include <polyfem/element/tolerance.hpp>
 #include <polyfem/io/mesh_file.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
@@ -44,11 +45,16 @@ Vec2 exact(const Vec2& x) {
 
 const Mat3 D = elasticity_matrix(young, poisson, Plane::strain);
 
+/// Shape functions that suit the cell, at points that give its stiffness to 1e-3.
+void tabulate_cell(const PointsRef& cell, TabulatedElement& element) {
+  tabulate_to_tolerance(cell, suitable_basis(cell), 1e-3, GradientCorrection::on, element);
+}
+
 FieldProblem solved(const PolygonMesh& mesh) {
   FieldProblem problem(mesh, 2);  // two unknowns a vertex: displacements
   TabulatedElement element;
   problem.assemble([&](int, const PointsRef& cell, MatrixXd& K, VectorXd&) {
-    tabulate(cell, hammer_rule(3), wachspress, GradientCorrection::on, element);
+    tabulate_cell(cell, element);
     stiffness(element, D, K);
   });
   for (const int v : boundary_vertices(mesh, [](const Vec2& x) { return x.x() == 0; }))
@@ -71,7 +77,7 @@ double error(const PolygonMesh& mesh, const VectorXd& u) {
   double error = 0, norm = 0;
   TabulatedElement element;
   for (int c = 0; c < mesh.n_cells(); ++c) {
-    tabulate(mesh.outline(c), hammer_rule(3), wachspress, GradientCorrection::on, element);
+    tabulate_cell(mesh.outline(c), element);
     const VectorXd d = of_cell(mesh, c, u).reshaped();
     error += squared_displacement_error(element, d, exact);
     norm += squared_displacement_error(element, VectorXd::Zero(d.size()), exact);
@@ -84,7 +90,7 @@ void write_vtu(const PolygonMesh& mesh, const VectorXd& u) {
   Tensors stress(3, mesh.n_cells()), strain;
   TabulatedElement element;
   for (int c = 0; c < mesh.n_cells(); ++c) {
-    tabulate(mesh.outline(c), hammer_rule(3), wachspress, GradientCorrection::on, element);
+    tabulate_cell(mesh.outline(c), element);
     strains(element, of_cell(mesh, c, u).reshaped(), strain);
     stress.col(c) = D * strain * element.rule.weights / element.area;
   }

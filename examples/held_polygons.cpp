@@ -45,7 +45,7 @@ int main() {
   MatrixXd element_matrix;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const Points polygon = nodes(Eigen::all, elements[e]);
-    tabulate(polygon, hammer_rule(3), wachspress, GradientCorrection::on, element);
+    tabulate(polygon, dunavant_rule(5), wachspress, GradientCorrection::on, element);
     stiffness(element, D, element_matrix);
     K.add(static_cast<int>(e), element_matrix);
   }

@@ -58,7 +58,7 @@ Vec2 exact_gradient(const Vec2& x) {
 }
 
 void tabulate_cell(const PointsRef& polygon, TabulatedElement& element) {
-  tabulate(polygon, hammer_rule(5), suitable_basis(polygon), GradientCorrection::on, element);
+  tabulate(polygon, dunavant_rule(5), suitable_basis(polygon), GradientCorrection::on, element);
 }
 
 /// Values at the vertices: the exact ones on the boundary, inside K u = 0 with K = sum of grad N^T grad N.

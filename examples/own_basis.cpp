@@ -66,7 +66,7 @@ double patch_test_residual(const Points& polygon, GradientCorrection correction)
   Mat2 sigma;
   sigma << 3, 2, 2, -1;
   TabulatedElement element;
-  tabulate(polygon, hammer_rule(3), PiecewiseLinear(), correction, element);
+  tabulate(polygon, dunavant_rule(5), PiecewiseLinear(), correction, element);
   VectorXd f(2 * polygon.cols()), exact = VectorXd::Zero(2 * polygon.cols());
   const Vec3 stress(sigma(0, 0), sigma(1, 1), sigma(0, 1));
   stress_forces(element, stress.replicate(1, element.n_points()), f);

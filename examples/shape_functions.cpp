@@ -35,7 +35,7 @@ int main() {
   const Mat3 D = elasticity_matrix(10e9, 0.25, Plane::strain);
   TabulatedElement element;
   MatrixXd K, M;
-  tabulate(polygon, hammer_rule(3), wachspress, GradientCorrection::on, element);
+  tabulate(polygon, dunavant_rule(5), wachspress, GradientCorrection::on, element);
   stiffness(element, D, K);
   mass(element, M);
   const Soundness soundness = judge(K, M);

@@ -12,7 +12,7 @@ template <class Of>
 struct NodalMotion {
   Vec2 linear;
   double angular;
-  Of::Vectors deformation;  ///< velocities of the nodes, 2 x m
+  typename Of::Vectors deformation;  ///< velocities of the nodes, 2 x m
 
   NodalMotion<polyfem::AnyNodes> kept() const { return {linear, angular, deformation}; }
 };
@@ -21,8 +21,8 @@ struct NodalMotion {
 template <class Of>
 class NodalKinematics {
  public:
-  using Vectors = Of::Vectors;
-  using Stacked = Of::Stacked;
+  using Vectors = typename Of::Vectors;
+  using Stacked = typename Of::Stacked;
   using Motion = NodalMotion<Of>;
 
   explicit NodalKinematics(const CorotationalShape& shape) : shape_(shape) {}

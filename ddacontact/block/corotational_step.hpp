@@ -32,8 +32,8 @@ template <class Of>
 class CorotationalStep {
  public:
   using Nodes = NodalKinematics<Of>;
-  using Vectors = Of::Vectors;
-  using Stacked = Of::Stacked;
+  using Vectors = typename Of::Vectors;
+  using Stacked = typename Of::Stacked;
   using Motion = NodalMotion<Of>;
   using Frame = polyfem::CorotatedFrameOf<Of>;
   using Array = Eigen::Map<const Vectors, Eigen::Aligned16>;

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <ranges>
 #include <set>
+#include <span>
 
 namespace ddacontact {
 
@@ -33,10 +33,15 @@ Pair block_pair(const VertexEdge& contact) {
           std::max(contact.vertex_block, contact.edge_block)};
 }
 
-/// Of contacts ordered by their pairs, those of the pair of this one.
-auto of_same_pair(const VertexEdge& contact, auto& contacts) {
-  return std::ranges::equal_range(contacts, block_pair(contact), {},
-                                  [](const Contact& of) { return block_pair(of.pair); });
+constexpr auto pair_of = [](const Contact& of) { return block_pair(of.pair); };
+
+/// Of contacts ordered by their pairs, those of one.
+std::span<const Contact> of_pair(const Pair& pair, const std::vector<Contact>& contacts) {
+  return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
+          std::ranges::upper_bound(contacts, pair, {}, pair_of)};
+}
+std::span<const Contact> of_same_pair(const VertexEdge& contact, const std::vector<Contact>& contacts) {
+  return of_pair(block_pair(contact), contacts);
 }
 
 bool is_among(const VertexEdge& contact, const auto& contacts) {
@@ -173,61 +178,72 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
       find_contacts_of(pairs_[p], state, motion, old.of(pairs_[p]), ties, found, choices);
   };
   polyfem::for_ranges(n, pairs_of_range, std::ref(look_at_pairs));
+  choices_.clear();
+  for (const auto& choices : choices_in_) choices_.insert(choices_.end(), choices.begin(), choices.end());
   first_found_.assign(1, 0);
   for (const auto& found : found_in_) first_found_.push_back(first_found_.back() + found.size());
   return first_found_.back();
 }
 
-bool ContactBuilder::has_choices() const {
-  return std::ranges::any_of(choices_in_, [](const auto& choices) { return !choices.empty(); });
-}
-
-std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts,
-                                               double least_force) const {
+std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force) {
   const auto number_of = [&](const VertexEdge& pair) {
     for (const Contact& contact : of_same_pair(pair, contacts))
       if (contact.pair == pair) return static_cast<int>(&contact - contacts.data());
     return -1;
   };
-  std::set<Pair> doubtful;
-  for (const Choice& choice : choices_in_ | std::views::join) {
+  doubtful_.clear();
+  for (const Choice& choice : choices_) {
     const int chosen = number_of(choice.chosen);
     if (choice.open && chosen >= 0 && contacts[chosen].normal > least_force)
-      doubtful.insert(block_pair(choice.chosen));
+      doubtful_.insert(block_pair(choice.chosen));
   }
   std::set<int> numbers;
-  for (const Choice& choice : choices_in_ | std::views::join) {
+  for (const Choice& choice : choices_) {
     const int chosen = number_of(choice.chosen);
-    if (chosen >= 0 && doubtful.contains(block_pair(choice.chosen))) numbers.insert(chosen);
+    if (chosen >= 0 && doubtful_.contains(block_pair(choice.chosen))) numbers.insert(chosen);
   }
   return {numbers.begin(), numbers.end()};
 }
 
-bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motion, bool decided,
+bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motion,
                                   const std::vector<ContactRecord>& previous,
                                   std::vector<Contact>& contacts) {
   std::set<Pair> pairs;
-  for (const Choice& choice : choices_in_ | std::views::join) pairs.insert(block_pair(choice.chosen));
-  choices_in_.assign(1, {});
+  for (const Choice& choice : choices_) pairs.insert(block_pair(choice.chosen));
+  return choose_anew(pairs, state, motion, true, previous, contacts);
+}
+
+bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& without,
+                                     const std::vector<ContactRecord>& previous,
+                                     std::vector<Contact>& contacts) {
+  const bool changed = choose_anew(doubtful_, state, without, false, previous, contacts);
+  std::erase_if(choices_,
+                [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
+  return changed;
+}
+
+bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion,
+                                 bool ties, const std::vector<ContactRecord>& previous,
+                                 std::vector<Contact>& contacts) {
+  std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
   bool changed = false;
   std::vector<VertexEdge> found;
   for (const Pair& pair : pairs) {
     found.clear();
     const std::span<const ContactRecord> old = ContactsByPair(previous, pair).of(pair);
-    find_contacts_of(pair, state, motion, old, !decided, found, choices_in_.front());
-    const auto same_pair =
-        std::ranges::equal_range(contacts, pair, {}, [](const Contact& of) { return block_pair(of.pair); });
-    if (std::ranges::equal(same_pair, found, {}, [](const Contact& of) { return of.pair; })) continue;
+    find_contacts_of(pair, state, motion, old, ties, found, choices_);
+    const std::span<const Contact> before = of_pair(pair, contacts);
+    if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;
     changed = true;
     std::vector<Contact> chosen;
     for (const VertexEdge& of : found) {
-      const auto same = std::ranges::find(same_pair, of, [](const Contact& c) { return c.pair; });
-      chosen.push_back(same != same_pair.end() ? *same : carry_on(state, of, old));
+      const auto same = std::ranges::find(before, of, &Contact::pair);
+      chosen.push_back(same != before.end() ? *same : carry_on(state, of, old));
     }
-    const auto at = contacts.erase(same_pair.begin(), same_pair.end());
+    const auto first = contacts.begin() + (before.data() - contacts.data());
+    const auto at = contacts.erase(first, first + static_cast<std::ptrdiff_t>(before.size()));
     contacts.insert(at, chosen.begin(), chosen.end());
   }
-  if (decided) choices_in_.front().clear();
   return changed;
 }
 
@@ -276,21 +292,22 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
                                                  const std::vector<double>& reach) {
   std::vector<Contact> contacts;
   contacts.reserve(detect(state, motion, reach, {}, false));
-  for (const VertexEdge& pair : found_in_ | std::views::join) {
-    Contact contact = make_contact(state, pair);
-    ContactHistory& history = contact.history;
-    if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
-        contact.is_on_edge(contact.first_slip().constant)) {
-      history.bonded = true;
-      history.gap_offset = std::min(contact.gap, 0.0);
-      const int origin = pair.edge_block;
-      history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
-                                      blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
-      contact.law = properties_.law(contact);
-      history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+  for (const std::vector<VertexEdge>& found : found_in_)
+    for (const VertexEdge& pair : found) {
+      Contact contact = make_contact(state, pair);
+      ContactHistory& history = contact.history;
+      if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
+          contact.is_on_edge(contact.first_slip().constant)) {
+        history.bonded = true;
+        history.gap_offset = std::min(contact.gap, 0.0);
+        const int origin = pair.edge_block;
+        history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
+                                        blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
+        contact.law = properties_.law(contact);
+        history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+      }
+      contacts.push_back(contact);
     }
-    contacts.push_back(contact);
-  }
   return contacts;
 }
 
@@ -410,16 +427,17 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
 
 void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& contacts) {
   for (const VertexEdge& entry : entered_) {
-    const auto same_pair = of_same_pair(entry, contacts);
-    if (is_among(entry, same_pair)) continue;
-    contacts.insert(same_pair.end(), make_contact(start, entry));
+    if (is_among(entry, of_same_pair(entry, contacts))) continue;
+    contacts.insert(std::ranges::upper_bound(contacts, block_pair(entry), {}, pair_of),
+                    make_contact(start, entry));
   }
 }
 
 double ContactBuilder::memory() const {
   double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
                  outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
-                 bytes_of(pairs_) + bytes_of(reach_) + bytes_of(found_in_) + bytes_of(first_found_) + bytes_of(entered_);
+                 bytes_of(pairs_) + bytes_of(reach_) + bytes_of(found_in_) + bytes_of(first_found_) +
+                 bytes_of(entered_);
   for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
   for (const std::vector<Choice>& choices : choices_in_) bytes += bytes_of(choices);
   return bytes;

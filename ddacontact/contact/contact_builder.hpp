@@ -8,6 +8,7 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -54,16 +55,17 @@ class ContactBuilder {
   void build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
              const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts, bool ties = true);
   /// Whether some corner may meet more than one line: contacts built last depend on the motion.
-  bool has_choices() const;
+  bool has_choices() const { return !choices_.empty(); }
   /// Of the contacts built last, by their numbers, those pressed by more than `least_force` (N per m) in a
   /// solution of the step although nothing told that their corner could not go the other way. With them all
   /// contacts of the same two blocks that were preferred to others.
-  std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force) const;
+  std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force);
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
-  /// \param[in] decided  the motion is that without the contacts in doubt: which of their lines bore before
-  ///   does not count, and the choice is final for this step
-  bool choose_again(const BlockState& state, const VectorXd& motion, bool decided,
+  bool choose_again(const BlockState& state, const VectorXd& motion,
                     const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
+  /// Chooses those in doubt by the motion without them, for the rest of the step. False: they are the same.
+  bool decide_doubtful(const BlockState& state, const VectorXd& without,
+                       const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Makes a contact what it was before a try of a step.
   void restart(Contact& contact) const;
   /// Against the rate of the gap of a contact while it is closed, N s/m per m.
@@ -103,6 +105,8 @@ class ContactBuilder {
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
+  bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
+                   const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
   Contact carry_on(const BlockState& state, const VertexEdge& pair,
                    std::span<const ContactRecord> previous) const;
@@ -129,7 +133,9 @@ class ContactBuilder {
   std::vector<double> reach_;                      ///< that contacts were looked for in
   std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<std::vector<Choice>> choices_in_;    ///< likewise
-  std::vector<std::size_t> first_found_;           ///< of each range, among all
+  std::vector<Choice> choices_;                    ///< of all
+  std::set<Pair> doubtful_;
+  std::vector<std::size_t> first_found_;  ///< of each range, among all
   std::vector<VertexEdge> entered_;
 };
 

@@ -58,8 +58,8 @@ struct Candidate {
   VertexEdge contact;
   double gap, overshoot;
   Vec2 normal;
-  double offset;  ///< of the gap
-  bool kept;      ///< closed before
+  double offset;        ///< of the gap
+  bool kept;            ///< closed before
   bool strict = false;  ///< admissible as it stands, without turning within the step
   bool dropped = false;
 
@@ -92,7 +92,7 @@ struct Order {
   Order(const Candidate& of, const Passage& passage)
       : time(passage.time),
         kept(of.kept),
-        violation(passage.end_gap - std::min(of.gap, 0.0)),
+        violation(std::min(passage.end_gap - std::min(of.gap, 0.0), 0.0)),
         end_gap(passage.end_gap) {}
   auto operator<=>(const Order&) const = default;
   /// Whether only round-off orders the two.
@@ -199,7 +199,8 @@ class Entrances {
 
   bool is_behind(const Candidate& c) const { return c.gap < -limits_.lip; }
 
-  /// Whether x has not passed all lines of a convex polygon; of another whether it is no deeper in it than that.
+  /// Whether x has not passed all lines of a convex polygon; of another whether it is no deeper in it than
+  /// that.
   bool is_outside(const Vec2& x) {
     if (!of_b_.concave) {
       for (int e = 0; e < b_.vertices.cols(); ++e)
@@ -261,9 +262,7 @@ class Entrances {
     }
     near_.resize(n_chosen);
   }
-  Order order(const Candidate& of) const {
-    return {of, Passage(of, a_, b_, limits_.lip)};
-  }
+  Order order(const Candidate& of) const { return {of, Passage(of, a_, b_, limits_.lip)}; }
 
   /// Of a vertex inside: first the edge it came through; of those it is behind else only kept ones and the
   /// other side of a notch.
@@ -319,8 +318,8 @@ bool share_corner(const Candidate& p, const Outline& a, const Candidate& q, cons
 }
 
 /// Vertex on vertex: decides which of the two stays, or both as the two ends of a short overlap.
-void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline& b,
-                    const PairLimits& limits, std::vector<Choice>& choices) {
+void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline& b, const PairLimits& limits,
+                    std::vector<Choice>& choices) {
   const bool parallel = p.normal.dot(q.normal) < 0 && std::abs(cross(p.normal, q.normal)) <= sin_parallel;
   const Passage of_p(p, a, b, limits.lip), of_q(q, b, a, limits.lip);
   const auto drop = [](Candidate& of) { of.dropped = true; };

@@ -37,14 +37,14 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
   for (int round = 0; round < most_corner_rounds && contact_builder_->has_choices(); ++round) {
     if (!solution.objection.empty()) break;
     const std::vector<Contact> solved = tried_;
-    const std::vector<int> doubtful = contact_builder_->find_doubtful(
-        tried_, staged_.residual_tolerance * solution.residual.scale);
+    const std::vector<int> doubtful =
+        contact_builder_->find_doubtful(tried_, staged_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();
-      changed = contact_builder_->choose_again(state_, solution.d, false, contacts_, tried_);
+      changed = contact_builder_->choose_again(state_, solution.d, contacts_, tried_);
     } else if (const Solution without = solve_without(doubtful, dt); without.objection.empty()) {
-      changed = contact_builder_->choose_again(state_, without.d, true, contacts_, tried_);
+      changed = contact_builder_->decide_doubtful(state_, without.d, contacts_, tried_);
     }
     if (!changed) {
       tried_ = solved;

@@ -238,7 +238,7 @@ void Stepper::regroup(const std::vector<Box>* around) {
 }
 
 void Stepper::survey() {
-  Asleep& asleep = asleep_.emplace();
+  Asleep& asleep = asleep_.emplace(Asleep{});
   const auto takes_part = [&](int b) { return !blocks_.is_unchanging(b) && !sleeping_.is_asleep(b); };
   const auto has_part = [&](const ContactRecord& contact) {
     return takes_part(contact.pair.vertex_block) || takes_part(contact.pair.edge_block);

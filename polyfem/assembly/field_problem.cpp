@@ -4,6 +4,7 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/quadrature/gauss_rule.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -22,6 +23,40 @@ const PolygonMesh& checked(const PolygonMesh& mesh, int n_components) {
       if (std::exchange(last_cell[static_cast<std::size_t>(v)], c) == c)
         throw Error("cell " + std::to_string(c) + " has vertex " + std::to_string(v) + " twice");
   return mesh;
+}
+
+/// What a symmetric matrix may differ by from its transpose, over its largest entry: half of the digits,
+/// which no rounding takes.
+constexpr double largest_asymmetry = 1e-8;
+/// Energies above minus this, over the largest entry of a cell's matrix, may be those of rigid motions.
+constexpr double rigid_energy = 1e-10;
+
+/// The reason and the cure, or nothing when K is symmetric.
+std::string asymmetry(const MatrixXd& K, double largest) {
+  const auto difference = K - K.transpose();
+  if (difference.lpNorm<Eigen::Infinity>() <= largest_asymmetry * largest) return {};
+  Index i = 0, j = 0;
+  difference.cwiseAbs().maxCoeff(&i, &j);
+  std::ostringstream text;
+  text << "is not symmetric: K(" << i << ", " << j << ") = " << K(i, j) << ", K(" << j << ", " << i
+       << ") = " << K(j, i)
+       << "; fill both triangles, and take another solver for forms that are not symmetric, as those of "
+          "convection";
+  return text.str();
+}
+
+/// Whether some u has u.Ku < -shift u.u: elimination meets a pivot that is not positive then. `left` is what
+/// is left of the matrix to eliminate.
+bool has_negative_energy(const MatrixXd& K, double shift, MatrixXd& left) {
+  left = K;
+  const Index n = K.rows();
+  for (Index j = 0; j < n; ++j) {
+    const double pivot = left(j, j) + shift;
+    if (pivot < 0) return true;
+    if (pivot == 0) continue;  // of a zero matrix
+    for (Index k = j + 1; k < n; ++k) left.col(k).tail(n - k) -= left(k, j) / pivot * left.col(j).tail(n - k);
+  }
+  return false;
 }
 
 std::vector<int> expanded(const std::vector<int>& vertices, int n_components) {
@@ -53,7 +88,8 @@ std::string words(const FreeMotion& motion, const PolygonMesh& mesh) {
 FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components)
     : mesh_(&mesh),
       n_components_(n_components),
-      matrix_(checked(mesh, n_components), n_components),
+      cells_at_(checked(mesh, n_components)),
+      matrix_(mesh, n_components),
       held_(n_components * static_cast<int>(mesh.vertices.cols())),
       loads_(VectorXd::Zero(n_components * mesh.vertices.cols())),
       cell_loads_(loads_),
@@ -86,10 +122,32 @@ void FieldProblem::add_load(int vertex, int component, double value) {
   loads_[k] += value;
 }
 
+void FieldProblem::require_edge(int first, int second) const {
+  int reversed_in = -1;
+  for (const int c : cells_at_[first]) {
+    const std::span<const int> corners = mesh_->cell(c);
+    const auto at = std::find(corners.begin(), corners.end(), first);
+    const auto next = at + 1 == corners.end() ? corners.begin() : at + 1;
+    const auto previous = (at == corners.begin() ? corners.end() : at) - 1;
+    if (*next == second) return;
+    if (*previous == second) reversed_in = c;
+  }
+  const std::string edge = "the edge from " + mesh_->vertex_name(first) + " to " + mesh_->vertex_name(second);
+  if (reversed_in >= 0)
+    throw Error(edge + " is to get a load, but cell " + std::to_string(reversed_in) +
+                " runs along it the other way: give its vertices as {" + std::to_string(second) + ", " +
+                std::to_string(first) + "}, so that the normal points outwards");
+  throw Error(edge +
+              " is to get a load, but no cell has that edge: give pairs of vertices that follow each " +
+              "other in a cell, as boundary_edges does");
+}
+
 void FieldProblem::add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load) {
   const GaussRule& rule = gauss_rule(3);
+  VectorXd added = VectorXd::Zero(loads_.size());
   for (const auto& [first, second] : edges) {
     const int i = unknown(first, 0), j = unknown(second, 0);
+    require_edge(first, second);
     const Vec2 a = mesh_->vertices.col(first), edge = mesh_->vertices.col(second) - a;
     const double length = edge.norm();
     const auto refuse = [&, first = first, second = second](const std::string& reason) {
@@ -104,10 +162,11 @@ void FieldProblem::add_edge_loads(std::span<const std::array<int, 2>> edges, con
         refuse("has " + std::to_string(value.size()) + " entries: give it one for each of " +
                std::to_string(n_components_) + " components");
       if (!value.allFinite()) refuse("is not finite");
-      loads_.segment(i, n_components_) += rule.weights[q] * length * (1 - t) * value;
-      loads_.segment(j, n_components_) += rule.weights[q] * length * t * value;
+      added.segment(i, n_components_) += rule.weights[q] * length * (1 - t) * value;
+      added.segment(j, n_components_) += rule.weights[q] * length * t * value;
     }
   }
+  loads_ += added;
 }
 
 void FieldProblem::clear_loads() {
@@ -120,8 +179,10 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
   matrix_.set_zero();
   cell_loads_.setZero();
   assembled_ = factorized_ = false;
+  first_negative_cell_ = -1;
+  n_negative_cells_ = 0;
   Points polygon;
-  MatrixXd K;
+  MatrixXd K, left;
   VectorXd f;
   for (int c = 0; c < mesh_->n_cells(); ++c) {
     const std::span<const int> corners = mesh_->cell(c);
@@ -141,6 +202,11 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
     if (!K.allFinite() || !f.allFinite())
       throw Error("the matrix or load of cell " + std::to_string(c) +
                   " is not finite: look for a defect of the mesh there, or of what fills it");
+    const double largest = K.lpNorm<Eigen::Infinity>();
+    if (const std::string reason = asymmetry(K, largest); !reason.empty())
+      throw Error("the matrix of cell " + std::to_string(c) + " " + reason);
+    if (has_negative_energy(K, rigid_energy * largest, left) && n_negative_cells_++ == 0)
+      first_negative_cell_ = c;
     matrix_.add(c, K);
     for (Index k = 0; k < n; ++k)
       cell_loads_.segment(n_components_ * corners[k], n_components_) +=
@@ -173,11 +239,19 @@ void FieldProblem::factorize() {
     cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));
   }
   factorized_ = cholesky_.factorize(matrix_.lower());
-  if (!factorized_)
-    throw Error("the matrix is not positive definite (noticed at " +
-                mesh_->vertex_name(cholesky_.failed_row() / n_components_) +
-                ") though no part of the mesh is free to move: look for cells whose matrix has no or "
-                "negative energies, by a rule of too few points or a material that is not stable");
+  if (factorized_) return;
+  const std::string indefinite = "the matrix is not positive definite (noticed at " +
+                                 mesh_->vertex_name(cholesky_.failed_row() / n_components_) +
+                                 ") though no part of the mesh is free to move: ";
+  if (n_negative_cells_ > 0)
+    throw Error(
+        indefinite + "the matrix of cell " + std::to_string(first_negative_cell_) +
+        (n_negative_cells_ > 1 ? ", the first of " + std::to_string(n_negative_cells_) + " such," : "") +
+        " has a negative energy: give it a rule without negative weights (dunavant_rule, "
+        "tabulate_to_tolerance) and a stable material");
+  throw Error(indefinite +
+              "look for cells with deformations that cost no energy, by a rule of too few points or "
+              "a material without stiffness");
 }
 
 }  // namespace polyfem

@@ -3,6 +3,7 @@
 
 #include <polyfem/assembly/held_unknowns.hpp>
 #include <polyfem/assembly/mesh_matrix.hpp>
+#include <polyfem/mesh/vertex_cells.hpp>
 
 #include <array>
 #include <functional>
@@ -45,19 +46,23 @@ class FieldProblem {
 
   /// Adds to the load on an unknown; throws Error unless it is finite.
   void add_load(int vertex, int component, double value);
-  /// Adds the integrals of N_i times a load over boundary edges: three Gauss points an edge, exact for loads
-  /// up to degree 4 along it (shape functions are linear there). Edges must run in their cell's direction, as
-  /// `boundary_edges` gives them: the normal is to their right. Throws Error for an edge without length and
-  /// for loads of the wrong size or not finite; those of the edges before stay.
+  /// Adds the integrals of N_i times a load over edges of cells: three Gauss points an edge, exact for loads
+  /// up to degree 4 along it (shape functions are linear there). Edges run in their cell's direction, as
+  /// `boundary_edges` gives them: the normal is to their right. Throws Error for an edge that no cell has or
+  /// that runs against its cell, for one without length, and for loads of the wrong size or not finite; then
+  /// nothing is added.
   void add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load);
   /// Drops all loads, those of the cells included, to begin another right hand side.
   void clear_loads();
 
-  /// Assembles matrix and loads of the cells, in place of what was assembled before.
+  /// Assembles matrix and loads of the cells, in place of what was assembled before. Throws Error, with the
+  /// cell, for what `cell_matrix` throws, for a matrix or load of the wrong size or not finite, and for a
+  /// matrix that is not symmetric to 1e-8 of its largest entry.
   void assemble(const CellMatrix& cell_matrix);
 
   /// The field with the held values and, for all other unknowns, K u = f. Throws Error when the matrix is not
-  /// positive definite, naming a part of the mesh that is free to move if that is why.
+  /// positive definite, naming a part of the mesh that is free to move if that is why, or else the first cell
+  /// whose matrix has a negative energy u.Ku.
   const VectorXd& solve();
 
   /// The last solution.
@@ -73,15 +78,18 @@ class FieldProblem {
 
  private:
   int unknown(int vertex, int component) const;
+  void require_edge(int first, int second) const;
   void factorize();
 
   const PolygonMesh* mesh_;
   int n_components_;
+  VertexCells cells_at_;
   MeshMatrix matrix_;  ///< with the held rows and columns taken out once it is factorized
   HeldUnknowns held_;
   VectorXd loads_, cell_loads_, u_, reactions_;
   Cholesky cholesky_;
   bool assembled_ = false, factorized_ = false;
+  int first_negative_cell_ = -1, n_negative_cells_ = 0;  ///< cells whose matrices have a negative energy
 };
 
 }  // namespace polyfem

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace polyfem {
@@ -116,6 +115,13 @@ void find_weights(std::span<Term> terms) {
   }
 }
 
+/// The number in a lane, and 0 in its place.
+double take(Lanes& numbers, Index lane) {
+  const double number = numbers[lane];
+  numbers[lane] = 0;
+  return number;
+}
+
 /// N_i = w_i / W and grad N_i = (grad w_i - N_i grad W) / W, for the nearest vertex j with 1 - N_j, which may
 /// be tiny, from the other weights: grad N_j = (grad w_j (1 - N_j) - N_j (grad W - grad w_j)) / W.
 void write(const Extreme& nearest, std::span<Term> terms, Index row, ShapeTable& table) {
@@ -123,9 +129,9 @@ void write(const Extreme& nearest, std::span<Term> terms, Index row, ShapeTable&
   LaneVector near_gradient;
   for (Index lane = 0; lane < n_lanes; ++lane) {
     Term& term = terms[nearest[lane]];
-    near[lane] = std::exchange(term.weight[lane], 0);
-    near_gradient.x[lane] = std::exchange(term.weight_gradient.x[lane], 0);
-    near_gradient.y[lane] = std::exchange(term.weight_gradient.y[lane], 0);
+    near[lane] = take(term.weight, lane);
+    near_gradient.x[lane] = take(term.weight_gradient.x, lane);
+    near_gradient.y[lane] = take(term.weight_gradient.y, lane);
   }
   Lanes far{};
   LaneVector far_gradient{};

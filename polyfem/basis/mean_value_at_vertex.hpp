@@ -5,8 +5,8 @@
 
 namespace polyfem {
 
-/// A corner that turns by no more than this sine counts as straight where 1/turn would enter: in the linear
-/// functions of its triangle and in Wachspress functions.
+/// A corner that turns by no more than this sine counts as straight: 1/turn would enter the linear functions
+/// of its triangle.
 inline constexpr double straight_turn = 1e-3;
 
 /// Row `row` of the table at vertex j: the linear functions of its corner's triangle, and at a straight

@@ -1,5 +1,4 @@
 #include <polyfem/basis/mean_value.hpp>
-#include <polyfem/basis/mean_value_at_vertex.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -7,7 +6,7 @@
 namespace polyfem {
 
 const Basis& suitable_basis(const PointsRef& polygon) {
-  if (find_non_convex_corner(polygon, straight_turn)) return mean_value;
+  if (find_non_convex_corner(polygon, least_wachspress_turn)) return mean_value;
   return wachspress;
 }
 

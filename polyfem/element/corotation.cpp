@@ -105,7 +105,7 @@ Mat2 CorotatedElement::rotation(const typename Of::Vectors& nodes) const {
 }
 
 template <class Of>
-Of::Stacked CorotatedElement::times_stiffness(const typename Of::Stacked& u) const {
+typename Of::Stacked CorotatedElement::times_stiffness(const typename Of::Stacked& u) const {
   typename Of::Stacked Ku = Of::Stacked::Zero(u.size());
   for (Index i = 0; i < u.size(); ++i)
     Ku += u[i] * Eigen::Map<const typename Of::Stacked, Eigen::Aligned16>(K_.col(i).data(), u.size());

@@ -38,8 +38,8 @@ struct CorotatedFrameOf {
   /// and there are no forces; near 0 they mean nothing.
   double stretch = 0;
   Mat2 rotation = Mat2::Identity();  ///< R
-  Of::Vectors local;                 ///< R^T y from the element's centre, 2 x m
-  Of::Stacked u;                     ///< local displacements from centre to centre (u1 v1 u2 v2 ...), 2m
+  typename Of::Vectors local;        ///< R^T y from the element's centre, 2 x m
+  typename Of::Stacked u;            ///< local displacements from centre to centre (u1 v1 u2 v2 ...), 2m
 };
 /// The same for any number of nodes.
 using CorotatedFrame = CorotatedFrameOf<AnyNodes>;
@@ -83,7 +83,7 @@ class CorotatedElement {
                 const Eigen::Ref<const typename Of::Stacked>& initial_force) const;
   /// K u, the entries of u being those of a frame.
   template <class Of>
-  Of::Stacked times_stiffness(const typename Of::Stacked& u) const;
+  typename Of::Stacked times_stiffness(const typename Of::Stacked& u) const;
 
   /// f = R P^T (K u + f0), the gradient of E. Asserts a stretch above 0.
   template <class Of>

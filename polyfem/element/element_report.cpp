@@ -1,6 +1,5 @@
 #include <polyfem/element/element_report.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
 #include <cmath>
@@ -9,6 +8,9 @@
 
 namespace polyfem {
 namespace {
+
+/// A rule that leaves a deformation less than half of its energy, or more than twice, says nothing of it.
+constexpr double largest_factor = 2;
 
 void examine_shape(const PointsRef& polygon, ElementReport& report) {
   const Index n = polygon.cols();
@@ -42,14 +44,20 @@ ElementReport examine(const PointsRef& polygon, const Basis& basis, const Tabula
   report.rule = std::move(rule);
   report.n_points = static_cast<int>(element.n_points());
   report.error = estimate_errors(polygon, basis, element);
-  MatrixXd K, M;
-  stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), K);
+  const Mat3 D = elasticity_matrix(1, 0.3, Plane::strain);
+  TabulatedElement fine;
+  MatrixXd K, M, exact_K;
+  stiffness(element, D, K);
   mass(element, M);
+  tabulate_to_tolerance(polygon, basis, 1e-8, GradientCorrection::on, fine);
+  stiffness(fine, D, exact_K);
+  report.energy = compare_energies(K, exact_K);
   const Soundness soundness = judge(K, M);
   report.zero_modes = soundness.zero_modes;
   report.condition = 1 / soundness.least_stiffness;
   report.least_mass = soundness.least_mass;
-  report.sound = soundness.sound();
+  report.sound = soundness.sound() && report.energy.least >= 1 / largest_factor &&
+                 report.energy.largest <= largest_factor;
   examine_shape(polygon, report);
   report.shortest_edge /= std::sqrt(element.area);
   return report;
@@ -60,7 +68,8 @@ std::string describe(const ElementReport& report) {
   text.precision(2);
   text << report.rule << ", " << report.n_points << " points, errors about " << report.error.stiffness
        << " of K and " << report.error.mass << " of M; " << (report.sound ? "sound" : "not sound") << ": "
-       << report.zero_modes << " zero modes, condition " << report.condition << ", least mass "
+       << report.zero_modes << " zero modes, energies " << report.energy.least << " to "
+       << report.energy.largest << " of the exact ones, condition " << report.condition << ", least mass "
        << report.least_mass << "; corner " << report.straightest_corner << " turns by " << report.least_turn
        << ", corner " << report.sharpest_corner << " has an angle of " << report.least_angle << ", edge "
        << report.shortest_edge_index << " is " << report.shortest_edge << " long";

@@ -1,6 +1,7 @@
 /// \file An element's own account: accuracy, soundness, shape.
 #pragma once
 
+#include <polyfem/element/soundness.hpp>
 #include <polyfem/element/tolerance.hpp>
 
 #include <string>
@@ -15,7 +16,11 @@ struct ElementReport {
   int zero_modes = 0;    ///< of K; a sound element has 3
   double condition = 0;  ///< of K: the largest eigenvalue over the smallest that is not zero; < 0: indefinite
   double least_mass = 0;  ///< the smallest eigenvalue of M over its largest; must be > 0
-  bool sound = false;     ///< see `judge`
+  EnergyRange energy;     ///< of deformations by K, over their energies by a rule to 1e-8
+  /// K and M are as `judge` wants them, and every deformation has between half and twice its energy: a rule
+  /// of too few points keeps full rank long after it has lost sight of a function that is large in a small
+  /// place.
+  bool sound = false;
   double least_turn = 0;  ///< sine of the turning angle where the polygon is nearest to straight
   int straightest_corner = 0;
   double least_angle = 0;  ///< the smallest angle inside, in radians
@@ -24,7 +29,8 @@ struct ElementReport {
   int shortest_edge_index = 0;
 };
 
-/// Examines an element tabulated on a polygon. K is that of plane strain with nu = 0.3. O(n^3), for set-up.
+/// Examines an element tabulated on a polygon. K is that of plane strain with nu = 0.3. For set-up: O(n^3),
+/// and tabulates the element again, by `tabulate_to_tolerance`, whose errors it throws.
 ElementReport examine(const PointsRef& polygon, const Basis& basis, const TabulatedElement& element,
                       std::string rule);
 

@@ -16,6 +16,18 @@ VectorXd relative_eigenvalues(const MatrixXd& symmetric) {
 
 }  // namespace
 
+EnergyRange compare_energies(const MatrixXd& stiffness, const MatrixXd& reference) {
+  const Index n_deformations = reference.cols() - 3;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(reference);  // rigid motions first
+  const MatrixXd of_unit_energy =
+      modes.eigenvectors().rightCols(n_deformations) *
+      modes.eigenvalues().tail(n_deformations).cwiseSqrt().cwiseInverse().asDiagonal();
+  const VectorXd ratios = Eigen::SelfAdjointEigenSolver<MatrixXd>(
+                              of_unit_energy.transpose() * stiffness * of_unit_energy, Eigen::EigenvaluesOnly)
+                              .eigenvalues();
+  return {ratios.minCoeff<Eigen::PropagateNaN>(), ratios.maxCoeff<Eigen::PropagateNaN>()};
+}
+
 Soundness judge(const MatrixXd& stiffness, const MatrixXd& mass) {
   Soundness soundness;
   bool first = true;

@@ -13,6 +13,15 @@ struct Soundness {
   bool sound() const { return zero_modes == 3 && least_stiffness > 0 && least_mass > 0; }
 };
 
+/// The strain energies u.Ku of an element over those of another one, least and largest of all deformations.
+struct EnergyRange {
+  double least = 0, largest = 0;
+};
+
+/// Compares a stiffness matrix with a reference, both 2n x 2n and zero for the same three rigid motions. Not
+/// a number when the reference has other deformations without energy. O(n^3), meant for set-up.
+EnergyRange compare_energies(const MatrixXd& stiffness, const MatrixXd& reference);
+
 /// Judges a stiffness (2n x 2n) and a mass matrix by their eigenvalues; O(n^3), meant for set-up.
 Soundness judge(const MatrixXd& stiffness, const MatrixXd& mass);
 

@@ -28,14 +28,16 @@ Vec3 strain_at(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<co
 void extrapolate_to_vertices(const PointsRef& polygon, const TabulatedElement& element,
                              const Eigen::Ref<const MatrixXd>& at_points, MatrixXd& at_vertices) {
   assert(at_points.cols() == element.n_points());
-  // Weighted moments about the points' centre, where mean and slope are found apart from each other.
+  // Weighted moments about the points' centre, where mean and slope are found apart from each other. All
+  // places are seen from vertex 0: the digits of a far origin are taken off first, by exact differences.
   const VectorXd& w = element.rule.weights;
-  const Vec2 centre = element.rule.points * w / element.area;
-  const Points from_centre = element.rule.points.colwise() - centre;
+  const Points points = element.rule.points.colwise() - polygon.col(0);
+  const Vec2 centre = points * w / element.area;
+  const Points from_centre = points.colwise() - centre;
   const Points weighted = from_centre * w.asDiagonal();
   const Mat2 second = weighted * from_centre.transpose();
   const VectorXd mean = at_points * w / element.area;
-  const Points arms = polygon.colwise() - centre;
+  const Points arms = (polygon.colwise() - polygon.col(0)).colwise() - centre;
   const double negligible = 1e-14 * element.area * arms.colwise().squaredNorm().maxCoeff();
   const Eigen::MatrixX2d slope = at_points * weighted.transpose() * inverse_above(negligible, second);
   at_vertices = (slope * arms).colwise() + mean;

@@ -14,7 +14,8 @@ Vec3 strain_at(const PointsRef& polygon, const Basis& basis, const Eigen::Ref<co
                const Vec2& x);
 
 /// Values at the vertices (k x n) of the linear fields nearest to values at the integration points (k x q),
-/// in the mean square by the element's rule. Exact for linear fields when the rule is of degree 2 or finer.
+/// in the mean square by the element's rule. Exact for linear fields when the rule is of degree 2 or finer,
+/// however far from the origin.
 /// In a direction in which the points lie together (to 1e-7 of the polygon's size) the fields are constant:
 /// of a single point every vertex has the value.
 ///

@@ -1,4 +1,5 @@
 #include <polyfem/element/tabulated_element.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 
 namespace polyfem {
 namespace {
@@ -15,7 +16,8 @@ void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
 
 void tabulate_at_rule(const PointsRef& polygon, const Basis& basis, GradientCorrection correction,
                       TabulatedElement& element) {
-  element.area = element.rule.weights.sum();
+  element.area = signed_area(polygon);
+  element.rule.weights *= element.area / element.rule.weights.sum();
   basis.evaluate(polygon, element.rule.points, element);
   if (correction == GradientCorrection::on) correct_gradients(polygon, element);
 }

@@ -11,7 +11,7 @@ namespace polyfem {
 /// Integral of f = sum_q weights[q] f(points.col(q)).
 struct PolygonRule {
   Points points;
-  VectorXd weights;  ///< sum to the area
+  VectorXd weights;  ///< sum to the area, those of graded rules to their tolerance
 };
 
 /// Whether every triangle (centre, vertex k, vertex k + 1) is counter-clockwise and has an area.

@@ -15,14 +15,16 @@ struct TriangleRule {
   void add(double l1, double l2, double weight);
 };
 
-/// Hammer's symmetric rules: degree 1 (1 point), 2 (3), 3 (4: the paper's (32), one weight negative),
-/// 4 (6), 5 (7). Throws Error for another degree.
+/// Hammer's symmetric rules: degree 1 (1 point), 2 (3), 3 (4: the paper's (32)), 4 (6), 5 (7). One weight of
+/// degree 3 is negative: it makes stiffness and mass indefinite on some concave polygons (26 of 2000 random
+/// ones) and is here to compare with the paper; `dunavant_rule` has positive weights alone. Throws Error for
+/// another degree.
 const TriangleRule& hammer_rule(int degree);
 
-/// Fully symmetric rules with positive weights and points inside, in the manner of D. A. Dunavant (1985), of
-/// degree 6 (12 points), 7 (15), 8 (16), 9 (19), 10 (25), 11 (28), 12 (33), 13 (37), 14 (42), 15 (49),
-/// 16 (55), 17 (60), 18 (67), 19 (73) and 20 (79); below, Hammer's, for 3 the one of degree 4. Throws Error
-/// for another degree.
+/// Fully symmetric rules with positive weights, so that no energy is negative, and points inside, in the
+/// manner of D. A. Dunavant (1985), of degree 6 (12 points), 7 (15), 8 (16), 9 (19), 10 (25), 11 (28), 12
+/// (33), 13 (37), 14 (42), 15 (49), 16 (55), 17 (60), 18 (67), 19 (73) and 20 (79); below, Hammer's, for 3
+/// the one of degree 4. Throws Error for another degree.
 const TriangleRule& dunavant_rule(int degree);
 
 /// Gauss points across (from the first corner to the opposite side) times along that side, collapsed at the

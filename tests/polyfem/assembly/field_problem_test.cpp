@@ -1,4 +1,5 @@
 #include <polyfem/assembly/field_problem.hpp>
+#include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/core/error.hpp>
 #include <polyfem/element/matrices.hpp>
@@ -301,18 +302,124 @@ TEST(FieldProblem, RefusesMeshesWhoseNumbersDoNotFit) {
   EXPECT_THROW(FieldProblem(mesh, -1), Error);
 }
 
+using Edges = std::vector<std::array<int, 2>>;
+
+FieldProblem::EdgeLoad along_x(double x) {
+  return [x](const Vec2&, const Vec2&) { return Vec2(x, 0); };
+}
+
+std::string refusal_of(FieldProblem& problem, const Edges& edges,
+                       const FieldProblem::EdgeLoad& load = along_x(1)) {
+  try {
+    problem.add_edge_loads(edges, load);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(FieldProblem, RefusesLoadsItCannotUse) {
   FieldProblem problem(mesh, 2);
-  using Edges = std::vector<std::array<int, 2>>;
-  const auto load = [](double x) { return [x](const Vec2&, const Vec2&) { return Vec2(x, 0); }; };
-  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 99999}}, load(1)), Error);
-  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 1}}, load(1)), Error) << "no length";
-  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 2}}, load(std::nan(""))), Error);
-  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 2}},
-                                      [](const Vec2&, const Vec2&) { return VectorXd::Constant(1, 1.); }),
-               Error)
+  const Edges edge{boundary_edges(mesh).front()};
+  EXPECT_THROW(problem.add_edge_loads(Edges{{1, 99999}}, along_x(1)), Error);
+  EXPECT_NE(refusal_of(problem, edge, along_x(std::nan(""))).find("is not finite"), std::string::npos);
+  EXPECT_NE(refusal_of(problem, edge, [](const Vec2&, const Vec2&) { return VectorXd::Constant(1, 1.); })
+                .find("has 1 entries"),
+            std::string::npos)
       << "one component instead of two";
   EXPECT_THROW(problem.add_load(0, 0, INFINITY), Error);
+}
+
+//   6---7---8
+//   | 2 | 3 |    Vertex 4 is inside.
+//   3---4---5
+//   | 0 | 1 |
+//   0---1---2
+TEST(FieldProblem, RefusesLoadsOnReversedAndMissingEdgesAndThenAddsNone) {
+  const PolygonMesh four = rectangles({0, 0}, {2, 2}, 2, 2);
+  FieldProblem problem(four, 2);
+  problem.assemble(elastic);
+  for (const int v : {0, 3, 6})
+    for (const int axis : {0, 1}) problem.hold(v, axis);
+  problem.solve();
+
+  EXPECT_NE(
+      refusal_of(problem, {{0, 1}, {5, 2}})
+          .find("from vertex 5 at (2, 1) to vertex 2 at (2, 0) is to get a load, but cell 1 runs along it "
+                "the other way: give its vertices as {2, 5}"),
+      std::string::npos);
+  for (const Edges& missing : {Edges{{0, 2}}, Edges{{0, 4}}, Edges{{1, 1}}, Edges{{8, 0}}})
+    EXPECT_NE(refusal_of(problem, missing).find("no cell has that edge"), std::string::npos)
+        << refusal_of(problem, missing);
+  EXPECT_NE(refusal_of(problem, {{0, 4}}).find("from vertex 0 at (0, 0) to vertex 4 at (1, 1)"),
+            std::string::npos);
+  problem.solve();
+  EXPECT_EQ(problem.solution().norm(), 0) << "what was refused has left no load";
+
+  EXPECT_EQ(refusal_of(problem, {{2, 5}, {5, 8}}), "");
+  EXPECT_EQ(refusal_of(problem, {{1, 4}, {4, 1}}), "") << "an inner edge, from either side";
+  problem.solve();
+  EXPECT_NEAR(problem.reactions()(Eigen::seq(0, Eigen::last, 2)).sum(), -4, 1e-12);
+}
+
+TEST(FieldProblem, RefusesAMatrixThatIsNotSymmetric) {
+  FieldProblem problem(mesh, 1);
+  const auto message_for = [&](double asymmetry) -> std::string {
+    try {
+      problem.assemble([&](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+        conduct(polygon, K);
+        if (cell == 7) K(2, 0) += asymmetry * K.cwiseAbs().maxCoeff();
+      });
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message_for(1e-12), "") << "round-off";
+  for (const double asymmetry : {1e-6, -0.1, 100.}) {
+    const std::string message = message_for(asymmetry);
+    EXPECT_NE(message.find("the matrix of cell 7 is not symmetric: K("), std::string::npos) << message;
+    EXPECT_NE(message.find("(2, 0) = "), std::string::npos) << message;
+    EXPECT_THROW(problem.solve(), Error) << "what was assembled in part is not solved";
+  }
+}
+
+TEST(FieldProblem, NamesACellOfNegativeEnergyAndTheCure) {
+  FieldProblem problem(mesh, 2);
+  problem.assemble([](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
+    elastic(cell, polygon, K, f);
+    if (cell == 41) K = -K;
+  });
+  clamp_left(problem);
+  const std::string message = message_of(problem);
+  EXPECT_NE(
+      message.find("the matrix of cell 41 has a negative energy: give it a rule without negative weights"),
+      std::string::npos)
+      << message;
+}
+
+/// Four points a triangle, one of negative weight: what they do on notched cells.
+TEST(FieldProblem, NamesTheConcaveCellThatHammersFourPointsFailOn) {
+  Points cell(2, 6);
+  cell << 0, 1, 0.8, 0.4, 0.4, 0.18,  //
+      0, 0, 1.65, 0.9, 0.16, 1.89;
+  PolygonMesh one;
+  one.vertices = cell;
+  one.add_cell(std::vector{0, 1, 2, 3, 4, 5});
+  const auto message_with = [&](const TriangleRule& rule) {
+    FieldProblem problem(one, 2);
+    problem.assemble([&](int, const PointsRef& polygon, MatrixXd& K, VectorXd&) {
+      TabulatedElement element;
+      tabulate(polygon, rule, mean_value, GradientCorrection::on, element);
+      stiffness(element, D, K);
+    });
+    for (const int unknown : {0, 1, 3}) problem.hold(unknown / 2, unknown % 2);
+    return message_of(problem);
+  };
+  const std::string message = message_with(hammer_rule(3));
+  EXPECT_NE(message.find("the matrix of cell 0 has a negative energy"), std::string::npos) << message;
+  EXPECT_NE(message.find("dunavant_rule"), std::string::npos) << message;
+  EXPECT_EQ(message_with(dunavant_rule(3)), "");
 }
 
 TEST(FieldProblem, TakesUnusedVerticesThatAreHeld) {

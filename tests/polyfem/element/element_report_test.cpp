@@ -39,6 +39,23 @@ TEST(Examine, CountsTheMechanismsOfAPoorRule) {
   EXPECT_FALSE(report.sound);
 }
 
+/// The fifth vertex is 245 times as stiff as the rule has it, though K has full rank.
+TEST(Examine, CallsAnElementUnsoundWhoseRuleDoesNotSeeItsFunctions) {
+  const Points polygon = support::points({{0, 0}, {0.5, -5e-4}, {1, 0}, {1, 1}, {0, 1}});
+  for (int degree = 2; degree <= 8; ++degree) {
+    const ElementReport report = examine_with(dunavant_rule(degree), polygon);
+    EXPECT_EQ(report.zero_modes, 3);
+    EXPECT_LT(report.energy.least, 0.1);
+    EXPECT_FALSE(report.sound);
+    EXPECT_NE(describe(report).find("not sound"), std::string::npos);
+  }
+  TabulatedElement element;
+  tabulate_to_tolerance(polygon, wachspress, 1e-3, GradientCorrection::on, element);
+  EXPECT_TRUE(examine(polygon, wachspress, element, "").sound);
+  tabulate(polygon, dunavant_rule(4), mean_value, GradientCorrection::on, element);
+  EXPECT_TRUE(examine(polygon, mean_value, element, "").sound);
+}
+
 TEST(Examine, NamesTheStraightestCornerAndTheShortestEdge) {
   const Points polygon = support::points({{0, 0}, {4, -0.01}, {8, 0}, {8, 7}, {7.9, 8}, {0, 8}});
   const ElementReport report = examine_with(dunavant_rule(5), polygon);
@@ -56,8 +73,8 @@ TEST(Examine, DoesNotTakeASharpCornerForAStraightOne) {
 TEST(Describe, IsOneLineWithAllThatWasFound) {
   std::mt19937 random(1);
   const std::string text = describe(examine_with(hammer_rule(4), support::random_convex_polygon(5, random)));
-  for (const char* part :
-       {"some rule", "30 points", "of K", "of M", "sound", "3 zero modes", "condition", "corner", "edge"})
+  for (const char* part : {"some rule", "30 points", "of K", "of M", "sound", "3 zero modes", "energies",
+                           "condition", "corner", "edge"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   EXPECT_EQ(text.find('\n'), std::string::npos);
 }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace polyfem;
 
 namespace {
@@ -34,6 +36,15 @@ TEST(Soundness, IsDeniedToMechanismsAndIndefiniteMatrices) {
   EXPECT_EQ(indefinite.zero_modes, 3);
   EXPECT_DOUBLE_EQ(indefinite.least_stiffness, -0.125);
   EXPECT_FALSE(indefinite.sound());
+}
+
+TEST(CompareEnergies, FindsTheLeastAndTheLargestOfAllDeformations) {
+  const MatrixXd reference = diagonal({0, 0, 0, 1, 10, 1e6});
+  const EnergyRange energy = compare_energies(diagonal({0, 0, 0, 2, 5, 1e6}), reference);
+  EXPECT_NEAR(energy.least, 0.5, 1e-12);
+  EXPECT_NEAR(energy.largest, 2, 1e-12);
+  EXPECT_NEAR(compare_energies(diagonal({0, 0, 0, 1, 0, 1e6}), reference).least, 0, 1e-12) << "a mechanism";
+  EXPECT_TRUE(std::isnan(compare_energies(reference, diagonal({0, 0, 0, 0, -1, 1})).least));
 }
 
 class SoundnessOfElements : public testing::TestWithParam<int> {

@@ -40,7 +40,7 @@ TEST_P(StressRecovery, LinearStressesAreExactAtTheVerticesAtAnyPlace) {
   Eigen::Matrix<double, 3, 2> slope;
   slope << 1, 2, -3, 0.5, 0, 4;
   const Vec3 at_origin(7, -2, 1);
-  for (const double offset : {0., 1e3})
+  for (const double offset : {0., 1e3, 1e6})
     for (int degree = 2; degree <= 5; ++degree) {
       const Points place = polygon_.array() + offset;
       tabulate(place, hammer_rule(degree), wachspress, GradientCorrection::on, element_);
@@ -49,7 +49,7 @@ TEST_P(StressRecovery, LinearStressesAreExactAtTheVerticesAtAnyPlace) {
       };
       MatrixXd at_vertices;
       extrapolate_to_vertices(place, element_, field(element_.rule.points), at_vertices);
-      EXPECT_LT((at_vertices - field(place)).cwiseAbs().maxCoeff(), 1e-12 * (1 + offset));
+      EXPECT_LT((at_vertices - field(place)).cwiseAbs().maxCoeff(), 1e-12);
     }
 }
 
