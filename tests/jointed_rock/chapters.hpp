@@ -1,0 +1,15 @@
+/// \file The chapters of doc/verification/jointed_rock.md.
+#pragma once
+
+#include <doc/verification/report.hpp>
+
+namespace jointed_rock {
+
+using verification::Claim;
+using verification::Report;
+
+/// Random slopes and slabs below and above the friction that holds them: a sample, and all of them (an hour).
+void random_slopes(Report& report);
+void all_random_slopes(Report& report);
+
+}  // namespace jointed_rock
