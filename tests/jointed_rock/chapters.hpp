@@ -8,8 +8,7 @@ namespace jointed_rock {
 using verification::Claim;
 using verification::Report;
 
-/// Random slopes and slabs below and above the friction that holds them: a sample, and all of them (an hour).
+/// Random slopes and slabs below and above the friction that holds them; all slopes as recorded.
 void random_slopes(Report& report);
-void all_random_slopes(Report& report);
 
 }  // namespace jointed_rock

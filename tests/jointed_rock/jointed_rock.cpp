@@ -12,8 +12,7 @@ closed at the start. The references are limit analyses of rigid blocks, `tests/s
 the tests' own. Of {} statements {} are seen.
 )";
 
-constexpr verification::Chapter chapters[] = {{"random_slopes", jointed_rock::random_slopes},
-                                              {"all_random_slopes", jointed_rock::all_random_slopes, true}};
+constexpr verification::Chapter chapters[] = {{"random_slopes", jointed_rock::random_slopes}};
 
 }  // namespace
 
