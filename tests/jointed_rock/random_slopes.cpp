@@ -124,7 +124,7 @@ void slabs(Report& report) {
   for (std::uint64_t seed = 0; seed < n_slabs; ++seed) {
     const support::Slab slab = support::random_slab(seed);
     const double limit = std::tan(slab.dip), acceleration = least_acceleration(limit);
-    const Outcome sliding = let_go(slab.scene, below_limit * limit, acceleration),
+    const Outcome sliding = let_go(slab.scene, below_limit * limit, acceleration, 1),
                   resting = let_go(slab.scene, (2 - below_limit) * limit, acceleration);
     double error = 0;
     int n_free = 0;

@@ -45,7 +45,7 @@ class MasonryDrawing {
     const RigidBlocks blocks = rigid_blocks(masonry_.scene);
     const std::optional<double> limit = largest_factor(blocks, masonry_.friction),
                                 rough = largest_factor(blocks, 10 * masonry_.friction);
-    if (!limit || !rough || *limit < 0.01 || *limit > 10 || *rough > 1.001 * *limit) return false;
+    if (!limit || !rough || *limit < 0.05 || *limit > 1 || *rough > 1.001 * *limit) return false;
     masonry_.scene = loaded(masonry_, *limit);
     return true;
   }
