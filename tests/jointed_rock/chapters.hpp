@@ -10,5 +10,7 @@ using verification::Report;
 
 /// Random slopes and slabs below and above the friction that holds them; all slopes as recorded.
 void random_slopes(Report& report);
+/// Random arches and walls at parts of their limit, in static steps.
+void arches_walls(Report& report);
 
 }  // namespace jointed_rock

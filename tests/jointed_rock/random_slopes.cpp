@@ -149,20 +149,17 @@ void slabs(Report& report) {
 
 void random_slopes(Report& report) {
   report.heading("Random slopes");
-  report.paragraph(
-      fmt::format("Slopes 20 m high, cut by two or three joint sets (`tests/support/random_slopes`), let go "
-                  "from rest under their weight, "
-                  "Δt = {} s. The limiting tan φ is the least at which admissible forces exist: a linear "
-                  "program of the static theorem, "
-                  "bisected. Below it no law of flow can hold the slope. It moves when within {} s a vertex "
-                  "has come {:g} % as far as a "
-                  "single block on a plane of the limiting angle with 97 % of its tangent, and rests below a "
-                  "tenth of that; the ratio is "
-                  "in brackets, and a run ends at 1. Above the limit "
-                  "a slope may slide nonetheless, since joints do not dilate by φ. It has to stand where φ "
-                  "is larger than every dip, too "
-                  "(tan φ 1.2 times the larger of both): no block slides by its weight on any face.",
-                  time_step, watched, 100 * moving_part));
+  report.paragraph(fmt::format(
+      "Slopes 20 m high, cut by two or three joint sets (`tests/support/random_slopes`), let go from rest "
+      "under their weight, Δt = {} s. The limiting tan φ is the least at which admissible forces exist: a "
+      "linear program of the static theorem, bisected. With less the slope has to move, whatever the law of "
+      "flow. A single block on a plane of the limiting angle slides by a = {:.2f} g sin φ with 97 % of its "
+      "tan "
+      "φ. A slope moves when a vertex comes {:g} % as far as a takes that block in {} s, and rests when "
+      "none comes a tenth of that; in brackets is the displacement over a t²/2. Above the limit a "
+      "slope may slide nonetheless, since joints do not dilate by φ. It has to rest where φ is larger than "
+      "every dip as well (120 % of the larger tangent): no block slides by its weight on any face.",
+      time_step, 1 - below_limit, 100 * moving_part, watched));
   sample(report);
   all(report);
   slabs(report);

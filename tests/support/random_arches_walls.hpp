@@ -30,8 +30,8 @@ struct LoadedMasonry {
 /// Arches of radius 5 m: 5 to 15 voussoirs between two fixed ones, opening of 90 to 180 degrees, thickness up
 /// to 0.3 of the radius. Walls: 2 to 10 courses of 1 to 6 bricks of 1 x 0.5 m on a wide fixed block. Rock of
 /// 2500 kg/m3 and 35 GPa; mu of 0.6 to 1. Drawn again until the structure carries its own weight, by a limit
-/// that friction ten times as large does not raise by 0.1 %, and by a load between a hundredth and ten times
-/// the weight.
+/// that friction ten times as large does not raise by 0.1 %, and by a load between a twentieth of the weight
+/// and the weight: more would bend stiff rock as well.
 LoadedMasonry random_masonry(std::uint64_t seed);
 
 /// The loads times `factor`: 1 is the limit.
