@@ -38,9 +38,9 @@ struct RigidBlocks {
   double length = 0, force = 0;  ///< the blocks' typical size, m, and weight, N per m: what is not zero
 };
 
-/// The blocks of a scene at its start: weights as dead load; its point and body forces at time 0 as live
-/// load. Initial velocities, supports of single vertices, cohesion and stages do not count. Throws
-/// ddacontact::Error for pressures and for supports of single vertices.
+/// The blocks of a scene at its start: weights as dead load, point and body forces as live load (of a history
+/// its first entry). Friction, cohesion, velocities and stages do not count. Throws ddacontact::Error for
+/// pressures and for supports of single vertices.
 RigidBlocks rigid_blocks(const ddacontact::Scene& scene);
 
 /// Admissible forces under the dead load alone. \param[in] friction  mu = tan(phi), the same everywhere
@@ -50,8 +50,7 @@ bool can_be_held(const RigidBlocks& blocks, double friction);
 /// of 89 degrees either.
 std::optional<double> least_friction(const RigidBlocks& blocks);
 
-/// The largest lambda at which dead + lambda live can be held, infinity included; none: there is no lambda >=
-/// 0.
+/// The largest lambda >= 0 at which dead + lambda live can be held, infinity included; none: there is none.
 std::optional<double> largest_factor(const RigidBlocks& blocks, double friction);
 
 }  // namespace support

@@ -19,7 +19,8 @@ struct SlopeSize {
 /// one of four there are joints of a third direction. A joint stops at a block that it would cut a sliver
 /// from: less than a hundredth of the mean area, or a corner below 10 degrees. What lies below the toe's
 /// level or behind a vertical line is fixed; only its blocks beside free ones are kept. All blocks are
-/// convex, joints are closed, all of the first joint law, without friction; one stage of 0 steps.
+/// convex, joints are closed, and of one joint law without friction. Steps are the caller's to set.
+/// `turned`, `renumbered` and `reordered` of scene_changes.hpp state a slope otherwise.
 ddacontact::Scene random_slope(std::uint64_t seed, const SlopeSize& size = {});
 
 /// A slab of rows and columns of blocks on a fixed plane: whatever moves in it slides on the plane or
