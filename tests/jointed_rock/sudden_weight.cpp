@@ -28,7 +28,8 @@ Outcome let_go(Scene scene, double friction, double acceleration, double enough)
     outcome.displacement = stepper.blocks().displacements(stepper.state()).colwise().norm().maxCoeff();
   }
   outcome.time = stepper.state().time;
-  outcome.part = outcome.displacement / (acceleration * outcome.time * outcome.time / 2);
+  if (outcome.time > 0)
+    outcome.part = outcome.displacement / (acceleration * outcome.time * outcome.time / 2);
   outcome.vertices = support::vertex_displacements(built);
   if (stopped)
     outcome.verdict = Verdict::stops;

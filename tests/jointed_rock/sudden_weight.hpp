@@ -18,7 +18,7 @@ struct Outcome {
   Verdict verdict = Verdict::stops;
   double time = 0;               ///< s, when the run ended
   double displacement = 0;       ///< largest of a vertex, m
-  double part = 0;               ///< displacement over acceleration time^2 / 2
+  double part = 0;               ///< displacement over acceleration time^2 / 2; 0: stopped at once
   std::vector<Points> vertices;  ///< displacements, block by block
 };
 
