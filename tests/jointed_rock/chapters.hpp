@@ -1,0 +1,16 @@
+/// \file The chapters of doc/verification/jointed_rock.md.
+#pragma once
+
+#include <doc/verification/report.hpp>
+
+namespace jointed_rock {
+
+using verification::Claim;
+using verification::Report;
+
+/// Random slopes and slabs below and above the friction that holds them; all slopes as recorded.
+void random_slopes(Report& report);
+/// Random arches and walls at parts of their limit, in static steps.
+void arches_walls(Report& report);
+
+}  // namespace jointed_rock
