@@ -69,13 +69,16 @@ class ContactsByPair {
 }  // namespace
 
 JointLaw ContactProperties::law(const ContactRecord& contact) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const JointStrength& joint = strength(contact.pair);
+  const bool glued = joint.glued && contact.closed();
   return {.normal_stiffness = normal_stiffness,
           .tangential_stiffness = tangential_stiffness,
           .friction = joint.friction,
           .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
-          .cohesion = joint.cohesion * contact.history.length,
-          .tension = joint.tensile_strength * contact.history.length};
+          .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
+          .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
+          .glued = glued};
 }
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
@@ -220,6 +223,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
       contact.law = properties_.law(contact);
       history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     }
+    if (properties_.strength(pair).glued) glue(contact);
     contacts.push_back(contact);
   }
   return contacts;
@@ -276,7 +280,20 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
       contact.is_on_edge(contact.first_slip().constant))
     contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+  if (properties_.strength(pair).glued) glue(contact);
   return contact;
+}
+
+void ContactBuilder::glue(Contact& contact) const {
+  ContactHistory& history = contact.history;
+  if (!contact.closed()) {
+    const bool touches = std::abs(contact.gap - history.gap_offset) <= coincidence * contact.size &&
+                         contact.is_on_edge(contact.first_slip().constant);
+    if (!touches) return;
+    history.gap_offset = contact.gap;
+  }
+  history.state = ContactState::stick;
+  contact.law = properties_.law(contact);
 }
 
 void ContactBuilder::restart(Contact& contact) const {

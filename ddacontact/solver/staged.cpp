@@ -131,7 +131,7 @@ class Staged {
     JointLaw& law = contact.law;
     const ContactHistory& history = contact.history;
     multiplier.on_edge = contact.is_on_edge(contact.first_slip().constant);
-    multiplier.bonded = history.bonded && (law.cohesion > 0 || law.tension > 0);
+    multiplier.bonded = contact.has_bond();
     contact.was_closed = contact.closed();
     if (options_.penetration_tolerance == 0) return;
     const VertexEdgePlace& place = contact.motion.start;

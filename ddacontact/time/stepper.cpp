@@ -566,7 +566,7 @@ void Stepper::record_contacts() {
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) history.bonded = false;
     if (!contact.closed()) {
-      const double left = std::clamp(contact.gap, history.gap_offset, 0.0);
+      const double left = std::clamp(contact.gap, std::min(history.gap_offset, 0.0), 0.0);
       history.gap_offset = left < -contact.length_tolerance() ? left : 0;
       continue;
     }
