@@ -216,7 +216,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
     if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
         contact.is_on_edge(contact.first_slip().constant)) {
       history.bonded = true;
-      history.gap_offset = std::min(contact.gap, 0.0);
+      history.gap_offset = properties_.strength(pair).glued ? contact.gap : std::min(contact.gap, 0.0);
       const int origin = pair.edge_block;
       history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                                       blocks_.outline_from(state, pair.edge_block, origin), pair.edge);

@@ -543,7 +543,7 @@ class Staged {
       const bool closed = forces_[c].normal > 0 || (multipliers_[c].bonded && contact.closed());
       if (!closed)
         history.state = ContactState::open;
-      else if (contact.law.frictionless())
+      else if (!contact.law.has_friction() && !multipliers_[c].bonded)
         history.state = ContactState::slip_forward;
       else if (is_sliding(c))
         history.state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;
