@@ -72,9 +72,7 @@ struct Contact : ContactRecord {
   double size = 0;     ///< of the smaller block, held ones not counted, m
 
   /// Whether glue or a bond of some strength holds it.
-  bool has_bond() const {
-    return law.glued || (history.bonded && (law.cohesion > 0 || law.tension > 0));
-  }
+  bool has_bond() const { return law.glued || (history.bonded && (law.cohesion > 0 || law.tension > 0)); }
   /// At the start of the step, m.
   double edge_length() const { return (motion.start.k - motion.start.j).norm(); }
 

@@ -32,16 +32,17 @@ constexpr int most_starts = 3;
 /// the first few such ones bounds are given from one solution to the next.
 constexpr double short_length = 0.1;
 constexpr int first_solutions = 6;
-/// The path is followed in steps that change no number by more than this part of itself: smaller ones where it
-/// bends, and none below the shortest.
+/// The path is followed in steps that change no number by more than this part of itself: smaller ones where
+/// it bends, and none below the shortest.
 constexpr double longest_step = 0.9, shortest_step = 1e-3;
 constexpr double step_growth = 1.5, step_cut = 0.25;
-/// A point counts as one of the path where Newton's method changes no number by more than this part of itself.
-/// Where it asks for much more, or does not get there in so many solutions, the step was too long.
+/// A point counts as one of the path where Newton's method changes no number by more than this part of
+/// itself. Where it asks for much more, or does not get there in so many solutions, the step was too long.
 constexpr double near_path = 0.5, far_from_path = 10;
 constexpr int most_corrections = 4;
 /// Solutions to find the path for one mu, for how many, and to follow it.
-constexpr int most_first_corrections = 15, most_path_starts = 5, most_path_solutions = 600;
+constexpr int most_first_corrections = 30, most_path_starts = 5, most_path_solutions = 600;
+constexpr double least_first_length = 1e-2;
 /// Of friction, in solutions along the path: it may turn where the equations are nearly singular.
 constexpr double path_tolerance = 1e-6;
 
@@ -189,7 +190,7 @@ class InteriorPoint {
     const int last = report_.solutions + most_path_solutions;
     bool on_path = false;
     int n_starts = 0, n_corrections = most_first_corrections, n_near = 0;
-    double step = longest_step, first = 0;
+    double longest_now = longest_step, step = longest_step, first = 0;
     PathPoint kept;
     while (report_.solutions < last) {
       if (!on_path && n_corrections == most_first_corrections) {
@@ -200,7 +201,14 @@ class InteriorPoint {
       }
       balance();
       const double mean = mean_product(0), way = way_left(mean);
-      if (on_path && mean > more * first) return;  // back where it comes from
+      if (on_path && mean > more * first) {  // a step went over to another branch, and that leads back
+        longest_now /= 2;
+        step = longest_now;
+        on_path = false;
+        n_corrections = most_first_corrections;
+        kept.direction.clear();
+        continue;
+      }
       if (on_path && (way <= nearer || (way <= 1 && n_near++ == most_solutions_near))) return;
       PathStep path;
       path.off = std::numeric_limits<double>::infinity();
@@ -228,7 +236,7 @@ class InteriorPoint {
         for (std::size_t k = 0; k < kept.direction.size(); ++k) along += kept.direction[k] * path.D[k];
         const double sense = along < 0 ? -1 : 1;
         for (double& change : path.D) change *= sense;
-        if (n_corrections == 0) step = std::min(step * step_growth, longest_step);
+        if (n_corrections == 0) step = std::min(step * step_growth, longest_now);
         part = path.nearest + sense * step / std::max(1.0, path.steepest);
         kept = {inside_, d_, std::move(path.D)};
         n_corrections = 0;
@@ -240,7 +248,7 @@ class InteriorPoint {
       advance(length);
       look_();
       look_inside(mean);
-      if (!on_path && length < short_length) n_corrections = most_first_corrections;
+      if (!on_path && length < least_first_length) n_corrections = most_first_corrections;
     }
   }
 

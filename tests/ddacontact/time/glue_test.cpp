@@ -44,8 +44,8 @@ Scene glued_first(Scene scene, Mode mode, int glued_steps, int steps) {
 /// A block of 1 m x 1 m on a slope of 40 degrees.
 Scene slope() {
   const double angle = -radians(40);
-  return rock({block(turned(rectangle(-2, -1, 20, 1), angle), true),
-               block(turned(rectangle(0, 0, 1, 1), angle))});
+  return rock(
+      {block(turned(rectangle(-2, -1, 20, 1), angle), true), block(turned(rectangle(0, 0, 1, 1), angle))});
 }
 
 /// One that hangs below a ceiling.
@@ -93,31 +93,30 @@ class Glue : public testing::TestWithParam<Mechanics> {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Glue,
-    testing::Values(
-        Mechanics{"Dynamic", Mode::dynamic}, Mechanics{"Static", Mode::statics},
-        Mechanics{"Affine", Mode::dynamic, BlockModel::affine},
-        Mechanics{"AffineStatic", Mode::statics, BlockModel::affine},
-        Mechanics{"MeanValue", Mode::dynamic, BlockModel::mean_value},
-        Mechanics{"Mesh", Mode::dynamic, BlockModel::mesh},
-        Mechanics{"Midpoint", Mode::dynamic, BlockModel::wachspress,
-                  [](Scene& scene) { scene.analysis.scheme = Scheme::midpoint; }},
-        Mechanics{"Classic", Mode::dynamic, BlockModel::wachspress,
-                  [](Scene& scene) {
-                    scene.contact.method = ContactMethod::classic;
-                    scene.contact.penetration_tolerance = 0;
-                  }},
-        Mechanics{"Springs", Mode::dynamic, BlockModel::wachspress,
-                  [](Scene& scene) { scene.contact.penetration_tolerance = 0; }},
-        Mechanics{"Paper", Mode::dynamic, BlockModel::wachspress,
-                  [](Scene& scene) {
-                    scene = paper_mechanics(scene);
-                    scene.analysis.preset = Preset::paper;
-                  }},
-        Mechanics{"PaperStatic", Mode::statics, BlockModel::affine,
-                  [](Scene& scene) {
-                    scene = paper_mechanics(scene);
-                    scene.analysis.preset = Preset::paper;
-                  }}),
+    testing::Values(Mechanics{"Dynamic", Mode::dynamic}, Mechanics{"Static", Mode::statics},
+                    Mechanics{"Affine", Mode::dynamic, BlockModel::affine},
+                    Mechanics{"AffineStatic", Mode::statics, BlockModel::affine},
+                    Mechanics{"MeanValue", Mode::dynamic, BlockModel::mean_value},
+                    Mechanics{"Mesh", Mode::dynamic, BlockModel::mesh},
+                    Mechanics{"Midpoint", Mode::dynamic, BlockModel::wachspress,
+                              [](Scene& scene) { scene.analysis.scheme = Scheme::midpoint; }},
+                    Mechanics{"Classic", Mode::dynamic, BlockModel::wachspress,
+                              [](Scene& scene) {
+                                scene.contact.method = ContactMethod::classic;
+                                scene.contact.penetration_tolerance = 0;
+                              }},
+                    Mechanics{"Springs", Mode::dynamic, BlockModel::wachspress,
+                              [](Scene& scene) { scene.contact.penetration_tolerance = 0; }},
+                    Mechanics{"Paper", Mode::dynamic, BlockModel::wachspress,
+                              [](Scene& scene) {
+                                scene = paper_mechanics(scene);
+                                scene.analysis.preset = Preset::paper;
+                              }},
+                    Mechanics{"PaperStatic", Mode::statics, BlockModel::affine,
+                              [](Scene& scene) {
+                                scene = paper_mechanics(scene);
+                                scene.analysis.preset = Preset::paper;
+                              }}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
