@@ -10,8 +10,9 @@ namespace ddacontact {
 /// What a contact carries from step to step.
 struct ContactHistory {
   double lock = 0;        ///< the lock point o as a fraction of the edge from j (0) to k (1)
-  double gap_offset = 0;  ///< <= 0: the overlap it started with, taken as stress-free, as far as the blocks
-                          ///< have not come apart since
+  double gap_offset = 0;  ///< the gap that counts as none, m. < 0: the overlap it started with, taken as
+                          ///< stress-free, as far as the blocks have not come apart since; > 0: a gap below
+                          ///< the coincidence tolerance that glue has filled
   double length = 0;      ///< over which cohesion and tensile strength act, m
   double normal = 0;      ///< N at the end of the last step: where the staged method's multipliers start
   double shear = 0;       ///< T at the end of the last step
@@ -70,8 +71,8 @@ struct Contact : ContactRecord {
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m
 
-  /// Whether a bond of some strength holds it.
-  bool has_bond() const { return history.bonded && (law.cohesion > 0 || law.tension > 0); }
+  /// Whether glue or a bond of some strength holds it.
+  bool has_bond() const { return law.glued || (history.bonded && (law.cohesion > 0 || law.tension > 0)); }
   /// At the start of the step, m.
   double edge_length() const { return (motion.start.k - motion.start.j).norm(); }
 

@@ -73,13 +73,16 @@ class ContactsByPair {
 }  // namespace
 
 JointLaw ContactProperties::law(const ContactRecord& contact) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const JointStrength& joint = strength(contact.pair);
+  const bool glued = joint.glued && contact.closed();
   return {.normal_stiffness = normal_stiffness,
           .tangential_stiffness = tangential_stiffness,
           .friction = joint.friction,
           .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
-          .cohesion = joint.cohesion * contact.history.length,
-          .tension = joint.tensile_strength * contact.history.length};
+          .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
+          .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
+          .glued = glued};
 }
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
@@ -299,13 +302,14 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
       if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
           contact.is_on_edge(contact.first_slip().constant)) {
         history.bonded = true;
-        history.gap_offset = std::min(contact.gap, 0.0);
+        history.gap_offset = properties_.strength(pair).glued ? contact.gap : std::min(contact.gap, 0.0);
         const int origin = pair.edge_block;
         history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                                         blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
         contact.law = properties_.law(contact);
         history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
       }
+      if (properties_.strength(pair).glued) glue(contact);
       contacts.push_back(contact);
     }
   return contacts;
@@ -362,7 +366,20 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
       contact.is_on_edge(contact.first_slip().constant))
     contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+  if (properties_.strength(pair).glued) glue(contact);
   return contact;
+}
+
+void ContactBuilder::glue(Contact& contact) const {
+  ContactHistory& history = contact.history;
+  if (!contact.closed()) {
+    const bool touches = std::abs(contact.gap - history.gap_offset) <= coincidence * contact.size &&
+                         contact.is_on_edge(contact.first_slip().constant);
+    if (!touches) return;
+    history.gap_offset = contact.gap;
+  }
+  history.state = ContactState::stick;
+  contact.law = properties_.law(contact);
 }
 
 void ContactBuilder::restart(Contact& contact) const {

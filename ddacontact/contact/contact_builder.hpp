@@ -32,7 +32,8 @@ struct ContactProperties {
   const JointStrength& strength(const VertexEdge& pair) const {
     return joints.between(materials[pair.vertex_block], materials[pair.edge_block]);
   }
-  /// At the start of a step, with the strength that a bond has over the length of the contact.
+  /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
+  /// contact of a glued joint that strength is infinite.
   JointLaw law(const ContactRecord& contact) const;
 };
 
@@ -116,6 +117,9 @@ class ContactBuilder {
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const ContactRecord> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
+  /// Glues a contact of a glued joint that is closed or touches: it sticks where it is. The gap of one that
+  /// only touches counts as none from then on, so that glue adds no force.
+  void glue(Contact& contact) const;
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
   bool may_have_entered(int a, int b, const BlockState& end) const;
   MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;

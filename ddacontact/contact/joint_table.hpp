@@ -17,6 +17,7 @@ struct JointStrength {
   FrictionLaw friction_law{};   ///< in place of Coulomb's N tan(phi); none: Coulomb
   double restitution = 0;       ///< 0..1, normal, of blocks that meet
   double dashpot = 0;           ///< contact damping, ratio to critical of the contact spring
+  bool glued = false;           ///< contacts neither open nor slide once they are closed
 };
 
 /// The strengths of the joint between any two materials.

@@ -392,7 +392,8 @@ class Builder {
                           joint.tensile_strength,
                           {},
                           joint.restitution,
-                          joint.dashpot},
+                          joint.dashpot,
+                          joint.glued},
                          joint.between});
     return JointTable(std::move(entries));
   }

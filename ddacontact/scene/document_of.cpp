@@ -137,6 +137,7 @@ std::optional<JointChange> change_of(int index, const Joint& joint, const Scene&
     change.*to = joint.*from;
     any = true;
   }
+  if (joint.glued) change.glued = any = true;
   if (!any) return std::nullopt;
   change.joint = reference_to(index, scene.joints);
   return change;

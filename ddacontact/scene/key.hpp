@@ -42,5 +42,7 @@ struct Key {
 
 /// Stands for the value of a key of [analysis] that no stage may change.
 struct OfTheWholeRun {};
+/// Stands for the value of a key of a joint that only a stage may write.
+struct OfStages {};
 
 }  // namespace ddacontact::scene_format

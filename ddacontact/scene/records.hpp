@@ -129,6 +129,7 @@ struct JointRecord {
 struct JointChange {
   Reference joint;
   std::optional<double> friction_angle, cohesion, tensile_strength, restitution, dashpot;
+  std::optional<bool> glued;
   Places places;
 };
 

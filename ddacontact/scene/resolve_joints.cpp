@@ -74,6 +74,7 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
     is_changed[index] = true;
     for (const auto& [of_joint, of_change] : joint_law)
       joints[index].*of_joint = (change.*of_change).value_or(joints[index].*of_joint);
+    joints[index].glued = change.glued.value_or(false);
   }
   return joints;
 }

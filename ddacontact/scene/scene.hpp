@@ -32,6 +32,7 @@ struct Joint {
   std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
   double restitution = 0;                     ///< 0..1, normal, of blocks that meet
   double dashpot = 0;                         ///< contact damping, ratio to critical of the contact spring
+  bool glued = false;                         ///< closed contacts neither open nor slide; in stages alone
 };
 
 /// One block as the scene states it.

@@ -188,6 +188,16 @@ void describe_law(Law& law, Visit&& visit) {
         law.dashpot);
 }
 
+inline constexpr Key glued{.name = "glued",
+                           .what = "Contacts that are closed, or close, neither open nor slide."};
+
+/// What a stage may change of a joint.
+template <class Change, class Visit>
+void describe_change(Change& change, Visit&& visit) {
+  describe_law(change, visit);
+  visit(glued, change.glued);
+}
+
 template <class Visit>
 void describe(JointRecord& r, Visit&& visit) {
   visit(Key{.name = "name",
@@ -199,6 +209,7 @@ void describe(JointRecord& r, Visit&& visit) {
             .default_text = "everything not named elsewhere"},
         r.between);
   describe_law(r.joint, visit);
+  visit(glued, OfStages{});
 }
 
 template <class Visit>

@@ -10,6 +10,11 @@ void TableReader::operator()(const Key& key, OfTheWholeRun) {
   refuse(key, "in " + std::string(title_) + " belongs to the whole run", "write it in [analysis]");
 }
 
+void TableReader::operator()(const Key& key, OfStages) {
+  refuse(key, "in " + std::string(title_) + " belongs to a stage",
+         "write joints = { NAME = { " + std::string(key.name) + " = true } } in the [[stage]]");
+}
+
 void TableReader::operator()(const Key& key, Skips& skips) {
   const toml::node* node = find(key);
   if (!node) return;
@@ -48,7 +53,7 @@ void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) 
     change.places.table = place_of(name, problems_);
     const std::string quoted_title = "'" + title + "'";
     TableReader reader(*law, quoted_title, change.places, problems_);
-    describe_law(change, reader);
+    describe_change(change, reader);
     reader.refuse_other_keys();
   }
 }

@@ -108,8 +108,8 @@ std::string value_text(const std::vector<JointChange>& value) {
   Keys joints;
   for (const JointChange& change : value) {
     Keys law;
-    describe_law(change, [&](const Key& key, const std::optional<double>& number) {
-      if (number) law.emplace_back(key.name, value_text(*number));
+    describe_change(change, [&](const Key& key, const auto& of_law) {
+      if (of_law) law.emplace_back(key.name, value_text(*of_law));
     });
     joints.emplace_back(
         key_text(change.joint.index ? std::to_string(*change.joint.index) : change.joint.name),
@@ -185,7 +185,7 @@ std::string type_text(const BlockList&) {
 std::string type_text(const JointChange&) {
   std::string keys;
   const JointChange change;
-  describe_law(change, [&](const Key& key, const auto&) {
+  describe_change(change, [&](const Key& key, const auto&) {
     keys += (keys.empty() ? "" : ", ") + std::string(key.name);
   });
   return "{ " + keys + " }";

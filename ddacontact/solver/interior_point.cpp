@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ddacontact {
@@ -31,6 +32,19 @@ constexpr int most_starts = 3;
 /// the first few such ones bounds are given from one solution to the next.
 constexpr double short_length = 0.1;
 constexpr int first_solutions = 6;
+/// The path is followed in steps that change no number by more than this part of itself: smaller ones where
+/// it bends, and none below the shortest.
+constexpr double longest_step = 0.9, shortest_step = 1e-3;
+constexpr double step_growth = 1.5, step_cut = 0.25;
+/// A point counts as one of the path where Newton's method changes no number by more than this part of
+/// itself. Where it asks for much more, or does not get there in so many solutions, the step was too long.
+constexpr double near_path = 0.5, far_from_path = 10;
+constexpr int most_corrections = 4;
+/// Solutions to find the path for one mu, for how many, and to follow it.
+constexpr int most_first_corrections = 30, most_path_starts = 5, most_path_solutions = 600;
+constexpr double least_first_length = 1e-2;
+/// Of friction, in solutions along the path: it may turn where the equations are nearly singular.
+constexpr double path_tolerance = 1e-6;
 
 /// Two positive numbers whose product goes to mu.
 struct Pair {
@@ -93,39 +107,7 @@ class InteriorPoint {
         active_(terms.size()) {}
 
   InteriorReport solve() {
-    look_();
-    for (std::size_t c = 0; c < inside_.size(); ++c)
-      forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
-    system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
-    const double scale = residual_.scale;
-    double mu = scale * scale, length = 1;
-    int n_near = 0;
-    look_inside(mu);
-    system_.problem().order_for_many(terms_);
-    for (int n_starts = 1; report_.solutions < most_solutions;) {
-      balance();
-      const double mean = mean_product(0);
-      report_.found = std::isfinite(mean) && std::isfinite(residual_.own);
-      if (!report_.found) break;
-      const double way = std::max(std::sqrt(mean) / (near_law * scale), residual_.own / near_balance);
-      if (way <= nearer || (way <= 1 && n_near++ == most_solutions_near)) break;
-      report_.found = factorize();
-      if (!report_.found) break;
-      mu = length < short_length ? find_even_direction(mean) : find_direction(mean);
-      length = longest();
-      ++report_.solutions;
-      if (report_.solutions == n_starts && n_starts < most_starts && length < first_length) {
-        mu = std::pow(more, n_starts++) * scale * scale;
-        for (std::size_t c = 0; c < inside_.size(); ++c)
-          if (inside_[c].acts) begin(c, mu);
-        length = 1;
-        continue;
-      }
-      if (length < short_length && report_.solutions > first_solutions) follows_normal_ = false;
-      advance(length);
-      look_();
-      look_inside(mu);
-    }
+    if (!let_mu_fall() && report_.found) follow_path();
     return report_;
   }
 
@@ -138,6 +120,201 @@ class InteriorPoint {
   }
 
  private:
+  /// Mehrotra's method. False: mu does not fall far enough.
+  bool let_mu_fall() {
+    look_();
+    for (std::size_t c = 0; c < inside_.size(); ++c)
+      forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
+    system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
+    scale_ = residual_.scale;
+    double mu = scale_ * scale_, length = 1;
+    int n_near = 0;
+    look_inside(mu);
+    system_.problem().order_for_many(terms_);
+    for (int n_starts = 1; report_.solutions < most_solutions;) {
+      balance();
+      const double mean = mean_product(0);
+      report_.found = std::isfinite(mean) && std::isfinite(residual_.own);
+      if (!report_.found) return false;
+      const double way = way_left(mean);
+      if (way <= nearer || (way <= 1 && n_near++ == most_solutions_near)) return true;
+      report_.found = factorize();
+      if (!report_.found) return false;
+      mu = length < short_length ? find_even_direction(mean) : find_direction(mean);
+      length = longest();
+      ++report_.solutions;
+      if (report_.solutions == n_starts && n_starts < most_starts && length < first_length) {
+        mu = std::pow(more, n_starts++) * scale_ * scale_;
+        for (std::size_t c = 0; c < inside_.size(); ++c)
+          if (inside_[c].acts) begin(c, mu);
+        length = 1;
+        continue;
+      }
+      if (length < short_length && report_.solutions > first_solutions) follows_normal_ = false;
+      advance(length);
+      look_();
+      look_inside(mu);
+    }
+    return n_near > 0;
+  }
+
+  /// What is left of mu and of forces, 1: near.
+  double way_left(double mean) const {
+    return std::max(std::sqrt(mean) / (near_law * scale_), residual_.own / near_balance);
+  }
+
+  /// A point of the path, with the direction in which it was reached.
+  struct PathPoint {
+    std::vector<Inside> inside;
+    VectorXd d;
+    std::vector<double> direction;
+  };
+
+  /// Where the path leads from here: C to the point of it where mu is the mean of the products, and C + D to
+  /// its end, by Newton's method. Both as parts of themselves by which the numbers change, mu the last one.
+  struct PathStep {
+    std::vector<Inside> centred;  ///< with C
+    VectorXd correction;          ///< for it
+    std::vector<double> C, D;
+    double nearest = 0;   ///< C + nearest * D leads to the nearest point of the path
+    double off = 0;       ///< the largest part of that
+    double steepest = 0;  ///< the largest part in D
+  };
+
+  /// Follows the path of the points where all products are mu, from large mu on, where it is easily found, to
+  /// its end, whether mu falls or rises on the way: where friction is large there are several solutions, and
+  /// the path turns round between them, where Newton's method for a smaller mu leads nowhere.
+  void follow_path() {
+    follows_normal_ = true;
+    rough_ = false;
+    const int last = report_.solutions + most_path_solutions;
+    bool on_path = false;
+    int n_starts = 0, n_corrections = most_first_corrections, n_near = 0;
+    double longest_now = longest_step, step = longest_step, first = 0;
+    PathPoint kept;
+    while (report_.solutions < last) {
+      if (!on_path && n_corrections == most_first_corrections) {
+        if (n_starts == most_path_starts) return;
+        first = std::pow(more, n_starts++) * scale_ * scale_;
+        begin_all(first);
+        n_corrections = 0;
+      }
+      balance();
+      const double mean = mean_product(0), way = way_left(mean);
+      if (on_path && mean > more * first) {  // a step went over to another branch, and that leads back
+        longest_now /= 2;
+        step = longest_now;
+        on_path = false;
+        n_corrections = most_first_corrections;
+        kept.direction.clear();
+        continue;
+      }
+      if (on_path && (way <= nearer || (way <= 1 && n_near++ == most_solutions_near))) return;
+      PathStep path;
+      path.off = std::numeric_limits<double>::infinity();
+      if (std::isfinite(mean) && std::isfinite(residual_.own) && factorize()) path = look_along_path(mean);
+      ++report_.solutions;
+      const bool reached = path.off <= near_path;
+      if (on_path && !reached && (!(path.off <= far_from_path) || n_corrections == most_corrections)) {
+        step *= step_cut;
+        if (step < shortest_step) return;
+        inside_ = kept.inside;
+        d_ = kept.d;
+        look_();
+        look_inside(mean_product(0));
+        n_corrections = -1;
+        continue;
+      }
+      if (!on_path && !std::isfinite(path.off)) {
+        n_corrections = most_first_corrections;
+        continue;
+      }
+      double part = on_path ? path.nearest : 0;
+      if (reached) {
+        on_path = true;
+        double along = 0;
+        for (std::size_t k = 0; k < kept.direction.size(); ++k) along += kept.direction[k] * path.D[k];
+        const double sense = along < 0 ? -1 : 1;
+        for (double& change : path.D) change *= sense;
+        if (n_corrections == 0) step = std::min(step * step_growth, longest_now);
+        part = path.nearest + sense * step / std::max(1.0, path.steepest);
+        kept = {inside_, d_, std::move(path.D)};
+        n_corrections = 0;
+      } else {
+        ++n_corrections;
+      }
+      combine(path, part);
+      const double length = std::min(1.0, longest());
+      advance(length);
+      look_();
+      look_inside(mean);
+      if (!on_path && length < least_first_length) n_corrections = most_first_corrections;
+    }
+  }
+
+  /// From the start of the step, with these products.
+  void begin_all(double mu) {
+    d_ = system_.prescribed();
+    look_();
+    for (Inside& i : inside_) i = {};
+    look_inside(mu);
+  }
+
+  PathStep look_along_path(double mean) {
+    PathStep path;
+    solve_for(mean, 0, path_tolerance);
+    path.centred = inside_;
+    path.correction = correction_;
+    path.C = relative_changes(inside_);
+    path.C.push_back(0);
+    solve_for(0, 0, path_tolerance);
+    path.D = relative_changes(inside_);
+    path.D.push_back(-1);
+    double CD = 0, DD = 0;
+    for (std::size_t k = 0; k < path.D.size(); ++k) {
+      path.D[k] -= path.C[k];
+      CD += path.C[k] * path.D[k];
+      DD += path.D[k] * path.D[k];
+      path.steepest = std::max(path.steepest, std::abs(path.D[k]));
+    }
+    path.nearest = -CD / DD;
+    for (std::size_t k = 0; k < path.D.size(); ++k)
+      path.off = std::max(path.off, std::abs(path.C[k] + path.nearest * path.D[k]));
+    if (!std::isfinite(DD)) path.off = std::numeric_limits<double>::infinity();
+    return path;
+  }
+
+  /// Of the numbers of the pairs of each contact.
+  static std::vector<double> relative_changes(const std::vector<Inside>& inside) {
+    std::vector<double> changes;
+    changes.reserve(6 * inside.size() + 1);
+    for (const Inside& i : inside) {
+      const auto append = [&](const Pair& pair, bool acts) {
+        changes.push_back(acts ? pair.dx / pair.x : 0);
+        changes.push_back(acts ? pair.ds / pair.s : 0);
+      };
+      append(i.normal, i.acts && i.unilateral);
+      append(i.upper, i.acts && i.slides());
+      append(i.lower, i.acts && i.slides());
+    }
+    return changes;
+  }
+
+  /// Makes the solution C + part * D of that which leads to the end of the path.
+  void combine(const PathStep& path, double part) {
+    const auto between = [&](double centred, double& end) { end = centred + part * (end - centred); };
+    for (std::size_t c = 0; c < inside_.size(); ++c) {
+      Inside& i = inside_[c];
+      const Inside& centred = path.centred[c];
+      for (Pair Inside::*pair : {&Inside::normal, &Inside::upper, &Inside::lower}) {
+        between((centred.*pair).dx, (i.*pair).dx);
+        between((centred.*pair).ds, (i.*pair).ds);
+      }
+      between(centred.dT, i.dT);
+    }
+    correction_ = path.correction + part * (correction_ - path.correction);
+  }
+
   /// What the contacts' own equations have of d. Contacts that begin to act begin with mu.
   void look_inside(double mu) {
     for (std::size_t c = 0; c < inside_.size(); ++c) {
@@ -313,6 +490,7 @@ class InteriorPoint {
   std::vector<ContactForce> forces_;
   std::vector<unsigned char> active_;
   std::vector<Coupling> couplings_;
+  double scale_ = 0;  ///< the largest sum of forces on a block
   bool follows_normal_ = true;
   bool rough_ = true;  ///< iterations solve in single precision, as long as these do
   Residual residual_;

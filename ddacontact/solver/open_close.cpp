@@ -42,7 +42,7 @@ std::vector<Disagreement> find_disagreements(const VectorXd& d, const std::vecto
                       .slip_increment = terms[c].slip.change(d),
                       .tolerance = contact.length_tolerance(),
                       .on_edge = contact.is_on_edge(terms[c].slip.constant) || contact.is_on_edge(slip),
-                      .bonded = contact.history.bonded};
+                      .bonded = contact.has_bond()};
     const ContactState state = next_state(contact.history.state, contact.law, trial);
     if (state != contact.history.state) found.push_back({c, state, wrong_force(contact, state, trial)});
   }

@@ -131,7 +131,7 @@ class Staged {
     JointLaw& law = contact.law;
     const ContactHistory& history = contact.history;
     multiplier.on_edge = contact.is_on_edge(contact.first_slip().constant);
-    multiplier.bonded = history.bonded && (law.cohesion > 0 || law.tension > 0);
+    multiplier.bonded = contact.has_bond();
     contact.was_closed = contact.closed();
     if (options_.penetration_tolerance == 0) return;
     const VertexEdgePlace& place = contact.motion.start;
@@ -543,7 +543,7 @@ class Staged {
       const bool closed = forces_[c].normal > 0 || (multipliers_[c].bonded && contact.closed());
       if (!closed)
         history.state = ContactState::open;
-      else if (contact.law.frictionless())
+      else if (!contact.law.has_friction() && !multipliers_[c].bonded)
         history.state = ContactState::slip_forward;
       else if (is_sliding(c))
         history.state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;

@@ -28,6 +28,10 @@ constexpr double shortest_substep = 1e-3;
 constexpr double tolerant_substep = 1e-2;
 /// A block that moved further than its contacts were looked for has them looked for this much further.
 constexpr double reach_growth = 4;
+/// What a scene can do where no forces of contacts are found.
+constexpr const char* cure_of_unsettled =
+    " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it a "
+    "smaller friction_angle)";
 /// A step is solved again so often for contacts that closed fast without having been foreseen.
 constexpr int most_impact_rounds = 4;
 
@@ -349,7 +353,8 @@ void Stepper::solve_by_open_close(Solution& solution) {
       solution.objection = "stick and slip did not settle" + between(report.disagreeing);
       return;
     case OpenCloseStatus::unsettled:
-      solution.objection = "open and closed contacts did not settle" + between(report.disagreeing);
+      solution.objection =
+          "open and closed contacts did not settle" + between(report.disagreeing) + cure_of_unsettled;
       return;
     case OpenCloseStatus::not_positive_definite:
       solution.objection = "the equations are not positive definite";
@@ -401,7 +406,8 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
       counts_.broken_bonds += report.broken_bonds;
       return;
     case StagedStatus::unsettled:
-      solution.objection = "contact forces did not come into balance" + between(report.worst_contact);
+      solution.objection =
+          "contact forces did not come into balance" + between(report.worst_contact) + cure_of_unsettled;
       return;
     case StagedStatus::penetrating:
       solution.objection = "penetration did not fall below its tolerance" + between(report.worst_contact);
@@ -568,7 +574,7 @@ void Stepper::record_contacts() {
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) history.bonded = false;
     if (!contact.closed()) {
-      const double left = std::clamp(contact.gap, history.gap_offset, 0.0);
+      const double left = std::clamp(contact.gap, std::min(history.gap_offset, 0.0), 0.0);
       history.gap_offset = left < -contact.length_tolerance() ? left : 0;
       continue;
     }

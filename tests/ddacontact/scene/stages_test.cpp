@@ -57,6 +57,22 @@ TEST(Stages, ChangeJointsKeyByKeyWhileTheyLast) {
   EXPECT_EQ(last[0].dashpot, 0.1);
 }
 
+TEST(Stages, GlueJointsWhileTheyLast) {
+  const Scene scene =
+      scene_of(in_stages, {"stage.0.joints.interface.glued=true", "stage.1.joints.1.glued=true",
+                           "stage.2.joints.interface.glued=false"});
+  const auto glued = [&](std::size_t stage, std::size_t joint) {
+    return scene.stages.at(stage).joints.at(joint).glued;
+  };
+  EXPECT_TRUE(glued(0, 0));
+  EXPECT_FALSE(glued(0, 1));
+  EXPECT_FALSE(glued(1, 0)) << "of the stage before alone";
+  EXPECT_TRUE(glued(1, 1));
+  EXPECT_FALSE(glued(2, 0));
+  EXPECT_FALSE(scene.joints.at(0).glued);
+  EXPECT_EQ(scene.stages[0].joints[0].friction_angle, 89) << "beside other keys";
+}
+
 TEST(Stages, TheJointOfASceneWithoutJointsIsCalledDefault) {
   for (const char* joint : {"default", "0"}) {
     const Scene scene = scene_of(std::string(minimal) + "[[stage]]\nsteps = 2\njoints." + joint +
@@ -119,7 +135,8 @@ TEST(Stages, AreWrittenAndReadBack) {
       {"stage.settle.gamma=0.9", "stage.settle.beta=0.7", "stage.1.damping={ mass = 1, stiffness = 2 }"},
       {"analysis.preset=paper", "stage.2.scheme=dda"},
       {"joint.interface.name=\"two words, 2\"", "stage.settle.joints={}", "stage.2.joints={}",
-       "stage.1.joints.\"two words, 2\".cohesion=7"}};
+       "stage.1.joints.\"two words, 2\".cohesion=7"},
+      {"stage.0.joints.interface.glued=true", "stage.1.joints.1.glued=true"}};
   for (const std::vector<std::string>& settings : all) {
     const Scene scene = scene_of(in_stages, settings), again = scene_of(written(scene));
     EXPECT_EQ(written(scene), written(again));
@@ -150,6 +167,7 @@ TEST(Stages, AreWrittenAndReadBack) {
         EXPECT_EQ(a.joints[j].tensile_strength, b.joints[j].tensile_strength);
         EXPECT_EQ(a.joints[j].restitution, b.joints[j].restitution);
         EXPECT_EQ(a.joints[j].dashpot, b.joints[j].dashpot);
+        EXPECT_EQ(a.joints[j].glued, b.joints[j].glued);
         EXPECT_EQ(a.joints[j].between, b.joints[j].between);
       }
     }
@@ -193,6 +211,9 @@ TEST(Stages, BadSettingsAreNamed) {
         std::pair{"stage.settle.method=classic", "unknown 'method'"},
         std::pair{"stage.1.joints.interfaec.cohesion=3", "unknown joint 'interfaec'"},
         std::pair{"stage.1.joints.interface.cohesion=x", "'cohesion' = 'x'"},
+        std::pair{"stage.1.joints.interfaec.glued=true", "unknown joint 'interfaec'"},
+        std::pair{"stage.1.joints.interface.glued=1", "'glued'"},
+        std::pair{"joint.interface.glued=true", "'glued' in [[joint]] belongs to a stage"},
         std::pair{"stage.1.joints.interface.x=3", "unknown key 'x' in 'joints.interface'"},
         std::pair{"stage.1.joints.0=3", "'joints' is not in the scene"},
         std::pair{"stage.1.remove.2=3", "2 elements"},
@@ -294,6 +315,25 @@ const Case cases[] = {
      26,
      {"unknown key 'between' in 'joints.interface'"}},
     {"FrictionOf90", "\"89 deg\"", "\"90 deg\"", 9, 43, {"'friction_angle' = '90 deg'", "< 90"}},
+    {"GluedIsNumber", "friction_angle = \"89 deg\"", "glued = 1", 9, 34, {"'glued'", "'1'", "true or false"}},
+    {"GluedIsWord",
+     "friction_angle = \"89 deg\"",
+     "glued = \"yes\"",
+     9,
+     34,
+     {"'glued'", "'yes'", "true or false"}},
+    {"GluedJointUnknown",
+     "{ interface = { friction_angle = \"89 deg\" }",
+     "{ interfaec = { glued = true }",
+     9,
+     12,
+     {"unknown joint 'interfaec'", "did you mean 'interface'?"}},
+    {"GluedOutsideAStage",
+     "friction_angle = 30",
+     "glued = true",
+     32,
+     1,
+     {"'glued' in [[joint]] belongs to a stage", "{ glued = true } }", "[[stage]]"}},
     {"WrongUnitOfCohesion", "\"2 kPa\"", "\"2 kN\"", 9, 72, {"'cohesion'", "'kN'", "Pa"}},
     {"NegativeDashpot", "dashpot = 0.1", "dashpot = -0.1", 22, 11, {"'dashpot'", ">= 0"}},
 
