@@ -42,5 +42,9 @@ struct Key {
 
 /// Stands for the value of a key of [analysis] that no stage may change.
 struct OfTheWholeRun {};
+/// Stands for the value of a key that others of its table rule out as yet.
+struct NotInThisVersion {
+  const char* cure;  ///< what to write instead
+};
 
 }  // namespace ddacontact::scene_format

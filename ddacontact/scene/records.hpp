@@ -205,6 +205,7 @@ struct StageRecord {
   std::vector<JointChange> joints;
   bool reset_displacements = false;
   BlockList remove;
+  std::optional<RestCriterion> until;
   Places places;
 };
 

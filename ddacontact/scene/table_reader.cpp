@@ -1,3 +1,4 @@
+#include <ddacontact/scene/guessed_keys.hpp>
 #include <ddacontact/scene/schema.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/table_reader.hpp>
@@ -8,6 +9,10 @@ namespace ddacontact::scene_format {
 
 void TableReader::operator()(const Key& key, OfTheWholeRun) {
   refuse(key, "in " + std::string(title_) + " belongs to the whole run", "write it in [analysis]");
+}
+
+void TableReader::operator()(const Key& key, NotInThisVersion not_here) {
+  refuse(key, "in " + std::string(title_) + " is not in this version", not_here.cure);
 }
 
 void TableReader::operator()(const Key& key, Skips& skips) {
@@ -57,10 +62,12 @@ namespace {
 
 /// TOML gives a key written after a table to that table: what belongs to the top of the file is easily
 /// misplaced.
-std::string cure_of_unknown(std::string_view name, const std::vector<std::string_view>& known) {
+std::string cure_of_unknown(std::string_view name, std::string_view table,
+                            const std::vector<std::string_view>& known) {
   for (const std::string_view top : {"format", "title", "blocks"})
     if (name == top)
       return "'" + std::string(top) + "' belongs to the top of the file, before the first table";
+  if (const std::string_view cure = cure_of_guessed_key(name, table); !cure.empty()) return std::string(cure);
   return suggestion(name, "key", known);
 }
 
@@ -71,7 +78,7 @@ void TableReader::refuse_other_keys() {
     if (std::find(known_.begin(), known_.end(), name.str()) != known_.end()) continue;
     problems_.error(place_of(name, problems_),
                     "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_),
-                    cure_of_unknown(name.str(), known_));
+                    cure_of_unknown(name.str(), title_, known_));
   }
 }
 

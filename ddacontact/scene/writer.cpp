@@ -25,6 +25,7 @@ class DocumentWriter {
     if (value) (*this)(key, *value);
   }
   void operator()(const Key&, const OfTheWholeRun&) {}
+  void operator()(const Key&, const NotInThisVersion&) {}
 
   template <class Record>
   void table(const Key& key, Record& record) {

@@ -10,11 +10,17 @@ void EnergyLedger::close_step() {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
     largest_ = std::max(largest_, std::abs(now.*entry));
   }
+  lowest_ = std::min(lowest_, mechanical());
+  if (has_exchanged()) risen_ = std::max(risen_, (mechanical() - lowest_) / exchanged_);
+}
+
+bool EnergyLedger::has_exchanged() const {
+  constexpr double beyond_residuals = 1e-8;
+  return exchanged_ > beyond_residuals * largest_;
 }
 
 double EnergyLedger::balance_error() const {
-  constexpr double beyond_residuals = 1e-8;
-  return exchanged_ > beyond_residuals * largest_ ? (now.total() - start_.total()) / exchanged_ : 0;
+  return has_exchanged() ? (now.total() - start_.total()) / exchanged_ : 0;
 }
 
 }  // namespace ddacontact

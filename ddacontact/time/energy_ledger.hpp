@@ -25,12 +25,21 @@ class EnergyLedger {
   Energy now;
 
   /// Takes the present energies as those of the start.
-  void start() { start_ = now; }
+  void start() {
+    start_ = now;
+    lowest_ = mechanical();
+  }
   /// Notes the present energies as exchanged; call after every step.
   void close_step();
   /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but what the
   /// residuals of steps make of the largest energy.
   double balance_error() const;
+  /// The largest change of any entry since the start, J per m.
+  double exchanged() const { return exchanged_; }
+
+  /// By how much mechanical energy (kinetic, elastic, gravity) less the work of loads and supports rose above
+  /// its lowest value so far at most, over the largest energy exchanged; 0 while there was none.
+  double risen() const { return risen_; }
 
   /// Calls visit with every number of the ledger.
   template <class Ledger, class Visit>
@@ -39,6 +48,8 @@ class EnergyLedger {
       for (double Energy::*entry : entries) visit(energy->*entry);
     visit(ledger.exchanged_);
     visit(ledger.largest_);
+    visit(ledger.lowest_);
+    visit(ledger.risen_);
   }
 
  private:
@@ -51,7 +62,11 @@ class EnergyLedger {
                                                 &Energy::damping_dissipated};
 
   Energy start_;
+  double mechanical() const { return now.kinetic + now.elastic + now.gravity - now.external; }
+  bool has_exchanged() const;
+
   double exchanged_ = 0, largest_ = 0;
+  double lowest_ = 0, risen_ = 0;
 };
 
 }  // namespace ddacontact
