@@ -12,6 +12,9 @@ std::string figure(double value) {
   return text;
 }
 
+/// What is out of balance becomes less by more than this in a substep: it settles.
+constexpr double settling = 0.01;
+
 std::string quoted_block(const Stepper& stepper, int block) {
   return "block \"" + stepper.blocks().names[block] + '"';
 }
@@ -60,10 +63,13 @@ std::vector<std::string> warnings_of(const Stepper& stepper) {
                        std::to_string(e.n_unbalanced) + (e.n_unbalanced == 1 ? " block" : " blocks") +
                        " out of balance; " + imbalance(stepper, e);
     if (e.fastest_block >= 0) text += ", " + motion(stepper, e);
-    warnings.push_back(text + " (more 'steps'; if that does not help, the scene has no equilibrium)");
+    const double change = e.unbalanced / e.unbalanced_before - 1;
+    warnings.push_back(text + (change < -settling
+                                   ? " (more 'steps': the last one made it " + figure(-100 * change) + " % less)"
+                                   : " (more 'steps'; where it does not become less, the scene has no equilibrium)"));
   }
   for (std::string& text :
-       stepper.warnings().texts(stepper.blocks().names, stepper.counts().substeps, stepper.energy()))
+       stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy()))
     warnings.push_back(std::move(text));
   return warnings;
 }

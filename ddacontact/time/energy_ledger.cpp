@@ -5,13 +5,14 @@
 
 namespace ddacontact {
 
-void EnergyLedger::close_step() {
+void EnergyLedger::close_step(double tolerated) {
   for (double Energy::*entry : entries) {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
     largest_ = std::max(largest_, std::abs(now.*entry));
   }
   lowest_ = std::min(lowest_, mechanical());
-  if (has_exchanged()) risen_ = std::max(risen_, (mechanical() - lowest_) / exchanged_);
+  tolerated_ = std::max(tolerated_, tolerated);
+  if (has_exchanged()) risen_ = std::max(risen_, (mechanical() - lowest_ - tolerated_) / exchanged_);
 }
 
 bool EnergyLedger::has_exchanged() const {

@@ -30,7 +30,9 @@ class EnergyLedger {
     lowest_ = mechanical();
   }
   /// Notes the present energies as exchanged; call after every step.
-  void close_step();
+  /// \param[in] tolerated  what contacts may do as work while they close the penetration that their tolerance leaves,
+  ///                       J per m: it counts as no rise
+  void close_step(double tolerated = 0);
   /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but what the
   /// residuals of steps make of the largest energy.
   double balance_error() const;
@@ -38,7 +40,8 @@ class EnergyLedger {
   double exchanged() const { return exchanged_; }
 
   /// By how much mechanical energy (kinetic, elastic, gravity) less the work of loads and supports rose above
-  /// its lowest value so far at most, over the largest energy exchanged; 0 while there was none.
+  /// its lowest value so far at most, beyond what is tolerated, over the largest energy exchanged; 0 while there was
+  /// none.
   double risen() const { return risen_; }
 
   /// Calls visit with every number of the ledger.
@@ -49,6 +52,7 @@ class EnergyLedger {
     visit(ledger.exchanged_);
     visit(ledger.largest_);
     visit(ledger.lowest_);
+    visit(ledger.tolerated_);
     visit(ledger.risen_);
   }
 
@@ -66,7 +70,7 @@ class EnergyLedger {
   bool has_exchanged() const;
 
   double exchanged_ = 0, largest_ = 0;
-  double lowest_ = 0, risen_ = 0;
+  double lowest_ = 0, tolerated_ = 0, risen_ = 0;
 };
 
 }  // namespace ddacontact

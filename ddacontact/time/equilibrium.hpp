@@ -23,6 +23,7 @@ struct Equilibrium {
   double unbalanced = 0;
   int unbalanced_block = -1;  ///< whose it is; -1: no block is out of balance
   int n_unbalanced = 0;       ///< blocks out of balance
+  double unbalanced_before = 0;  ///< `unbalanced` at the end of the substep before
   double fastest = 0;         ///< m/s, of any vertex; in static steps displacement over length of the substep
   int fastest_block = -1;     ///< whose it is; -1: nothing moves
   double relative_speed = 0;  ///< of any vertex, sizes of its block a second

@@ -68,6 +68,7 @@ void visit_equilibrium(Archive& visit, SomeEquilibrium& e) {
   visit(e.unbalanced);
   visit(e.unbalanced_block);
   visit(e.n_unbalanced);
+  visit(e.unbalanced_before);
   visit(e.fastest);
   visit(e.fastest_block);
   visit(e.relative_speed);

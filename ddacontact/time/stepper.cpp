@@ -509,7 +509,10 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
   const bool some_fell_asleep = fall_asleep(dt);
-  energy_.close_step();
+  double tolerated = 0;
+  for (const Contact& contact : tried_)
+    tolerated += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
+  energy_.close_step(tolerated);
   ++counts_.substeps;
   counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
   begun_ = true;
@@ -525,15 +528,19 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
 
 void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
   const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
+  const double before = equilibrium_.unbalanced;
   equilibrium_ = find_equilibrium(blocks_, *system_, solution.residual, tried_,
                                   asleep_ ? asleep_->part_reactions : reactions_, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = in_whole(*b);
+  equilibrium_.unbalanced_before = before;
   warnings_.look({.blocks = blocks_,
                   .d = solution.d,
                   .contacts = tried_,
+                  .dt = dt,
                   .time = state_.time + dt,
-                  .first = !begun_,
+                  .has_velocities = !is_static(),
+                  .is_first = !begun_,
                   .in_whole = asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{}});
 }
 

@@ -70,7 +70,7 @@ TEST(Until, EachConditionByItselfIsMet) {
 TEST(Until, FallingNeverEndsAStageHoweverShortItsSteps) {
   for (const Mode mode : {Mode::dynamic, Mode::statics}) {
     Scene scene = drop_scene(mode, 10, 20, at_rest);
-    scene.stages[0].analysis.time_step = 1e-9;
+    scene.stages[0].analysis.time_step = 1e-6;
     const BuiltScene built = build(scene);
     run(*built.stepper, 21);
     ASSERT_EQ(built.stepper->stage_ends().size(), 1u);
