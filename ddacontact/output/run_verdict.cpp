@@ -59,14 +59,15 @@ std::vector<std::string> warnings_of(const Stepper& stepper) {
   const Equilibrium& e = last.equilibrium;
   const bool is_static = stepper.stages()[last.stage].analysis.mode == Mode::statics;
   if (is_static && !e.in_balance()) {
-    std::string text = "this is no equilibrium: the static steps end with " +
-                       std::to_string(e.n_unbalanced) + (e.n_unbalanced == 1 ? " block" : " blocks") +
-                       " out of balance; " + imbalance(stepper, e);
+    std::string text = "this is no equilibrium: the static steps end with " + std::to_string(e.n_unbalanced) +
+                       (e.n_unbalanced == 1 ? " block" : " blocks") + " out of balance; " +
+                       imbalance(stepper, e);
     if (e.fastest_block >= 0) text += ", " + motion(stepper, e);
     const double change = e.unbalanced / e.unbalanced_before - 1;
-    warnings.push_back(text + (change < -settling
-                                   ? " (more 'steps': the last one made it " + figure(-100 * change) + " % less)"
-                                   : " (more 'steps'; where it does not become less, the scene has no equilibrium)"));
+    warnings.push_back(
+        text + (change < -settling
+                    ? " (more 'steps': the last one made it " + figure(-100 * change) + " % less)"
+                    : " (more 'steps'; where it does not become less, the scene has no equilibrium)"));
   }
   for (std::string& text :
        stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy()))

@@ -1,7 +1,8 @@
 #include <ddacontact/scene/guessed_keys.hpp>
 
+#include <ddacontact/scene/spelling.hpp>
+
 #include <algorithm>
-#include <string>
 
 namespace ddacontact::scene_format {
 
@@ -26,24 +27,29 @@ constexpr std::string_view no_moving_acceleration =
 
 constexpr Guess guesses[] = {
     // Laws of contacts.
-    {"joint", " kn k_n jkn knorm normal_stiffness ks k_s jks kt shear_stiffness tangential_stiffness "
-              "stiffness joint_stiffness ", no_joint_stiffness},
-    {"joint", " phi friction fric jfriction jfric jfr friction_deg angle ", "write 'friction_angle' in degrees"},
-    {"joint", " mu friction_coefficient coefficient coef ",
-     "write 'friction_angle' = atan(mu) in degrees"},
+    {"joint",
+     " kn k_n jkn knorm normal_stiffness ks k_s jks kt shear_stiffness tangential_stiffness "
+     "stiffness joint_stiffness ",
+     no_joint_stiffness},
+    {"joint", " phi friction fric jfriction jfric jfr friction_deg angle ",
+     "write 'friction_angle' in degrees"},
+    {"joint", " mu friction_coefficient coefficient coef ", "write 'friction_angle' = atan(mu) in degrees"},
     {"joint", " c coh jcohesion jcoh ", "write 'cohesion' in Pa"},
     {"joint", " tension tens jtension jtens tensile sigma_t ft ", "write 'tensile_strength' in Pa"},
     {"joint", " dilation dilation_angle dilatancy jdilation jdil psi dilation_slip zdilation ",
      "sliding joints do not dilate in this version"},
     {"joint", " residual_friction_angle residual_friction jrescoh jrfric residual_cohesion resfric ",
-     "there is no residual friction in this version: friction stays, 'cohesion' and 'tensile_strength' are lost "
+     "there is no residual friction in this version: friction stays, 'cohesion' and 'tensile_strength' are "
+     "lost "
      "on sliding or opening"},
     {"joint", " damping ", "write 'dashpot', a ratio to critical damping"},
     {"[contact]", " kn k_n penalty pn stiffness normal_penalty ", "write 'normal_stiffness' in N/m2"},
     {"[contact]", " ks k_s kt shear_stiffness tangential_penalty shear_penalty ",
      "write 'tangential_stiffness' in N/m2"},
-    {"[contact]", " mu phi friction friction_angle friction_coefficient cohesion tensile_strength tension "
-                  "restitution dashpot damping ", "the laws of contacts are [[joint]]"},
+    {"[contact]",
+     " mu phi friction friction_angle friction_coefficient cohesion tensile_strength tension "
+     "restitution dashpot damping ",
+     "the laws of contacts are [[joint]]"},
     {"[contact]", " joint_stiffness ", no_joint_stiffness},
 
     // Materials.
@@ -53,10 +59,13 @@ constexpr Guess guesses[] = {
     {"[[material]]", " rho ro dens mass_density ", "write 'density' in kg/m3"},
     {"[[material]]", " gamma weight specific_weight ", "write 'unit_weight' in N/m3"},
     {"[[material]]", " bulk bulk_modulus k g shear shear_modulus lambda ",
-     "write 'young' and 'poisson': with bulk modulus K and shear modulus G, young = 9KG/(3K + G) and poisson = "
+     "write 'young' and 'poisson': with bulk modulus K and shear modulus G, young = 9KG/(3K + G) and poisson "
+     "= "
      "(3K - 2G)/(6K + 2G)"},
-    {"[[material]]", " phi friction friction_angle cohesion c coh tension tensile_strength strength ucs ft fc "
-                     "yield dilation ", strength_of_joints},
+    {"[[material]]",
+     " phi friction friction_angle cohesion c coh tension tensile_strength strength ucs ft fc "
+     "yield dilation ",
+     strength_of_joints},
     {"[[material]]", " damping ", "write 'damping' = { mass, stiffness } in [analysis]"},
     {"[[material]]", " kn ks joint_stiffness ", no_joint_stiffness},
 
@@ -70,18 +79,22 @@ constexpr Guess guesses[] = {
     {"[[block]]", " friction friction_angle phi cohesion kn ks ",
      "the laws of contacts are [[joint]], by pairs of materials where 'between' names them"},
     {"[[block]]", " force load pressure ", "forces are [[load]]"},
-    {"[[block]]", " group grid ", "this version has neither groups nor grids of blocks: write each block, or a "
-                                  "geometry file ('blocks' at the top of the file)"},
+    {"[[block]]", " group grid ",
+     "this version has neither groups nor grids of blocks: write each block, or a "
+     "geometry file ('blocks' at the top of the file)"},
     {"[[block]]", " rotation angle spin omega ",
      "a block starts as its 'vertices' are; 'angular_velocity' in rad/s turns it"},
 
     // Loads and supports.
-    {"[[load]]", " p pressure magnitude stress ", "a pressure is type = \"pressure\" with 'edge' and 'value' in Pa"},
+    {"[[load]]", " p pressure magnitude stress ",
+     "a pressure is type = \"pressure\" with 'edge' and 'value' in Pa"},
     {"[[load]]", " fx fy direction ", "write 'force' = [fx, fy]"},
     {"[[load]]", " ramp ", "there is no 'ramp' in this version: write 'history' = [[0, 0, 0], [T, fx, fy]]"},
-    {"[[load]]", " position point location vertex ", "write 'at' = [x, y], inside the block or on its outline"},
-    {"[[load]]", " acceleration ", "a body force is per volume: density times acceleration; one of all blocks is "
-                                   "'gravity' of [analysis]"},
+    {"[[load]]", " position point location vertex ",
+     "write 'at' = [x, y], inside the block or on its outline"},
+    {"[[load]]", " acceleration ",
+     "a body force is per volume: density times acceleration; one of all blocks is "
+     "'gravity' of [analysis]"},
     {"[[support]]", " velocity_history acceleration_history ",
      "this version has displacements in time alone: 'history' = [[t, ux, uy], ...]"},
     {"[[support]]", " acceleration ", no_moving_acceleration},
@@ -97,7 +110,8 @@ constexpr Guess guesses[] = {
     {"[analysis]", " g ", "write 'gravity' = [0, -9.8] in m/s2"},
     {"[analysis]", " acceleration quake ", no_moving_acceleration},
     {"[analysis]", " local_damping damp auto_damping viscous_damping damping_ratio alpha alpha_damping ",
-     "write 'damping' = { mass, stiffness }, forces mass M v and stiffness K times the rate of deformation; a "
+     "write 'damping' = { mass, stiffness }, forces mass M v and stiffness K times the rate of deformation; "
+     "a "
      "static 'mode' brings blocks to rest without"},
     {"[analysis]", " type analysis_type ", "write 'mode' = \"dynamic\" or \"static\""},
     {"[analysis]", " dynamic static ", "write 'mode' = \"dynamic\" or \"static\""},
@@ -117,12 +131,13 @@ constexpr Guess guesses[] = {
     {"the scene", " quake earthquake seismic acceleration ", no_moving_acceleration},
     {"the scene", " quiet_boundary viscous_boundary absorbing_boundary ",
      "this version has no quiet boundaries: 'damping' of [analysis] takes waves out of all blocks"},
-    {"the scene", " initial_stress insitu in_situ ",
-     "write 'stress' = [sxx, syy, sxy] of each [[block]]"},
+    {"the scene", " initial_stress insitu in_situ ", "write 'stress' = [sxx, syy, sxy] of each [[block]]"},
     {"the scene", " domain joint_set jset voronoi region opening tunnel ",
-     "this version cuts no blocks from a domain: write them as [[block]] or in a geometry file; dda make voronoi "
+     "this version cuts no blocks from a domain: write them as [[block]] or in a geometry file; dda make "
+     "voronoi "
      "makes one"},
-    {"the scene", " parameters variables ", "this version has no parameters: --set PATH=VALUE changes any number"},
+    {"the scene", " parameters variables ",
+     "this version has no parameters: --set PATH=VALUE changes any number"},
     {"the scene", " gravity steps time_step dt mode scheme damping ", "it belongs to [analysis]"},
     {"the scene", " kn ks normal_stiffness tangential_stiffness penalty ",
      "write 'normal_stiffness' and 'tangential_stiffness' in [contact]"},
@@ -149,6 +164,12 @@ std::string_view cure_of_guessed_key(std::string_view key, std::string_view tabl
     if (table.find(guess.table) != std::string_view::npos && guess.keys.find(word) != std::string_view::npos)
       return guess.cure;
   return {};
+}
+
+std::string cure_of_unknown_key(std::string_view key, std::string_view table,
+                                const std::vector<std::string_view>& known) {
+  const std::string_view cure = cure_of_guessed_key(key, table);
+  return cure.empty() ? suggestion(key, "key", known) : std::string(cure);
 }
 
 }  // namespace ddacontact::scene_format

@@ -80,11 +80,11 @@ struct Monitor {
 
 /// A part of a run.
 struct StageDescription {
-  std::string name;                  ///< may be empty
-  AnalysisOptions analysis;          ///< while it lasts; `steps` are its own
-  std::vector<Joint> joints;         ///< those of the scene, in their order, as they are while it lasts
-  bool reset_displacements = false;  ///< at its end displacements are counted anew; stresses stay
-  std::vector<int> removed;          ///< blocks taken out at its start
+  std::string name;                    ///< may be empty
+  AnalysisOptions analysis;            ///< while it lasts; `steps` are its own
+  std::vector<Joint> joints;           ///< those of the scene, in their order, as they are while it lasts
+  bool reset_displacements = false;    ///< at its end displacements are counted anew; stresses stay
+  std::vector<int> removed;            ///< blocks taken out at its start
   std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
 };
 

@@ -325,9 +325,10 @@ void describe(StageRecord& r, Visit&& visit) {
         r.reset_displacements);
   visit(Key{.name = "remove", .what = "Blocks taken out at the start of the stage."}, r.remove);
   visit(Key{.name = "until",
-            .what = "Ends the stage before its steps are made: when forces are in balance, the kinetic energy is "
-                    "at most `kinetic` times the largest energy exchanged, and every block moves by at most "
-                    "`displacement` times its size in a second.",
+            .what =
+                "Ends the stage before its steps are made: when forces are in balance, the kinetic energy is "
+                "at most `kinetic` times the largest energy exchanged, and every block moves by at most "
+                "`displacement` times its size in a second.",
             .bounds = positive},
         r.until);
 }

@@ -67,8 +67,7 @@ std::string cure_of_unknown(std::string_view name, std::string_view table,
   for (const std::string_view top : {"format", "title", "blocks"})
     if (name == top)
       return "'" + std::string(top) + "' belongs to the top of the file, before the first table";
-  if (const std::string_view cure = cure_of_guessed_key(name, table); !cure.empty()) return std::string(cure);
-  return suggestion(name, "key", known);
+  return cure_of_unknown_key(name, table, known);
 }
 
 }  // namespace

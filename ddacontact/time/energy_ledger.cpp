@@ -10,9 +10,10 @@ void EnergyLedger::close_step(double tolerated) {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
     largest_ = std::max(largest_, std::abs(now.*entry));
   }
-  lowest_ = std::min(lowest_, mechanical());
   tolerated_ = std::max(tolerated_, tolerated);
-  if (has_exchanged()) risen_ = std::max(risen_, (mechanical() - lowest_ - tolerated_) / exchanged_);
+  const double created =
+      (now.total() - now.numerical_dissipated) - (start_.total() - start_.numerical_dissipated);
+  if (has_exchanged()) created_ = std::max(created_, (created - tolerated_) / exchanged_);
 }
 
 bool EnergyLedger::has_exchanged() const {

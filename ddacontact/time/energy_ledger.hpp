@@ -25,12 +25,10 @@ class EnergyLedger {
   Energy now;
 
   /// Takes the present energies as those of the start.
-  void start() {
-    start_ = now;
-    lowest_ = mechanical();
-  }
+  void start() { start_ = now; }
   /// Notes the present energies as exchanged; call after every step.
-  /// \param[in] tolerated  what contacts may do as work while they close the penetration that their tolerance leaves,
+  /// \param[in] tolerated  what contacts may do as work while they close the penetration that their tolerance
+  /// leaves,
   ///                       J per m: it counts as no rise
   void close_step(double tolerated = 0);
   /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but what the
@@ -39,10 +37,10 @@ class EnergyLedger {
   /// The largest change of any entry since the start, J per m.
   double exchanged() const { return exchanged_; }
 
-  /// By how much mechanical energy (kinetic, elastic, gravity) less the work of loads and supports rose above
-  /// its lowest value so far at most, beyond what is tolerated, over the largest energy exchanged; 0 while there was
-  /// none.
-  double risen() const { return risen_; }
+  /// Energy from nowhere: by how much kinetic, elastic, gravity and what friction and damping took rose above
+  /// the work of loads and supports at most, beyond what is tolerated, over the largest energy exchanged; 0
+  /// while there was none.
+  double created() const { return created_; }
 
   /// Calls visit with every number of the ledger.
   template <class Ledger, class Visit>
@@ -51,9 +49,8 @@ class EnergyLedger {
       for (double Energy::*entry : entries) visit(energy->*entry);
     visit(ledger.exchanged_);
     visit(ledger.largest_);
-    visit(ledger.lowest_);
     visit(ledger.tolerated_);
-    visit(ledger.risen_);
+    visit(ledger.created_);
   }
 
  private:
@@ -66,11 +63,10 @@ class EnergyLedger {
                                                 &Energy::damping_dissipated};
 
   Energy start_;
-  double mechanical() const { return now.kinetic + now.elastic + now.gravity - now.external; }
   bool has_exchanged() const;
 
   double exchanged_ = 0, largest_ = 0;
-  double lowest_ = 0, tolerated_ = 0, risen_ = 0;
+  double tolerated_ = 0, created_ = 0;
 };
 
 }  // namespace ddacontact

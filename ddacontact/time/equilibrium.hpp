@@ -21,8 +21,8 @@ struct Equilibrium {
   /// Largest over the blocks of |weight + loads + contact forces + reactions|, or of their moment about the
   /// centroid over the block's size where that is larger, over the largest of these forces on the same block.
   double unbalanced = 0;
-  int unbalanced_block = -1;  ///< whose it is; -1: no block is out of balance
-  int n_unbalanced = 0;       ///< blocks out of balance
+  int unbalanced_block = -1;     ///< whose it is; -1: no block is out of balance
+  int n_unbalanced = 0;          ///< blocks out of balance
   double unbalanced_before = 0;  ///< `unbalanced` at the end of the substep before
   double fastest = 0;         ///< m/s, of any vertex; in static steps displacement over length of the substep
   int fastest_block = -1;     ///< whose it is; -1: nothing moves

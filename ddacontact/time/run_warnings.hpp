@@ -64,8 +64,8 @@ class RunWarnings {
 
     void add(double value, int of_block, double time);
   };
-  Sighting far_;      ///< largest motion of a block over its size
-  Sighting changed_;  ///< part of the blocks in contact whose contacts changed
+  Sighting far_;                       ///< largest motion of a block over its size
+  Sighting changed_;                   ///< part of the blocks in contact whose contacts changed
   std::vector<long> slid_, unsteady_;  ///< of each block: substeps in which it slid; of these, with a change
 };
 

@@ -534,14 +534,15 @@ void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_ve
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = in_whole(*b);
   equilibrium_.unbalanced_before = before;
-  warnings_.look({.blocks = blocks_,
-                  .d = solution.d,
-                  .contacts = tried_,
-                  .dt = dt,
-                  .time = state_.time + dt,
-                  .has_velocities = !is_static(),
-                  .is_first = !begun_,
-                  .in_whole = asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{}});
+  warnings_.look(
+      {.blocks = blocks_,
+       .d = solution.d,
+       .contacts = tried_,
+       .dt = dt,
+       .time = state_.time + dt,
+       .has_velocities = !is_static(),
+       .is_first = !begun_,
+       .in_whole = asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{}});
 }
 
 void Stepper::prepare_and_keep_momentum() {

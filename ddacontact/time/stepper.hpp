@@ -57,9 +57,9 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
 
   /// Carries the state over one time_step, in as many substeps as it takes; first goes on to the next stage
-  /// when the last one has made its steps or its `until` came true. False when it has to stop: the state is then that of the last
-  /// accepted substep and `stop_reason` says why; also where memory does not suffice for a try. Throws
-  /// std::bad_alloc where it fails between two states: the record is of no use then.
+  /// when the last one has made its steps or its `until` came true. False when it has to stop: the state is
+  /// then that of the last accepted substep and `stop_reason` says why; also where memory does not suffice
+  /// for a try. Throws std::bad_alloc where it fails between two states: the record is of no use then.
   [[nodiscard]] bool step();
   /// Asked after every try of a step: when it says so the step is left, as if the tries since the last
   /// accepted substep had not been made; `step` returns false and `stop_reason` is "interrupted".

@@ -6,7 +6,8 @@
 
 namespace ddacontact {
 
-/// How long a pressure wave takes through a block: its size over the square root of (lambda + 2 mu) / density, s.
+/// How long a pressure wave takes through a block: its size over the square root of (lambda + 2 mu) /
+/// density, s.
 double transit_time(const Block& block);
 
 /// Whether the step is shorter than a pressure wave takes across either block of a contact: velocities of the

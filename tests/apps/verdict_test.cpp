@@ -13,7 +13,8 @@ std::string slope_scene(const std::string& mode, double friction_angle, const st
 [analysis]
 time_step = 0.01
 steps = 10
-mode = ")" + mode + R"("
+mode = ")" +
+         mode + R"("
 [[material]]
 name = "rock"
 density = 2500
@@ -21,7 +22,8 @@ young = "35 GPa"
 poisson = 0.3
 [[joint]]
 name = "interface"
-friction_angle = )" + std::to_string(friction_angle) + R"(
+friction_angle = )" +
+         std::to_string(friction_angle) + R"(
 [[block]]
 name = "ramp"
 material = "rock"
@@ -115,7 +117,9 @@ TEST_F(Verdict, UntilThatNeverComesTrueIsWarnedOf) {
   text.replace(text.find("friction_angle = 80"), 19, "friction_angle = 20");
   write("slope.toml", text);
   EXPECT_EQ(dda("run slope.toml --quiet --set stage.settle.steps=3"), 0);
-  EXPECT_TRUE(says("slope.toml: warning: stage \"settle\" made all its 3 steps and its 'until' never came true")) << err_;
+  EXPECT_TRUE(
+      says("slope.toml: warning: stage \"settle\" made all its 3 steps and its 'until' never came true"))
+      << err_;
   EXPECT_EQ(summary("slope-out")["stages"][0]["at_rest"], false);
 }
 

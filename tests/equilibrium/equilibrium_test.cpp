@@ -70,7 +70,8 @@ TEST_P(EveryStep, WhatFrictionHoldsIsAtRest) {
 TEST_P(EveryStep, AColumnThatStandsIsAtRestAndOneThatLeansTooFarIsNot) {
   if (GetParam() < 1e-3) GTEST_SKIP() << "the column vibrates for many more steps";
   for (const double part : {0.97, 1.03}) {
-    const int steps = std::max(12, static_cast<int>(1 / GetParam()));  // long vibrations decay slowly in short ones
+    const int steps =
+        std::max(12, static_cast<int>(1 / GetParam()));  // long vibrations decay slowly in short ones
     Scene scene = stone_scene(Mode::statics, GetParam(), steps, 40);
     scene.blocks = {block(rectangle(-5, -1, 12, 1), true)};
     for (int k = 0; k < 4; ++k) {
@@ -78,7 +79,8 @@ TEST_P(EveryStep, AColumnThatStandsIsAtRestAndOneThatLeansTooFarIsNot) {
       scene.loads.push_back(body_load(k + 1, constant(part * Vec2(2500 * g / 4, 0))));
     }
     const BuiltScene built = run(scene);
-    EXPECT_EQ(built.stepper->is_at_rest(), part < 1) << part << ": " << built.stepper->equilibrium().unbalanced;
+    EXPECT_EQ(built.stepper->is_at_rest(), part < 1)
+        << part << ": " << built.stepper->equilibrium().unbalanced;
   }
 }
 
@@ -87,7 +89,8 @@ TEST(Equilibrium, CountsReactionsAndBonds) {
   for (const BlockModel model : {BlockModel::wachspress, BlockModel::affine, BlockModel::mesh}) {
     Scene scene = stone_scene(Mode::statics, 0.01, 12, 30);
     scene.joints[0].cohesion = scene.joints[0].tensile_strength = 1e6;
-    scene.blocks = {block(rectangle(0, 0, 2, 1)), block(rectangle(5, 2, 4, 1), true), block(rectangle(6, 1, 2, 1))};
+    scene.blocks = {block(rectangle(0, 0, 2, 1)), block(rectangle(5, 2, 4, 1), true),
+                    block(rectangle(6, 1, 2, 1))};
     scene.blocks[0].fixed_vertices = {0, 1};
     scene.blocks[0].model = scene.blocks[2].model = model;
     const BuiltScene built = run(scene);
@@ -101,7 +104,8 @@ TEST(Equilibrium, ACoupleIsOutOfBalance) {
   Scene scene = stone_scene(Mode::statics, 0.01, 3, 30);
   scene.analysis.gravity = Vec2(0, 0);
   scene.blocks = {block(rectangle(-9, -1, 1, 1), true), block(rectangle(0, 0, 2, 2))};
-  scene.loads = {point_load(1, Vec2(0, 1), constant(Vec2(0, -1e3))), point_load(1, Vec2(2, 1), constant(Vec2(0, 1e3)))};
+  scene.loads = {point_load(1, Vec2(0, 1), constant(Vec2(0, -1e3))),
+                 point_load(1, Vec2(2, 1), constant(Vec2(0, 1e3)))};
   EXPECT_GT(run(scene).stepper->equilibrium().unbalanced, 0.5);
 }
 
@@ -116,8 +120,8 @@ TEST(Equilibrium, DynamicRunsAreAtRestWhenNothingMovesAndForcesBalance) {
   for (const bool sleeps : {true, false}) {
     scene.analysis.skip.sleep = sleeps;
     const BuiltScene rests = run(scene);
-    EXPECT_TRUE(rests.stepper->is_at_rest()) << rests.stepper->equilibrium().unbalanced << ", "
-                                             << rests.stepper->equilibrium().fastest;
+    EXPECT_TRUE(rests.stepper->is_at_rest())
+        << rests.stepper->equilibrium().unbalanced << ", " << rests.stepper->equilibrium().fastest;
     EXPECT_EQ(rests.stepper->is_asleep(1), sleeps);
   }
   // At the top of its flight: no velocity, but its weight.

@@ -1,5 +1,5 @@
-// Structures loaded to .7 .. 1.5 of their limit, at least 3 % from it, in static runs with steps of 5, 50 and 500 ms:
-// what stands has to be called at rest, what collapses must not.
+// Structures loaded to .7 .. 1.5 of their limit, at least 3 % from it, in static runs with steps of 5, 50 and
+// 500 ms: what stands has to be called at rest, what collapses must not.
 //
 //   limit_verdicts NUMBER [FIRST]   how many structures, from which on
 //
@@ -44,8 +44,8 @@ struct Verdict {
   long steps = 0;
 };
 
-/// Steps until all is at rest, at most so many; given up when what is out of balance has not become less by a tenth
-/// within `patience` of them.
+/// Steps until all is at rest, at most so many; given up when what is out of balance has not become less by a
+/// tenth within `patience` of them.
 Verdict verdict_of(Scene scene, double time_step, int most_steps, int patience) {
   scene.analysis.time_step = time_step;
   scene.analysis.steps = most_steps;
@@ -76,27 +76,29 @@ int main(int n_arguments, char** arguments) {
     for (const auto& [time_step, steps, patience] :
          {std::tuple{5e-3, 2000, 50}, {50e-3, 200, 10}, {500e-3, 50, 5}}) {
       const auto start = std::chrono::steady_clock::now();
-      const Verdict verdict =
-          verdict_of(support::with_loads(structures[s], factor * structures[s].limit), time_step, steps,
-                     patience);
+      const Verdict verdict = verdict_of(support::with_loads(structures[s], factor * structures[s].limit),
+                                         time_step, steps, patience);
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       const bool stands = factor < 1;
       ++n_runs;
       if (std::getenv("VERBOSE"))
         std::cout << structures[s].name << ", factor " << factor << ", step " << time_step << ": unbalanced "
-                  << verdict.equilibrium.unbalanced << ' ' << verdict.stop_reason << " steps " << verdict.steps << ' ' << spent.count() << " s\n" << std::flush;
+                  << verdict.equilibrium.unbalanced << ' ' << verdict.stop_reason << " steps "
+                  << verdict.steps << ' ' << spent.count() << " s\n"
+                  << std::flush;
       double& extreme = stands ? most_of_standing : least_of_collapsing;
       if (verdict.stop_reason.empty())
         extreme = stands ? std::max(extreme, verdict.equilibrium.unbalanced)
                          : std::min(extreme, verdict.equilibrium.unbalanced);
       if (verdict.at_rest == stands) continue;
       ++n_wrong;
-      std::cout << "wrong: " << structures[s].name << ", load " << factor << " of the limit, steps of " << time_step
-                << " s: " << (verdict.at_rest ? "at rest" : "not at rest") << ", unbalanced "
+      std::cout << "wrong: " << structures[s].name << ", load " << factor << " of the limit, steps of "
+                << time_step << " s: " << (verdict.at_rest ? "at rest" : "not at rest") << ", unbalanced "
                 << verdict.equilibrium.unbalanced << ' ' << verdict.stop_reason << '\n';
     }
   }
   std::cout << n_runs - n_wrong << " of " << n_runs << " verdicts are right; out of balance by at most "
-            << most_of_standing << " of what stands, by at least " << least_of_collapsing << " of what collapses\n";
+            << most_of_standing << " of what stands, by at least " << least_of_collapsing
+            << " of what collapses\n";
   return n_wrong > 0 ? 1 : 0;
 }

@@ -42,7 +42,8 @@ double final_speed(const BuiltScene& built) {
 void expect_warning(const Scene& scene, const std::vector<const char*>& words) {
   const std::vector<std::string> warnings = warnings_in(scene);
   ASSERT_EQ(warnings.size(), 1u);
-  for (const char* word : words) EXPECT_NE(warnings[0].find(word), std::string::npos) << word << " in " << warnings[0];
+  for (const char* word : words)
+    EXPECT_NE(warnings[0].find(word), std::string::npos) << word << " in " << warnings[0];
 }
 
 void expect_none(const Scene& scene) {
@@ -53,7 +54,8 @@ void expect_none(const Scene& scene) {
 
 /// The velocity of the soft block is 17 % too large, that of the others within .1 % of a rigid one.
 TEST(RunWarnings, FrictionInducedVibrationIsTold) {
-  expect_warning(sliding_scene(35e6, 0.002), {"\"slider\" vibrates by friction", "changed their state in", "damping"});
+  expect_warning(sliding_scene(35e6, 0.002),
+                 {"\"slider\" vibrates by friction", "changed their state in", "damping"});
   expect_warning(sliding_scene(35e6, 0.0005), {"\"slider\" vibrates by friction"});
   expect_warning(sliding_scene(350e6, 0.002), {"\"slider\" vibrates by friction"});
   expect_none(sliding_scene(35e6, 0.02));
@@ -85,7 +87,7 @@ TEST(RunWarnings, EnergyThatRisesIsTold) {
     scene.analysis.gamma = gamma;
     scene.analysis.beta = (gamma + 0.5) * (gamma + 0.5) / 4;
     if (gamma < 0.6)
-      expect_warning(scene, {"mechanical energy rose", "gamma of 0.6"});
+      expect_warning(scene, {"energy rose by", "gamma of 0.6"});
     else
       expect_none(scene);
   }
@@ -96,7 +98,8 @@ TEST(RunWarnings, EnergyThatRisesIsTold) {
 TEST(RunWarnings, WorkOfLoadsAndSupportsIsNoRise) {
   Scene scene = stone_scene(35e9, 0.01, 100, 30);
   scene.analysis.gravity = Vec2(0, 0);
-  scene.blocks = {block(rectangle(-9, -1, 1, 1), true), block(rectangle(0, 0, 2, 1)), block(rectangle(0, 5, 2, 1))};
+  scene.blocks = {block(rectangle(-9, -1, 1, 1), true), block(rectangle(0, 0, 2, 1)),
+                  block(rectangle(0, 5, 2, 1))};
   scene.loads = {point_load(1, Vec2(1, 0.5), constant(Vec2(1e5, 0)))};
   scene.supports = {{2, {0, 1, 2, 3}, true, true, {TimeFunction::Kind::rate, Vec2(1, 0), {}}}};
   expect_none(scene);
@@ -118,9 +121,11 @@ TEST(RunWarnings, ContactsThatChangeInMostStepsAreTold) {
   scene.blocks = {block(rectangle(-5, -1, 30, 1))};
   for (int k = 0; k < 5; ++k) scene.blocks.push_back(block(rectangle(3 * k, 0, 1, 1)));
   Support table{0, {0, 1, 2, 3}, true, true, {TimeFunction::Kind::history, Vec2(0, 0), {}}};
-  for (int k = 0; k <= 40; ++k) table.displacement.history.push_back(Vec3(0.01 * k, k % 2 == 0 ? 0 : 0.005, 0));
+  for (int k = 0; k <= 40; ++k)
+    table.displacement.history.push_back(Vec3(0.01 * k, k % 2 == 0 ? 0 : 0.005, 0));
   scene.supports = {table};
-  expect_warning(scene, {"contacts of most blocks changed their state in", "of 40 substeps", "(a smaller 'time_step')"});
+  expect_warning(
+      scene, {"contacts of most blocks changed their state in", "of 40 substeps", "(a smaller 'time_step')"});
   for (Vec3& entry : scene.supports[0].displacement.history) entry[1] = 0;
   expect_none(scene);
 }

@@ -78,7 +78,8 @@ TEST(Until, FallingNeverEndsAStageHoweverShortItsSteps) {
     EXPECT_EQ(built.stepper->stage_ends()[0].steps, 20);
     const std::vector<std::string> warnings = warnings_of(*built.stepper);
     ASSERT_EQ(warnings.size(), 1u);
-    for (const char* word : {"stage \"settle\"", "20 steps", "'until' never came true", "\"falls\"", "(more 'steps'"})
+    for (const char* word :
+         {"stage \"settle\"", "20 steps", "'until' never came true", "\"falls\"", "(more 'steps'"})
       EXPECT_NE(warnings[0].find(word), std::string::npos) << warnings[0];
   }
 }

@@ -16,7 +16,7 @@ using namespace ddacontact;
 
 namespace {
 
-constexpr double gravity = 9.8, density = 2500, right_angle = std::numbers::pi / 2;
+constexpr double gravity = 9.8, density = 2500, young = 350e9, right_angle = std::numbers::pi / 2;
 
 double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -37,7 +37,7 @@ Vec2 centroid_of(const Points& p) {
   return sum / (6 * area_of(p));
 }
 
-Scene static_scene(double young, double friction) {
+Scene static_scene(double friction) {
   Scene scene;
   scene.analysis.mode = Mode::statics;
   scene.analysis.gravity = Vec2(0, -gravity);
@@ -172,17 +172,19 @@ std::optional<LimitStructure> random_arch(Random& random) {
   const double area = area_of(thick.voussoir(0)), weight = density * gravity * area;
   std::vector<Force> forces;
   LimitStructure structure;
-  structure.scene = static_scene(random.below(3) ? 35e9 : 3.5e9, friction);
+  structure.scene = static_scene(friction);
   for (int k = -1; k <= arch.n_voussoirs; ++k)
     structure.scene.blocks.push_back(stone(thick.voussoir(k), k < 0 || k == arch.n_voussoirs));
   const auto add_body = [&](int k, const Vec2& per_volume) {
     forces.push_back({k, centroid_of(thick.voussoir(k)), area * per_volume});
-    structure.scene.loads.push_back({Load::Kind::body, k + 1, Vec2(0, 0), 0, 0, {TimeFunction::Kind::constant, per_volume, {}}});
+    structure.scene.loads.push_back(
+        {Load::Kind::body, k + 1, Vec2(0, 0), 0, 0, {TimeFunction::Kind::constant, per_volume, {}}});
   };
   if (kind == 0) {
     const Vec2 at = (thick.point(loaded, thick.outer()) + thick.point(loaded + 1, thick.outer())) / 2;
     forces.push_back({loaded, at, Vec2(0, -weight)});
-    structure.scene.loads.push_back({Load::Kind::point, loaded + 1, at, 0, 0, {TimeFunction::Kind::constant, Vec2(0, -weight), {}}});
+    structure.scene.loads.push_back(
+        {Load::Kind::point, loaded + 1, at, 0, 0, {TimeFunction::Kind::constant, Vec2(0, -weight), {}}});
   }
   for (int k = 0; k < arch.n_voussoirs; ++k) {
     if (kind == 1) add_body(k, density * gravity * Vec2(1, 0));
@@ -191,16 +193,18 @@ std::optional<LimitStructure> random_arch(Random& random) {
   const auto limit = arch_limit(thick, friction, forces), rough = arch_limit(thick, 1e3, forces);
   if (!limit || !rough || *limit < 0.02 || *rough - *limit > 1e-6 * *limit) return std::nullopt;
   structure.limit = *limit;
-  structure.name = "arch of " + std::to_string(arch.n_voussoirs) + ", thickness " + std::to_string(thick.thickness / arch.radius) +
-                   " R, load " + std::to_string(kind) + ", limit " + std::to_string(*limit);
+  structure.name = "arch of " + std::to_string(arch.n_voussoirs) + ", thickness " +
+                   std::to_string(thick.thickness / arch.radius) + " R, load " + std::to_string(kind) +
+                   ", limit " + std::to_string(*limit);
   return structure;
 }
 
 LimitStructure random_pillar(Random& random) {
   const int n = 1 + random.below(6);
-  const double width = random.between(0.5, 2), height = width * random.between(0.5, 5), friction = random.between(0.3, 0.9);
+  const double width = random.between(0.5, 2), height = width * random.between(0.5, 5),
+               friction = random.between(0.3, 0.9);
   LimitStructure structure;
-  structure.scene = static_scene(random.below(3) ? 35e9 : 3.5e9, friction);
+  structure.scene = static_scene(friction);
   const auto box = [](double x, double y, double w, double h) {
     Points p(2, 4);
     p << x, x + w, x + w, x, y, y, y + h, y + h;
@@ -208,11 +212,18 @@ LimitStructure random_pillar(Random& random) {
   };
   structure.scene.blocks.push_back(stone(box(-5, -1, 10 + width, 1), true));
   for (int k = 0; k < n; ++k) {
-    structure.scene.blocks.push_back(stone(box(0, height * k / n, width, height * (k + 1) / n - height * k / n)));
-    structure.scene.loads.push_back({Load::Kind::body, k + 1, Vec2(0, 0), 0, 0, {TimeFunction::Kind::constant, density * gravity * Vec2(1, 0), {}}});
+    structure.scene.blocks.push_back(
+        stone(box(0, height * k / n, width, height * (k + 1) / n - height * k / n)));
+    structure.scene.loads.push_back({Load::Kind::body,
+                                     k + 1,
+                                     Vec2(0, 0),
+                                     0,
+                                     0,
+                                     {TimeFunction::Kind::constant, density * gravity * Vec2(1, 0), {}}});
   }
   structure.limit = std::min(friction, width / height);
-  structure.name = "pillar of " + std::to_string(n) + ", height " + std::to_string(height / width) + " b, mu " + std::to_string(friction);
+  structure.name = "pillar of " + std::to_string(n) + ", height " + std::to_string(height / width) +
+                   " b, mu " + std::to_string(friction);
   return structure;
 }
 
