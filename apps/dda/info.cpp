@@ -40,6 +40,8 @@ int info(const std::string& name) {
     Answer answer;
     answer.heading(title_of(directory, scene));
     tell_outcome(answer, summary);
+    tell_rest(answer, summary);
+    tell_warnings(answer, summary);
     tell_size(answer, summary);
     int status = tell(answer, [&] { tell_models(answer, directory); });
     tell_work(answer, summary);

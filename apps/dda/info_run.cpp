@@ -21,6 +21,40 @@ void tell_outcome(Answer& answer, const SummaryTable& summary) {
   if (!summary.text("reason").empty()) answer.line("because: " + summary.text("reason"));
 }
 
+void tell_rest(Answer& answer, const SummaryTable& summary) {
+  const auto at_rest = summary.number("at_rest"), unbalanced = summary.number("unbalanced"),
+             out = summary.number("blocks_unbalanced"), fastest = summary.number("fastest");
+  if (!at_rest || !unbalanced || !out || !fastest) return;
+  answer.topic("rest");
+  answer.line(*at_rest == 1 ? "at rest: all blocks are in balance" : "not at rest");
+  if (*out > 0)
+    answer.line(plural(*out, "block is", "blocks are") +
+                fmt::format(" out of balance; most block {}, by {} of the largest force on it",
+                            summary.text("unbalanced_block"), number_text(*unbalanced, 2)));
+  else if (*unbalanced > 0)
+    answer.line(fmt::format("out of balance by {} of the largest force on a block at most",
+                            number_text(*unbalanced, 2)));
+  if (*fastest > 0)
+    answer.line(fmt::format("block {} moves fastest, {}", summary.text("fastest_block"),
+                            quantity_text(*fastest, "m/s")));
+  for (int k = 0; summary.number(fmt::format("stages.{}.steps", k + 1)); ++k) {
+    const std::string stage = fmt::format("stages.{}.", k);
+    const std::string name = summary.text(stage + "name");
+    answer.line(fmt::format("stage {} ended {}at rest after {}", name.empty() ? std::to_string(k) : name,
+                            summary.number(stage + "at_rest") == 1. ? "" : "not ",
+                            plural(summary.number(stage + "steps").value_or(0), "step", "steps")));
+  }
+}
+
+void tell_warnings(Answer& answer, const SummaryTable& summary) {
+  answer.topic("warnings");
+  for (int k = 0;; ++k) {
+    const std::string text = summary.text(fmt::format("warnings.{}", k));
+    if (text.empty()) break;
+    answer.line(text);
+  }
+}
+
 void tell_size(Answer& answer, const SummaryTable& summary) {
   answer.topic("system");
   std::string text;

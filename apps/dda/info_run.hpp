@@ -8,6 +8,8 @@
 namespace dda {
 
 void tell_outcome(Answer& answer, const ddacontact::SummaryTable& summary);
+void tell_rest(Answer& answer, const ddacontact::SummaryTable& summary);
+void tell_warnings(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_size(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_work(Answer& answer, const ddacontact::SummaryTable& summary);
 void tell_impacts(Answer& answer, const ddacontact::SummaryTable& summary);

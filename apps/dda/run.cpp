@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
+#include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/resumption.hpp>
 #include <ddacontact/scene/writer.hpp>
@@ -106,7 +107,7 @@ void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, P
     results.write_start(stepper, probes);
   }
   summary.status = "completed";
-  while (stepper.counts().steps < steps) {
+  while (stepper.counts().steps < steps && !stepper.is_over()) {
     bool stepped = false;
     if (!signal_received) {
       const polyfem::Stopwatch watch(summary.seconds_steps);
@@ -147,6 +148,7 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
     if (!attempt([&] { checkpoints.write(stepper, results); })) throw std::bad_alloc();
     attempt([&] { results.write_last_frame(stepper); });
   }
+  summary.warnings = warnings_of(stepper);
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);
   attempt([&] { results.finish(stepper, summary); });
@@ -176,6 +178,10 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
   if (counts.unconverged > 0) {
     const std::string warning = fmt::format("{} of {} substeps were accepted unsettled: {}",
                                             counts.unconverged, counts.substeps, stepper.last_unsettled());
+    log.warn("{}", warning);
+    fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
+  }
+  for (const std::string& warning : summary.warnings) {
     log.warn("{}", warning);
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
   }

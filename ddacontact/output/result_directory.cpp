@@ -233,6 +233,22 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
   const StepCounts& counts = stepper.counts();
   const StepTimes& times = stepper.times();
   const Energy& e = stepper.energy().now;
+  const Equilibrium& rest = stepper.equilibrium();
+  const auto name_of = [&](int block) { return block < 0 ? std::string() : labels_.block_names[block]; };
+  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+  const auto add_stage = [&](const StageEnd& end) {
+    stages.push_back({{"name", stepper.stages()[end.stage].name},
+                      {"steps", end.steps},
+                      {"time", end.time},
+                      {"came_to_rest", end.came_to_rest},
+                      {"at_rest", end.at_rest},
+                      {"unbalanced", end.equilibrium.unbalanced},
+                      {"unbalanced_block", name_of(end.equilibrium.unbalanced_block)},
+                      {"fastest", end.equilibrium.fastest},
+                      {"fastest_block", name_of(end.equilibrium.fastest_block)}});
+  };
+  for (const StageEnd& end : stepper.stage_ends()) add_stage(end);
+  add_stage(stepper.stage_end());
   const nlohmann::ordered_json json = {{"status", summary.status},
                                        {"reason", summary.reason},
                                        {"steps_completed", counts.steps},
@@ -262,6 +278,14 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"max_residual", counts.max_residual},
                                        {"overlap_rejections", counts.overlap_rejections},
                                        {"frictionless_holds", counts.frictionless_holds},
+                                       {"unbalanced", rest.unbalanced},
+                                       {"unbalanced_block", name_of(rest.unbalanced_block)},
+                                       {"blocks_unbalanced", rest.n_unbalanced},
+                                       {"at_rest", stepper.is_at_rest()},
+                                       {"fastest", rest.fastest},
+                                       {"fastest_block", name_of(rest.fastest_block)},
+                                       {"stages", stages},
+                                       {"warnings", summary.warnings},
                                        {"analyses", times.analyses},
                                        {"resumed_after", summary.resumed_after},
                                        {"energy",

@@ -22,6 +22,7 @@ struct RunSummary {
   double seconds_total = 0, seconds_setup = 0, seconds_steps = 0, seconds_output = 0;
   double peak_memory_mb = 0;
   std::map<std::string, std::string> versions;
+  std::vector<std::string> warnings;  ///< see warnings_of
 };
 
 /// Histories are written while the run goes on, the rest at its

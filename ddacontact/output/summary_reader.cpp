@@ -12,10 +12,12 @@ namespace {
 
 void collect(const nlohmann::json& object, const std::string& prefix, SummaryTable& summary) {
   for (const auto& [key, value] : object.items()) {
-    if (value.is_object())
+    if (value.is_structured())
       collect(value, prefix + key + ".", summary);
     else if (value.is_number())
       summary.numbers[prefix + key] = value.get<double>();
+    else if (value.is_boolean())
+      summary.numbers[prefix + key] = value.get<bool>() ? 1 : 0;
     else if (value.is_string())
       summary.texts[prefix + key] = value.get<std::string>();
   }

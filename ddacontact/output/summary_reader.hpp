@@ -8,8 +8,8 @@
 
 namespace ddacontact {
 
-/// The numbers and texts of summary.json by their key; within an object by both: "energy.kinetic". What is
-/// neither is left out.
+/// The numbers and texts of summary.json by their key; within an object or an array by both:
+/// "energy.kinetic", "warnings.0". True and false are 1 and 0; what is none of these is left out.
 struct SummaryTable {
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> texts;

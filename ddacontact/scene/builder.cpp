@@ -418,7 +418,8 @@ class Builder {
   std::vector<Stage> stages() const {
     std::vector<Stage> stages;
     const auto add = [&](const StageDescription& stage) {
-      stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements});
+      stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements,
+                        stage.until, stage.name});
     };
     if (scene_.stages.empty()) add(scene_.stage(""));
     for (const StageDescription& stage : scene_.stages) add(stage);

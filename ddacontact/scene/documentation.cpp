@@ -34,6 +34,7 @@ class RowWriter {
   }
   void operator()(const Key&, const OfTheWholeRun&) {}
   void operator()(const Key&, const OfStages&) {}
+  void operator()(const Key&, const NotInThisVersion&) {}
 
   std::string take() && {
     return rows_.empty() ? rows_ : "| key | value | default | |\n|---|---|---|---|\n" + rows_;

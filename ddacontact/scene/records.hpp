@@ -206,6 +206,7 @@ struct StageRecord {
   std::vector<JointChange> joints;
   bool reset_displacements = false;
   BlockList remove;
+  std::optional<RestCriterion> until;
   Places places;
 };
 

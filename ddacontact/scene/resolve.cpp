@@ -7,6 +7,7 @@
 #include <ddacontact/scene/resolve_joints.hpp>
 #include <ddacontact/scene/resolve_options.hpp>
 #include <ddacontact/scene/resolve_stages.hpp>
+#include <ddacontact/scene/scheme_check.hpp>
 #include <ddacontact/scene/static_check.hpp>
 #include <ddacontact/scene/text.hpp>
 
@@ -94,7 +95,11 @@ Scene resolve(const Document& document, ProblemList& problems) {
   if (apart && holds_are_known(document, blocks, scene)) check_statics(blocks, static_parts(scene), problems);
 
   scene.output = document.output.options;
-  if (!problems.has_errors()) scene.analysis.steps = scene.n_steps();
+  if (problems.has_errors()) return scene;
+  scene.analysis.steps = scene.n_steps();
+  std::vector<bool> may_turn;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) may_turn.push_back(!blocks.holds.holds_all(b));
+  check_scheme(document, scene, blocks.names, may_turn, problems);
   return scene;
 }
 

@@ -78,6 +78,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     check_n_steps(record, n_steps, problems);
     stage.joints = changed_joints(record, joints, document.contact, method, problems);
     stage.reset_displacements = record.reset_displacements;
+    stage.until = record.until;
     stage.removed = removals(record.remove, index);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(places.of("remove"), names.title(index) + " leaves no block", "leave one at least");

@@ -121,7 +121,7 @@ std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::st
     const StageDescription& stage = scene.stages[k];
     const long steps = stage.analysis.steps, had = checkpoint.stage_steps[k];
     const bool present = static_cast<int>(k) == progress.stage, last = k + 1 == scene.stages.size();
-    const bool over = !present || progress.steps == had;
+    const bool over = !present || progress.steps == had || progress.came_to_rest;
     const bool fits =
         present && !(over && stage.reset_displacements) ? steps >= progress.steps || last : steps == had;
     if (fits) continue;

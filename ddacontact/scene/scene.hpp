@@ -6,6 +6,7 @@
 #pragma once
 
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/core/rest_criterion.hpp>
 #include <ddacontact/core/time_function.hpp>
 
 #include <array>
@@ -80,11 +81,12 @@ struct Monitor {
 
 /// A part of a run.
 struct StageDescription {
-  std::string name;                  ///< may be empty
-  AnalysisOptions analysis;          ///< while it lasts; `steps` are its own
-  std::vector<Joint> joints;         ///< those of the scene, in their order, as they are while it lasts
-  bool reset_displacements = false;  ///< at its end displacements are counted anew; stresses stay
-  std::vector<int> removed;          ///< blocks taken out at its start
+  std::string name;                    ///< may be empty
+  AnalysisOptions analysis;            ///< while it lasts; `steps` are its own
+  std::vector<Joint> joints;           ///< those of the scene, in their order, as they are while it lasts
+  bool reset_displacements = false;    ///< at its end displacements are counted anew; stresses stay
+  std::vector<int> removed;            ///< blocks taken out at its start
+  std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
 };
 
 /// How much is written.
@@ -113,7 +115,7 @@ struct Scene {
   std::string block_name(int block) const;
   /// A stage that changes nothing yet.
   StageDescription stage(std::string of_name) const {
-    return {std::move(of_name), analysis, joints, false, {}};
+    return {std::move(of_name), analysis, joints, false, {}, {}};
   }
   /// Over all stages.
   int n_steps() const;

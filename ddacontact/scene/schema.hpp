@@ -281,6 +281,12 @@ void describe(LoadRecord& r, Visit&& visit) {
             .other_unit = body ? "" : "N",
             .default_text = "this or `history` is required by \"point\" and \"body\""},
         r.force);
+  if (r.type == Load::Kind::pressure) {
+    visit(Key{.name = "history", .what = ""},
+          NotInThisVersion{"a pressure is constant: write its 'value'; forces of type \"point\" and \"body\" "
+                           "have a 'history'"});
+    return;
+  }
   visit(Key{.name = "history",
             .what = "The force in time, linear between entries, constant outside.",
             .unit = body ? "N/m3" : "N/m",
@@ -329,6 +335,13 @@ void describe(StageRecord& r, Visit&& visit) {
             .what = "Displacements are counted anew from the end of the stage; stresses stay."},
         r.reset_displacements);
   visit(Key{.name = "remove", .what = "Blocks taken out at the start of the stage."}, r.remove);
+  visit(Key{.name = "until",
+            .what =
+                "Ends the stage before its steps are made: when forces are in balance, the kinetic energy is "
+                "at most `kinetic` times the largest energy exchanged, and every block moves by at most "
+                "`displacement` times its size in a second.",
+            .bounds = positive},
+        r.until);
 }
 
 template <class Visit>

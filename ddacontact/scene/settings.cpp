@@ -1,4 +1,5 @@
 #include <ddacontact/scene/catalog.hpp>
+#include <ddacontact/scene/guessed_keys.hpp>
 #include <ddacontact/scene/settings.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/text.hpp>
@@ -70,7 +71,7 @@ class Setting {
     std::vector<std::string_view> names;
     for (const CatalogEntry& entry : catalog()) names.push_back(entry.name);
     const auto known = std::find(names.begin(), names.end(), path_[0]);
-    if (known == names.end()) return refuse_part(0, suggestion(path_[0], "key", names));
+    if (known == names.end()) return refuse_part(0, cure_of_unknown_key(path_[0], "the scene", names));
     const CatalogEntry& entry = catalog()[known - names.begin()];
     const toml::node* present = root.get(path_[0]);
     if (entry.kind == CatalogEntry::Kind::key && path_.size() > 1 && present && present->is_value())
@@ -136,12 +137,18 @@ class Setting {
     return "; settings do not reach the blocks of a geometry file: give the feature that property";
   }
 
+  /// What messages call a table.
+  static std::string title_of(const CatalogEntry& entry) {
+    const std::string name(entry.name);
+    return entry.kind == CatalogEntry::Kind::tables ? "[[" + name + "]]" : "[" + name + "]";
+  }
+
   /// path_[part] is a key of `table`.
   void set_key(const CatalogEntry& entry, toml::table& table, std::size_t part) {
     if (part >= path_.size())
       return refuse("'" + excerpt(text_) + "' names no key", "write " + path_[0] + ".ELEMENT.KEY=VALUE");
     if (std::find(entry.keys.begin(), entry.keys.end(), path_[part]) == entry.keys.end())
-      return refuse_part(part, suggestion(path_[part], "key", entry.keys));
+      return refuse_part(part, cure_of_unknown_key(path_[part], title_of(entry), entry.keys));
     toml::node* value = table.get(path_[part]);
     if (part + 1 == path_.size() || !value) return put_or_refuse(table, part, value);
     set_element(*value, part + 1);

@@ -1,3 +1,4 @@
+#include <ddacontact/scene/guessed_keys.hpp>
 #include <ddacontact/scene/schema.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/table_reader.hpp>
@@ -13,6 +14,10 @@ void TableReader::operator()(const Key& key, OfTheWholeRun) {
 void TableReader::operator()(const Key& key, OfStages) {
   refuse(key, "in " + std::string(title_) + " belongs to a stage",
          "write joints = { NAME = { " + std::string(key.name) + " = true } } in the [[stage]]");
+}
+
+void TableReader::operator()(const Key& key, NotInThisVersion not_here) {
+  refuse(key, "in " + std::string(title_) + " is not in this version", not_here.cure);
 }
 
 void TableReader::operator()(const Key& key, Skips& skips) {
@@ -62,11 +67,12 @@ namespace {
 
 /// TOML gives a key written after a table to that table: what belongs to the top of the file is easily
 /// misplaced.
-std::string cure_of_unknown(std::string_view name, const std::vector<std::string_view>& known) {
+std::string cure_of_unknown(std::string_view name, std::string_view table,
+                            const std::vector<std::string_view>& known) {
   for (const std::string_view top : {"format", "title", "blocks"})
     if (name == top)
       return "'" + std::string(top) + "' belongs to the top of the file, before the first table";
-  return suggestion(name, "key", known);
+  return cure_of_unknown_key(name, table, known);
 }
 
 }  // namespace
@@ -76,7 +82,7 @@ void TableReader::refuse_other_keys() {
     if (std::find(known_.begin(), known_.end(), name.str()) != known_.end()) continue;
     problems_.error(place_of(name, problems_),
                     "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_),
-                    cure_of_unknown(name.str(), known_));
+                    cure_of_unknown(name.str(), title_, known_));
   }
 }
 

@@ -181,6 +181,30 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
   return false;
 }
 
+bool ValueReader::operator()(const toml::node& node, RestCriterion& value) const {
+  const toml::table* table = node.as_table();
+  if (!table) return wrong_type(node, key_.name, expected_text(key_, value));
+  Key kinetic = key_, displacement = key_;
+  kinetic.name = "until.kinetic";
+  displacement.name = "until.displacement";
+  bool good = true;
+  for (const auto& [name, part] : *table) {
+    if (name == "kinetic") {
+      good &= ValueReader(kinetic, problems_)(part, value.kinetic.emplace());
+    } else if (name == "displacement") {
+      good &= ValueReader(displacement, problems_)(part, value.displacement.emplace());
+    } else {
+      problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'until'",
+                      suggestion(name.str(), "key", {"kinetic", "displacement"}));
+      good = false;
+    }
+  }
+  if (!table->empty()) return good;
+  problems_.error(place_of(node, problems_), "'until' says nothing of when the stage ends",
+                  "write until = { kinetic = 1e-8, displacement = 1e-6 }, or one of the two");
+  return false;
+}
+
 bool ValueReader::operator()(const toml::node& node, Vec2& value) const {
   return read_numbers(node, value.data(), 2, expected_text(key_, value));
 }

@@ -25,6 +25,7 @@ class ValueReader {
   bool operator()(const toml::node& node, std::string& value) const;
   bool operator()(const toml::node& node, RayleighDamping& value) const;
   bool operator()(const toml::node& node, MeshRecord& value) const;
+  bool operator()(const toml::node& node, RestCriterion& value) const;
   bool operator()(const toml::node& node, Vec2& value) const;
   bool operator()(const toml::node& node, Vec3& value) const;
   bool operator()(const toml::node& node, Reference& value) const;

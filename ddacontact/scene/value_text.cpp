@@ -64,6 +64,12 @@ std::string value_text(const MeshRecord& value) {
   if (value.edge_nodes) keys.emplace_back("edge_nodes", value_text(*value.edge_nodes));
   return table_text(keys);
 }
+std::string value_text(const RestCriterion& value) {
+  Keys keys;
+  if (value.kinetic) keys.emplace_back("kinetic", value_text(*value.kinetic));
+  if (value.displacement) keys.emplace_back("displacement", value_text(*value.displacement));
+  return table_text(keys);
+}
 std::string value_text(const Skips& value) {
   Keys keys;
   Skips skips = value;
@@ -145,6 +151,9 @@ std::string type_text(const RayleighDamping&) {
 }
 std::string type_text(const MeshRecord&) {
   return "{ kind, cells or cell_size, edge_nodes }";
+}
+std::string type_text(const RestCriterion&) {
+  return "{ kinetic, displacement }";
 }
 std::string type_text(const Skips&) {
   return "a table of true or false";

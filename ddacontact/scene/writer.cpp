@@ -26,6 +26,7 @@ class DocumentWriter {
   }
   void operator()(const Key&, const OfTheWholeRun&) {}
   void operator()(const Key&, const OfStages&) {}
+  void operator()(const Key&, const NotInThisVersion&) {}
 
   template <class Record>
   void table(const Key& key, Record& record) {

@@ -5,16 +5,24 @@
 
 namespace ddacontact {
 
-void EnergyLedger::close_step() {
+void EnergyLedger::close_step(double tolerated) {
   for (double Energy::*entry : entries) {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
     largest_ = std::max(largest_, std::abs(now.*entry));
   }
+  tolerated_ = std::max(tolerated_, tolerated);
+  const double created =
+      (now.total() - now.numerical_dissipated) - (start_.total() - start_.numerical_dissipated);
+  if (has_exchanged()) created_ = std::max(created_, (created - tolerated_) / exchanged_);
+}
+
+bool EnergyLedger::has_exchanged() const {
+  constexpr double beyond_residuals = 1e-8;
+  return exchanged_ > beyond_residuals * largest_;
 }
 
 double EnergyLedger::balance_error() const {
-  constexpr double beyond_residuals = 1e-8;
-  return exchanged_ > beyond_residuals * largest_ ? (now.total() - start_.total()) / exchanged_ : 0;
+  return has_exchanged() ? (now.total() - start_.total()) / exchanged_ : 0;
 }
 
 }  // namespace ddacontact

@@ -27,10 +27,20 @@ class EnergyLedger {
   /// Takes the present energies as those of the start.
   void start() { start_ = now; }
   /// Notes the present energies as exchanged; call after every step.
-  void close_step();
+  /// \param[in] tolerated  what contacts may do as work while they close the penetration that their tolerance
+  /// leaves,
+  ///                       J per m: it counts as no rise
+  void close_step(double tolerated = 0);
   /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but what the
   /// residuals of steps make of the largest energy.
   double balance_error() const;
+  /// The largest change of any entry since the start, J per m.
+  double exchanged() const { return exchanged_; }
+
+  /// Energy from nowhere: by how much kinetic, elastic, gravity and what friction and damping took rose above
+  /// the work of loads and supports at most, beyond what is tolerated, over the largest energy exchanged; 0
+  /// while there was none.
+  double created() const { return created_; }
 
   /// Calls visit with every number of the ledger.
   template <class Ledger, class Visit>
@@ -39,6 +49,8 @@ class EnergyLedger {
       for (double Energy::*entry : entries) visit(energy->*entry);
     visit(ledger.exchanged_);
     visit(ledger.largest_);
+    visit(ledger.tolerated_);
+    visit(ledger.created_);
   }
 
  private:
@@ -51,7 +63,10 @@ class EnergyLedger {
                                                 &Energy::damping_dissipated};
 
   Energy start_;
+  bool has_exchanged() const;
+
   double exchanged_ = 0, largest_ = 0;
+  double tolerated_ = 0, created_ = 0;
 };
 
 }  // namespace ddacontact

@@ -63,6 +63,18 @@ void visit_counts(Archive& visit, Counts& c) {
   visit(c.max_residual);
 }
 
+template <class Archive, class SomeEquilibrium>
+void visit_equilibrium(Archive& visit, SomeEquilibrium& e) {
+  visit(e.unbalanced);
+  visit(e.unbalanced_block);
+  visit(e.n_unbalanced);
+  visit(e.unbalanced_before);
+  visit(e.fastest);
+  visit(e.fastest_block);
+  visit(e.relative_speed);
+  visit(e.kinetic);
+}
+
 template <class Archive, class Record>
 void visit_record(Archive& visit, Record& r) {
   visit(r.step.steps);
@@ -71,6 +83,7 @@ void visit_record(Archive& visit, Record& r) {
   visit(r.step.progress.stage);
   visit(r.step.progress.steps);
   visit(r.step.progress.start_time);
+  visit(r.step.progress.came_to_rest);
   auto& state = r.step.state;
   visit(state.time);
   visit(state.origin);
@@ -96,6 +109,17 @@ void visit_record(Archive& visit, Record& r) {
   visit.list(r.convex, [&](auto& convex) { visit(convex); });
   visit.list(r.notes, [&](auto& note) { visit(note); });
   visit(r.last_unsettled);
+  visit_equilibrium(visit, r.equilibrium);
+  visit.list(r.stage_ends, [&](auto& end) {
+    visit(end.stage);
+    visit(end.steps);
+    visit(end.time);
+    visit(end.came_to_rest);
+    visit(end.at_rest);
+    visit(end.exchanged);
+    visit_equilibrium(visit, end.equilibrium);
+  });
+  RunWarnings::visit_numbers(r.warnings, visit);
 }
 
 }  // namespace

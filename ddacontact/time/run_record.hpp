@@ -2,6 +2,8 @@
 #pragma once
 
 #include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/run_warnings.hpp>
+#include <ddacontact/time/stage.hpp>
 #include <ddacontact/time/step_counts.hpp>
 #include <ddacontact/time/step_record.hpp>
 
@@ -23,6 +25,9 @@ struct RunRecord {
   std::vector<char> convex;           ///< outlines that have been so to this moment
   std::vector<std::string> notes;
   std::string last_unsettled;
+  Equilibrium equilibrium;           ///< after the last substep
+  std::vector<StageEnd> stage_ends;  ///< of the stages that are over
+  RunWarnings warnings;
 };
 
 /// The bits of a record, in the order of bytes of the machine.

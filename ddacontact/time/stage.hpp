@@ -3,7 +3,11 @@
 
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/core/rest_criterion.hpp>
+#include <ddacontact/time/equilibrium.hpp>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ddacontact {
@@ -11,10 +15,23 @@ namespace ddacontact {
 /// What holds while a part of a run lasts. Of the analysis plane, kinematics and preset are those of the
 /// whole run.
 struct Stage {
-  AnalysisOptions analysis;          ///< `steps` are those of this part
-  JointTable joints;                 ///< of its contacts
-  std::vector<int> removed;          ///< blocks taken out at its start
-  bool reset_displacements = false;  ///< at its end: displacements are counted anew
+  AnalysisOptions analysis;            ///< `steps` are those of this part
+  JointTable joints;                   ///< of its contacts
+  std::vector<int> removed;            ///< blocks taken out at its start
+  bool reset_displacements = false;    ///< at its end: displacements are counted anew
+  std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
+  std::string name;                    ///< for messages; may be empty
+};
+
+/// How a stage ended, or where it stands.
+struct StageEnd {
+  int stage = 0;              ///< its number
+  long steps = 0;             ///< made in it
+  double time = 0;            ///< at its end, s
+  bool came_to_rest = false;  ///< its `until` came true
+  bool at_rest = false;       ///< see Stepper::is_at_rest
+  double exchanged = 0;       ///< the largest energy exchanged by then, J per m
+  Equilibrium equilibrium;    ///< at its end
 };
 
 }  // namespace ddacontact

@@ -13,8 +13,9 @@ namespace ddacontact {
 /// Where a run is among its stages.
 struct StageProgress {
   int stage = 0;
-  long steps = 0;         ///< made in this stage
-  double start_time = 0;  ///< of this stage, s
+  long steps = 0;             ///< made in this stage
+  double start_time = 0;      ///< of this stage, s
+  bool came_to_rest = false;  ///< its `until` came true: it is over
 };
 
 /// Where a run stands. Of the contacts only what one step hands to the next is kept: which they are, their

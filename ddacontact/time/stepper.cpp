@@ -85,6 +85,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       held_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
       reactions_(Points::Zero(2, state_.position.cols())),
+      warnings_(blocks_.n_blocks()),
       sleeping_(blocks_.n_blocks()) {
   contact_builder_.emplace(blocks_, properties_);
   apply(stages_.front());
@@ -106,14 +107,20 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
 
 bool Stepper::step() {
   const bool more_stages = progress_.stage + 1 < static_cast<int>(stages_.size());
-  if (more_stages && progress_.steps == analysis_.steps) enter_stage(progress_.stage + 1);
+  if (more_stages && (progress_.steps == analysis_.steps || progress_.came_to_rest))
+    enter_stage(progress_.stage + 1);
   bool made = false;
   {
     const PartInPlace while_stepping(*this);
     made = carry_on();
   }
-  if (made && ++progress_.steps == analysis_.steps) leave_stage();
-  return made;
+  if (!made) return false;
+  const std::optional<RestCriterion>& until = stages_[progress_.stage].until;
+  const bool comes_to_rest =
+      !progress_.came_to_rest && until && equilibrium_.meets(*until, energy_.exchanged());
+  if (comes_to_rest) progress_.came_to_rest = true;
+  if (++progress_.steps == analysis_.steps || comes_to_rest) leave_stage();
+  return true;
 }
 
 bool Stepper::carry_on() {
@@ -479,6 +486,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   accepting_ = true;
   record_reactions(solution.d, solution.residual);
+  assess(dt, solution, next.velocity);
   account_step(blocks_, *system_,
                {dt, solution.d, start_velocity(), next.velocity, solution.residual, tried_, properties_},
                energy_.now);
@@ -509,7 +517,10 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
   const bool some_fell_asleep = fall_asleep(dt);
-  energy_.close_step();
+  double tolerated = 0;
+  for (const Contact& contact : tried_)
+    tolerated += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
+  energy_.close_step(tolerated);
   ++counts_.substeps;
   counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
   begun_ = true;
@@ -521,6 +532,25 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   if (some_fell_asleep) regroup();
   counts_.asleep = sleeping_.n_asleep();
   accepting_ = false;
+}
+
+void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
+  const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
+  const double before = equilibrium_.unbalanced;
+  equilibrium_ = find_equilibrium(blocks_, *system_, solution.residual, tried_,
+                                  asleep_ ? asleep_->part_reactions : reactions_, velocity);
+  for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
+    if (*b >= 0) *b = in_whole(*b);
+  equilibrium_.unbalanced_before = before;
+  warnings_.look(
+      {.blocks = blocks_,
+       .d = solution.d,
+       .contacts = tried_,
+       .dt = dt,
+       .time = state_.time + dt,
+       .has_velocities = !is_static(),
+       .is_first = !begun_,
+       .in_whole = asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{}});
 }
 
 void Stepper::prepare_and_keep_momentum() {

@@ -8,10 +8,12 @@
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/equilibrium.hpp>
 #include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/run_record.hpp>
+#include <ddacontact/time/run_warnings.hpp>
 #include <ddacontact/time/sleeping.hpp>
 #include <ddacontact/time/stage.hpp>
 
@@ -50,14 +52,14 @@ class Stepper {
   Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
           const AnalysisOptions& analysis)
       : Stepper(std::move(blocks), std::move(initial), contacts,
-                std::vector<Stage>{{analysis, contacts.joints, {}, false}}) {}
+                std::vector<Stage>{{analysis, contacts.joints, {}, false, {}, {}}}) {}
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
   /// Carries the state over one time_step, in as many substeps as it takes; first goes on to the next stage
-  /// when the last one has made its steps. False when it has to stop: the state is then that of the last
-  /// accepted substep and `stop_reason` says why; also where memory does not suffice for a try. Throws
-  /// std::bad_alloc where it fails between two states: the record is of no use then.
+  /// when the last one has made its steps or its `until` came true. False when it has to stop: the state is
+  /// then that of the last accepted substep and `stop_reason` says why; also where memory does not suffice
+  /// for a try. Throws std::bad_alloc where it fails between two states: the record is of no use then.
   [[nodiscard]] bool step();
   /// Asked after every try of a step: when it says so the step is left, as if the tries since the last
   /// accepted substep had not been made; `step` returns false and `stop_reason` is "interrupted".
@@ -95,6 +97,22 @@ class Stepper {
   bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
   /// The present stage, or the one whose steps have all been made.
   int stage() const { return progress_.stage; }
+  /// Whether the `until` of the last stage came true: the run is over before its steps are made.
+  bool is_over() const {
+    return progress_.came_to_rest && progress_.stage + 1 == static_cast<int>(stages_.size());
+  }
+  /// Forces and velocities at the end of the last accepted substep.
+  const Equilibrium& equilibrium() const { return equilibrium_; }
+  /// Whether a substep has been made, its forces are in balance and, unless it was static, its blocks move by
+  /// less than 1e-6 of their size a second with less than 1e-8 of the largest energy exchanged.
+  bool is_at_rest() const;
+  const std::vector<Stage>& stages() const { return stages_; }
+  /// How the stages before the present one ended, in their order.
+  const std::vector<StageEnd>& stage_ends() const { return stage_ends_; }
+  /// Where the present stage stands.
+  StageEnd stage_end() const;
+  /// What was seen that makes results doubtful.
+  const RunWarnings& warnings() const { return warnings_; }
   const std::string& stop_reason() const { return stop_reason_; }
   /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
   const std::string& last_unsettled() const { return last_unsettled_; }
@@ -164,6 +182,8 @@ class Stepper {
   void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
   void record_contacts();
+  /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
+  void assess(double dt, const Solution& solution, const VectorXd& end_velocity);
   VectorXd start_velocity() const;
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
@@ -221,6 +241,9 @@ class Stepper {
   std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
   EnergyLedger energy_;
   Points reactions_;
+  Equilibrium equilibrium_;
+  std::vector<StageEnd> stage_ends_;
+  RunWarnings warnings_;
 
   std::vector<Contact> tried_;  ///< of the present substep, as the last try left them
   std::vector<double> reach_;   ///< that they were looked for in

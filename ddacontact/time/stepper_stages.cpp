@@ -39,10 +39,11 @@ void Stepper::make_system() {
 }
 
 void Stepper::enter_stage(int stage) {
+  stage_ends_.push_back(stage_end());
   wake_all();
   const AnalysisOptions before = analysis_;
   apply(stages_[stage]);
-  progress_ = {stage, 0, state_.time};
+  progress_ = {stage, 0, state_.time, false};
   substep_ = analysis_.time_step;
   detected_ = false;
   for (int b : stages_[stage].removed) {
@@ -82,6 +83,21 @@ void Stepper::set_flight_acceleration() {
   }
 }
 
+bool Stepper::is_at_rest() const {
+  if (!begun_ || !equilibrium_.in_balance()) return false;
+  return is_static() || equilibrium_.meets({.kinetic = 1e-8, .displacement = 1e-6}, energy_.exchanged());
+}
+
+StageEnd Stepper::stage_end() const {
+  return {.stage = progress_.stage,
+          .steps = progress_.steps,
+          .time = state_.time,
+          .came_to_rest = progress_.came_to_rest,
+          .at_rest = is_at_rest(),
+          .exchanged = energy_.exchanged(),
+          .equilibrium = equilibrium_};
+}
+
 void Stepper::leave_stage() {
   if (stages_[progress_.stage].reset_displacements) blocks_.count_displacements_from(state_);
 }
@@ -91,6 +107,9 @@ void Stepper::start_accounts() {
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   energy_.start();
+  equilibrium_ = {};
+  stage_ends_.clear();
+  warnings_ = RunWarnings(blocks_.n_blocks());
 }
 
 StepRecord Stepper::record() const {
@@ -149,7 +168,10 @@ RunRecord Stepper::run_record() const {
           .reactions = reactions_,
           .convex = convex_,
           .notes = notes_,
-          .last_unsettled = last_unsettled_};
+          .last_unsettled = last_unsettled_,
+          .equilibrium = equilibrium_,
+          .stage_ends = stage_ends_,
+          .warnings = warnings_};
 }
 
 void Stepper::restore(RunRecord record) {
@@ -167,6 +189,9 @@ void Stepper::restore(RunRecord record) {
   convex_ = std::move(record.convex);
   notes_ = std::move(record.notes);
   last_unsettled_ = std::move(record.last_unsettled);
+  equilibrium_ = record.equilibrium;
+  stage_ends_ = std::move(record.stage_ends);
+  warnings_ = std::move(record.warnings);
 }
 
 }  // namespace ddacontact

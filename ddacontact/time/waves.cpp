@@ -4,15 +4,10 @@
 
 namespace ddacontact {
 
-namespace {
-
-/// Of a pressure wave over the block's size: the square root of (lambda + 2 mu) / density is its speed.
 double transit_time(const Block& block) {
   const double density = block.mass_total() / block.reference_area();
   return block.size() / std::sqrt(block.material().elasticity(0, 0) / density);
 }
-
-}  // namespace
 
 bool carries_waves(const BlockSystem& blocks, const Contact& contact, double dt) {
   for (int b : {contact.pair.vertex_block, contact.pair.edge_block})

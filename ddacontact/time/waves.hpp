@@ -6,6 +6,10 @@
 
 namespace ddacontact {
 
+/// How long a pressure wave takes through a block: its size over the square root of (lambda + 2 mu) /
+/// density, s.
+double transit_time(const Block& block);
+
 /// Whether the step is shorter than a pressure wave takes across either block of a contact: velocities of the
 /// two then change by the wave that comes through, step by step, and not at once by rigid motions.
 bool carries_waves(const BlockSystem& blocks, const Contact& contact, double dt);

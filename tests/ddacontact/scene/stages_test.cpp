@@ -134,6 +134,8 @@ TEST(Stages, AreWrittenAndReadBack) {
       {"stage.1.scheme=backward_euler", "stage.1.cutting_factor=0.1", "stage.1.max_displacement_ratio=0.2"},
       {"stage.settle.gamma=0.9", "stage.settle.beta=0.7", "stage.1.damping={ mass = 1, stiffness = 2 }"},
       {"analysis.preset=paper", "stage.2.scheme=dda"},
+      {"stage.0.until={ kinetic = 1e-8, displacement = 1e-6 }", "stage.1.until.kinetic=1e-7",
+       "stage.2.until={ displacement = 1 }"},
       {"joint.interface.name=\"two words, 2\"", "stage.settle.joints={}", "stage.2.joints={}",
        "stage.1.joints.\"two words, 2\".cohesion=7"},
       {"stage.0.joints.interface.glued=true", "stage.1.joints.1.glued=true"}};
@@ -159,6 +161,7 @@ TEST(Stages, AreWrittenAndReadBack) {
       EXPECT_EQ(a.analysis.damping.stiffness, b.analysis.damping.stiffness);
       EXPECT_EQ(a.analysis.cutting_factor, b.analysis.cutting_factor);
       EXPECT_EQ(a.reset_displacements, b.reset_displacements);
+      EXPECT_EQ(a.until, b.until);
       EXPECT_EQ(a.removed, b.removed);
       ASSERT_EQ(a.joints.size(), b.joints.size());
       for (std::size_t j = 0; j < a.joints.size(); ++j) {
@@ -272,6 +275,32 @@ const Case cases[] = {
     {"OneTable", "[[stage]]\nname = \"settle\"", "[stage]\nname = \"settle\"", 11, 1, {"TOML"}},
 
     // Types, units and ranges.
+    {"UntilIsNumber",
+     "mode = \"static\"",
+     "until = 3",
+     7,
+     9,
+     {"'until' is", "'3'", "{ kinetic, displacement }"}},
+    {"UntilOfNothing", "mode = \"static\"", "until = {}", 7, 9, {"'until' says nothing", "kinetic = 1e-8"}},
+    {"UntilOfZero", "mode = \"static\"", "until = { kinetic = 0 }", 7, 21, {"'until.kinetic' = '0'", "> 0"}},
+    {"NegativeUntil",
+     "mode = \"static\"",
+     "until = { kinetic = 1, displacement = -1e-6 }",
+     7,
+     39,
+     {"'until.displacement' = '-1e-06'", "> 0"}},
+    {"WordForUntil",
+     "mode = \"static\"",
+     "until = { kinetic = \"rest\" }",
+     7,
+     21,
+     {"'until.kinetic'", "'rest'"}},
+    {"UnknownUntil",
+     "mode = \"static\"",
+     "until = { kinetics = 1e-8 }",
+     7,
+     11,
+     {"unknown key 'kinetics' in 'until'", "did you mean 'kinetic'?"}},
     {"WordForSteps", "steps = 50", "steps = \"many\"", 8, 9, {"'steps'", "'many'", "whole number"}},
     {"UnknownMode", "\"static\"", "\"statik\"", 7, 8, {"'statik'", "did you mean 'static'?"}},
     {"WrongUnit", "\"5 ms\"", "\"5 mm\"", 14, 13, {"'time_step'", "wrong unit 'mm'"}},

@@ -1,0 +1,78 @@
+#include <ddacontact/output/run_verdict.hpp>
+
+#include <cstdio>
+
+namespace ddacontact {
+
+namespace {
+
+std::string figure(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+/// What is out of balance becomes less by more than this in a substep: it settles.
+constexpr double settling = 0.01;
+
+std::string quoted_block(const Stepper& stepper, int block) {
+  return "block \"" + stepper.blocks().names[block] + '"';
+}
+
+std::string stage_title(const Stepper& stepper, int stage) {
+  const std::string& name = stepper.stages()[stage].name;
+  return name.empty() ? "stage " + std::to_string(stage) : "stage \"" + name + '"';
+}
+
+/// "block "a" out of balance by 0.3 of the largest force on it".
+std::string imbalance(const Stepper& stepper, const Equilibrium& e) {
+  return quoted_block(stepper, e.unbalanced_block) + " is out of balance by " + figure(e.unbalanced) +
+         " of the largest force on it";
+}
+
+std::string motion(const Stepper& stepper, const Equilibrium& e) {
+  return quoted_block(stepper, e.fastest_block) + " moves fastest, " + figure(e.fastest) + " m/s";
+}
+
+void add_unmet_until(const Stepper& stepper, const StageEnd& end, std::vector<std::string>& warnings) {
+  const Stage& stage = stepper.stages()[end.stage];
+  if (!stage.until || end.came_to_rest || end.steps < stage.analysis.steps) return;
+  const Equilibrium& e = end.equilibrium;
+  std::string text = stage_title(stepper, end.stage) + " made all its " + std::to_string(end.steps) +
+                     " steps and its 'until' never came true";
+  if (!e.in_balance()) text += ": " + imbalance(stepper, e);
+  if (stage.until->kinetic && e.kinetic > *stage.until->kinetic * end.exchanged)
+    text += ": the kinetic energy is " + figure(e.kinetic / end.exchanged) + " of the largest exchanged";
+  if (stage.until->displacement && e.relative_speed > *stage.until->displacement)
+    text += ": a block moves by " + figure(e.relative_speed) + " of its size a second";
+  if (e.fastest_block >= 0) text += "; " + motion(stepper, e);
+  warnings.push_back(text + " (more 'steps', more damping, or larger values of 'until')");
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Stepper& stepper) {
+  std::vector<std::string> warnings;
+  for (const StageEnd& end : stepper.stage_ends()) add_unmet_until(stepper, end, warnings);
+  const StageEnd last = stepper.stage_end();
+  add_unmet_until(stepper, last, warnings);
+  const Equilibrium& e = last.equilibrium;
+  const bool is_static = stepper.stages()[last.stage].analysis.mode == Mode::statics;
+  if (is_static && !e.in_balance()) {
+    std::string text = "this is no equilibrium: the static steps end with " + std::to_string(e.n_unbalanced) +
+                       (e.n_unbalanced == 1 ? " block" : " blocks") + " out of balance; " +
+                       imbalance(stepper, e);
+    if (e.fastest_block >= 0) text += ", " + motion(stepper, e);
+    const double change = e.unbalanced / e.unbalanced_before - 1;
+    warnings.push_back(
+        text + (change < -settling
+                    ? " (more 'steps': the last one made it " + figure(-100 * change) + " % less)"
+                    : " (more 'steps'; where it does not become less, the scene has no equilibrium)"));
+  }
+  for (std::string& text :
+       stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy()))
+    warnings.push_back(std::move(text));
+  return warnings;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,175 @@
+#include <ddacontact/scene/guessed_keys.hpp>
+
+#include <ddacontact/scene/spelling.hpp>
+
+#include <algorithm>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// Some keys in some table; of a key that stands more than once the first counts.
+struct Guess {
+  std::string_view table;  ///< a part of how messages call it; empty: any
+  std::string_view keys;   ///< in small letters, a blank before and after each
+  std::string_view cure;
+};
+
+constexpr std::string_view no_joint_stiffness =
+    "joints have no stiffness of their own in this version: they are rigid, and 'normal_stiffness' and "
+    "'tangential_stiffness' of [contact] are where the search for their forces starts";
+constexpr std::string_view strength_of_joints =
+    "blocks are linear elastic and do not break: strength is that of contacts, 'friction_angle', 'cohesion' "
+    "and 'tensile_strength' of [[joint]]";
+constexpr std::string_view no_moving_acceleration =
+    "this version has no acceleration in time: a constant one is 'gravity' of [analysis], a moving ground is "
+    "a [[support]] with 'history' = [[t, ux, uy], ...]";
+
+constexpr Guess guesses[] = {
+    // Laws of contacts.
+    {"joint",
+     " kn k_n jkn knorm normal_stiffness ks k_s jks kt shear_stiffness tangential_stiffness "
+     "stiffness joint_stiffness ",
+     no_joint_stiffness},
+    {"joint", " phi friction fric jfriction jfric jfr friction_deg angle ",
+     "write 'friction_angle' in degrees"},
+    {"joint", " mu friction_coefficient coefficient coef ", "write 'friction_angle' = atan(mu) in degrees"},
+    {"joint", " c coh jcohesion jcoh ", "write 'cohesion' in Pa"},
+    {"joint", " tension tens jtension jtens tensile sigma_t ft ", "write 'tensile_strength' in Pa"},
+    {"joint", " dilation dilation_angle dilatancy jdilation jdil psi dilation_slip zdilation ",
+     "sliding joints do not dilate in this version"},
+    {"joint", " residual_friction_angle residual_friction jrescoh jrfric residual_cohesion resfric ",
+     "there is no residual friction in this version: friction stays, 'cohesion' and 'tensile_strength' are "
+     "lost "
+     "on sliding or opening"},
+    {"joint", " damping ", "write 'dashpot', a ratio to critical damping"},
+    {"[contact]", " kn k_n penalty pn stiffness normal_penalty ", "write 'normal_stiffness' in N/m2"},
+    {"[contact]", " ks k_s kt shear_stiffness tangential_penalty shear_penalty ",
+     "write 'tangential_stiffness' in N/m2"},
+    {"[contact]",
+     " mu phi friction friction_angle friction_coefficient cohesion tensile_strength tension "
+     "restitution dashpot damping ",
+     "the laws of contacts are [[joint]]"},
+    {"[contact]", " joint_stiffness ", no_joint_stiffness},
+
+    // Materials.
+    {"[[material]]", " e ym youngs_modulus young_modulus youngs modulus elastic_modulus elasticity ",
+     "write 'young' in Pa"},
+    {"[[material]]", " nu v pr poissons_ratio poisson_ratio poissons ", "write 'poisson'"},
+    {"[[material]]", " rho ro dens mass_density ", "write 'density' in kg/m3"},
+    {"[[material]]", " gamma weight specific_weight ", "write 'unit_weight' in N/m3"},
+    {"[[material]]", " bulk bulk_modulus k g shear shear_modulus lambda ",
+     "write 'young' and 'poisson': with bulk modulus K and shear modulus G, young = 9KG/(3K + G) and poisson "
+     "= "
+     "(3K - 2G)/(6K + 2G)"},
+    {"[[material]]",
+     " phi friction friction_angle cohesion c coh tension tensile_strength strength ucs ft fc "
+     "yield dilation ",
+     strength_of_joints},
+    {"[[material]]", " damping ", "write 'damping' = { mass, stiffness } in [analysis]"},
+    {"[[material]]", " kn ks joint_stiffness ", no_joint_stiffness},
+
+    // Blocks.
+    {"[[block]]", " fix ", "write 'fixed' = true or a list of vertices"},
+    {"[[block]]", " mat ", "write 'material'"},
+    {"[[block]]", " points coordinates coords polygon nodes corners outline xy ",
+     "write 'vertices' = [[x, y], ...] in m"},
+    {"[[block]]", " e young nu poisson density rho unit_weight ",
+     "these are of its [[material]], which 'material' names"},
+    {"[[block]]", " friction friction_angle phi cohesion kn ks ",
+     "the laws of contacts are [[joint]], by pairs of materials where 'between' names them"},
+    {"[[block]]", " force load pressure ", "forces are [[load]]"},
+    {"[[block]]", " group grid ",
+     "this version has neither groups nor grids of blocks: write each block, or a "
+     "geometry file ('blocks' at the top of the file)"},
+    {"[[block]]", " rotation angle spin omega ",
+     "a block starts as its 'vertices' are; 'angular_velocity' in rad/s turns it"},
+
+    // Loads and supports.
+    {"[[load]]", " p pressure magnitude stress ",
+     "a pressure is type = \"pressure\" with 'edge' and 'value' in Pa"},
+    {"[[load]]", " fx fy direction ", "write 'force' = [fx, fy]"},
+    {"[[load]]", " ramp ", "there is no 'ramp' in this version: write 'history' = [[0, 0, 0], [T, fx, fy]]"},
+    {"[[load]]", " position point location vertex ",
+     "write 'at' = [x, y], inside the block or on its outline"},
+    {"[[load]]", " acceleration ",
+     "a body force is per volume: density times acceleration; one of all blocks is "
+     "'gravity' of [analysis]"},
+    {"[[support]]", " velocity_history acceleration_history ",
+     "this version has displacements in time alone: 'history' = [[t, ux, uy], ...]"},
+    {"[[support]]", " acceleration ", no_moving_acceleration},
+    {"[[support]]", " fixed fix ", "'axes' says which directions are held, \"xy\" unless written"},
+    {"[[support]]", " vertex node nodes ", "write 'vertices' = [k, ...]"},
+    {"[[support]]", " stiffness spring ", "supports are rigid in this version"},
+
+    // How a run goes.
+    {"[analysis]", " dt timestep step delta_t step_size h ", "write 'time_step' in s"},
+    {"[analysis]", " nsteps n_steps num_steps max_steps cycles cycle ", "write 'steps'"},
+    {"[analysis]", " time end_time total_time duration t_end tmax ",
+     "write 'steps': that many steps of 'time_step'"},
+    {"[analysis]", " g ", "write 'gravity' = [0, -9.8] in m/s2"},
+    {"[analysis]", " acceleration quake ", no_moving_acceleration},
+    {"[analysis]", " local_damping damp auto_damping viscous_damping damping_ratio alpha alpha_damping ",
+     "write 'damping' = { mass, stiffness }, forces mass M v and stiffness K times the rate of deformation; "
+     "a "
+     "static 'mode' brings blocks to rest without"},
+    {"[analysis]", " type analysis_type ", "write 'mode' = \"dynamic\" or \"static\""},
+    {"[analysis]", " dynamic static ", "write 'mode' = \"dynamic\" or \"static\""},
+    {"[analysis]", " until ", "it belongs to a [[stage]]"},
+    {"[analysis]", " friction friction_angle phi ", "the laws of contacts are [[joint]]"},
+    {"[analysis]", " kn ks stiffness penalty normal_stiffness tangential_stiffness ",
+     "write 'normal_stiffness' and 'tangential_stiffness' in [contact]"},
+    {"[analysis]", " thickness ", "it is 1 m: forces are per metre of thickness"},
+    {"[analysis]", " threads ", "it is an option of the program: dda run SCENE.toml --threads N"},
+    {"[[stage]]", " add ", "stages take blocks out ('remove'); none come in in this version"},
+
+    // Tables that there are not.
+    {"the scene", " water pore_pressure groundwater fluid ",
+     "this version has no water: write its pressure as [[load]] of type \"pressure\" on each wet edge"},
+    {"the scene", " bolt bolts rockbolt anchor anchors cable reinforcement ",
+     "this version has no bolts: write their forces as [[load]] of type \"point\""},
+    {"the scene", " quake earthquake seismic acceleration ", no_moving_acceleration},
+    {"the scene", " quiet_boundary viscous_boundary absorbing_boundary ",
+     "this version has no quiet boundaries: 'damping' of [analysis] takes waves out of all blocks"},
+    {"the scene", " initial_stress insitu in_situ ", "write 'stress' = [sxx, syy, sxy] of each [[block]]"},
+    {"the scene", " domain joint_set jset voronoi region opening tunnel ",
+     "this version cuts no blocks from a domain: write them as [[block]] or in a geometry file; dda make "
+     "voronoi "
+     "makes one"},
+    {"the scene", " parameters variables ",
+     "this version has no parameters: --set PATH=VALUE changes any number"},
+    {"the scene", " gravity steps time_step dt mode scheme damping ", "it belongs to [analysis]"},
+    {"the scene", " kn ks normal_stiffness tangential_stiffness penalty ",
+     "write 'normal_stiffness' and 'tangential_stiffness' in [contact]"},
+    {"the scene", " friction friction_angle cohesion interface interfaces law laws ",
+     "the laws of contacts are [[joint]]"},
+    {"the scene", " young poisson density e nu rho ", "they belong to [[material]]"},
+    {"the scene", " boundary boundaries bc fixed constraint constraints ",
+     "blocks are held by 'fixed' of [[block]] and by [[support]]"},
+    {"the scene", " history histories ", "motion of points in time is written of each [[monitor]]"},
+    {"the scene", " solve run ", "steps are those of [analysis] or of each [[stage]]"},
+};
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+}  // namespace
+
+std::string_view cure_of_guessed_key(std::string_view key, std::string_view table) {
+  std::string word = " " + std::string(key) + ' ';
+  std::ranges::transform(word, word.begin(), lower);
+  if (key.find(' ') != std::string_view::npos) return {};
+  for (const Guess& guess : guesses)
+    if (table.find(guess.table) != std::string_view::npos && guess.keys.find(word) != std::string_view::npos)
+      return guess.cure;
+  return {};
+}
+
+std::string cure_of_unknown_key(std::string_view key, std::string_view table,
+                                const std::vector<std::string_view>& known) {
+  const std::string_view cure = cure_of_guessed_key(key, table);
+  return cure.empty() ? suggestion(key, "key", known) : std::string(cure);
+}
+
+}  // namespace ddacontact::scene_format

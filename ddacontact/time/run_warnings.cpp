@@ -1,0 +1,121 @@
+#include <ddacontact/time/run_warnings.hpp>
+
+#include <ddacontact/time/waves.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace ddacontact {
+
+namespace {
+
+/// Of a block's size, in one substep.
+constexpr double far = 0.1;
+/// Of fewer blocks in contact, most is said of too few.
+constexpr int least_blocks = 4;
+/// Of all substeps: those in which contacts of most blocks change are no single events then.
+constexpr double often = 0.1;
+/// Of a block's size, in one substep: below the default tolerance of penetration sliding is not told from
+/// rest.
+constexpr double least_slip = 1e-6;
+/// A first loading changes the contacts of a block a few times, a vibration every few substeps: changes, and
+/// their part of the substeps in which the block slid.
+constexpr long least_changes = 20;
+constexpr double least_unsteady_part = 0.02;
+/// Of the largest energy exchanged.
+constexpr double large_rise = 0.01;
+/// Stiffness-proportional damping of .3 of critical in the first mode of a block, over the time that a wave
+/// takes through it: doc/decisions.md.
+constexpr double damping_of_transit = 0.2;
+
+std::string figure(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+std::string quoted(const std::string& name) {
+  return '"' + name + '"';
+}
+
+}  // namespace
+
+void RunWarnings::Sighting::add(double value, int of_block, double time) {
+  if (substeps++ == 0) first_time = time;
+  if (value <= largest) return;
+  largest = value;
+  block = of_block;
+}
+
+void RunWarnings::look(const SeenStep& step) {
+  const int n_blocks = step.blocks.n_blocks();
+  std::vector<char> touches(n_blocks, 0), slides(n_blocks, 0), changes(n_blocks, 0);
+  for (const Contact& contact : step.contacts) {
+    const bool closed_before = contact.start_state != ContactState::open;
+    if (!closed_before && !contact.closed()) continue;
+    const bool changed = !step.is_first && contact.start_state != contact.history.state;
+    const bool slipped = step.has_velocities && contact.closed() &&
+                         std::abs(contact.slip_change) > least_slip * contact.size &&
+                         carries_waves(step.blocks, contact, step.dt);
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
+      touches[b] = 1;
+      if (changed) changes[b] = 1;
+      if (slipped) slides[b] = 1;
+    }
+  }
+  int n_touch = 0, n_change = 0, furthest_block = -1;
+  double furthest = 0;
+  for (int b = 0; b < n_blocks; ++b) {
+    if (!step.blocks.is_movable(b) || !touches[b]) continue;
+    const int whole = step.in_whole.empty() ? b : step.in_whole[b];
+    ++n_touch;
+    if (changes[b]) ++n_change;
+    if (slides[b]) {
+      ++slid_[whole];
+      if (changes[b]) ++unsteady_[whole];
+    }
+    const Block& block = step.blocks.block(b);
+    for (int v = 0; v < block.n_vertices(); ++v) {
+      const double moved = block.vertex_map(v)(step.d).norm() / block.size();
+      if (moved <= furthest) continue;
+      furthest = moved;
+      furthest_block = whole;
+    }
+  }
+  if (furthest > far) far_.add(furthest, furthest_block, step.time);
+  if (n_touch >= least_blocks && 2 * n_change > n_touch)
+    changed_.add(static_cast<double>(n_change) / n_touch, -1, step.time);
+}
+
+std::vector<std::string> RunWarnings::texts(const BlockSystem& blocks, long substeps,
+                                            const EnergyLedger& energy) const {
+  std::vector<std::string> texts;
+  const std::string of_all = " of " + std::to_string(substeps) + " substeps";
+  if (far_.substeps > 0)
+    texts.push_back("a block in contact moved further than a tenth of its size in " +
+                    std::to_string(far_.substeps) + of_all + ", first at " + figure(far_.first_time) +
+                    " s; furthest block " + quoted(blocks.names[far_.block]) + ", by " +
+                    figure(far_.largest) +
+                    " of its size: results may depend on the step (a smaller 'time_step')");
+  if (static_cast<double>(changed_.substeps) > often * static_cast<double>(substeps))
+    texts.push_back("contacts of most blocks changed their state in " + std::to_string(changed_.substeps) +
+                    of_all + ", first at " + figure(changed_.first_time) +
+                    " s: results may depend on the step (a smaller 'time_step')");
+  const auto worst = std::max_element(unsteady_.begin(), unsteady_.end());
+  const auto b = static_cast<int>(worst - unsteady_.begin());
+  if (worst != unsteady_.end() && *worst >= least_changes &&
+      static_cast<double>(*worst) >= least_unsteady_part * static_cast<double>(slid_[b]))
+    texts.push_back(
+        "block " + quoted(blocks.names[b]) + " vibrates by friction: its contacts changed their state in " +
+        std::to_string(*worst) + " of the " + std::to_string(slid_[b]) +
+        " substeps in which it slid: it does not slide as a rigid block does (damping = { stiffness = " +
+        figure(damping_of_transit * transit_time(blocks.block(b))) + " }, or a 'time_step' longer than " +
+        figure(transit_time(blocks.block(b))) + " s)");
+  if (energy.created() > large_rise)
+    texts.push_back("energy rose by " + figure(energy.created()) +
+                    " of the largest exchanged above what loads and supports put in (scheme = \"decaying\" "
+                    "or a smaller 'time_step'; scheme = \"newmark\" needs a gamma of 0.6)");
+  return texts;
+}
+
+}  // namespace ddacontact

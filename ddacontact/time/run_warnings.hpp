@@ -1,0 +1,72 @@
+/// \file What a run met that makes its results doubtful, counted: no step is refused for it.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/contact.hpp>
+#include <ddacontact/time/energy_ledger.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// A substep that was accepted.
+struct SeenStep {
+  const BlockSystem& blocks;
+  const VectorXd& d;                     ///< its displacements
+  const std::vector<Contact>& contacts;  ///< as it left them
+  double dt = 0, time = 0;               ///< s; the time at its end
+  bool has_velocities = false;           ///< it is not static
+  bool is_first = false;                 ///< of the run: no contact has a state before it
+  std::span<const int> in_whole;         ///< of each block, its number in the run; empty: the same
+};
+
+/// Looks at every accepted substep for what makes results doubtful:
+/// - a block in contact moves by more than a tenth of its size: contacts are taken at one place of the path.
+///   (Flight is exact whatever the step.)
+/// - contacts of most blocks change their state, in more than a tenth of all substeps. (A first loading or a
+///   pillar taken out does so too, but once or twice.)
+/// - friction-induced vibration: contacts of a sliding block change their state again and again, in substeps
+///   shorter than a pressure wave takes through the block. Longer ones damp its vibrations, in shorter ones
+///   friction feeds them, and the block does not slide as a rigid one does.
+/// Energy that rises is told from the ledger. All of it is part of what a run carries on.
+class RunWarnings {
+ public:
+  explicit RunWarnings(int n_blocks = 0) : slid_(n_blocks, 0), unsteady_(n_blocks, 0) {}
+
+  void look(const SeenStep& step);
+  /// A line for each doubt, with counts and a cure.
+  /// \param[in] blocks    all blocks of the run
+  /// \param[in] substeps  accepted in the run
+  std::vector<std::string> texts(const BlockSystem& blocks, long substeps, const EnergyLedger& energy) const;
+
+  /// Calls visit with every number, and visit.list for those of the blocks.
+  template <class Warnings, class Visit>
+  static void visit_numbers(Warnings& warnings, Visit&& visit) {
+    for (auto* sighting : {&warnings.far_, &warnings.changed_}) {
+      visit(sighting->substeps);
+      visit(sighting->first_time);
+      visit(sighting->largest);
+      visit(sighting->block);
+    }
+    for (auto* counts : {&warnings.slid_, &warnings.unsteady_})
+      visit.list(*counts, [&](auto& count) { visit(count); });
+  }
+
+ private:
+  /// How often something was met, and where it was worst.
+  struct Sighting {
+    long substeps = 0;      ///< in which it was met
+    double first_time = 0;  ///< at the end of the first of them, s
+    double largest = 0;     ///< of what is measured, in these substeps
+    int block = -1;         ///< whose it was; -1: of no block
+
+    void add(double value, int of_block, double time);
+  };
+  Sighting far_;                       ///< largest motion of a block over its size
+  Sighting changed_;                   ///< part of the blocks in contact whose contacts changed
+  std::vector<long> slid_, unsteady_;  ///< of each block: substeps in which it slid; of these, with a change
+};
+
+}  // namespace ddacontact

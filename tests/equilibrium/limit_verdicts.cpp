@@ -1,0 +1,104 @@
+// Structures loaded to .7 .. 1.5 of their limit, at least 3 % from it, in static runs with steps of 5, 50 and
+// 500 ms: what stands has to be called at rest, what collapses must not.
+//
+//   limit_verdicts NUMBER [FIRST]   how many structures, from which on
+//
+// Prints a line for each wrong verdict and a table of out-of-balance forces; ends with 1 when one is wrong.
+#include <ddacontact/scene/builder.hpp>
+#include <tests/support/limit_structures.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <tuple>
+
+using namespace ddacontact;
+
+namespace {
+
+constexpr unsigned seed = 1;
+constexpr double margin = 0.03, lowest = 0.7, highest = 1.5;
+
+/// .7 .. 1.5, but for .97 .. 1.03; both of these often.
+double random_factor(std::mt19937& random) {
+  const double part = static_cast<double>(random()) / 4294967296.0;
+  switch (random() % 6) {
+    case 0:
+      return 1 - margin;
+    case 1:
+      return 1 + margin;
+    case 2:
+    case 3:
+      return 1 + margin + (highest - 1 - margin) * part;
+    default:
+      return lowest + (1 - margin - lowest) * part;
+  }
+}
+
+struct Verdict {
+  bool at_rest = false;
+  Equilibrium equilibrium;
+  std::string stop_reason;
+  long steps = 0;
+};
+
+/// Steps until all is at rest, at most so many; given up when what is out of balance has not become less by a
+/// tenth within `patience` of them.
+Verdict verdict_of(Scene scene, double time_step, int most_steps, int patience) {
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = most_steps;
+  const BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  double before = 1e300;
+  while (!stepper.is_at_rest() && stepper.counts().steps < most_steps) {
+    if (!stepper.step()) break;
+    if (stepper.counts().steps % patience != 0) continue;
+    if (stepper.equilibrium().unbalanced > 0.9 * before) break;
+    before = stepper.equilibrium().unbalanced;
+  }
+  return {stepper.is_at_rest(), stepper.equilibrium(), stepper.stop_reason(), stepper.counts().steps};
+}
+
+}  // namespace
+
+int main(int n_arguments, char** arguments) {
+  const int number = n_arguments > 1 ? std::atoi(arguments[1]) : 8,
+            first = n_arguments > 2 ? std::atoi(arguments[2]) : 0;
+  std::mt19937 random(seed);
+  int n_wrong = 0, n_runs = 0;
+  double most_of_standing = 0, least_of_collapsing = 1;
+  const std::vector<support::LimitStructure> structures = support::limit_structures(first + number, seed);
+  for (int s = 0; s < first + number; ++s) {
+    const double factor = random_factor(random);
+    if (s < first) continue;
+    for (const auto& [time_step, steps, patience] :
+         {std::tuple{5e-3, 2000, 50}, {50e-3, 200, 10}, {500e-3, 50, 5}}) {
+      const auto start = std::chrono::steady_clock::now();
+      const Verdict verdict = verdict_of(support::with_loads(structures[s], factor * structures[s].limit),
+                                         time_step, steps, patience);
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+      const bool stands = factor < 1;
+      ++n_runs;
+      if (std::getenv("VERBOSE"))
+        std::cout << structures[s].name << ", factor " << factor << ", step " << time_step << ": unbalanced "
+                  << verdict.equilibrium.unbalanced << ' ' << verdict.stop_reason << " steps "
+                  << verdict.steps << ' ' << spent.count() << " s\n"
+                  << std::flush;
+      double& extreme = stands ? most_of_standing : least_of_collapsing;
+      if (verdict.stop_reason.empty())
+        extreme = stands ? std::max(extreme, verdict.equilibrium.unbalanced)
+                         : std::min(extreme, verdict.equilibrium.unbalanced);
+      if (verdict.at_rest == stands) continue;
+      ++n_wrong;
+      std::cout << "wrong: " << structures[s].name << ", load " << factor << " of the limit, steps of "
+                << time_step << " s: " << (verdict.at_rest ? "at rest" : "not at rest") << ", unbalanced "
+                << verdict.equilibrium.unbalanced << ' ' << verdict.stop_reason << '\n';
+    }
+  }
+  std::cout << n_runs - n_wrong << " of " << n_runs << " verdicts are right; out of balance by at most "
+            << most_of_standing << " of what stands, by at least " << least_of_collapsing
+            << " of what collapses\n";
+  return n_wrong > 0 ? 1 : 0;
+}

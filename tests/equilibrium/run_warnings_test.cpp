@@ -1,0 +1,131 @@
+// What a run warns of, and what it does not.
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <ddacontact/output/run_verdict.hpp>
+
+using namespace support;
+
+namespace {
+
+Scene stone_scene(double young, double time_step, int steps, double friction_degrees) {
+  Scene scene;
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = steps;
+  scene.analysis.max_displacement_ratio = 1;
+  scene.materials = {{"stone", 2500, young, 0.3}};
+  scene.joints = {{"joint", friction_degrees, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 40 * young;
+  scene.contact.tangential_stiffness = 16 * young;
+  return scene;
+}
+
+/// The paper's block on its slope of 45 degrees with friction 40, for .7 s under sudden gravity.
+Scene sliding_scene(double young, double time_step) {
+  Scene scene = stone_scene(young, time_step, static_cast<int>(std::lround(0.7 / time_step)), 40);
+  const double angle = -radians(45);
+  scene.blocks = {block(turned(rectangle(-2, -1, 17, 1), angle), true),
+                  block(turned(rectangle(0, 0, 4, 2), angle))};
+  scene.blocks[1].name = "slider";
+  scene.blocks[1].model = BlockModel::wachspress;
+  return scene;
+}
+
+std::vector<std::string> warnings_in(const Scene& scene) {
+  return warnings_of(*run(scene).stepper);
+}
+
+double final_speed(const BuiltScene& built) {
+  return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state().velocity).linear.norm();
+}
+
+/// One warning, with these words.
+void expect_warning(const Scene& scene, const std::vector<const char*>& words) {
+  const std::vector<std::string> warnings = warnings_in(scene);
+  ASSERT_EQ(warnings.size(), 1u);
+  for (const char* word : words)
+    EXPECT_NE(warnings[0].find(word), std::string::npos) << word << " in " << warnings[0];
+}
+
+void expect_none(const Scene& scene) {
+  for (const std::string& warning : warnings_in(scene)) ADD_FAILURE() << warning;
+}
+
+}  // namespace
+
+/// The velocity of the soft block is 17 % too large, that of the others within .1 % of a rigid one.
+TEST(RunWarnings, FrictionInducedVibrationIsTold) {
+  expect_warning(sliding_scene(35e6, 0.002),
+                 {"\"slider\" vibrates by friction", "changed their state in", "damping"});
+  expect_warning(sliding_scene(35e6, 0.0005), {"\"slider\" vibrates by friction"});
+  expect_warning(sliding_scene(350e6, 0.002), {"\"slider\" vibrates by friction"});
+  expect_none(sliding_scene(35e6, 0.02));
+  expect_none(sliding_scene(35e9, 0.002));
+  expect_none(sliding_scene(35e9, 0.0005));
+}
+
+/// With the damping that the warning names, less than half of the error is left.
+TEST(RunWarnings, FrictionInducedVibrationIsCuredAsTold) {
+  Scene scene = sliding_scene(35e6, 0.002);
+  const BuiltScene undamped = run(scene);
+  const std::string text = warnings_of(*undamped.stepper).at(0);
+  const std::string key = "damping = { stiffness = ";
+  scene.analysis.damping.stiffness = std::stod(text.substr(text.find(key) + key.size()));
+  expect_none(scene);
+  const BuiltScene built = run(scene);
+  const double exact = 9.8 * 0.7 * (std::sin(radians(45)) - std::cos(radians(45)) * std::tan(radians(40)));
+  EXPECT_LT(std::abs(final_speed(built) - exact), std::abs(final_speed(undamped) - exact) / 2);
+}
+
+/// 100 steps a turn, two turns.
+TEST(RunWarnings, EnergyThatRisesIsTold) {
+  Scene scene = stone_scene(100e9, 0.01, 200, 30);
+  scene.analysis.gravity = Vec2(0, 0);
+  scene.analysis.scheme = Scheme::newmark;
+  scene.blocks = {block(rectangle(-9, -1, 1, 1), true), block(rectangle(0, 0, 2, 1))};
+  scene.blocks[1].angular_velocity = 2 * std::numbers::pi;
+  for (const double gamma : {0.5, 0.6}) {
+    scene.analysis.gamma = gamma;
+    scene.analysis.beta = (gamma + 0.5) * (gamma + 0.5) / 4;
+    if (gamma < 0.6)
+      expect_warning(scene, {"energy rose by", "gamma of 0.6"});
+    else
+      expect_none(scene);
+  }
+  scene.analysis.scheme = Scheme::decaying;
+  expect_none(scene);
+}
+
+TEST(RunWarnings, WorkOfLoadsAndSupportsIsNoRise) {
+  Scene scene = stone_scene(35e9, 0.01, 100, 30);
+  scene.analysis.gravity = Vec2(0, 0);
+  scene.blocks = {block(rectangle(-9, -1, 1, 1), true), block(rectangle(0, 0, 2, 1)),
+                  block(rectangle(0, 5, 2, 1))};
+  scene.loads = {point_load(1, Vec2(1, 0.5), constant(Vec2(1e5, 0)))};
+  scene.supports = {{2, {0, 1, 2, 3}, true, true, {TimeFunction::Kind::rate, Vec2(1, 0), {}}}};
+  expect_none(scene);
+}
+
+TEST(RunWarnings, LongWaysInContactAreToldAndFlightIsNot) {
+  Scene scene = stone_scene(35e9, 0.01, 20, 0);
+  scene.blocks = {block(rectangle(-5, -1, 60, 1), true), block(rectangle(0, 0, 2, 1))};
+  scene.blocks[1].velocity = Vec2(25, 0);
+  expect_warning(scene, {"20 of 20 substeps", "first at 0.01 s", "furthest block \"1\", by 0.18 of its size",
+                         "(a smaller 'time_step')"});
+  scene.blocks[1].vertices = rectangle(0, 3, 2, 1);
+  expect_none(scene);
+}
+
+/// Five blocks on a table that is shaken to and fro with a period of two steps.
+TEST(RunWarnings, ContactsThatChangeInMostStepsAreTold) {
+  Scene scene = stone_scene(35e9, 0.01, 40, 30);
+  scene.blocks = {block(rectangle(-5, -1, 30, 1))};
+  for (int k = 0; k < 5; ++k) scene.blocks.push_back(block(rectangle(3 * k, 0, 1, 1)));
+  Support table{0, {0, 1, 2, 3}, true, true, {TimeFunction::Kind::history, Vec2(0, 0), {}}};
+  for (int k = 0; k <= 40; ++k)
+    table.displacement.history.push_back(Vec3(0.01 * k, k % 2 == 0 ? 0 : 0.005, 0));
+  scene.supports = {table};
+  expect_warning(
+      scene, {"contacts of most blocks changed their state in", "of 40 substeps", "(a smaller 'time_step')"});
+  for (Vec3& entry : scene.supports[0].displacement.history) entry[1] = 0;
+  expect_none(scene);
+}

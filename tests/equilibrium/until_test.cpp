@@ -1,0 +1,129 @@
+// Stages that end when they have come to rest.
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <ddacontact/output/run_verdict.hpp>
+#include <ddacontact/time/run_record.hpp>
+
+using namespace support;
+
+namespace {
+
+/// A block, dropped by `drop` onto a fixed ground; then it is pushed.
+Scene drop_scene(Mode mode, double drop, int steps, const RestCriterion& until) {
+  Scene scene;
+  scene.analysis.time_step = 0.01;
+  scene.analysis.max_displacement_ratio = 1;
+  scene.materials = {{"stone", 2500, 1e9, 0.2}};
+  scene.joints = {{"joint", 30, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 40e9;
+  scene.contact.tangential_stiffness = 16e9;
+  scene.blocks = {block(rectangle(-5, -1, 30, 1), true), block(rectangle(0, drop, 2, 1))};
+  scene.blocks[1].name = "falls";
+  StageDescription settle = scene.stage("settle"), push = scene.stage("push");
+  settle.analysis.mode = mode;
+  settle.analysis.steps = steps;
+  settle.until = until;
+  push.analysis.steps = 10;
+  push.analysis.gravity = Vec2(9.8, -9.8);
+  scene.stages = {settle, push};
+  return scene;
+}
+
+const RestCriterion at_rest{.kinetic = 1e-8, .displacement = 1e-6};
+
+}  // namespace
+
+TEST(Until, EndsAStageWithTheFirstStepAtRest) {
+  for (const Mode mode : {Mode::dynamic, Mode::statics}) {
+    const BuiltScene built = build(drop_scene(mode, mode == Mode::statics ? 0 : 0.01, 1000, at_rest));
+    Stepper& stepper = *built.stepper;
+    while (stepper.stage() == 0) {
+      EXPECT_TRUE(stepper.stage_ends().empty());
+      run(stepper, 1);
+      ASSERT_LT(stepper.counts().steps, 1000);
+    }
+    ASSERT_EQ(stepper.stage_ends().size(), 1u);
+    const StageEnd& settled = stepper.stage_ends()[0];
+    EXPECT_TRUE(settled.came_to_rest);
+    EXPECT_TRUE(settled.at_rest);
+    EXPECT_EQ(settled.steps, stepper.counts().steps - 1);
+    EXPECT_GT(settled.steps, 1) << "the first step has not settled yet";
+    EXPECT_LE(settled.equilibrium.kinetic, 1e-8 * settled.exchanged);
+    EXPECT_LE(settled.equilibrium.relative_speed, 1e-6);
+    EXPECT_NEAR(stepper.state().time, 0.01 * static_cast<double>(stepper.counts().steps), 1e-12);
+    run(stepper, 9);
+    EXPECT_FALSE(stepper.is_at_rest());
+    EXPECT_FALSE(stepper.is_over()) << "the last stage has no 'until'";
+    EXPECT_TRUE(warnings_of(stepper).empty()) << warnings_of(stepper).front();
+  }
+}
+
+TEST(Until, EachConditionByItselfIsMet) {
+  for (const RestCriterion& until : {RestCriterion{1e-8, std::nullopt}, RestCriterion{std::nullopt, 1e-6}}) {
+    const BuiltScene built = build(drop_scene(Mode::dynamic, 0.01, 1000, until));
+    while (built.stepper->stage() == 0) run(*built.stepper, 1);
+    EXPECT_TRUE(built.stepper->stage_ends().at(0).came_to_rest);
+    EXPECT_LT(built.stepper->stage_ends().at(0).steps, 1000);
+  }
+}
+
+TEST(Until, FallingNeverEndsAStageHoweverShortItsSteps) {
+  for (const Mode mode : {Mode::dynamic, Mode::statics}) {
+    Scene scene = drop_scene(mode, 10, 20, at_rest);
+    scene.stages[0].analysis.time_step = 1e-6;
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 21);
+    ASSERT_EQ(built.stepper->stage_ends().size(), 1u);
+    EXPECT_FALSE(built.stepper->stage_ends()[0].came_to_rest);
+    EXPECT_EQ(built.stepper->stage_ends()[0].steps, 20);
+    const std::vector<std::string> warnings = warnings_of(*built.stepper);
+    ASSERT_EQ(warnings.size(), 1u);
+    for (const char* word :
+         {"stage \"settle\"", "20 steps", "'until' never came true", "\"falls\"", "(more 'steps'"})
+      EXPECT_NE(warnings[0].find(word), std::string::npos) << warnings[0];
+  }
+}
+
+TEST(Until, OfTheLastStageEndsTheRun) {
+  Scene scene = drop_scene(Mode::statics, 0, 1000, at_rest);
+  scene.stages.pop_back();
+  const BuiltScene built = build(scene);
+  int steps = 0;
+  for (; !built.stepper->is_over(); ++steps) run(*built.stepper, 1);
+  EXPECT_LT(steps, 100);
+  EXPECT_TRUE(built.stepper->stage_ends().empty()) << "the last stage has not been left";
+  EXPECT_TRUE(built.stepper->stage_end().came_to_rest);
+  EXPECT_TRUE(warnings_of(*built.stepper).empty());
+}
+
+/// Where the stage stands is part of what a run carries on, also at its very end.
+TEST(Until, ResumedRunsEndStagesWithTheSameStep) {
+  for (const Mode mode : {Mode::dynamic, Mode::statics}) {
+    const Scene scene = drop_scene(mode, mode == Mode::statics ? 0 : 0.01, 1000, at_rest);
+    const BuiltScene whole = build(scene);
+    std::vector<std::string> records;
+    do {
+      records.push_back(to_bytes(whole.stepper->run_record()));
+      run(*whole.stepper, 1);
+    } while (whole.stepper->stage() == 0);
+    const std::string end = to_bytes(whole.stepper->run_record());
+    for (std::size_t at : {records.size() - 1, records.size() - 2, records.size() / 2, std::size_t(1)}) {
+      const BuiltScene resumed = build(scene);
+      resumed.stepper->restore(run_record_from(records[at]));
+      EXPECT_TRUE(to_bytes(resumed.stepper->run_record()) == records[at]);
+      run(*resumed.stepper, static_cast<int>(records.size() - at));
+      EXPECT_TRUE(to_bytes(resumed.stepper->run_record()) == end) << "from step " << at;
+    }
+  }
+}
+
+TEST(StaticVerdict, OutOfBalanceIsTold) {
+  Scene scene = drop_scene(Mode::statics, 1, 5, {});
+  scene.stages.pop_back();
+  scene.stages[0].until.reset();
+  const BuiltScene built = run(scene);
+  const std::vector<std::string> warnings = warnings_of(*built.stepper);
+  ASSERT_EQ(warnings.size(), 1u);
+  for (const char* word : {"no equilibrium", "1 block", "\"falls\"", "by 1 of", "(more 'steps'"})
+    EXPECT_NE(warnings[0].find(word), std::string::npos) << warnings[0];
+}
