@@ -8,6 +8,8 @@ namespace jointed_rock {
 using verification::Claim;
 using verification::Report;
 
+/// Blocks that slide over flush joints and crossings, and into a shaft.
+void flush_joints(Report& report);
 /// Random slopes and slabs below and above the friction that holds them; all slopes as recorded.
 void random_slopes(Report& report);
 /// Random arches and walls at parts of their limit, in static steps.

@@ -12,7 +12,8 @@ closed at the start. The references are limit analyses of rigid blocks, `tests/s
 the tests' own. Of {} statements {} are seen.
 )";
 
-constexpr verification::Chapter chapters[] = {{"random_slopes", jointed_rock::random_slopes},
+constexpr verification::Chapter chapters[] = {{"flush_joints", jointed_rock::flush_joints},
+                                              {"random_slopes", jointed_rock::random_slopes},
                                               {"arches_walls", jointed_rock::arches_walls}};
 
 }  // namespace

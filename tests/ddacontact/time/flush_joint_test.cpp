@@ -1,0 +1,86 @@
+// Blocks do not notice flush joints, and fall into shafts of their own width; more on the page "jointed
+// rock".
+#include <tests/support/flush_joints.hpp>
+#include <tests/support/scene_changes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace ddacontact;
+using namespace support;
+
+namespace {
+
+int last_block(const Scene& scene) {
+  return static_cast<int>(scene.blocks.size()) - 1;
+}
+
+/// Smooth over ten bricks at 3 m/s: the speed after 0.6 s.
+double speed_over(const BrickRow& row, double time_step) {
+  const Scene scene = sliding_over_bricks(row, {.young = 1e9, .time_step = time_step, .duration = 0.6});
+  return final_speed(scene, last_block(scene), Vec2(1, 0));
+}
+
+}  // namespace
+
+TEST(FlushJoint, ABlockKeepsItsSpeedOverFixedBricks) {
+  for (const double gap : {0.0, 1e-3})
+    for (const double time_step : {1e-2, 1e-3})
+      EXPECT_NEAR(speed_over({.gap = gap}, time_step), 3, 1e-6) << gap << " m, " << time_step << " s";
+}
+
+TEST(FlushJoint, ABlockKeepsItsSpeedOverFreeBricksThatSinkUnderIt) {
+  for (const double gap : {0.0, 1e-3})
+    for (const double time_step : {1e-2, 1e-3})
+      EXPECT_NEAR(speed_over({.gap = gap, .free = true}, time_step), 3, 1e-3)
+          << gap << " m, " << time_step << " s";
+}
+
+TEST(FlushJoint, FrictionIsThatOfOneFace) {
+  const Scene scene = sliding_over_bricks(
+      {.free = true}, {.young = 1e9, .friction_angle = 10, .time_step = 1e-3, .duration = 0.5});
+  const double expected = 3 - 9.8 * std::tan(10 * std::numbers::pi / 180) * 0.5;
+  EXPECT_NEAR(final_speed(scene, last_block(scene), Vec2(1, 0)), expected, 1e-3);
+}
+
+TEST(FlushJoint, ASlowBlockCrossesAJoint) {
+  const Scene scene = sliding_over_bricks({.start = 0.999, .speed = 0.01},
+                                          {.young = 1e9, .time_step = 1e-3, .duration = 0.3});
+  EXPECT_NEAR(final_speed(scene, last_block(scene), Vec2(1, 0)), 0.01, 1e-7);
+}
+
+/// A step of a millimetre is no joint: the sharp corner stops at it.
+TEST(FlushJoint, AStepStopsABlock) {
+  EXPECT_LT(speed_over({.step_down = -1e-3, .start = 0}, 1e-3), 1.5);
+}
+
+TEST(FlushJoint, ACornerAtACrossingDoesNotHoldABlock) {
+  for (const double dip : {20.0, 60.0})
+    for (const double corner : {-1e-9, 0.0, 1e-6})
+      for (const double crossing : {60.0, 90.0, 120.0}) {
+        const Scene scene = on_a_crossed_plane({.dip = dip, .crossing_angle = crossing, .corner = corner},
+                                               {.time_step = 1e-3, .duration = 0.1});
+        const double angle = dip * std::numbers::pi / 180, expected = 9.8 * std::sin(angle) * 0.1;
+        EXPECT_NEAR(final_speed(scene, 3, Vec2(std::cos(angle), -std::sin(angle))), expected, 0.01 * expected)
+            << dip << " degrees, crossing " << crossing << ", corner " << corner;
+      }
+}
+
+TEST(FlushJoint, ABlockFallsIntoAShaftOfItsOwnWidth) {
+  const Mat2 mirror = Vec2(-1, 1).asDiagonal();
+  for (const double clearance : {0.0, 1e-9, 1e-6})
+    for (const double time_step : {1e-2, 1e-3}) {
+      const Scene scene = over_a_shaft(clearance, {.time_step = time_step, .duration = 0.3});
+      EXPECT_NEAR(final_speed(scene, 2, Vec2(0, -1)), 2.94, 3e-3) << clearance;
+      EXPECT_NEAR(final_speed(turned(scene, mirror), 2, Vec2(0, -1)), 2.94, 3e-3) << clearance;
+      EXPECT_NEAR(final_speed(reordered(scene, {2, 1, 0}), 0, Vec2(0, -1)), 2.94, 3e-3) << clearance;
+    }
+}
+
+/// A shaft a tenth of a millimetre narrower carries it.
+TEST(FlushJoint, ABlockOverANarrowerShaftStays) {
+  const Scene scene = over_a_shaft(-3e-4, {.time_step = 1e-3, .duration = 0.1});
+  EXPECT_NEAR(final_speed(scene, 2, Vec2(0, -1)), 0, 1e-3);
+}
