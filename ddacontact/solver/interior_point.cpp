@@ -41,8 +41,7 @@ constexpr double step_growth = 1.5, step_cut = 0.25;
 constexpr double near_path = 0.5, far_from_path = 10;
 constexpr int most_corrections = 4;
 /// Solutions to find the path for one mu, for how many, and to follow it.
-constexpr int most_first_corrections = 30, most_path_starts = 5, most_path_solutions = 600;
-constexpr double least_first_length = 1e-2;
+constexpr int most_first_corrections = 60, most_path_starts = 5, most_path_solutions = 600;
 /// Of friction, in solutions along the path: it may turn where the equations are nearly singular.
 constexpr double path_tolerance = 1e-6;
 
@@ -244,11 +243,9 @@ class InteriorPoint {
         ++n_corrections;
       }
       combine(path, part);
-      const double length = std::min(1.0, longest());
-      advance(length);
+      advance(std::min(1.0, longest()));
       look_();
       look_inside(mean);
-      if (!on_path && length < least_first_length) n_corrections = most_first_corrections;
     }
   }
 

@@ -360,7 +360,7 @@ const Case cases[] = {
     {"GluedOutsideAStage",
      "friction_angle = 30",
      "glued = true",
-     32,
+     30,
      1,
      {"'glued' in [[joint]] belongs to a stage", "{ glued = true } }", "[[stage]]"}},
     {"WrongUnitOfCohesion", "\"2 kPa\"", "\"2 kN\"", 9, 72, {"'cohesion'", "'kN'", "Pa"}},
