@@ -99,15 +99,24 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool
   }
 }
 
+/// Whether the run has made the steps asked for in all, or those of its stages, of which `until` may have
+/// ended some.
+bool is_done(const Stepper& stepper, const std::optional<int>& steps) {
+  if (stepper.is_over()) return true;
+  if (steps) return stepper.counts().steps >= *steps;
+  const bool in_last_stage = stepper.stage() + 1 == static_cast<int>(stepper.stages().size());
+  return in_last_stage && stepper.stage_end().steps >= stepper.stages().back().analysis.steps;
+}
+
 /// Steps until the end, a stop or a signal; fills the summary's status and reason.
-void run_steps(Stepper& stepper, long steps, const std::vector<Probe>& probes, Progress& progress,
-               ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
+void run_steps(Stepper& stepper, const std::optional<int>& steps, const std::vector<Probe>& probes,
+               Progress& progress, ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
   {
     const polyfem::Stopwatch watch(summary.seconds_output);
     results.write_start(stepper, probes);
   }
   summary.status = "completed";
-  while (stepper.counts().steps < steps && !stepper.is_over()) {
+  while (!is_done(stepper, steps)) {
     bool stepped = false;
     if (!signal_received) {
       const polyfem::Stopwatch watch(summary.seconds_steps);
@@ -280,7 +289,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   log->flush();
   Progress progress(steps, arguments.quiet);
   try {
-    run_steps(*built.stepper, steps, built.probes, progress, results, checkpoints, summary);
+    run_steps(*built.stepper, arguments.steps, built.probes, progress, results, checkpoints, summary);
     progress.finish();
     write_end(*built.stepper, results, checkpoints, summary, start);
   } catch (const OutputError& error) {

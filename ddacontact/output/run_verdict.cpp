@@ -1,5 +1,6 @@
 #include <ddacontact/output/run_verdict.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace ddacontact {
@@ -14,6 +15,8 @@ std::string figure(double value) {
 
 /// What is out of balance becomes less by more than this in a substep: it settles.
 constexpr double settling = 0.01;
+/// A block that has moved further than this part of its size is not where a static analysis began.
+constexpr double another_shape = 0.1;
 
 std::string quoted_block(const Stepper& stepper, int block) {
   return "block \"" + stepper.blocks().names[block] + '"';
@@ -49,6 +52,33 @@ void add_unmet_until(const Stepper& stepper, const StageEnd& end, std::vector<st
   warnings.push_back(text + " (more 'steps', more damping, or larger values of 'until')");
 }
 
+/// Whether what stands still at the end of static steps has gone there from another shape. Where blocks moved
+/// with velocities before, or supports move, they are not expected to stay.
+void add_other_shape(const Stepper& stepper, std::vector<std::string>& warnings) {
+  const BlockSystem& blocks = stepper.blocks();
+  for (int s = 0; s <= stepper.stage(); ++s)
+    if (stepper.stages()[s].analysis.mode != Mode::statics) return;
+  const auto moves = [](const auto& held) { return held.motion.kind != TimeFunction::Kind::constant; };
+  if (std::ranges::any_of(blocks.held_unknowns(), moves) || std::ranges::any_of(blocks.held_vertices, moves))
+    return;
+  const Points moved = blocks.displacements(stepper.state());
+  double furthest = another_shape;
+  int furthest_block = -1;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Range& v = blocks.block(b).vertices();
+    if (!blocks.is_present(b)) continue;
+    const double largest =
+        moved.middleCols(v.first, v.count).colwise().norm().maxCoeff() / blocks.block(b).size();
+    if (largest <= furthest) continue;
+    furthest = largest;
+    furthest_block = b;
+  }
+  if (furthest_block >= 0)
+    warnings.push_back("the static steps found an equilibrium, but of another shape: " +
+                       quoted_block(stepper, furthest_block) + " has moved by " + figure(furthest) +
+                       " of its size (the scene as it is drawn has no equilibrium, or only one far from it)");
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Stepper& stepper) {
@@ -58,6 +88,7 @@ std::vector<std::string> warnings_of(const Stepper& stepper) {
   add_unmet_until(stepper, last, warnings);
   const Equilibrium& e = last.equilibrium;
   const bool is_static = stepper.stages()[last.stage].analysis.mode == Mode::statics;
+  if (is_static && e.in_balance()) add_other_shape(stepper, warnings);
   if (is_static && !e.in_balance()) {
     std::string text = "this is no equilibrium: the static steps end with " + std::to_string(e.n_unbalanced) +
                        (e.n_unbalanced == 1 ? " block" : " blocks") + " out of balance; " +

@@ -103,7 +103,7 @@ constexpr Guess guesses[] = {
     {"[[support]]", " stiffness spring ", "supports are rigid in this version"},
 
     // How a run goes.
-    {"[analysis]", " dt timestep step delta_t step_size h ", "write 'time_step' in s"},
+    {"[analysis]", " dt timestep step delta_t h ", "write 'time_step' in s"},
     {"[analysis]", " nsteps n_steps num_steps max_steps cycles cycle ", "write 'steps'"},
     {"[analysis]", " time end_time total_time duration t_end tmax ",
      "write 'steps': that many steps of 'time_step'"},

@@ -11,7 +11,7 @@ namespace ddacontact {
 
 /// A block is in balance when the resultant of weight, loads, contact forces and reactions is at most this
 /// times the largest of these forces. Contacts are solved to 1e-8 of the forces; a structure 3 % beyond its
-/// limit load leaves 1e-3 or more of them.
+/// limit load leaves 5e-4 or more of them.
 inline constexpr double largest_unbalanced = 1e-4;
 
 /// What the forces and velocities at the end of a substep say. The resultant on a block is its mass times its

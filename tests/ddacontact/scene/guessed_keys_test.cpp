@@ -137,7 +137,7 @@ TEST_P(GuessedKeys, AreRefusedWithWhatThereIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GuessedKeys, testing::ValuesIn(cases),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of_case) { return of_case.param.name; });
 
 TEST(GuessedKeys, AreToldOfSettingsToo) {
   for (const auto& [setting, words] :
