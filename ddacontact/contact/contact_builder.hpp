@@ -8,6 +8,7 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <limits>
 #include <set>
 #include <span>
 #include <vector>
@@ -23,9 +24,9 @@ struct ContactProperties {
   ContactMethod method = ContactMethod::classic;
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
   /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
-  /// flush to that.
+  /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
   double lip = default_lip;
-  static constexpr double default_lip = 1e-4, lip_of_paper = 1e-6;
+  static constexpr double default_lip = 1e-4, lip_of_paper = std::numeric_limits<double>::infinity();
 
   /// Whether forces of contacts are multipliers: their springs store no energy.
   bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }

@@ -197,20 +197,22 @@ class Entrances {
     }
   }
 
-  bool is_behind(const Candidate& c) const { return c.gap < -limits_.lip; }
+  bool is_behind(const Candidate& c) const { return c.gap < -limits_.depth_inside(); }
 
   /// Whether x has not passed all lines of a convex polygon; of another whether it is no deeper in it than
-  /// that.
+  /// that. Where none is passed: whether it is further outside than the coincidence.
   bool is_outside(const Vec2& x) {
+    const bool by_passing = limits_.lip < infinity;
     if (!of_b_.concave) {
+      const double least = by_passing ? -limits_.lip : limits_.coincidence;
       for (int e = 0; e < b_.vertices.cols(); ++e)
-        if (Edge(b_.vertices.col(e), of_b_.sides[e]).gap(x) >= -limits_.lip) return true;
+        if (Edge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > least) return true;
       return false;
     }
-    if (!polyfem::contains(b_.vertices, x)) return true;
-    return std::any_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
-      return is_within(limits_.lip, {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
+    const bool on_outline = std::any_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
+      return is_within(limits_.depth_inside(), {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
     });
+    return polyfem::contains(b_.vertices, x) ? by_passing && on_outline : by_passing || !on_outline;
   }
 
   /// Of edges that go straight on into each other the vertex is over one.
@@ -333,6 +335,8 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
       drop(p_over ? q : p);
     else if (p.kept == q.kept && (!p_over || (one_place && !p.kept)))
       drop(p.gap >= q.gap ? q : p);
+  } else if (p.kept != q.kept && limits.lip == infinity) {
+    drop(p.kept ? q : p);
   } else if (p.strict != q.strict) {
     // One is an entrance only if its corner turns within the step: it may wait for that, open.
     Candidate& loose = p.strict ? q : p;

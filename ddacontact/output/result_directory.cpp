@@ -277,6 +277,8 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"unsettled_impacts", counts.unsettled_impacts},
                                        {"max_residual", counts.max_residual},
                                        {"overlap_rejections", counts.overlap_rejections},
+                                       {"corner_solutions", counts.corner_solutions},
+                                       {"unsettled_corners", counts.unsettled_corners},
                                        {"frictionless_holds", counts.frictionless_holds},
                                        {"unbalanced", rest.unbalanced},
                                        {"unbalanced_block", name_of(rest.unbalanced_block)},

@@ -57,7 +57,9 @@ void visit_counts(Archive& visit, Counts& c) {
                       &c.solutions_with_stale_factor,
                       &c.krylov_iterations,
                       &c.solver_fallbacks,
-                      &c.interior_paths})
+                      &c.interior_paths,
+                      &c.corner_solutions,
+                      &c.unsettled_corners})
     visit(*count);
   visit(c.max_penetration);
   visit(c.max_residual);

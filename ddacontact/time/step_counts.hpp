@@ -9,6 +9,8 @@ struct StepCounts {
   long substeps = 0;               ///< accepted tries
   long rejected = 0;               ///< tries given up and made again, most of them shorter
   long overlap_rejections = 0;     ///< of these, because a vertex went into a block without a contact
+  long corner_solutions = 0;       ///< tries solved again because their motion led corners to other lines
+  long unsettled_corners = 0;      ///< of these, left although the last motion would lead to others again
   long unconverged = 0;            ///< accepted although stick and slip had not settled
   long open_close_iterations = 0;  ///< solutions of (13), in all tries
   long linear_solves = 0, factorizations = 0;

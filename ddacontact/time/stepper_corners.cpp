@@ -34,25 +34,27 @@ Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, doubl
 Stepper::Solution Stepper::solve_with_corners(double dt) {
   Solution solution = solve(dt);
   if (analysis_.preset == Preset::paper) return solution;
-  for (int round = 0; round < most_corner_rounds && contact_builder_->has_choices(); ++round) {
-    if (!solution.objection.empty()) break;
+  for (int round = 0; contact_builder_->has_choices() && solution.objection.empty(); ++round) {
     const std::vector<Contact> solved = tried_;
-    const std::vector<int> doubtful =
-        contact_builder_->find_doubtful(tried_, staged_.residual_tolerance * solution.residual.scale);
+    const std::vector<int> doubtful = contact_builder_->find_doubtful(
+        tried_, staged_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();
       changed = contact_builder_->choose_again(state_, solution.d, contacts_, tried_);
     } else if (const Solution without = solve_without(doubtful, dt); without.objection.empty()) {
+      ++counts_.corner_solutions;
       changed = contact_builder_->decide_doubtful(state_, without.d, contacts_, tried_);
     }
-    if (!changed) {
+    if (changed && round == most_corner_rounds) ++counts_.unsettled_corners;
+    if (!changed || round == most_corner_rounds) {
       tried_ = solved;
       has_tried_ = true;
       break;
     }
     keep_start();
     solution = solve(dt);
+    ++counts_.corner_solutions;
   }
   return solution;
 }

@@ -20,11 +20,11 @@ TEST(AnyDrops, StayApartAndRunToTheirEnd) {
   }
 }
 
-/// Corners that meet corners other than foreseen: these overlapped before tries were made again for that.
+/// Corners that pass corners: these overlapped when the line that a corner meets was chosen before its motion
+/// was known.
 TEST(AnyDrops, CornersThatPassCornersDoNotGoIn) {
   const AnyDrop vessel = run_any_drop(287);
   EXPECT_LE(vessel.overlap, overlap_limit);
-  EXPECT_GE(vessel.overlap_rejections, 1);
 
   const Scene pile = random_drop(591);
   const BuiltScene built = build(pile);
@@ -33,7 +33,6 @@ TEST(AnyDrops, CornersThatPassCornersDoNotGoIn) {
     ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
     EXPECT_LE(largest_overlap(stepper), overlap_limit) << "step " << k;
   }
-  EXPECT_GE(stepper.counts().overlap_rejections, 1);
 }
 
 /// A drop whose U has a straight vertex at the middle of a side of an ear.

@@ -53,7 +53,7 @@ Scene sliding_over_bricks(const BrickRow& row, const JointedBlocks& blocks) {
   Scene scene = empty_scene(blocks);
   constexpr double width = 0.5, height = 0.5;
   for (int k = 0; k < row.n_bricks; ++k)
-    add(scene, box(k * (width + row.gap), -height - k * row.step_down, width, height), !row.free);
+    add(scene, box(k * (width + row.gap), -height + (k < 5 ? 0 : row.step_up), width, height), !row.free);
   if (row.free) {
     Material base = scene.materials.front();
     base.name = "base";

@@ -19,11 +19,11 @@ struct JointedBlocks {
 /// A row of bricks of 0.5 m x 0.5 m, and a block of 1 m x 0.5 m sliding over their tops to the right.
 struct BrickRow {
   int n_bricks = 10;
-  double gap = 0;        ///< m, between bricks
-  double step_down = 0;  ///< m, from each top to the next; < 0: up
-  bool free = false;     ///< on a fixed base, on which they do not slide (45 degrees); else fixed themselves
-  double start = 0.2;    ///< m, where the block's left side starts
-  double speed = 3;      ///< m/s
+  double gap = 0;      ///< m, between bricks
+  double step_up = 0;  ///< m, by which the sixth brick and all after it are higher
+  bool free = false;   ///< on a fixed base, on which they do not slide (45 degrees); else fixed themselves
+  double start = 0.2;  ///< m, where the block's left side starts
+  double speed = 3;    ///< m/s
 };
 ddacontact::Scene sliding_over_bricks(const BrickRow& row, const JointedBlocks& blocks);
 

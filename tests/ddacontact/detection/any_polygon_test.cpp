@@ -69,8 +69,8 @@ Meeting first_meeting(const PolygonPair& from, const PolygonPair& to) {
     for (int v = 0; v < from.of(block).cols(); ++v)
       for (int e = 0; e < from.of(1 - block).cols(); ++e) {
         const VertexEdge c{block, v, 1 - block, e};
-        const double t = first_meeting({from.vertex(c), from.start(c), from.end(c)},
-                                       {to.vertex(c), to.start(c), to.end(c)});
+        const double t = first_meeting(std::array{from.vertex(c), from.start(c), from.end(c)},
+                                       std::array{to.vertex(c), to.start(c), to.end(c)});
         if (t < first.time) first = {t, c};
       }
   return first;
