@@ -33,6 +33,10 @@ TEST(AnyDrops, CornersThatPassCornersDoNotGoIn) {
     ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
     EXPECT_LE(largest_overlap(stepper), overlap_limit) << "step " << k;
   }
+
+  const AnyDrop missed = run_any_drop(182);  // a corner goes in where nothing led it to before the step
+  EXPECT_LE(missed.overlap, overlap_limit);
+  EXPECT_GE(missed.overlap_rejections, 1);
 }
 
 /// A drop whose U has a straight vertex at the middle of a side of an ear.
