@@ -36,8 +36,8 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
   if (analysis_.preset == Preset::paper) return solution;
   for (int round = 0; contact_builder_->has_choices() && solution.objection.empty(); ++round) {
     const std::vector<Contact> solved = tried_;
-    const std::vector<int> doubtful = contact_builder_->find_doubtful(
-        tried_, staged_.residual_tolerance * solution.residual.scale);
+    const std::vector<int> doubtful =
+        contact_builder_->find_doubtful(tried_, staged_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();
