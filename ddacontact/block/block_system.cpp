@@ -46,6 +46,15 @@ Points BlockSystem::reference() const {
   return places;
 }
 
+void BlockSystem::round_corners(double ratio) {
+  rounded_.clear();
+  for (int b = 0; ratio > 0 && b < n_blocks(); ++b) {
+    const Block& block = *blocks_[b];
+    rounded_.push_back(
+        ddacontact::round_corners(block.reference().leftCols(block.n_vertices()), ratio * block.size()));
+  }
+}
+
 void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
   held_unknowns_ = std::move(held);
   number_equations();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block.hpp>
+#include <ddacontact/block/rounded_corners.hpp>
 #include <ddacontact/core/time_function.hpp>
 
 #include <memory>
@@ -72,6 +73,11 @@ class BlockSystem {
   /// block held at more than three vertices three carry the reactions of all.
   std::vector<int> supported_vertices;
 
+  /// Contacts see corners as arcs of circles of this radius, in parts of each block's size; 0: sharp.
+  void round_corners(double ratio);
+  bool has_rounded_corners() const { return !rounded_.empty(); }
+  const RoundedBlock& rounded(int b) const { return rounded_[b]; }
+
   void set_held_unknowns(std::vector<HeldUnknown> held);
   const std::vector<HeldUnknown>& held_unknowns() const { return held_unknowns_; }
   /// The row of (13) of each unknown, -1 when it is held.
@@ -139,6 +145,7 @@ class BlockSystem {
   void number_equations();
 
   std::vector<std::unique_ptr<Block>> blocks_;
+  std::vector<RoundedBlock> rounded_;  ///< empty: corners are sharp
   BlockState start_, zero_;  ///< places and origins alone; zero_ is empty while displacements are counted
                              ///< from the start
   std::vector<int> block_of_place_, block_of_unknown_;

@@ -20,6 +20,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
     next.stress_points.first = in_part_.back().stress_points.end();
     resting_.push_back(resting[b] != 0);
     system_.names.push_back(whole.names[b]);
+    if (whole.has_rounded_corners()) system_.rounded_.push_back(whole.rounded(b));
   }
   system_.n_unknowns_ = next.unknowns.first;
   system_.n_stress_points_ = next.stress_points.first;

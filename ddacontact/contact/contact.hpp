@@ -3,7 +3,10 @@
 
 #include <ddacontact/contact/joint_law.hpp>
 #include <ddacontact/contact/kinematics.hpp>
+#include <ddacontact/contact/rounded_motion.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
+
+#include <optional>
 
 namespace ddacontact {
 
@@ -28,16 +31,49 @@ struct ContactHistory {
 struct MovingVertexEdge {
   VertexEdgePlace start;
   PointMap i, j, k;
+  PointMap after_i{};                  ///< of rounded corners alone
+  std::optional<Rounding> rounding{};  ///< none: the corner is sharp
 
-  VertexEdgePlace at(const VectorXd& d) const { return {start.i + i(d), start.j + j(d), start.k + k(d)}; }
-  VertexEdgePlace moved(const VectorXd& d) const { return {i(d), j(d), k(d)}; }
-  double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
-    return ddacontact::change_along(gradient, i, j, k, d);
+  VertexEdgePlace at(const VectorXd& d) const {
+    const VertexEdgePlace by = moved(d);
+    return {start.i + by.i, start.j + by.j, start.k + by.k, start.after_i + by.after_i};
+  }
+  VertexEdgePlace moved(const VectorXd& d) const { return {i(d), j(d), k(d), after_i(d)}; }
+  /// From a place on, by a motion.
+  GapAndSlip gap_and_slip_from(const VertexEdgePlace& place, const VertexEdgePlace& by, double lock,
+                               bool mean) const {
+    return rounding ? gap_and_slip(place, by, lock, mean, *rounding) : gap_and_slip(place, by, lock, mean);
+  }
+  GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, bool mean) const {
+    return gap_and_slip_from(start, moved(d), lock, mean);
+  }
+  GapAndSlip rates_at(const VertexEdgePlace& place, double lock) const {
+    return gap_and_slip_from(place, {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, lock, false);
+  }
+  double start_gap() const { return rounding ? rates_at(start, 0).gap : gap(start); }
+  /// Whose place along the line j-k the slip is.
+  VertexEdgePlace slip_place() const { return rounding ? ddacontact::slip_place(start, *rounding) : start; }
+
+  AffineForm form(const VertexEdgeGradient& gradient) const {
+    AffineForm form = gradient_form(gradient, i, j, k);
+    if (rounding) after_i.add_to(form, gradient.after_i);
+    return form;
   }
   AffineForm form(const VertexEdgeForm& of_places) const {
-    AffineForm form = gradient_form(of_places.gradient, i, j, k);
-    form.constant = of_places.constant;
-    return form;
+    AffineForm of_unknowns = form(of_places.gradient);
+    of_unknowns.constant = of_places.constant;
+    return of_unknowns;
+  }
+  double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
+    const double change = ddacontact::change_along(gradient, i, j, k, d);
+    return rounding ? change + gradient.after_i.dot(after_i(d)) : change;
+  }
+  /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j, k
+  /// of the places by the unknowns. It returns the value to the rounding of its terms at d.
+  AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const VectorXd& d) const {
+    AffineForm of_unknowns = form(gradient);
+    of_unknowns.constant = value - of_unknowns.change(d);
+    return of_unknowns;
   }
 };
 
@@ -77,8 +113,16 @@ struct Contact : ContactRecord {
   double edge_length() const { return (motion.start.k - motion.start.j).norm(); }
 
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.
-  VertexEdgeForm first_gap() const { return gap_form(motion.start); }
-  VertexEdgeForm first_slip() const { return slip_form(motion.start, history.lock); }
+  VertexEdgeForm first_gap() const {
+    if (!motion.rounding) return gap_form(motion.start);
+    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
+    return {rates.gap, rates.by_gap};
+  }
+  VertexEdgeForm first_slip() const {
+    if (!motion.rounding) return slip_form(motion.start, history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
+    return {rates.slip, rates.by_slip};
+  }
 
   /// Gaps and slips below this are round-off, m.
   double length_tolerance() const { return 1e-12 * size; }

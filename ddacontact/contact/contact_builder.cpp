@@ -1,11 +1,13 @@
 #include <ddacontact/contact/contact_builder.hpp>
 
 #include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/contact/contact_place.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/entries.hpp>
 #include <ddacontact/detection/half_width.hpp>
+#include <ddacontact/detection/rounded_phase.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
@@ -159,6 +161,10 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   const auto start_b = shifted.leftCols(of_b.count);
   move(a, start_a, moved_a);
   move(b, start_b, moved_b);
+  if (blocks_.has_rounded_corners())
+    return find_rounded_contacts({a, start_a, moved_a.leftCols(of_a.count)}, blocks_.rounded(a),
+                                 {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits, earlier,
+                                 found, choices);
   find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
                 {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
 }
@@ -250,19 +256,6 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
   return changed;
 }
 
-MovingVertexEdge ContactBuilder::motion(const BlockState& state, const VertexEdge& pair) const {
-  const Block &vertex_block = blocks_.block(pair.vertex_block), &edge_block = blocks_.block(pair.edge_block);
-  const int next = (pair.edge + 1) % edge_block.n_vertices();
-  const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
-  const auto place = [&](const Block& block, int v) -> Vec2 {
-    return state.position.col(block.vertices().first + v);
-  };
-  return {{place(vertex_block, pair.vertex) + shift, place(edge_block, pair.edge), place(edge_block, next)},
-          vertex_block.vertex_map(pair.vertex),
-          edge_block.vertex_map(pair.edge),
-          edge_block.vertex_map(next)};
-}
-
 double ContactBuilder::dashpot(const VertexEdge& pair) const {
   const double ratio = properties_.strength(pair).dashpot;
   if (ratio == 0) return 0;
@@ -275,10 +268,10 @@ double ContactBuilder::dashpot(const VertexEdge& pair) const {
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
   Contact contact;
   contact.pair = pair;
-  contact.motion = motion(state, pair);
+  contact.motion = motion_of(blocks_, state, pair);
   contact.gap = contact.first_gap().constant;
-  const auto& [i, j, k] = contact.motion.start;
-  contact.history.lock = edge_fraction(i, j, k);
+  const VertexEdgePlace place = contact.motion.slip_place();
+  contact.history.lock = edge_fraction(place.i, place.j, place.k);
   const Range& v = blocks_.block(pair.edge_block).vertices();
   const PointsRef outline = state.position.middleCols(v.first, v.count);
   const auto sides = outlines_[pair.edge_block].sides;
@@ -286,6 +279,13 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_before = straight_before_start(outline, pair.edge);
   if (sides[next(pair.edge, outline)].corner == Corner::straight)
     contact.straight_after = straight_beyond_end(outline, pair.edge);
+  if (pair.corner) {
+    contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
+  } else if (blocks_.has_rounded_corners()) {
+    const std::vector<RoundedCorner>& corners = blocks_.rounded(pair.edge_block).corners;
+    contact.straight_before -= corners[pair.edge].cut;
+    contact.straight_after -= corners[next(pair.edge, outline)].cut;
+  }
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);
   return contact;
@@ -323,7 +323,7 @@ const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, c
   const auto edge_outline = state.position.middleCols(of_edge.first, of_edge.count);
   for (const ContactRecord& old : previous) {
     const bool same_vertex = old.pair.vertex_block == pair.vertex_block && old.pair.vertex == pair.vertex;
-    if (old.lasts() && same_vertex &&
+    if (old.lasts() && same_vertex && !old.pair.corner && !pair.corner &&
         (goes_straight_on(edge_outline, old.pair.edge, pair.edge) ||
          goes_straight_on(edge_outline, pair.edge, old.pair.edge)))
       return &old;
@@ -335,7 +335,7 @@ const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, c
   const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
   for (const ContactRecord& old : previous) {
     const bool exchanged = old.pair.vertex_block == pair.edge_block;
-    if (!old.lasts() || !exchanged) continue;
+    if (!old.lasts() || !exchanged || old.pair.corner || pair.corner) continue;
     const auto ends = [&](int vertex, int edge, int block) {
       return vertex == edge || vertex == (edge + 1) % blocks_.block(block).n_vertices();
     };
@@ -359,8 +359,9 @@ Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair
     contact.history = old->history;
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
-    // their blocks.
-    if (old->pair != pair) contact.history.lock = fraction - old->end_slip / contact.edge_length();
+    // their blocks. Of a rounded corner another point touches now.
+    if (old->pair != pair || contact.motion.rounding)
+      contact.history.lock = fraction - old->end_slip / contact.edge_length();
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
@@ -419,6 +420,16 @@ bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const
   return false;
 }
 
+Points ContactBuilder::contact_outline(const BlockState& state, int block) const {
+  const Range& v = blocks_.block(block).vertices();
+  const PointsRef outline = state.position.middleCols(v.first, v.count);
+  if (!blocks_.has_rounded_corners()) return outline;
+  Points centres(2, v.count);
+  for (int k = 0; k < v.count; ++k)
+    centres.col(k) = blocks_.rounded(block).corners[k].centre.at(outline.col(k), outline.col(next(k, outline)));
+  return centres;
+}
+
 bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end,
                                   const std::vector<Contact>& contacts) {
   entered_.clear();
@@ -429,9 +440,8 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
   for (const auto& [a, b] : pairs_) {
     if (!may_have_entered(a, b, end) && !may_have_entered(b, a, end)) continue;
     const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
-      const Range& v = blocks_.block(block).vertices();
       const Vec2 shift = state.origin.col(block) - origin;
-      return Points(state.position.middleCols(v.first, v.count).colwise() + shift);
+      return Points(contact_outline(state, block).colwise() + shift);
     };
     const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);

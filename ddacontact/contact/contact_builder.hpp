@@ -123,7 +123,9 @@ class ContactBuilder {
   void glue(Contact& contact) const;
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
   bool may_have_entered(int a, int b, const BlockState& end) const;
-  MovingVertexEdge motion(const BlockState& state, const VertexEdge& pair) const;
+  /// What a block's vertices may not enter, and those of it that may not enter others: with rounded corners
+  /// the centres of the circles.
+  Points contact_outline(const BlockState& state, int block) const;
 
   const BlockSystem& blocks_;
   ContactProperties properties_;

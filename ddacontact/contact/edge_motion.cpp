@@ -169,11 +169,4 @@ double change_along(const VertexEdgeGradient& gradient, const PointMap& i, const
   return sum;
 }
 
-AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
-                       const PointMap& k, const VectorXd& d) {
-  AffineForm form = gradient_form(gradient, i, j, k);
-  form.constant = value - form.change(d);
-  return form;
-}
-
 }  // namespace ddacontact

@@ -15,11 +15,13 @@ namespace ddacontact {
 /// differences matter: coordinates near a common origin keep them exact. j and k must differ.
 struct VertexEdgePlace {
   Vec2 i, j, k;
+  Vec2 after_i{0, 0};  ///< the vertex after i, of rounded corners alone
 };
 
 /// Derivatives by the three places: a force N along the gap is N times these. They sum to zero.
 struct VertexEdgeGradient {
   Vec2 i, j, k;
+  Vec2 after_i{0, 0};
 };
 
 /// -S0 / l of (33), (34), a length: the vertex's distance from the edge's line, < 0 is penetration.
@@ -70,9 +72,5 @@ AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, 
 /// The same of displacements d, to the bit.
 double change_along(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                     const PointMap& k, const VectorXd& d);
-/// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j, k
-/// of the places by the unknowns. It returns the value to the rounding of its terms at d.
-AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
-                       const PointMap& k, const VectorXd& d);
 
 }  // namespace ddacontact

@@ -3,7 +3,7 @@
 namespace ddacontact {
 
 VertexEdgeForm gap_form(const VertexEdgePlace& start) {
-  const auto& [i, j, k] = start;
+  const auto& [i, j, k, after_i] = start;
   const double l = (k - j).norm();
   const double S0 = cross(j - i, k - i);  // (34), twice an area
   // (37): the derivative of S0 / l by the displacement of each point
@@ -14,7 +14,7 @@ VertexEdgeForm gap_form(const VertexEdgePlace& start) {
 }
 
 VertexEdgeForm slip_form(const VertexEdgePlace& start, double lock) {
-  const auto& [i, j, k] = start;
+  const auto& [i, j, k, after_i] = start;
   const Vec2 t = (k - j).normalized();
   const Vec2 o = (1 - lock) * j + lock * k;
   // (45), with the signed weights of (43)

@@ -77,6 +77,7 @@ struct ContactOptions {
   double normal_stiffness = 0;          ///< N/m per m; > 0 once resolved; staged: where it starts
   double tangential_stiffness = 0;      ///< N/m per m; > 0 once resolved
   double penetration_tolerance = 1e-6;  ///< of the block size; 0 = plain penalty
+  double corner_rounding = 0;           ///< radius of corners over the block's size; 0: sharp
 };
 
 }  // namespace ddacontact

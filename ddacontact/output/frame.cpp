@@ -1,5 +1,6 @@
 #include <ddacontact/output/frame.hpp>
 
+#include <ddacontact/contact/contact_place.hpp>
 #include <ddacontact/output/block_summary.hpp>
 #include <polyfem/basis/wachspress.hpp>
 
@@ -7,7 +8,8 @@ namespace ddacontact {
 
 namespace {
 
-FrameContact describe(const ContactRecord& contact, const Frame& frame) {
+FrameContact describe(const ContactRecord& contact, const Stepper& stepper, const Vec2& frame_origin,
+                      const Frame& frame) {
   const VertexEdge& pair = contact.pair;
   const auto edge_outline = frame.outline(pair.edge_block);
   const Vec2 edge = edge_outline.col((pair.edge + 1) % edge_outline.cols()) - edge_outline.col(pair.edge);
@@ -16,6 +18,11 @@ FrameContact describe(const ContactRecord& contact, const Frame& frame) {
   described.edge_block = pair.edge_block;
   described.position = frame.outline(pair.vertex_block).col(pair.vertex);
   described.normal = Vec2(edge.y(), -edge.x()).normalized();
+  if (stepper.blocks().has_rounded_corners()) {
+    const auto [i, j, k, after_i] = motion_of(stepper.blocks(), stepper.state(), pair).slip_place();
+    described.position = i + stepper.state().origin.col(pair.edge_block) + frame_origin;
+    described.normal = Vec2((k - j).y(), (j - k).x()).normalized();
+  }
   described.gap = contact.end_gap;
   described.normal_force = contact.normal;
   described.shear_force = contact.shear;  // an edge runs along its outward normal turned left
@@ -137,7 +144,7 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
   const Counts counts = add_cells(system, frame);
   if (fields.stress) set_stress(system, state, counts, frame);
   for (const ContactRecord& contact : stepper.contacts())
-    if (contact.was_closed) frame.contacts.push_back(describe(contact, frame));
+    if (contact.was_closed) frame.contacts.push_back(describe(contact, stepper, labels.origin, frame));
   return frame;
 }
 

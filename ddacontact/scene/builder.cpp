@@ -191,6 +191,7 @@ class Builder {
     std::vector<std::unique_ptr<Block>> blocks;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) blocks.push_back(make_block(static_cast<int>(b)));
     BlockSystem system(std::move(blocks));
+    system.round_corners(scene_.contact.corner_rounding);
     system.compute_fixed(!scene_.analysis.skip.fixed_blocks);
     hold(system);
     system.gravity = scene_.analysis.gravity;

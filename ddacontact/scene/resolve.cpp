@@ -7,6 +7,7 @@
 #include <ddacontact/scene/resolve_joints.hpp>
 #include <ddacontact/scene/resolve_options.hpp>
 #include <ddacontact/scene/resolve_stages.hpp>
+#include <ddacontact/scene/rounding_check.hpp>
 #include <ddacontact/scene/scheme_check.hpp>
 #include <ddacontact/scene/static_check.hpp>
 #include <ddacontact/scene/text.hpp>
@@ -89,6 +90,8 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);
+  if (std::ranges::all_of(blocks.outlines, [](const PlacedOutline& of) { return of.outline.sound(); }))
+    check_corner_rounding(document, scene, blocks, problems);
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
   scene.stages = resolve_stages(document, joints, blocks, scene.contact.method, problems);
   scene.joints = std::move(joints.joints);

@@ -146,6 +146,11 @@ ContactOptions resolve_contact(const ContactRecord& record, Preset preset,
           ? *record.tangential_stiffness
           : default_stiffness(options.normal_stiffness / 2.5, "tangential_stiffness", places, problems);
   options.penetration_tolerance = resolve_tolerance(record, options.method, problems);
+  if (options.method == ContactMethod::classic && options.corner_rounding > 0 && places.usable("method"))
+    problems.error(places.of("corner_rounding"),
+                   "'corner_rounding' = '" + short_number(options.corner_rounding) +
+                       "' needs the contact method 'staged'",
+                   "write 0 or leave it out, or write method = \"staged\"");
   return options;
 }
 

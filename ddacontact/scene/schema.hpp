@@ -133,6 +133,11 @@ void describe(ContactRecord& r, Visit&& visit) {
             .bounds = not_negative,
             .default_text = "`1e-06`; method \"classic\": `0.0`"},
         r.penetration_tolerance);
+  visit(Key{.name = "corner_rounding",
+            .what = "Radius of the corners, of the block size; 0: they are sharp.",
+            .bounds = not_negative,
+            .default_text = "`0.0`"},
+        r.options.corner_rounding);
 }
 
 template <class Visit>

@@ -19,10 +19,10 @@ int root(std::vector<int>& parent, int k) {
 void add_to_held(const Contact& contact, const Range& unknowns, const VectorXd& d, bool mean_forces,
                  VectorXd& external) {
   const MovingVertexEdge& m = contact.motion;
-  const GapAndSlip at_d = gap_and_slip(m.start, m.moved(d), contact.history.lock, mean_forces);
+  const GapAndSlip at_d = m.gap_and_slip_at(d, contact.history.lock, mean_forces);
   for (const auto& [gradient, force] :
        {std::pair{&at_d.by_gap, contact.normal}, std::pair{&at_d.by_slip, contact.shear}}) {
-    const AffineForm form = gradient_form(*gradient, m.i, m.j, m.k);
+    const AffineForm form = m.form(*gradient);
     for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
       const int u = form.unknowns()[k];
       if (u >= unknowns.first && u < unknowns.end()) external[u] += force * form.coefficients()[k];
@@ -62,7 +62,10 @@ struct IslandsApart::Island {
     pair.vertex_block = part->number_of(pair.vertex_block);
     pair.edge_block = part->number_of(pair.edge_block);
     const Block& edge_block = system_of_part.block(pair.edge_block);
-    contact.motion.i = system_of_part.block(pair.vertex_block).vertex_map(pair.vertex);
+    const Block& vertex_block = system_of_part.block(pair.vertex_block);
+    contact.motion.i = vertex_block.vertex_map(pair.vertex);
+    if (contact.motion.rounding)
+      contact.motion.after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices());
     contact.motion.j = edge_block.vertex_map(pair.edge);
     contact.motion.k = edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices());
     return contact;

@@ -136,7 +136,7 @@ class Staged {
     if (options_.penetration_tolerance == 0) return;
     const VertexEdgePlace& place = contact.motion.start;
     const Vec2 along = (place.k - place.j).normalized(), normal(along.y(), -along.x());
-    const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
+    const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
     const double n_edges = system_.n_vertices(edge_block);
     const int next = edge + 1 == n_edges ? 0 : edge + 1;
     const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
@@ -202,10 +202,9 @@ class Staged {
 
   void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
-    const auto [start_gap, g, s, dg, ds] =
-        gap_and_slip(m.start, m.moved(d_), contact.history.lock, options_.mean_forces);
-    term.gap = linear_form(g, dg, m.i, m.j, m.k, d_);
-    term.slip = linear_form(s, ds, m.i, m.j, m.k, d_);
+    const auto [start_gap, g, s, dg, ds] = m.gap_and_slip_at(d_, contact.history.lock, options_.mean_forces);
+    term.gap = m.linear_form(g, dg, d_);
+    term.slip = m.linear_form(s, ds, d_);
     multiplier.gap = term.gap.constant;
     term.gap.constant -= contact.history.gap_offset;
 
@@ -503,7 +502,7 @@ class Staged {
   double elastic_normal(std::size_t c) const {
     return forces_[c].normal == 0
                ? 0
-               : forces_[c].normal + contacts_[c].damping * (gap_at_d(c) - gap(contacts_[c].motion.start));
+               : forces_[c].normal + contacts_[c].damping * (gap_at_d(c) - contacts_[c].motion.start_gap());
   }
 
   /// Without its offset.

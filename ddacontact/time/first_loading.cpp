@@ -105,7 +105,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
     const VertexEdgePlace& place = contacts[c].motion.start;
     const Vec2 along = (place.k - place.j).normalized(), out(along.y(), -along.x()),
                on_vertex = force.normal * out + force.shear * along;
-    const auto [vertex_block, vertex, edge_block, edge] = contacts[c].pair;
+    const auto [vertex_block, vertex, edge_block, edge, corner] = contacts[c].pair;
     const Vec2 shift = initial.origin.col(edge_block) - initial.origin.col(vertex_block);
     add(vertex_block, place.i + shift, on_vertex);
     add(edge_block, place.i, -on_vertex);

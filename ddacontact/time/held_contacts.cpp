@@ -29,14 +29,10 @@ enum class Rubs : char {
 /// How velocities change gap and slip at the end of a step.
 HeldContact rates_at(const Contact& contact, const VectorXd& d) {
   const MovingVertexEdge& m = contact.motion;
-  const VertexEdgePlace place = m.at(d);
+  const GapAndSlip at_d = m.rates_at(m.at(d), contact.history.lock);
   HeldContact rates;
-  const VertexEdgeGradient across = gap_gradient(place), along = slip_gradient(place, contact.history.lock);
-  for (const auto& [form, gradient] : {std::pair{&rates.gap, &across}, std::pair{&rates.slip, &along}}) {
-    m.i.add_to(*form, gradient->i);
-    m.j.add_to(*form, gradient->j);
-    m.k.add_to(*form, gradient->k);
-  }
+  rates.gap = m.form(at_d.by_gap);
+  rates.slip = m.form(at_d.by_slip);
   return rates;
 }
 

@@ -1,5 +1,6 @@
 #include <ddacontact/time/impacts.hpp>
 
+#include <ddacontact/contact/contact_place.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
@@ -45,19 +46,6 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
 
 VectorXd as_velocity(const Block& block, const RigidVelocity& v) {
   return block.rigid_modes() * Vec3(v.linear.x(), v.linear.y(), v.angular);
-}
-
-AffineForm rate_form(const VertexEdgeGradient& gradient, const MovingVertexEdge& motion) {
-  return gradient_form(gradient, motion.i, motion.j, motion.k);
-}
-
-VertexEdgePlace place_in(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
-  const Range &of_vertex = blocks.block(pair.vertex_block).vertices(),
-              &of_edge = blocks.block(pair.edge_block).vertices();
-  const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
-  return {state.position.col(of_vertex.first + pair.vertex) + shift,
-          state.position.col(of_edge.first + pair.edge),
-          state.position.col(of_edge.first + (pair.edge + 1) % of_edge.count)};
 }
 
 }  // namespace
@@ -126,10 +114,10 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (!result.hit[c] && (!contact.closed() || carries_waves(blocks, contact, dt))) continue;
-    const VertexEdgePlace place = place_in(blocks, then, contact.pair);
+    const GapAndSlip rates =
+        contact.motion.rates_at(place_of(blocks, then, contact.pair), contact.history.lock);
     const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
-    taking_part.push_back({rate_form(gap_gradient(place), contact.motion),
-                           rate_form(slip_gradient(place, contact.history.lock), contact.motion),
+    taking_part.push_back({contact.motion.form(rates.by_gap), contact.motion.form(rates.by_slip),
                            shear_bound(contact.law, 1, false),
                            bounces ? properties.strength(contact.pair).restitution : 0, contact.has_bond()});
     their_contacts.push_back(c);

@@ -14,6 +14,7 @@ void visit_contact(Archive& visit, Contact& c) {
   visit(c.pair.vertex);
   visit(c.pair.edge_block);
   visit(c.pair.edge);
+  visit(c.pair.corner);
   int state = static_cast<int>(c.history.state);
   visit(state);
   if constexpr (!std::is_const_v<Contact>) c.history.state = static_cast<ContactState>(state);

@@ -66,6 +66,7 @@ void contact_numbers(Numbers& numbers, Contact& contact) {
   numbers(contact.pair.vertex);
   numbers(contact.pair.edge_block);
   numbers(contact.pair.edge);
+  numbers(contact.pair.corner);
   numbers(state);
   numbers(contact.history.lock);
   numbers(contact.history.gap_offset);

@@ -596,7 +596,7 @@ void Stepper::record_contacts() {
     contact.end_gap = contact.gap - history.gap_offset;
     const bool hands_on = contact.closed() && properties_.has_multipliers();
     const double by_dashpot =
-        contact.normal == 0 ? 0 : contact.damping * (contact.gap - gap(contact.motion.start));
+        contact.normal == 0 ? 0 : contact.damping * (contact.gap - contact.motion.start_gap());
     history.normal = hands_on ? contact.normal + by_dashpot : 0;
     history.shear = hands_on ? contact.shear : 0;
     history.gap_stays = contact.gap_stays;

@@ -1,4 +1,5 @@
 // How a stepper leaves out the blocks that sleep.
+#include <ddacontact/contact/contact_place.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 
@@ -53,17 +54,10 @@ double fastest_vertex(const Block& block, const VectorXd& velocity) {
 /// What a contact's forces do to the unknowns of its blocks.
 void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
                 VectorXd& F) {
-  const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
-  const Block &of_vertex = blocks.block(vertex_block), &of_edge = blocks.block(edge_block);
-  const int next = (edge + 1) % of_edge.n_vertices();
-  const Vec2 shift = state.origin.col(vertex_block) - state.origin.col(edge_block);
-  const VertexEdgePlace place{state.position.col(of_vertex.vertices().first + vertex) + shift,
-                              state.position.col(of_edge.vertices().first + edge),
-                              state.position.col(of_edge.vertices().first + next)};
-  const VertexEdgeGradient across = gap_gradient(place), along = slip_gradient(place, contact.history.lock);
-  of_vertex.vertex_map(vertex).add_force(contact.normal * across.i + contact.shear * along.i, F);
-  of_edge.vertex_map(edge).add_force(contact.normal * across.j + contact.shear * along.j, F);
-  of_edge.vertex_map(next).add_force(contact.normal * across.k + contact.shear * along.k, F);
+  const MovingVertexEdge motion = motion_of(blocks, state, contact.pair);
+  const GapAndSlip rates = motion.rates_at(motion.start, contact.history.lock);
+  motion.form(rates.by_gap).add_gradient(contact.normal, F);
+  motion.form(rates.by_slip).add_gradient(contact.shear, F);
 }
 
 }  // namespace
@@ -107,7 +101,7 @@ std::vector<char> Stepper::find_restless(double dt) const {
     return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt) / dt;
   };
   for (std::size_t c = 0; c < tried_.size(); ++c) {
-    const auto [vertex_block, vertex, edge_block, edge] = tried_[c].pair;
+    const auto [vertex_block, vertex, edge_block, edge, corner] = tried_[c].pair;
     const bool has_closed = tried_[c].start_state == ContactState::open && tried_[c].closed();
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
       if ((has_closed && tried_[c].normal > force_of_rest(b)) ||
@@ -162,7 +156,7 @@ void Stepper::wake_changing(double dt) {
     if (!varies(*function, state_.time, state_.time + dt, blocks_.end_time)) continue;
     woken = wake(block) || woken;
     for (const ContactRecord& contact : asleep_->contacts) {
-      const auto [vertex_block, vertex, edge_block, edge] = contact.pair;
+      const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
       if (contact.closed() && (vertex_block == block || edge_block == block))
         woken = wake(vertex_block + edge_block - block) || woken;
     }

@@ -1,5 +1,4 @@
-#include <ddacontact/contact/edge_motion.hpp>
-#include <ddacontact/contact/kinematics.hpp>
+#include <ddacontact/contact/contact.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
@@ -21,6 +20,10 @@ Vec6 components(const VertexEdgeGradient& gradient) {
   return (Vec6() << gradient.i, gradient.j, gradient.k).finished();
 }
 VertexEdgePlace place_at(const Vec6& x) {
+  return {x.head<2>(), x.segment<2>(2), x.tail<2>()};
+}
+
+VertexEdgeGradient gradient_at(const Vec6& x) {
   return {x.head<2>(), x.segment<2>(2), x.tail<2>()};
 }
 
@@ -234,7 +237,7 @@ TEST_P(EdgeMotion, OfARotationTheMeanGradientIsThatOfTheMiddleTimesTheCosineOfHa
 TEST_P(EdgeMotion, GradientsAreThoseOfThePaperAndATermProportionalToTheGap) {
   for (int trial = 0; trial < 100; ++trial) {
     const Vec6 x = random_place(trial % 2 ? 0.5 : 0, random);
-    const auto [i, j, k] = place_at(x);
+    const auto [i, j, k, after_i] = place_at(x);
     const VertexEdgeForm form = measure.first_order({i, j, k});
     const Vec6 paper = components(form.gradient);
 
@@ -254,14 +257,14 @@ TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
   for (const auto& [a, b, c] : {std::array{6, 0, 2}, {6, 2, 0}, {6, 0, 0}}) {
     const Vec6 x = random_place(0.5, random);
     const VectorXd d = 0.05 * VectorXd::Random(8);
-    const auto [by_i, by_j, by_k] = place_at(measure.gradient(x));
-    const VertexEdgeGradient by{by_i, by_j, by_k};
-    const AffineForm own = linear_form(1, by, PointMap(a), PointMap(b), PointMap(c), d),
-                     any = linear_form(1, by, {a, axes}, {b, axes}, {c, axes}, d);
+    const VertexEdgeGradient by = gradient_at(measure.gradient(x));
+    const MovingVertexEdge of_own{place_at(x), PointMap(a), PointMap(b), PointMap(c)},
+        of_any{place_at(x), {a, axes}, {b, axes}, {c, axes}};
+    const AffineForm own = of_own.linear_form(1, by, d), any = of_any.linear_form(1, by, d);
     EXPECT_EQ(own.constant, any.constant);
     ASSERT_TRUE(std::ranges::equal(own.unknowns(), any.unknowns()));
     EXPECT_TRUE(std::ranges::equal(own.coefficients(), any.coefficients()));
-    EXPECT_EQ(change_along(by, PointMap(a), PointMap(b), PointMap(c), d), any.change(d));
+    EXPECT_EQ(of_own.change_along(by, d), any.change(d));
   }
 }
 
@@ -295,8 +298,8 @@ TEST_P(EdgeMotion, LinearFormHasTheValueAtItsUnknownsAndTheDerivativesByThem) {
     const PointMap i(6, of_i), j(0, of_j), k(0, of_k);
     const auto value = [&](const VectorXd& d) { return measure.value(x0 + coordinates({i(d), j(d), k(d)})); };
     const VectorXd d = 0.05 * VectorXd::Random(12), change = VectorXd::Random(12);
-    const auto [by_i, by_j, by_k] = place_at(measure.gradient(x0 + coordinates({i(d), j(d), k(d)})));
-    const AffineForm form = linear_form(value(d), {by_i, by_j, by_k}, i, j, k, d);
+    const VertexEdgeGradient by = gradient_at(measure.gradient(x0 + coordinates({i(d), j(d), k(d)})));
+    const AffineForm form = MovingVertexEdge{place_at(x0), i, j, k}.linear_form(value(d), by, d);
 
     const double h = 1e-6;
     EXPECT_NEAR(form(d), value(d), 1e-15);

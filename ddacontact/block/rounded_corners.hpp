@@ -1,0 +1,31 @@
+/// \file The corners of a block as arcs of circles.
+#pragma once
+
+#include <ddacontact/core/segment_point.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// One corner. Reflex corners stay sharp: theirs is the circle that touches the edge after them there.
+struct RoundedCorner {
+  SegmentPoint centre;  ///< of the circle, on the edge from the vertex to the next
+  double cut = 0;       ///< m from the vertex the circle touches both edges; 0 of a reflex corner
+};
+
+/// All corners of a block, with the radius of their circles, m.
+struct RoundedBlock {
+  double radius = 0;
+  std::vector<RoundedCorner> corners;
+};
+/// \param[in] outline  simple, counter-clockwise
+RoundedBlock round_corners(const PointsRef& outline, double radius);
+
+/// The largest radius, m, with which no edge is used up by the circles at its two ends, and that edge.
+struct LargestRounding {
+  double radius;
+  int edge;
+};
+LargestRounding largest_rounding(const PointsRef& outline);
+
+}  // namespace ddacontact

@@ -1,0 +1,58 @@
+#include <ddacontact/contact/rounded_motion.hpp>
+
+namespace ddacontact {
+
+namespace {
+
+VertexEdgePlace place_of(const SegmentPoint& of_vertex, const VertexEdgePlace& place,
+                         const Rounding& rounding) {
+  return {of_vertex.at(place.i, place.after_i), rounding.start.at(place.j, place.k),
+          rounding.end.at(place.j, place.k)};
+}
+
+/// From derivatives by the points that `place_of` returns to those by the vertices.
+VertexEdgeGradient by_vertices(const VertexEdgeGradient& by_points, const SegmentPoint& of_vertex,
+                               const Rounding& rounding) {
+  const Vec2 by_after_i = of_vertex.by_q(by_points.i),
+             by_k = rounding.start.by_q(by_points.j) + rounding.end.by_q(by_points.k);
+  return {by_points.i - by_after_i, by_points.j + by_points.k - by_k, by_k, by_after_i};
+}
+
+/// From the other circle's centre to this one's.
+Vec2 between_centres(const VertexEdgePlace& place) {
+  return place.i - (place.j + place.k) / 2;
+}
+
+}  // namespace
+
+VertexEdgePlace slip_place(const VertexEdgePlace& place, const Rounding& rounding) {
+  return place_of(rounding.surface, place, rounding);
+}
+
+GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean,
+                        const Rounding& rounding) {
+  // Places and motions go by the same linear map.
+  const VertexEdgePlace centre = place_of(rounding.centre, start, rounding),
+                        centre_by = place_of(rounding.centre, by, rounding);
+  const GapAndSlip of_surface =
+      gap_and_slip(slip_place(start, rounding), slip_place(by, rounding), lock, mean);
+  GapAndSlip result{0, 0, of_surface.slip, {}, by_vertices(of_surface.by_slip, rounding.surface, rounding)};
+  VertexEdgeGradient by_centres;
+  if (rounding.corner) {
+    const Vec2 from = between_centres(centre), change = between_centres(centre_by), to = from + change;
+    const double sum = from.norm() + to.norm();
+    const Vec2 away = mean ? Vec2((from + to) / sum) : to.normalized();
+    result.start_gap = from.norm() - rounding.radius;
+    result.gap = result.start_gap + (from + to).dot(change) / sum;
+    by_centres = {away, -away / 2, -away / 2};
+  } else {
+    const GapAndSlip of_centre = gap_and_slip(centre, centre_by, 0, mean);
+    result.start_gap = of_centre.start_gap - rounding.radius;
+    result.gap = of_centre.gap - rounding.radius;
+    by_centres = of_centre.by_gap;
+  }
+  result.by_gap = by_vertices(by_centres, rounding.centre, rounding);
+  return result;
+}
+
+}  // namespace ddacontact

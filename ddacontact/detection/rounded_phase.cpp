@@ -1,0 +1,149 @@
+#include <ddacontact/detection/rounded_phase.hpp>
+
+#include <ddacontact/detection/corner.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+/// A rounded polygon at a moment of its predicted motion.
+class RoundedOutline {
+ public:
+  RoundedOutline(const Outline& outline, const RoundedBlock& rounded)
+      : outline_(outline), rounded_(rounded), n_(static_cast<int>(outline.vertices.cols())) {}
+
+  int block() const { return outline_.block; }
+  int size() const { return n_; }
+  double radius() const { return rounded_.radius; }
+  double cut(int v) const { return rounded_.corners[v].cut; }
+  Vec2 vertex(int v, double time) const {
+    return (1 - time) * outline_.vertices.col(v) + time * outline_.moved.col(v);
+  }
+  int after(int v) const { return next(v, outline_.vertices); }
+  int before(int v) const { return previous(v, outline_.vertices); }
+  Vec2 tangent(int e, double time) const {
+    return (vertex(after(e), time) - vertex(e, time)).normalized();
+  }
+  double length(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).norm(); }
+  Vec2 centre(int v, double time) const {
+    return rounded_.corners[v].centre.at(vertex(v, time), vertex(after(v), time));
+  }
+  bool is_reflex(int v) const { return corner_at(outline_.vertices, v) == Corner::reflex; }
+  /// Whether a direction from the centre of corner v is between the normals of its edges.
+  bool faces(int v, const Vec2& direction, double time) const {
+    return cut(v) > 0 && direction.dot(tangent(before(v), time)) > 0 && direction.dot(tangent(v, time)) < 0;
+  }
+
+ private:
+  const Outline& outline_;
+  const RoundedBlock& rounded_;
+  int n_;
+};
+
+/// Of a circle's centre and an edge's line.
+struct OverEdge {
+  double gap, along, length;
+
+  OverEdge(const RoundedOutline& a, int i, const RoundedOutline& b, int e, double time)
+      : length(b.length(e, time)) {
+    const Vec2 to = a.centre(i, time) - b.vertex(e, time), tangent = b.tangent(e, time);
+    gap = -cross(tangent, to) - a.radius();
+    along = tangent.dot(to);
+  }
+};
+
+class CirclesOnOutline {
+ public:
+  CirclesOnOutline(const RoundedOutline& a, const RoundedOutline& b, const PairLimits& limits,
+                   std::vector<VertexEdge>& contacts, std::vector<Choice>& choices)
+      : a_(a), b_(b), limits_(limits), radii_(a.radius() + b.radius()), contacts_(contacts), choices_(choices) {}
+
+  void find() {
+    for (int i = 0; i < a_.size(); ++i) {
+      if (a_.is_reflex(i)) continue;
+      const double time = time_of_entry(i);
+      for (int e = 0; e < b_.size(); ++e) {
+        add_edge(i, e, time);
+        if (a_.block() < b_.block()) add_corner(i, e, time);
+      }
+    }
+  }
+
+ private:
+  /// When the motion takes the circle deep into the other outline; 1: not within the step.
+  double time_of_entry(int i) const {
+    const double level = -radii_ / 2;
+    double earliest = 1;
+    for (int e = 0; e < b_.size(); ++e) {
+      const OverEdge start(a_, i, b_, e, 0), end(a_, i, b_, e, 1);
+      if (start.gap < level || end.gap >= level) continue;
+      const double time = (start.gap - level) / (start.gap - end.gap);
+      const OverEdge then(a_, i, b_, e, time);
+      if (then.along >= -radii_ && then.along <= then.length + radii_) earliest = std::min(earliest, time);
+    }
+    return earliest;
+  }
+
+  void add_edge(int i, int e, double time) {
+    const OverEdge over(a_, i, b_, e, time);
+    if (over.gap > limits_.reach || over.gap <= -radii_) return;
+    const double from_end = std::min(over.along - b_.cut(e), over.length - b_.cut(b_.after(e)) - over.along);
+    if (from_end >= -limits_.coincidence) add({a_.block(), i, b_.block(), e}, from_end);
+  }
+  void add_corner(int i, int j, double time) {
+    const Vec2 apart = a_.centre(i, time) - b_.centre(j, time);
+    if (apart.norm() - radii_ > limits_.reach || !b_.faces(j, apart, time) || !a_.faces(i, -apart, time)) return;
+    add({a_.block(), i, b_.block(), j, true}, 0);
+  }
+  void add(const VertexEdge& contact, double from_end) {
+    contacts_.push_back(contact);
+    if (from_end <= limits_.reach) choices_.push_back({contact, contact, false});
+  }
+
+  const RoundedOutline &a_, &b_;
+  const PairLimits& limits_;
+  double radii_;
+  std::vector<VertexEdge>& contacts_;
+  std::vector<Choice>& choices_;
+};
+
+/// Whether contacts p of a's vertex and q of b's are the same end of two edges that lie on each other.
+bool are_one_place(const VertexEdge& p, const RoundedOutline& a, const VertexEdge& q, const RoundedOutline& b,
+                   double coincidence) {
+  if (p.corner || q.corner || p.vertex_block != a.block() || q.vertex_block != b.block()) return false;
+  const auto ends = [](int vertex, int edge, const RoundedOutline& of) {
+    return vertex == edge || vertex == of.after(edge);
+  };
+  if (!ends(q.vertex, p.edge, b) || !ends(p.vertex, q.edge, a)) return false;
+  const Vec2 tangent = b.tangent(p.edge, 1);
+  return std::abs(cross(tangent, a.tangent(q.edge, 1))) <= sin_parallel &&
+         std::abs(tangent.dot(a.centre(p.vertex, 1) - b.centre(q.vertex, 1))) <= coincidence;
+}
+
+}  // namespace
+
+void find_rounded_contacts(const Outline& a, const RoundedBlock& rounded_a, const Outline& b,
+                           const RoundedBlock& rounded_b, const PairLimits& limits,
+                           std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
+                           std::vector<Choice>& choices) {
+  const RoundedOutline of_a(a, rounded_a), of_b(b, rounded_b);
+  std::vector<VertexEdge> found;
+  CirclesOnOutline(of_a, of_b, limits, found, choices).find();
+  CirclesOnOutline(of_b, of_a, limits, found, choices).find();
+  const auto is_kept = [&](const VertexEdge& contact) {
+    return std::ranges::any_of(
+        earlier, [&](const EarlierContact& of) { return of.closed && of.pair == contact; });
+  };
+  std::vector<char> dropped(found.size(), 0);
+  for (std::size_t p = 0; p < found.size(); ++p)
+    for (std::size_t q = 0; q < found.size(); ++q)
+      if (!dropped[p] && !dropped[q] && are_one_place(found[p], of_a, found[q], of_b, limits.coincidence))
+        dropped[is_kept(found[q]) && !is_kept(found[p]) ? p : q] = 1;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (!dropped[k]) contacts.push_back(found[k]);
+}
+
+}  // namespace ddacontact

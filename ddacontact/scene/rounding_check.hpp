@@ -1,0 +1,12 @@
+/// \file Whether the blocks of a scene are large enough for their rounded corners.
+#pragma once
+
+#include <ddacontact/scene/resolve_blocks.hpp>
+
+namespace ddacontact::scene_format {
+
+/// A problem where the circles at the two ends of some edge would use it up. All outlines must be sound.
+void check_corner_rounding(const Document& document, const Scene& scene, const BlockTable& blocks,
+                           ProblemList& problems);
+
+}  // namespace ddacontact::scene_format

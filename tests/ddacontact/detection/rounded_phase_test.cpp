@@ -1,0 +1,110 @@
+// Contacts of rounded polygons: the nearest of them is as far as the polygons are, wherever they are.
+#include <ddacontact/contact/rounded_motion.hpp>
+#include <ddacontact/detection/rounded_phase.hpp>
+#include <tests/support/random_polygon.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+using namespace ddacontact;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Points centres(const Points& polygon, const RoundedBlock& rounded) {
+  Points result(2, polygon.cols());
+  for (int v = 0; v < polygon.cols(); ++v)
+    result.col(v) = rounded.corners[v].centre.at(polygon.col(v), polygon.col((v + 1) % polygon.cols()));
+  return result;
+}
+
+double distance_to_segment(const Vec2& x, const Vec2& p, const Vec2& q) {
+  const double s = std::clamp((x - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
+  return (x - p - s * (q - p)).norm();
+}
+
+/// Of polygons that are apart.
+double distance(const Points& a, const Points& b) {
+  double least = infinity;
+  for (const auto& [x, y] : {std::pair(&a, &b), {&b, &a}})
+    for (int v = 0; v < x->cols(); ++v)
+      for (int e = 0; e < y->cols(); ++e)
+        least = std::min(least, distance_to_segment(x->col(v), y->col(e), y->col((e + 1) % y->cols())));
+  return least;
+}
+
+double gap_of(const VertexEdge& contact, const Points& a, const RoundedBlock& of_a, const Points& b,
+              const RoundedBlock& of_b) {
+  const bool from_a = contact.vertex_block == 0;
+  const Points &vertices = from_a ? a : b, &edges = from_a ? b : a;
+  const RoundedBlock &of_vertex = from_a ? of_a : of_b, &of_edge = from_a ? of_b : of_a;
+  const Vec2 centre = centres(vertices, of_vertex).col(contact.vertex);
+  if (contact.corner)
+    return (centre - centres(edges, of_edge).col(contact.edge)).norm() - of_vertex.radius - of_edge.radius;
+  const Vec2 j = edges.col(contact.edge), k = edges.col((contact.edge + 1) % edges.cols());
+  return cross(centre - j, (k - j).normalized()) - of_vertex.radius;
+}
+
+TEST(RoundedPhase, FindsTheDistanceOfRoundedPolygonsWhereverTheyAre) {
+  std::mt19937 random(5);
+  int corners = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Points a = support::random_convex_polygon(3 + trial % 5, random);
+    Points b = support::random_convex_polygon(3 + trial % 7, random);
+    const Points shape = b;
+    const double angle = support::uniform(0, 2 * 3.14159, random);
+    const RoundedBlock of_a = round_corners(a, 0.5 * largest_rounding(a).radius),
+                       of_b = round_corners(b, 0.5 * largest_rounding(b).radius);
+    const Vec2 way(std::cos(angle), std::sin(angle));
+    b.colwise() += 6 * way;
+    double gap = distance(centres(a, of_a), centres(b, of_b)) - of_a.radius - of_b.radius;
+    for (int k = 0; k < 60 && gap > 0.01; ++k) {
+      b.colwise() -= gap * way;
+      gap = distance(centres(a, of_a), centres(b, of_b)) - of_a.radius - of_b.radius;
+    }
+    std::vector<VertexEdge> contacts;
+    std::vector<Choice> choices;
+    const PairLimits limits{.reach = 0.5, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4};
+    find_rounded_contacts({0, a}, of_a, {1, b}, of_b, limits, {}, contacts, choices);
+    double nearest = infinity;
+    for (const VertexEdge& contact : contacts) {
+      nearest = std::min(nearest, gap_of(contact, a, of_a, b, of_b));
+      corners += contact.corner;
+    }
+    ASSERT_NEAR(nearest, gap, 1e-9) << "trial " << trial;
+  }
+  EXPECT_GT(corners, 100) << "circles that meet circles";
+}
+
+TEST(RoundedPhase, FacesThatLieOnEachOtherTouchInTwoPlaces) {
+  Points a(2, 4), b(2, 4);
+  a << 0, 1, 1, 0, 0, 0, 1, 1;
+  for (const double shift : {0.0, 0.3, -0.3, 1e-9}) {
+    b = a.colwise() + Vec2(shift, 1);
+    const RoundedBlock rounded = round_corners(a, 0.05);
+    std::vector<VertexEdge> contacts;
+    std::vector<Choice> choices;
+    find_rounded_contacts({0, a}, rounded, {1, b}, rounded,
+                          {.reach = 1e-3, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4}, {}, contacts, choices);
+    EXPECT_EQ(contacts.size(), 2u) << shift;
+    for (const VertexEdge& contact : contacts) EXPECT_FALSE(contact.corner);
+  }
+}
+
+TEST(RoundCorners, TouchBothEdgesAndLeaveSomeOfThem) {
+  Points notched(2, 6);
+  notched << 0, 2, 2, 1, 1, 0, 0, 0, 1, 1, 2, 2;
+  EXPECT_NEAR(largest_rounding(notched).radius, 0.5, 1e-14);
+  const RoundedBlock rounded = round_corners(notched, 0.1);
+  EXPECT_NEAR(rounded.corners[0].cut, 0.1, 1e-15);
+  EXPECT_EQ(rounded.corners[3].cut, 0);
+  const Points at = centres(notched, rounded);
+  EXPECT_NEAR((at.col(0) - Vec2(0.1, 0.1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((at.col(2) - Vec2(1.9, 0.9)).norm(), 0, 1e-15);
+}
+
+}  // namespace
