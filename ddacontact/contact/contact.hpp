@@ -54,6 +54,15 @@ struct MovingVertexEdge {
   /// Whose place along the line j-k the slip is.
   VertexEdgePlace slip_place() const { return rounding ? ddacontact::slip_place(start, *rounding) : start; }
 
+  /// The second derivative of the gap at the start while all goes straight on: a circle that passes another
+  /// turns away from it.
+  double gap_curvature(const VectorXd& velocity) const {
+    if (!rounding || !rounding->corner) return 0;
+    const Vec2 apart = between_centres(start, *rounding), rate = between_centres(moved(velocity), *rounding);
+    const double across = cross(apart, rate) / apart.norm();
+    return across * across / apart.norm();
+  }
+
   AffineForm form(const VertexEdgeGradient& gradient) const {
     AffineForm form = gradient_form(gradient, i, j, k);
     if (rounding) after_i.add_to(form, gradient.after_i);
@@ -68,8 +77,8 @@ struct MovingVertexEdge {
     const double change = ddacontact::change_along(gradient, i, j, k, d);
     return rounding ? change + gradient.after_i.dot(after_i(d)) : change;
   }
-  /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j, k
-  /// of the places by the unknowns. It returns the value to the rounding of its terms at d.
+  /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j,
+  /// k of the places by the unknowns. It returns the value to the rounding of its terms at d.
   AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const VectorXd& d) const {
     AffineForm of_unknowns = form(gradient);
     of_unknowns.constant = value - of_unknowns.change(d);

@@ -163,8 +163,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   move(b, start_b, moved_b);
   if (blocks_.has_rounded_corners())
     return find_rounded_contacts({a, start_a, moved_a.leftCols(of_a.count)}, blocks_.rounded(a),
-                                 {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits, earlier,
-                                 found, choices);
+                                 {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits,
+                                 earlier, found, choices);
   find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
                 {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
 }
@@ -426,7 +426,8 @@ Points ContactBuilder::contact_outline(const BlockState& state, int block) const
   if (!blocks_.has_rounded_corners()) return outline;
   Points centres(2, v.count);
   for (int k = 0; k < v.count; ++k)
-    centres.col(k) = blocks_.rounded(block).corners[k].centre.at(outline.col(k), outline.col(next(k, outline)));
+    centres.col(k) =
+        blocks_.rounded(block).corners[k].centre.at(outline.col(k), outline.col(next(k, outline)));
   return centres;
 }
 
@@ -458,6 +459,11 @@ void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& 
     contacts.insert(std::ranges::upper_bound(contacts, block_pair(entry), {}, pair_of),
                     make_contact(start, entry));
   }
+  // The path has told which line these corners pass: for the rest of the step it is not chosen again.
+  std::erase_if(choices_, [this](const Choice& choice) {
+    return std::ranges::any_of(
+        entered_, [&](const VertexEdge& entry) { return block_pair(entry) == block_pair(choice.chosen); });
+  });
 }
 
 double ContactBuilder::memory() const {

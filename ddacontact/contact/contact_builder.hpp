@@ -83,7 +83,8 @@ class ContactBuilder {
   /// than the lip, and had none of these contacts, the last ones built, with it. False: there
   /// are none.
   bool find_entered(const BlockState& start, const BlockState& end, const std::vector<Contact>& contacts);
-  /// Adds to the same contacts, as they are in `start`, those of the vertices found.
+  /// Adds to the same contacts, as they are in `start`, those of the vertices found; the lines that corners
+  /// of these blocks meet are not chosen again until contacts are built anew.
   void add_entered(const BlockState& start, std::vector<Contact>& contacts);
 
   /// From now on contacts follow these joints, their bonds too.

@@ -8,11 +8,11 @@ namespace {
 std::optional<Rounding> rounding_of(const BlockSystem& blocks, const VertexEdge& pair,
                                     const VertexEdgePlace& place) {
   if (!blocks.has_rounded_corners()) return std::nullopt;
-  const RoundedBlock &of_vertex = blocks.rounded(pair.vertex_block), &of_edge = blocks.rounded(pair.edge_block);
+  const RoundedBlock &of_vertex = blocks.rounded(pair.vertex_block),
+                     &of_edge = blocks.rounded(pair.edge_block);
   const auto& [i, j, k, after_i] = place;
-  Rounding rounding{.centre = of_vertex.corners[pair.vertex].centre,
-                    .radius = of_vertex.radius,
-                    .corner = pair.corner};
+  Rounding rounding{
+      .centre = of_vertex.corners[pair.vertex].centre, .radius = of_vertex.radius, .corner = pair.corner};
   const Vec2 centre = rounding.centre.at(i, after_i), along = k - j;
   Vec2 normal = Vec2(along.y(), -along.x()).normalized();
   if (pair.corner) {
@@ -46,7 +46,8 @@ MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, c
                           .j = edge_block.vertex_map(pair.edge),
                           .k = edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices())};
   motion.rounding = rounding_of(blocks, pair, motion.start);
-  if (motion.rounding) motion.after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices());
+  if (motion.rounding)
+    motion.after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices());
   return motion;
 }
 

@@ -29,6 +29,10 @@ VertexEdgePlace slip_place(const VertexEdgePlace& place, const Rounding& roundin
   return place_of(rounding.surface, place, rounding);
 }
 
+Vec2 between_centres(const VertexEdgePlace& place, const Rounding& rounding) {
+  return between_centres(place_of(rounding.centre, place, rounding));
+}
+
 GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean,
                         const Rounding& rounding) {
   // Places and motions go by the same linear map.

@@ -14,10 +14,10 @@ namespace ddacontact {
 /// What touches in a contact of a rounded corner.
 struct Rounding {
   SegmentPoint centre{}, surface{};  ///< of the vertex's circle, and the point that the slip is of: from i on
-  SegmentPoint start{}, end{1, 0};   ///< of the line that it slips along, from j to k: the edge, or of another
-                                     ///< circle a line through its centre, half way, parallel to the tangent
-  double radius = 0;                 ///< of the circle, or of both, m
-  bool corner = false;               ///< whether the other is a circle
+  SegmentPoint start{}, end{1, 0};  ///< of the line that it slips along, from j to k: the edge, or of another
+                                    ///< circle a line through its centre, half way, parallel to the tangent
+  double radius = 0;                ///< of the circle, or of both, m
+  bool corner = false;              ///< whether the other is a circle
 };
 
 /// The line of the slip and the vertex's point on it, as a vertex and an edge.
@@ -26,5 +26,8 @@ VertexEdgePlace slip_place(const VertexEdgePlace& place, const Rounding& roundin
 /// See the same of sharp corners; derivatives by all four places.
 GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean,
                         const Rounding& rounding);
+
+/// From the centre of the other circle of a corner to that of the vertex, or how fast that changes.
+Vec2 between_centres(const VertexEdgePlace& place, const Rounding& rounding);
 
 }  // namespace ddacontact

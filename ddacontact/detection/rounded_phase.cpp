@@ -24,9 +24,7 @@ class RoundedOutline {
   }
   int after(int v) const { return next(v, outline_.vertices); }
   int before(int v) const { return previous(v, outline_.vertices); }
-  Vec2 tangent(int e, double time) const {
-    return (vertex(after(e), time) - vertex(e, time)).normalized();
-  }
+  Vec2 tangent(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).normalized(); }
   double length(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).norm(); }
   Vec2 centre(int v, double time) const {
     return rounded_.corners[v].centre.at(vertex(v, time), vertex(after(v), time));
@@ -59,7 +57,12 @@ class CirclesOnOutline {
  public:
   CirclesOnOutline(const RoundedOutline& a, const RoundedOutline& b, const PairLimits& limits,
                    std::vector<VertexEdge>& contacts, std::vector<Choice>& choices)
-      : a_(a), b_(b), limits_(limits), radii_(a.radius() + b.radius()), contacts_(contacts), choices_(choices) {}
+      : a_(a),
+        b_(b),
+        limits_(limits),
+        radii_(a.radius() + b.radius()),
+        contacts_(contacts),
+        choices_(choices) {}
 
   void find() {
     for (int i = 0; i < a_.size(); ++i) {
@@ -95,7 +98,8 @@ class CirclesOnOutline {
   }
   void add_corner(int i, int j, double time) {
     const Vec2 apart = a_.centre(i, time) - b_.centre(j, time);
-    if (apart.norm() - radii_ > limits_.reach || !b_.faces(j, apart, time) || !a_.faces(i, -apart, time)) return;
+    if (apart.norm() - radii_ > limits_.reach || !b_.faces(j, apart, time) || !a_.faces(i, -apart, time))
+      return;
     add({a_.block(), i, b_.block(), j, true}, 0);
   }
   void add(const VertexEdge& contact, double from_end) {
@@ -134,8 +138,8 @@ void find_rounded_contacts(const Outline& a, const RoundedBlock& rounded_a, cons
   CirclesOnOutline(of_a, of_b, limits, found, choices).find();
   CirclesOnOutline(of_b, of_a, limits, found, choices).find();
   const auto is_kept = [&](const VertexEdge& contact) {
-    return std::ranges::any_of(
-        earlier, [&](const EarlierContact& of) { return of.closed && of.pair == contact; });
+    return std::ranges::any_of(earlier,
+                               [&](const EarlierContact& of) { return of.closed && of.pair == contact; });
   };
   std::vector<char> dropped(found.size(), 0);
   for (std::size_t p = 0; p < found.size(); ++p)

@@ -409,7 +409,7 @@ class Builder {
             scene_.contact.method,
             scene_.contact.penetration_tolerance,
             scene_.analysis.preset == Preset::paper ? ContactProperties::lip_of_paper
-                                                                 : ContactProperties::default_lip};
+                                                    : ContactProperties::default_lip};
   }
 
   StageDescription first_stage() const {

@@ -68,7 +68,8 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   blocks.prepare(initial, true);
   std::vector<double> reach;
   for (int b = 0; b < blocks.n_blocks(); ++b) reach.push_back(touching * blocks.block(b).size());
-  const std::vector<Contact> contacts = builder.build_first(initial, VectorXd::Zero(blocks.n_unknowns()), reach);
+  const std::vector<Contact> contacts =
+      builder.build_first(initial, VectorXd::Zero(blocks.n_unknowns()), reach);
   std::vector<ContactTerm> terms;
   for (const Contact& contact : contacts) terms.push_back(term_of(contact));
 

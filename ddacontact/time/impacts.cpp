@@ -1,7 +1,7 @@
 #include <ddacontact/time/impacts.hpp>
 
-#include <ddacontact/contact/contact_place.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
+#include <ddacontact/contact/contact_place.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
 
@@ -77,7 +77,8 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
     const Contact& contact = contacts[c];
     const VertexEdgeForm gap = contact.first_gap();
     const double rate = contact.motion.change_along(gap.gradient, velocity),
-                 growth = contact.motion.change_along(gap.gradient, acceleration),
+                 growth = contact.motion.change_along(gap.gradient, acceleration) +
+                          contact.motion.gap_curvature(velocity),
                  gap_now = gap.constant - contact.history.gap_offset;
     if (contact.closed() && carries_waves(blocks, contact, dt)) continue;
     const bool near = contact.closed() || gap_now <= contact.length_tolerance();

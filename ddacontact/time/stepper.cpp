@@ -96,9 +96,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
                       !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
   }
-  const std::vector<Contact> first =
-      contact_builder_->build_first(state_, predicted_motion(analysis_.time_step),
-                                    limits_.reach(state_, {}, analysis_.time_step, 1));
+  const std::vector<Contact> first = contact_builder_->build_first(
+      state_, predicted_motion(analysis_.time_step), limits_.reach(state_, {}, analysis_.time_step, 1));
   contacts_.assign(first.begin(), first.end());
   accepted_ = {substep_, counts_, {}};
   set_flight_acceleration();

@@ -9,12 +9,13 @@ namespace ddacontact {
 
 namespace {
 
-/// Whether the pair names a vertex and an edge of these blocks.
+/// Whether the pair names a vertex and an edge of these blocks, or rounded corners where they are rounded.
 bool is_between(const BlockSystem& blocks, const VertexEdge& pair) {
   const auto has = [&](int b, int corner) {
     return b >= 0 && b < blocks.n_blocks() && corner >= 0 && corner < blocks.block(b).n_vertices();
   };
-  return has(pair.vertex_block, pair.vertex) && has(pair.edge_block, pair.edge);
+  return has(pair.vertex_block, pair.vertex) && has(pair.edge_block, pair.edge) &&
+         (!pair.corner || blocks.has_rounded_corners());
 }
 
 }  // namespace

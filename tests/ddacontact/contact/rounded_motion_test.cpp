@@ -33,10 +33,13 @@ struct RoundedMotion : testing::TestWithParam<bool> {
   VertexEdgePlace start = zero();
   Rounding rounding;
 
-  Vec2 any(double size) { return {support::uniform(-size, size, random), support::uniform(-size, size, random)}; }
+  Vec2 any(double size) {
+    return {support::uniform(-size, size, random), support::uniform(-size, size, random)};
+  }
   VertexEdgePlace any_motion(double size) { return {any(size), any(size), any(size), any(size)}; }
   void place() {
-    start = {Vec2(0.3, 0.5) + any(0.2), Vec2(0, 0) + any(0.1), Vec2(1, 0) + any(0.1), Vec2(1.2, 1) + any(0.2)};
+    start = {Vec2(0.3, 0.5) + any(0.2), Vec2(0, 0) + any(0.1), Vec2(1, 0) + any(0.1),
+             Vec2(1.2, 1) + any(0.2)};
     rounding = {.centre = {0.1, 0.1}, .surface = {0.02, 0.05}, .radius = 0.1, .corner = GetParam()};
     if (rounding.corner) {
       rounding.start = {-0.4, -0.3};

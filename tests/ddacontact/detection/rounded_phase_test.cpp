@@ -89,7 +89,8 @@ TEST(RoundedPhase, FacesThatLieOnEachOtherTouchInTwoPlaces) {
     std::vector<VertexEdge> contacts;
     std::vector<Choice> choices;
     find_rounded_contacts({0, a}, rounded, {1, b}, rounded,
-                          {.reach = 1e-3, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4}, {}, contacts, choices);
+                          {.reach = 1e-3, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4}, {}, contacts,
+                          choices);
     EXPECT_EQ(contacts.size(), 2u) << shift;
     for (const VertexEdge& contact : contacts) EXPECT_FALSE(contact.corner);
   }

@@ -1,8 +1,9 @@
-// Blocks with rounded corners: what rolls rolls, what stands stands, and a joint is the groove that it is.
+// Blocks with rounded corners: what rolls rolls, and what stands on its faces stands and slides on them.
 #include <tests/support/flush_joints.hpp>
-#include <tests/support/scene_changes.hpp>
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <numbers>
@@ -14,39 +15,67 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// A square of 1 m on a long fixed slope.
-Scene square_on_a_slope(double dip, double friction_angle, double rounding, double duration) {
-  Scene scene = on_a_crossed_plane({.dip = dip},
-                                   {.friction_angle = friction_angle, .time_step = 1e-3, .duration = duration});
+/// A square of 1 m, turned clockwise and then placed with its lowest point at the origin of a large fixed
+/// slope.
+Scene square_on_a_slope(double dip, double friction_angle, double rounding, double turned, double duration) {
+  Scene scene = on_a_crossed_plane(
+      {.dip = dip}, {.friction_angle = friction_angle, .time_step = 1e-3, .duration = duration});
   scene.contact.corner_rounding = rounding;
-  const Vec2 down(std::cos(dip * degree), -std::sin(dip * degree)), out(-down.y(), down.x());
-  const Mat2 turn = (Mat2() << down, out).finished();
+  const Mat2 slope_turn = Eigen::Rotation2Dd(-dip * degree).toRotationMatrix();
   scene.blocks.erase(scene.blocks.begin(), scene.blocks.begin() + 2);
   Points slope(2, 4), square(2, 4);
-  slope << -20, 20, 20, -20, -2, -2, 0, 0;
-  square << -0.5, 0.5, 0.5, -0.5, 0, 0, 1, 1;
-  scene.blocks[0].vertices = turn * slope;
-  scene.blocks[1].vertices = turn * square;
+  slope << -20, 20, 20, -20, -20, -20, 0, 0;
+  square << -0.5, 0.5, 0.5, -0.5, -0.5, -0.5, 0.5, 0.5;
+  square = Eigen::Rotation2Dd(-turned * degree).toRotationMatrix() * square;
+  const double half = 0.5 - rounding;  // from the middle to the centres of the circles
+  const double lowest = half * (std::cos(turned * degree) + std::sin(turned * degree)) + rounding;
+  square.row(1).array() += lowest;
+  scene.blocks[0].vertices = slope_turn * slope;
+  scene.blocks[1].vertices = slope_turn * square;
   return scene;
 }
 
 }  // namespace
 
-/// I / (m r^2) = (1 / 6) / (1 / 4) of a square whose corners leave no edge: it rolls like a wheel of that
-/// inertia.
-TEST(RoundedCorner, ASquareThatIsAlmostADiscRolls) {
-  const Scene scene = square_on_a_slope(20, 60, 0.4999, 1);
-  const double speed = final_speed(scene, 1, Vec2(std::cos(20 * degree), -std::sin(20 * degree)));
-  EXPECT_NEAR(speed, 9.8 * std::sin(20 * degree) * 1 / (5.0 / 3), 2e-3 * speed);
+/// Rolling on the arc of its corner r it keeps its energy: with the middle G at a distance c = (1/2 - r) sqrt
+/// 2 from the arc's centre C, at an angle b from the vertical, and |GP| from the point that touches,
+///     (I + m |GP|^2) w^2 / 2 = m g c (cos b0 - cos b),    C moves by r (b - b0).
+TEST(RoundedCorner, ATiltedSquareRollsOnItsArc) {
+  for (const double r : {0.05, 0.2}) {
+    const double duration = 0.6, turned = 40;
+    const BuiltScene built = build(square_on_a_slope(0, 70, r, turned, duration));
+    Stepper& stepper = *built.stepper;
+    const BlockSystem& blocks = stepper.blocks();
+    const Range& v = blocks.block(1).vertices();
+    const auto outline = [&] {
+      const Points all = blocks.positions(stepper.state()).colwise() + built.labels.origin;
+      return Points(all.middleCols(v.first, v.count));
+    };
+    const Points start = outline();
+    while (stepper.state().time < duration - 1e-9) ASSERT_TRUE(stepper.step()) << stepper.stop_reason();
+
+    const double c = (0.5 - r) * std::numbers::sqrt2, turn = best_fit_rotation(start, outline());
+    // The square was turned clockwise and falls back: G is to the left of C, further with time.
+    const double b0 = 45 - turned, b = b0 + turn / degree;
+    const Vec2 G = outline().rowwise().mean();
+    ASSERT_GT(turn, 5 * degree);
+    ASSERT_LT(turn, turned * degree);
+    const Vec2 C(c * std::sin(b0 * degree) - r * turn, r);
+    EXPECT_LE((C + c * Vec2(-std::sin(b * degree), std::cos(b * degree)) - G).norm(), 1e-3);
+    const double inertia = 1.0 / 6 + (G - Vec2(C.x(), 0)).squaredNorm(),
+                 speed = std::sqrt(2 * 9.8 * c * (std::cos(b0 * degree) - std::cos(b * degree)) / inertia);
+    const double w = rigid_velocity(blocks.block(1), stepper.state().velocity).angular;
+    EXPECT_NEAR(w, speed, 0.01 * speed);
+  }
 }
 
 TEST(RoundedCorner, ABlockStandsAndSlidesOnItsFaces) {
   const Vec2 down(std::cos(20 * degree), -std::sin(20 * degree));
   for (const double rounding : {0.001, 0.01, 0.1}) {
-    EXPECT_NEAR(final_speed(square_on_a_slope(20, 21, rounding, 0.3), 1, down), 0, 1e-6) << rounding;
+    EXPECT_NEAR(final_speed(square_on_a_slope(20, 21, rounding, 0, 0.3), 1, down), 0, 1e-6) << rounding;
     const double friction = std::tan(10 * degree),
                  expected = 9.8 * (std::sin(20 * degree) - std::cos(20 * degree) * friction) * 0.3;
-    EXPECT_NEAR(final_speed(square_on_a_slope(20, 10, rounding, 0.3), 1, down), expected, 1e-3 * expected)
+    EXPECT_NEAR(final_speed(square_on_a_slope(20, 10, rounding, 0, 0.3), 1, down), expected, 1e-3 * expected)
         << rounding;
   }
 }
