@@ -10,7 +10,7 @@ namespace ddacontact {
 /// One corner. Reflex corners stay sharp: theirs is the circle that touches the edge after them there.
 struct RoundedCorner {
   SegmentPoint centre;  ///< of the circle, on the edge from the vertex to the next
-  double cut = 0;       ///< m from the vertex the circle touches both edges; 0 of a reflex corner
+  bool is_arc = false;  ///< whether the outline turns left there
 };
 
 /// All corners of a block, with the radius of their circles, m.
@@ -26,6 +26,7 @@ struct LargestRounding {
   double radius;
   int edge;
 };
+/// \param[in] outline  simple, counter-clockwise
 LargestRounding largest_rounding(const PointsRef& outline);
 
 }  // namespace ddacontact

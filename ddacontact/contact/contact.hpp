@@ -6,7 +6,7 @@
 #include <ddacontact/contact/rounded_motion.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
 
-#include <optional>
+#include <memory>
 
 namespace ddacontact {
 
@@ -31,41 +31,37 @@ struct ContactHistory {
 struct MovingVertexEdge {
   VertexEdgePlace start;
   PointMap i, j, k;
-  PointMap after_i{};                  ///< of rounded corners alone
-  std::optional<Rounding> rounding{};  ///< none: the corner is sharp
+  std::shared_ptr<const Rounding> rounding{};  ///< none: the corner is sharp
 
-  VertexEdgePlace at(const VectorXd& d) const {
-    const VertexEdgePlace by = moved(d);
-    return {start.i + by.i, start.j + by.j, start.k + by.k, start.after_i + by.after_i};
+  RoundedPlace places() const { return {start, rounding ? rounding->after_i : Vec2::Zero()}; }
+  RoundedPlace moved(const VectorXd& d) const {
+    return {{i(d), j(d), k(d)}, rounding ? rounding->of_after_i(d) : Vec2::Zero()};
   }
-  VertexEdgePlace moved(const VectorXd& d) const { return {i(d), j(d), k(d), after_i(d)}; }
+  RoundedPlace at(const VectorXd& d) const {
+    const RoundedPlace from = places(), by = moved(d);
+    return {{from.i + by.i, from.j + by.j, from.k + by.k}, from.after_i + by.after_i};
+  }
   /// From a place on, by a motion.
-  GapAndSlip gap_and_slip_from(const VertexEdgePlace& place, const VertexEdgePlace& by, double lock,
+  GapAndSlip gap_and_slip_from(const RoundedPlace& place, const RoundedPlace& by, double lock,
                                bool mean) const {
     return rounding ? gap_and_slip(place, by, lock, mean, *rounding) : gap_and_slip(place, by, lock, mean);
   }
   GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, bool mean) const {
-    return gap_and_slip_from(start, moved(d), lock, mean);
+    return gap_and_slip_from(places(), moved(d), lock, mean);
   }
-  GapAndSlip rates_at(const VertexEdgePlace& place, double lock) const {
-    return gap_and_slip_from(place, {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, lock, false);
+  GapAndSlip rates_at(const RoundedPlace& place, double lock) const {
+    return gap_and_slip_from(place, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock, false);
   }
-  double start_gap() const { return rounding ? rates_at(start, 0).gap : gap(start); }
+  double start_gap() const { return rounding ? rates_at(places(), 0).gap : gap(start); }
   /// Whose place along the line j-k the slip is.
-  VertexEdgePlace slip_place() const { return rounding ? ddacontact::slip_place(start, *rounding) : start; }
-
-  /// The second derivative of the gap at the start while all goes straight on: a circle that passes another
-  /// turns away from it.
-  double gap_curvature(const VectorXd& velocity) const {
-    if (!rounding || !rounding->corner) return 0;
-    const Vec2 apart = between_centres(start, *rounding), rate = between_centres(moved(velocity), *rounding);
-    const double across = cross(apart, rate) / apart.norm();
-    return across * across / apart.norm();
+  VertexEdgePlace slip_place() const {
+    return rounding ? ddacontact::slip_place(places(), *rounding) : start;
   }
+  bool is_at_corner() const { return rounding && rounding->corner; }
 
   AffineForm form(const VertexEdgeGradient& gradient) const {
     AffineForm form = gradient_form(gradient, i, j, k);
-    if (rounding) after_i.add_to(form, gradient.after_i);
+    if (rounding) rounding->of_after_i.add_to(form, gradient.after_i);
     return form;
   }
   AffineForm form(const VertexEdgeForm& of_places) const {
@@ -75,7 +71,7 @@ struct MovingVertexEdge {
   }
   double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
     const double change = ddacontact::change_along(gradient, i, j, k, d);
-    return rounding ? change + gradient.after_i.dot(after_i(d)) : change;
+    return rounding ? change + gradient.after_i.dot(rounding->of_after_i(d)) : change;
   }
   /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j,
   /// k of the places by the unknowns. It returns the value to the rounding of its terms at d.
@@ -124,12 +120,12 @@ struct Contact : ContactRecord {
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.
   VertexEdgeForm first_gap() const {
     if (!motion.rounding) return gap_form(motion.start);
-    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.places(), history.lock);
     return {rates.gap, rates.by_gap};
   }
   VertexEdgeForm first_slip() const {
     if (!motion.rounding) return slip_form(motion.start, history.lock);
-    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.places(), history.lock);
     return {rates.slip, rates.by_slip};
   }
 

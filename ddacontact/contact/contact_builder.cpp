@@ -279,13 +279,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_before = straight_before_start(outline, pair.edge);
   if (sides[next(pair.edge, outline)].corner == Corner::straight)
     contact.straight_after = straight_beyond_end(outline, pair.edge);
-  if (pair.corner) {
-    contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
-  } else if (blocks_.has_rounded_corners()) {
-    const std::vector<RoundedCorner>& corners = blocks_.rounded(pair.edge_block).corners;
-    contact.straight_before -= corners[pair.edge].cut;
-    contact.straight_after -= corners[next(pair.edge, outline)].cut;
-  }
+  if (pair.corner) contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);
   return contact;

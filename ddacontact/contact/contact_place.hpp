@@ -7,7 +7,7 @@
 namespace ddacontact {
 
 /// From the origin of the edge's block.
-VertexEdgePlace place_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);
+RoundedPlace place_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);
 
 /// The pair in motion from a state on.
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);

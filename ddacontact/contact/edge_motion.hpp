@@ -15,7 +15,6 @@ namespace ddacontact {
 /// differences matter: coordinates near a common origin keep them exact. j and k must differ.
 struct VertexEdgePlace {
   Vec2 i, j, k;
-  Vec2 after_i{0, 0};  ///< the vertex after i, of rounded corners alone
 };
 
 /// Derivatives by the three places: a force N along the gap is N times these. They sum to zero.

@@ -3,7 +3,7 @@
 namespace ddacontact {
 
 VertexEdgeForm gap_form(const VertexEdgePlace& start) {
-  const auto& [i, j, k, after_i] = start;
+  const auto& [i, j, k] = start;
   const double l = (k - j).norm();
   const double S0 = cross(j - i, k - i);  // (34), twice an area
   // (37): the derivative of S0 / l by the displacement of each point

@@ -4,8 +4,7 @@ namespace ddacontact {
 
 namespace {
 
-VertexEdgePlace place_of(const SegmentPoint& of_vertex, const VertexEdgePlace& place,
-                         const Rounding& rounding) {
+VertexEdgePlace place_of(const SegmentPoint& of_vertex, const RoundedPlace& place, const Rounding& rounding) {
   return {of_vertex.at(place.i, place.after_i), rounding.start.at(place.j, place.k),
           rounding.end.at(place.j, place.k)};
 }
@@ -18,22 +17,22 @@ VertexEdgeGradient by_vertices(const VertexEdgeGradient& by_points, const Segmen
   return {by_points.i - by_after_i, by_points.j + by_points.k - by_k, by_k, by_after_i};
 }
 
-/// From the other circle's centre to this one's.
-Vec2 between_centres(const VertexEdgePlace& place) {
+/// From where the other corner is, half way along the line of the slip.
+Vec2 from_middle(const VertexEdgePlace& place) {
   return place.i - (place.j + place.k) / 2;
 }
 
 }  // namespace
 
-VertexEdgePlace slip_place(const VertexEdgePlace& place, const Rounding& rounding) {
+VertexEdgePlace slip_place(const RoundedPlace& place, const Rounding& rounding) {
   return place_of(rounding.surface, place, rounding);
 }
 
-Vec2 between_centres(const VertexEdgePlace& place, const Rounding& rounding) {
-  return between_centres(place_of(rounding.centre, place, rounding));
+Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding) {
+  return from_middle(place_of(rounding.centre, place, rounding));
 }
 
-GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean,
+GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, bool mean,
                         const Rounding& rounding) {
   // Places and motions go by the same linear map.
   const VertexEdgePlace centre = place_of(rounding.centre, start, rounding),
@@ -43,7 +42,7 @@ GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by,
   GapAndSlip result{0, 0, of_surface.slip, {}, by_vertices(of_surface.by_slip, rounding.surface, rounding)};
   VertexEdgeGradient by_centres;
   if (rounding.corner) {
-    const Vec2 from = between_centres(centre), change = between_centres(centre_by), to = from + change;
+    const Vec2 from = from_middle(centre), change = from_middle(centre_by), to = from + change;
     const double sum = from.norm() + to.norm();
     const Vec2 away = mean ? Vec2((from + to) / sum) : to.normalized();
     result.start_gap = from.norm() - rounding.radius;

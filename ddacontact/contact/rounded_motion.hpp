@@ -1,9 +1,9 @@
 /// \file Gap and slip of rounded corners under motions of any size, and their derivatives.
 ///
-/// The circle of a vertex lies on the segment from it to the next vertex. Against an edge the gap is the
-/// distance of its centre from the edge's line less its radius, against another circle the distance of the
-/// two centres less both radii. The slip is that of the point of the circle which is nearest to the other
-/// block at the start of the step, so that a corner that rolls does not slip.
+/// The circle of a vertex lies on the segment from it to the next vertex. The gap is the distance of its
+/// centre from the edge's line, or from a corner of the other block, less its radius. The slip is that of the
+/// point of the circle which is nearest to the other block at the start of the step, so that a corner that
+/// rolls does not slip.
 #pragma once
 
 #include <ddacontact/contact/edge_motion.hpp>
@@ -11,23 +11,30 @@
 
 namespace ddacontact {
 
+/// A vertex and an edge with the vertex that follows i, or their motion.
+struct RoundedPlace : VertexEdgePlace {
+  Vec2 after_i{0, 0};
+};
+
 /// What touches in a contact of a rounded corner.
 struct Rounding {
   SegmentPoint centre{}, surface{};  ///< of the vertex's circle, and the point that the slip is of: from i on
-  SegmentPoint start{}, end{1, 0};  ///< of the line that it slips along, from j to k: the edge, or of another
-                                    ///< circle a line through its centre, half way, parallel to the tangent
-  double radius = 0;                ///< of the circle, or of both, m
-  bool corner = false;              ///< whether the other is a circle
+  SegmentPoint start{}, end{1, 0};  ///< of the line that it slips along, from j to k: the edge; of a corner a
+                                    ///< line through it, half way, across the line to the circle's centre
+  double radius = 0;                ///< m
+  bool corner = false;              ///< whether it is against the corner j
+  Vec2 after_i{0, 0};               ///< the vertex after i at the start of the step
+  PointMap of_after_i{};            ///< and how it moves
 };
 
 /// The line of the slip and the vertex's point on it, as a vertex and an edge.
-VertexEdgePlace slip_place(const VertexEdgePlace& place, const Rounding& rounding);
+VertexEdgePlace slip_place(const RoundedPlace& place, const Rounding& rounding);
 
 /// See the same of sharp corners; derivatives by all four places.
-GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean,
+GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, bool mean,
                         const Rounding& rounding);
 
-/// From the centre of the other circle of a corner to that of the vertex, or how fast that changes.
-Vec2 between_centres(const VertexEdgePlace& place, const Rounding& rounding);
+/// From the corner to the centre of the circle, or how fast that changes.
+Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding);
 
 }  // namespace ddacontact

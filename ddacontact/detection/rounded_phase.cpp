@@ -18,7 +18,6 @@ class RoundedOutline {
   int block() const { return outline_.block; }
   int size() const { return n_; }
   double radius() const { return rounded_.radius; }
-  double cut(int v) const { return rounded_.corners[v].cut; }
   Vec2 vertex(int v, double time) const {
     return (1 - time) * outline_.vertices.col(v) + time * outline_.moved.col(v);
   }
@@ -30,9 +29,10 @@ class RoundedOutline {
     return rounded_.corners[v].centre.at(vertex(v, time), vertex(after(v), time));
   }
   bool is_reflex(int v) const { return corner_at(outline_.vertices, v) == Corner::reflex; }
-  /// Whether a direction from the centre of corner v is between the normals of its edges.
+  /// Whether a direction from corner v, or from its centre, is between the normals of its edges.
   bool faces(int v, const Vec2& direction, double time) const {
-    return cut(v) > 0 && direction.dot(tangent(before(v), time)) > 0 && direction.dot(tangent(v, time)) < 0;
+    return rounded_.corners[v].is_arc && direction.dot(tangent(before(v), time)) > 0 &&
+           direction.dot(tangent(v, time)) < 0;
   }
 
  private:
@@ -57,12 +57,7 @@ class CirclesOnOutline {
  public:
   CirclesOnOutline(const RoundedOutline& a, const RoundedOutline& b, const PairLimits& limits,
                    std::vector<VertexEdge>& contacts, std::vector<Choice>& choices)
-      : a_(a),
-        b_(b),
-        limits_(limits),
-        radii_(a.radius() + b.radius()),
-        contacts_(contacts),
-        choices_(choices) {}
+      : a_(a), b_(b), limits_(limits), radius_(a.radius()), contacts_(contacts), choices_(choices) {}
 
   void find() {
     for (int i = 0; i < a_.size(); ++i) {
@@ -70,7 +65,7 @@ class CirclesOnOutline {
       const double time = time_of_entry(i);
       for (int e = 0; e < b_.size(); ++e) {
         add_edge(i, e, time);
-        if (a_.block() < b_.block()) add_corner(i, e, time);
+        add_corner(i, e, time);
       }
     }
   }
@@ -78,27 +73,27 @@ class CirclesOnOutline {
  private:
   /// When the motion takes the circle deep into the other outline; 1: not within the step.
   double time_of_entry(int i) const {
-    const double level = -radii_ / 2;
+    const double level = -radius_ / 2;
     double earliest = 1;
     for (int e = 0; e < b_.size(); ++e) {
       const OverEdge start(a_, i, b_, e, 0), end(a_, i, b_, e, 1);
       if (start.gap < level || end.gap >= level) continue;
       const double time = (start.gap - level) / (start.gap - end.gap);
       const OverEdge then(a_, i, b_, e, time);
-      if (then.along >= -radii_ && then.along <= then.length + radii_) earliest = std::min(earliest, time);
+      if (then.along >= -radius_ && then.along <= then.length + radius_) earliest = std::min(earliest, time);
     }
     return earliest;
   }
 
   void add_edge(int i, int e, double time) {
     const OverEdge over(a_, i, b_, e, time);
-    if (over.gap > limits_.reach || over.gap <= -radii_) return;
-    const double from_end = std::min(over.along - b_.cut(e), over.length - b_.cut(b_.after(e)) - over.along);
+    if (over.gap > limits_.reach || over.gap <= -radius_) return;
+    const double from_end = std::min(over.along, over.length - over.along);
     if (from_end >= -limits_.coincidence) add({a_.block(), i, b_.block(), e}, from_end);
   }
   void add_corner(int i, int j, double time) {
-    const Vec2 apart = a_.centre(i, time) - b_.centre(j, time);
-    if (apart.norm() - radii_ > limits_.reach || !b_.faces(j, apart, time) || !a_.faces(i, -apart, time))
+    const Vec2 apart = a_.centre(i, time) - b_.vertex(j, time);
+    if (apart.norm() - radius_ > limits_.reach || !b_.faces(j, apart, time) || !a_.faces(i, -apart, time))
       return;
     add({a_.block(), i, b_.block(), j, true}, 0);
   }
@@ -109,7 +104,7 @@ class CirclesOnOutline {
 
   const RoundedOutline &a_, &b_;
   const PairLimits& limits_;
-  double radii_;
+  double radius_;
   std::vector<VertexEdge>& contacts_;
   std::vector<Choice>& choices_;
 };
@@ -124,7 +119,7 @@ bool are_one_place(const VertexEdge& p, const RoundedOutline& a, const VertexEdg
   if (!ends(q.vertex, p.edge, b) || !ends(p.vertex, q.edge, a)) return false;
   const Vec2 tangent = b.tangent(p.edge, 1);
   return std::abs(cross(tangent, a.tangent(q.edge, 1))) <= sin_parallel &&
-         std::abs(tangent.dot(a.centre(p.vertex, 1) - b.centre(q.vertex, 1))) <= coincidence;
+         std::abs(tangent.dot(a.vertex(p.vertex, 1) - b.vertex(q.vertex, 1))) <= coincidence;
 }
 
 }  // namespace

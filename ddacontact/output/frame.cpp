@@ -19,7 +19,7 @@ FrameContact describe(const ContactRecord& contact, const Stepper& stepper, cons
   described.position = frame.outline(pair.vertex_block).col(pair.vertex);
   described.normal = Vec2(edge.y(), -edge.x()).normalized();
   if (stepper.blocks().has_rounded_corners()) {
-    const auto [i, j, k, after_i] = motion_of(stepper.blocks(), stepper.state(), pair).slip_place();
+    const auto [i, j, k] = motion_of(stepper.blocks(), stepper.state(), pair).slip_place();
     described.position = i + stepper.state().origin.col(pair.edge_block) + frame_origin;
     described.normal = Vec2((k - j).y(), (j - k).x()).normalized();
   }

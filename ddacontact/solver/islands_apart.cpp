@@ -64,8 +64,11 @@ struct IslandsApart::Island {
     const Block& edge_block = system_of_part.block(pair.edge_block);
     const Block& vertex_block = system_of_part.block(pair.vertex_block);
     contact.motion.i = vertex_block.vertex_map(pair.vertex);
-    if (contact.motion.rounding)
-      contact.motion.after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices());
+    if (contact.motion.rounding) {
+      Rounding rounding = *contact.motion.rounding;
+      rounding.of_after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices());
+      contact.motion.rounding = std::make_shared<const Rounding>(rounding);
+    }
     contact.motion.j = edge_block.vertex_map(pair.edge);
     contact.motion.k = edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices());
     return contact;

@@ -27,6 +27,16 @@ double first_touch(double g, double v, double a, double dt) {
   return t >= 0 && t <= dt ? t : infinity;
 }
 
+/// The same of a circle that passes a corner in a straight line: it turns away from it.
+double first_touch(const Vec2& apart, const Vec2& velocity, double radius, double dt) {
+  const double towards = -apart.dot(velocity), outside = apart.squaredNorm() - radius * radius,
+               discriminant = towards * towards - velocity.squaredNorm() * outside;
+  if (towards <= 0 || discriminant < 0) return infinity;
+  if (outside <= 0) return 0;
+  const double t = outside / (towards + std::sqrt(discriminant));
+  return t <= dt ? t : infinity;
+}
+
 /// The displacements of all unknowns of blocks that go on as rigid bodies, each for its own time.
 BlockState carried(const BlockSystem& blocks, const BlockState& state, const VectorXd& velocity,
                    const VectorXd& acceleration, const std::vector<double>& times) {
@@ -77,19 +87,26 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
     const Contact& contact = contacts[c];
     const VertexEdgeForm gap = contact.first_gap();
     const double rate = contact.motion.change_along(gap.gradient, velocity),
-                 growth = contact.motion.change_along(gap.gradient, acceleration) +
-                          contact.motion.gap_curvature(velocity),
+                 growth = contact.motion.change_along(gap.gradient, acceleration),
                  gap_now = gap.constant - contact.history.gap_offset;
     if (contact.closed() && carries_waves(blocks, contact, dt)) continue;
     const bool near = contact.closed() || gap_now <= contact.length_tolerance();
-    double time = first_touch(near ? 0 : gap_now, rate, growth, dt);
+    const MovingVertexEdge& motion = contact.motion;
+    Vec2 apart = Vec2::Zero(), passing = Vec2::Zero();
+    if (motion.is_at_corner()) {
+      apart = from_corner(motion.places(), *motion.rounding);
+      passing = from_corner(motion.moved(velocity), *motion.rounding);
+    }
+    double time = motion.is_at_corner() && !near ? first_touch(apart, passing, motion.rounding->radius, dt)
+                                                 : first_touch(near ? 0 : gap_now, rate, growth, dt);
     if (!std::isfinite(time) && !also.empty() && also[c])
       time = rate < 0 ? std::min(dt, std::max(gap_now, 0.0) / -rate) : infinity;
     if (!std::isfinite(time)) continue;
     const VertexEdgeForm slip = contact.first_slip();
     const double slip_then = slip.constant + time * contact.motion.change_along(slip.gradient, velocity);
     if (!contact.closed() && !contact.is_on_edge(slip_then)) continue;
-    approaches[c] = -(rate + time * growth);
+    approaches[c] =
+        motion.is_at_corner() ? -(apart + time * passing).normalized().dot(passing) : -(rate + time * growth);
     if (approaches[c] <= least_approach(blocks, contact, dt)) continue;
     result.hit[c] = 1;
     ++result.n_hits;

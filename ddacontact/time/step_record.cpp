@@ -65,8 +65,12 @@ void contact_numbers(Numbers& numbers, Contact& contact) {
   numbers(contact.pair.vertex_block);
   numbers(contact.pair.vertex);
   numbers(contact.pair.edge_block);
-  numbers(contact.pair.edge);
-  numbers(contact.pair.corner);
+  int edge = contact.pair.corner ? -1 - contact.pair.edge : contact.pair.edge;  // < 0: the corner
+  numbers(edge);
+  if constexpr (!std::is_const_v<Contact>) {
+    contact.pair.corner = edge < 0;
+    contact.pair.edge = edge < 0 ? -1 - edge : edge;
+  }
   numbers(state);
   numbers(contact.history.lock);
   numbers(contact.history.gap_offset);

@@ -55,7 +55,7 @@ double fastest_vertex(const Block& block, const VectorXd& velocity) {
 void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
                 VectorXd& F) {
   const MovingVertexEdge motion = motion_of(blocks, state, contact.pair);
-  const GapAndSlip rates = motion.rates_at(motion.start, contact.history.lock);
+  const GapAndSlip rates = motion.rates_at(motion.places(), contact.history.lock);
   motion.form(rates.by_gap).add_gradient(contact.normal, F);
   motion.form(rates.by_slip).add_gradient(contact.shear, F);
 }

@@ -237,7 +237,7 @@ TEST_P(EdgeMotion, OfARotationTheMeanGradientIsThatOfTheMiddleTimesTheCosineOfHa
 TEST_P(EdgeMotion, GradientsAreThoseOfThePaperAndATermProportionalToTheGap) {
   for (int trial = 0; trial < 100; ++trial) {
     const Vec6 x = random_place(trial % 2 ? 0.5 : 0, random);
-    const auto [i, j, k, after_i] = place_at(x);
+    const auto [i, j, k] = place_at(x);
     const VertexEdgeForm form = measure.first_order({i, j, k});
     const Vec6 paper = components(form.gradient);
 

@@ -12,16 +12,16 @@ using namespace ddacontact;
 
 namespace {
 
-constexpr std::array<Vec2 VertexEdgePlace::*, 4> places{&VertexEdgePlace::i, &VertexEdgePlace::j,
-                                                        &VertexEdgePlace::k, &VertexEdgePlace::after_i};
+constexpr std::array<Vec2 RoundedPlace::*, 4> places{&RoundedPlace::i, &RoundedPlace::j, &RoundedPlace::k,
+                                                     &RoundedPlace::after_i};
 constexpr std::array<Vec2 VertexEdgeGradient::*, 4> gradients{
     &VertexEdgeGradient::i, &VertexEdgeGradient::j, &VertexEdgeGradient::k, &VertexEdgeGradient::after_i};
 constexpr double lock = 0.3;
 
-VertexEdgePlace zero() {
-  return {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+RoundedPlace zero() {
+  return {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()};
 }
-double along(const VertexEdgeGradient& gradient, const VertexEdgePlace& by) {
+double along(const VertexEdgeGradient& gradient, const RoundedPlace& by) {
   double sum = 0;
   for (int p = 0; p < 4; ++p) sum += (gradient.*gradients[p]).dot(by.*places[p]);
   return sum;
@@ -30,15 +30,15 @@ double along(const VertexEdgeGradient& gradient, const VertexEdgePlace& by) {
 /// A vertex above an edge or near its start.
 struct RoundedMotion : testing::TestWithParam<bool> {
   std::mt19937 random{3};
-  VertexEdgePlace start = zero();
+  RoundedPlace start = zero();
   Rounding rounding;
 
   Vec2 any(double size) {
     return {support::uniform(-size, size, random), support::uniform(-size, size, random)};
   }
-  VertexEdgePlace any_motion(double size) { return {any(size), any(size), any(size), any(size)}; }
+  RoundedPlace any_motion(double size) { return {{any(size), any(size), any(size)}, any(size)}; }
   void place() {
-    start = {Vec2(0.3, 0.5) + any(0.2), Vec2(0, 0) + any(0.1), Vec2(1, 0) + any(0.1),
+    start = {{Vec2(0.3, 0.5) + any(0.2), Vec2(0, 0) + any(0.1), Vec2(1, 0) + any(0.1)},
              Vec2(1.2, 1) + any(0.2)};
     rounding = {.centre = {0.1, 0.1}, .surface = {0.02, 0.05}, .radius = 0.1, .corner = GetParam()};
     if (rounding.corner) {
@@ -46,14 +46,14 @@ struct RoundedMotion : testing::TestWithParam<bool> {
       rounding.end = {0.5, -0.1};
     }
   }
-  GapAndSlip at(const VertexEdgePlace& by, bool mean = false) const {
+  GapAndSlip at(const RoundedPlace& by, bool mean = false) const {
     return gap_and_slip(start, by, lock, mean, rounding);
   }
 };
 
-TEST_P(RoundedMotion, GapIsTheDistanceLessTheRadii) {
+TEST_P(RoundedMotion, GapIsTheDistanceLessTheRadius) {
   place();
-  const VertexEdgePlace by = any_motion(0.1);
+  const RoundedPlace by = any_motion(0.1);
   const Vec2 i = start.i + by.i, j = start.j + by.j, k = start.k + by.k, next = start.after_i + by.after_i,
              centre = rounding.centre.at(i, next);
   const Vec2 t = (k - j).normalized();
@@ -65,11 +65,11 @@ TEST_P(RoundedMotion, GapIsTheDistanceLessTheRadii) {
 TEST_P(RoundedMotion, GradientsAreDerivatives) {
   for (int trial = 0; trial < 20; ++trial) {
     place();
-    const VertexEdgePlace by = any_motion(0.1);
+    const RoundedPlace by = any_motion(0.1);
     const GapAndSlip here = at(by);
     for (auto p : places)
       for (int axis : {0, 1}) {
-        VertexEdgePlace direction = zero(), before = by, after = by;
+        RoundedPlace direction = zero(), before = by, after = by;
         (direction.*p)[axis] = 1;
         const double h = 1e-6;
         (before.*p)[axis] -= h;
@@ -83,7 +83,7 @@ TEST_P(RoundedMotion, GradientsAreDerivatives) {
 TEST_P(RoundedMotion, MeanGradientsDoTheWorkOfTheChange) {
   for (int trial = 0; trial < 20; ++trial) {
     place();
-    const VertexEdgePlace by = any_motion(0.3);
+    const RoundedPlace by = any_motion(0.3);
     const GapAndSlip none = at(zero()), mean = at(by, true);
     EXPECT_NEAR(along(mean.by_gap, by), mean.gap - none.gap, 1e-14);
     EXPECT_NEAR(along(mean.by_slip, by), mean.slip - none.slip, 1e-14);
@@ -94,7 +94,7 @@ TEST_P(RoundedMotion, MeanGradientsDoTheWorkOfTheChange) {
 TEST_P(RoundedMotion, ForcesHaveNeitherSumNorMoment) {
   for (int trial = 0; trial < 20; ++trial) {
     place();
-    const VertexEdgePlace by = any_motion(0.1);
+    const RoundedPlace by = any_motion(0.1);
     const GapAndSlip here = at(by);
     for (const VertexEdgeGradient* gradient : {&here.by_gap, &here.by_slip}) {
       Vec2 sum = Vec2::Zero();

@@ -1,4 +1,4 @@
-// Contacts of rounded polygons: the nearest of them is as far as the polygons are, wherever they are.
+// Contacts of rounded polygons: the nearest of them is as far as their circles are, wherever they are.
 #include <ddacontact/contact/rounded_motion.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
 #include <tests/support/random_polygon.hpp>
@@ -27,45 +27,40 @@ double distance_to_segment(const Vec2& x, const Vec2& p, const Vec2& q) {
   return (x - p - s * (q - p)).norm();
 }
 
-/// Of polygons that are apart.
-double distance(const Points& a, const Points& b) {
+/// The least distance of the circles of one polygon from the other polygon.
+double gap_of_circles(const Points& a, const RoundedBlock& of_a, const Points& b) {
+  const Points at = centres(a, of_a);
   double least = infinity;
-  for (const auto& [x, y] : {std::pair(&a, &b), {&b, &a}})
-    for (int v = 0; v < x->cols(); ++v)
-      for (int e = 0; e < y->cols(); ++e)
-        least = std::min(least, distance_to_segment(x->col(v), y->col(e), y->col((e + 1) % y->cols())));
-  return least;
+  for (int v = 0; v < a.cols(); ++v)
+    for (int e = 0; e < b.cols(); ++e)
+      least = std::min(least, distance_to_segment(at.col(v), b.col(e), b.col((e + 1) % b.cols())));
+  return least - of_a.radius;
 }
 
 double gap_of(const VertexEdge& contact, const Points& a, const RoundedBlock& of_a, const Points& b,
               const RoundedBlock& of_b) {
   const bool from_a = contact.vertex_block == 0;
   const Points &vertices = from_a ? a : b, &edges = from_a ? b : a;
-  const RoundedBlock &of_vertex = from_a ? of_a : of_b, &of_edge = from_a ? of_b : of_a;
-  const Vec2 centre = centres(vertices, of_vertex).col(contact.vertex);
-  if (contact.corner)
-    return (centre - centres(edges, of_edge).col(contact.edge)).norm() - of_vertex.radius - of_edge.radius;
-  const Vec2 j = edges.col(contact.edge), k = edges.col((contact.edge + 1) % edges.cols());
-  return cross(centre - j, (k - j).normalized()) - of_vertex.radius;
+  const RoundedBlock& of_vertex = from_a ? of_a : of_b;
+  const Vec2 centre = centres(vertices, of_vertex).col(contact.vertex), j = edges.col(contact.edge),
+             k = edges.col((contact.edge + 1) % edges.cols());
+  return (contact.corner ? (centre - j).norm() : cross(centre - j, (k - j).normalized())) - of_vertex.radius;
 }
 
-TEST(RoundedPhase, FindsTheDistanceOfRoundedPolygonsWhereverTheyAre) {
+TEST(RoundedPhase, FindsTheNearestCircleWhereverPolygonsAre) {
   std::mt19937 random(5);
   int corners = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const Points a = support::random_convex_polygon(3 + trial % 5, random);
     Points b = support::random_convex_polygon(3 + trial % 7, random);
-    const Points shape = b;
     const double angle = support::uniform(0, 2 * 3.14159, random);
     const RoundedBlock of_a = round_corners(a, 0.5 * largest_rounding(a).radius),
                        of_b = round_corners(b, 0.5 * largest_rounding(b).radius);
     const Vec2 way(std::cos(angle), std::sin(angle));
     b.colwise() += 6 * way;
-    double gap = distance(centres(a, of_a), centres(b, of_b)) - of_a.radius - of_b.radius;
-    for (int k = 0; k < 60 && gap > 0.01; ++k) {
-      b.colwise() -= gap * way;
-      gap = distance(centres(a, of_a), centres(b, of_b)) - of_a.radius - of_b.radius;
-    }
+    const auto gap_now = [&] { return std::min(gap_of_circles(a, of_a, b), gap_of_circles(b, of_b, a)); };
+    for (int k = 0; k < 60 && gap_now() > 0.01; ++k) b.colwise() -= gap_now() / 2 * way;
+    const double gap = gap_now();
     std::vector<VertexEdge> contacts;
     std::vector<Choice> choices;
     const PairLimits limits{.reach = 0.5, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4};
@@ -77,7 +72,7 @@ TEST(RoundedPhase, FindsTheDistanceOfRoundedPolygonsWhereverTheyAre) {
     }
     ASSERT_NEAR(nearest, gap, 1e-9) << "trial " << trial;
   }
-  EXPECT_GT(corners, 100) << "circles that meet circles";
+  EXPECT_GT(corners, 100) << "circles that meet corners";
 }
 
 TEST(RoundedPhase, FacesThatLieOnEachOtherTouchInTwoPlaces) {
@@ -101,8 +96,7 @@ TEST(RoundCorners, TouchBothEdgesAndLeaveSomeOfThem) {
   notched << 0, 2, 2, 1, 1, 0, 0, 0, 1, 1, 2, 2;
   EXPECT_NEAR(largest_rounding(notched).radius, 0.5, 1e-14);
   const RoundedBlock rounded = round_corners(notched, 0.1);
-  EXPECT_NEAR(rounded.corners[0].cut, 0.1, 1e-15);
-  EXPECT_EQ(rounded.corners[3].cut, 0);
+  for (int v = 0; v < 6; ++v) EXPECT_EQ(rounded.corners[v].is_arc, v != 3);
   const Points at = centres(notched, rounded);
   EXPECT_NEAR((at.col(0) - Vec2(0.1, 0.1)).norm(), 0, 1e-15);
   EXPECT_NEAR((at.col(2) - Vec2(1.9, 0.9)).norm(), 0, 1e-15);
