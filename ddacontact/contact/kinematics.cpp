@@ -14,7 +14,7 @@ VertexEdgeForm gap_form(const VertexEdgePlace& start) {
 }
 
 VertexEdgeForm slip_form(const VertexEdgePlace& start, double lock) {
-  const auto& [i, j, k, after_i] = start;
+  const auto& [i, j, k] = start;
   const Vec2 t = (k - j).normalized();
   const Vec2 o = (1 - lock) * j + lock * k;
   // (45), with the signed weights of (43)

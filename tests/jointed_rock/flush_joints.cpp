@@ -193,19 +193,21 @@ std::vector<std::string> rounded_drops(double rounding, std::uint64_t n_drops) {
 void rounded_corners(Report& report) {
   report.heading("Rounded corners");
   report.paragraph(
-      "`contact.corner_rounding` makes corners arcs: gap and normal are continuous, and no rule has to say "
-      "which line a "
-      "corner meets. But a flush joint is then a groove, two arcs deep: what slides falls in by what gravity "
-      "makes of "
-      "the time over it, and hits the next arc without restitution. It loses speed at every joint, the more "
+      "With `contact.corner_rounding` a corner that meets another block is an arc: gap and normal are "
+      "continuous "
+      "where it leaves an edge or climbs a step, and no rule has to say which line it meets. What it meets "
+      "keeps its "
+      "sharp outline, so that flush joints stay flush. It needs steps in which a block moves less than about "
       "the "
-      "fewer steps the groove takes. Sharp corners keep the speed, which is why they are the default; soft "
-      "bricks that "
-      "sink by more than the lip of a sharp corner slide on with rounded ones. Final speed in m/s, Δt = 1 "
-      "ms: 0.6 s over "
-      "ten bricks at 3 m/s, 1 GPa and softer; 0.3 s down a crossed plane of 60° (2.5461) and into a shaft of "
-      "its own "
-      "width (2.94):");
+      "radius; a smaller one catches on what bricks sink. Soft bricks, which sink by more than the lip of a "
+      "sharp "
+      "corner, slide on. Sharp corners are the default all the same: blocks turn over and arches hinge about "
+      "the "
+      "corner, and a rounded one is as much nearer to the middle as its radius. Final speed in m/s, Δt = 1 "
+      "ms: 0.6 s "
+      "over ten bricks at 3 m/s, 1 GPa and softer; 0.3 s down a crossed plane of 60° (2.5461) and into a "
+      "shaft of its "
+      "own width (2.94):");
   std::vector<std::vector<std::string>> table{
       {"rounding", "fixed", "fixed, gaps 1 mm", "free", "free, 100 MPa", "free, 35 MPa", "plane", "shaft"}};
   const double dip = 60 * std::numbers::pi / 180;

@@ -1,4 +1,4 @@
-// Contacts of rounded polygons: the nearest of them is as far as their circles are, wherever they are.
+// Contacts of rounded polygons: the nearest of them is as far as the nearest arc is, wherever they are.
 #include <ddacontact/contact/rounded_motion.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
 #include <tests/support/random_polygon.hpp>
@@ -22,18 +22,22 @@ Points centres(const Points& polygon, const RoundedBlock& rounded) {
   return result;
 }
 
-double distance_to_segment(const Vec2& x, const Vec2& p, const Vec2& q) {
-  const double s = std::clamp((x - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
-  return (x - p - s * (q - p)).norm();
-}
-
-/// The least distance of the circles of one polygon from the other polygon.
-double gap_of_circles(const Points& a, const RoundedBlock& of_a, const Points& b) {
+/// The least distance of the arcs of one polygon from the other polygon, less their radius: of a circle from
+/// an edge that it is over, or from a corner that its arc faces.
+double gap_of_arcs(const Points& a, const RoundedBlock& of_a, const Points& b) {
   const Points at = centres(a, of_a);
+  const Index n = a.cols(), m = b.cols();
   double least = infinity;
-  for (int v = 0; v < a.cols(); ++v)
-    for (int e = 0; e < b.cols(); ++e)
-      least = std::min(least, distance_to_segment(at.col(v), b.col(e), b.col((e + 1) % b.cols())));
+  for (Index v = 0; v < n; ++v) {
+    const Vec2 in = a.col(v) - a.col((v + n - 1) % n), out = a.col((v + 1) % n) - a.col(v), c = at.col(v);
+    for (Index e = 0; e < m; ++e) {
+      const Vec2 p = b.col(e), along = b.col((e + 1) % m) - p, to = p - c;
+      const double s = -to.dot(along) / along.squaredNorm();
+      if (s >= 0 && s <= 1 && cross(c - p, along) > 0)
+        least = std::min(least, cross(c - p, along) / along.norm());
+      if (in.dot(to) > 0 && out.dot(to) < 0) least = std::min(least, to.norm());
+    }
+  }
   return least - of_a.radius;
 }
 
@@ -47,7 +51,7 @@ double gap_of(const VertexEdge& contact, const Points& a, const RoundedBlock& of
   return (contact.corner ? (centre - j).norm() : cross(centre - j, (k - j).normalized())) - of_vertex.radius;
 }
 
-TEST(RoundedPhase, FindsTheNearestCircleWhereverPolygonsAre) {
+TEST(RoundedPhase, FindsTheNearestArcWhereverPolygonsAre) {
   std::mt19937 random(5);
   int corners = 0;
   for (int trial = 0; trial < 2000; ++trial) {
@@ -58,7 +62,7 @@ TEST(RoundedPhase, FindsTheNearestCircleWhereverPolygonsAre) {
                        of_b = round_corners(b, 0.5 * largest_rounding(b).radius);
     const Vec2 way(std::cos(angle), std::sin(angle));
     b.colwise() += 6 * way;
-    const auto gap_now = [&] { return std::min(gap_of_circles(a, of_a, b), gap_of_circles(b, of_b, a)); };
+    const auto gap_now = [&] { return std::min(gap_of_arcs(a, of_a, b), gap_of_arcs(b, of_b, a)); };
     for (int k = 0; k < 60 && gap_now() > 0.01; ++k) b.colwise() -= gap_now() / 2 * way;
     const double gap = gap_now();
     std::vector<VertexEdge> contacts;
