@@ -1,5 +1,6 @@
 #include <ddacontact/block/rounded_corners.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

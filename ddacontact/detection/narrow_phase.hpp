@@ -13,7 +13,7 @@ namespace ddacontact {
 /// A vertex of one block and the edge of another that it may meet. Edge k runs from vertex k to vertex k + 1.
 struct VertexEdge {
   int vertex_block = 0, vertex = 0, edge_block = 0, edge = 0;
-  bool corner = false;  ///< against the rounded corner where the edge starts, not the edge
+  bool corner = false;  ///< a rounded vertex against the corner where the edge starts
   auto operator<=>(const VertexEdge&) const = default;
 };
 
