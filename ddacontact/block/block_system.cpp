@@ -87,6 +87,7 @@ void BlockSystem::number_equations() {
 
   movable_.assign(n_blocks(), false);
   free_.assign(n_blocks(), true);
+  turns_.assign(n_blocks(), true);
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
   for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
@@ -96,6 +97,8 @@ void BlockSystem::number_equations() {
       free_[b] = false;
       continue;
     }
+    for (int k = u.first; k + 1 < u.end(); k += 2)
+      if ((equation_[k] < 0) != (equation_[k + 1] < 0)) turns_[b] = false;
     for (int k = u.first; k < u.end(); ++k) {
       if (equation_[k] >= 0) movable_[b] = true;
       if (equation_[k] < 0) free_[b] = false;
@@ -113,7 +116,7 @@ BlockState BlockSystem::initial_state() const {
     state.origin.col(b) = block(b).grid_point(state.position.middleCols(v.first, v.count).rowwise().mean());
     state.position.middleCols(all.first, all.count).colwise() -= state.origin.col(b);
   }
-  state.velocity = state.acceleration = VectorXd::Zero(n_unknowns_);
+  state.velocity = state.carried = VectorXd::Zero(n_unknowns_);
   state.stress = Tensors::Zero(3, n_stress_points_);
   state.rotation = VectorXd::Zero(n_blocks());
   return state;
@@ -201,6 +204,22 @@ void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockSta
     const Range& u = block(b).unknowns();
     blocks_[b]->end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), is_free(b), next);
   });
+}
+
+VectorXd BlockSystem::straight_motion(const VectorXd& d) const {
+  VectorXd motion = d;
+  for_blocks(n_blocks(), [&](int b) {
+    if (is_unchanging(b)) return;
+    const Range& u = block(b).unknowns();
+    motion.segment(u.first, u.count) = block(b).straight_motion(d.segment(u.first, u.count));
+  });
+  for (const HeldUnknown& held : held_unknowns_) motion[held.unknown] = d[held.unknown];
+  return motion;
+}
+
+Mat2 BlockSystem::half_turn(int b, const VectorXd& d) const {
+  if (!turns_[b] || unchanging_[b]) return Mat2::Identity();
+  return block(b).half_turn(d.segment(block(b).unknowns().first, block(b).unknowns().count));
 }
 
 Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_places) const {

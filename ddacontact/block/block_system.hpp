@@ -137,6 +137,10 @@ class BlockSystem {
   void begin_step(const BlockState& state, const StepStart& start);
   /// Ends it: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
+  /// See Block::straight_motion.
+  VectorXd straight_motion(const VectorXd& d) const;
+  /// See Block::half_turn; none of a block of which a node is held along one axis alone.
+  Mat2 half_turn(int b, const VectorXd& d) const;
 
  private:
   friend class SystemPart;
@@ -156,6 +160,7 @@ class BlockSystem {
   std::vector<bool> resting_;  ///< left where they are for a while, as if wholly held
   std::vector<bool> movable_;
   std::vector<bool> free_;
+  std::vector<bool> turns_;  ///< no node is held along one axis alone
   std::vector<bool> unchanging_;
   bool computes_fixed_ = false;
 };

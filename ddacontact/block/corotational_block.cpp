@@ -105,13 +105,8 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   const Range &u = unknowns(), &p = places();
   if (!start_.matrices || !start_.matrices->are_for(start.rule, start.dt))
     start_.matrices = step_matrices(*shape_, start.rule, start.dt);
-  const auto jump = start.jump.segment(u.first, u.count), path = start.jump_path.segment(u.first, u.count);
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     const auto y = nodes.of_places(state.position.middleCols(p.first, p.count));
-    start_.jump.reset();
-    if (!jump.isZero(0) || !path.isZero(0))
-      start_.jump = std::make_unique<CorotationalJump>(CorotationalJump{
-          nodes.split(y, nodes.to_nodes(jump)).kept(), nodes.split(y, nodes.to_nodes(path)).kept()});
     CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(start.velocity.segment(u.first, u.count)),
                                 nodes.to_nodes(start.acceleration.segment(u.first, u.count)),
                                 initial_stress(state), start_);
@@ -150,10 +145,27 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
     nodes.put_places(step.y0() + moved, next.position.middleCols(p.first, p.count));
     auto end = step.end(moved);
     if (is_free) step.keep_momenta(moved, external, end);
-    nodes.to_unknowns(end.velocity, next.velocity.segment(u.first, u.count));
-    nodes.to_unknowns(end.acceleration, next.acceleration.segment(u.first, u.count));
+    const bool has_half_steps = start_.matrices->rule.has_half_steps();
+    VectorXd& velocity = has_half_steps ? next.carried : next.velocity;
+    nodes.to_unknowns(end.velocity, velocity.segment(u.first, u.count));
+    if (!has_half_steps) nodes.to_unknowns(end.acceleration, next.carried.segment(u.first, u.count));
   });
   follow_with_origin(next);
+}
+
+VectorXd CorotationalBlock::straight_motion(const Eigen::Ref<const VectorXd>& d) const {
+  if (!start_.matrices->rule.has_half_steps()) return d;
+  VectorXd motion(n_unknowns());
+  with_step([&](const auto& nodes, const auto& step) {
+    nodes.to_unknowns(step.straight_motion(nodes.to_nodes(d)), motion);
+  });
+  return motion;
+}
+
+Mat2 CorotationalBlock::half_turn(const Eigen::Ref<const VectorXd>& d) const {
+  const bool has_control_vertices = shape_->places.size() > 0 && shape_->has_basis();
+  if (!start_.matrices->rule.has_half_steps() || has_control_vertices) return Mat2::Identity();
+  return with_step([&](const auto& nodes, const auto& step) { return step.half_turn(nodes.to_nodes(d)); });
 }
 
 double CorotationalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) const {
@@ -164,8 +176,8 @@ double CorotationalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) con
 double CorotationalBlock::elastic_loss(const Eigen::Ref<const VectorXd>& d,
                                        const Eigen::Ref<const VectorXd>& elastic) const {
   const StepRule& rule = start_.matrices->rule;
-  if (!rule.mean_forces()) return Block::elastic_loss(d, elastic);
-  if (rule.decay() == 0) return 0;
+  if (rule.mean_forces()) return 0;
+  if (!rule.has_half_steps()) return Block::elastic_loss(d, elastic);
   return with_step([&](const auto& nodes, const auto& step) { return step.decay(nodes.to_nodes(d)); });
 }
 

@@ -30,12 +30,12 @@ class CorotationalBlock final : public Block {
   int n_parts() const override { return n_cells(); }
   std::vector<int> part_unknowns(int part) const override { return shape_->cells[part].unknowns; }
   using Block::tangent;
-  /// Of blocks of several cells under the decaying scheme the deformation is given twice its inertia, as all
-  /// other motion has it: what is exact couples all nodes.
   void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override;
   void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const override;
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
+  VectorXd straight_motion(const Eigen::Ref<const VectorXd>& d) const override;
+  Mat2 half_turn(const Eigen::Ref<const VectorXd>& d) const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
   double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                       const Eigen::Ref<const VectorXd>& elastic) const override;

@@ -120,28 +120,12 @@ MatrixXd both_axes(const MatrixXd& M) {
   return both;
 }
 
-/// M Z (Z^T M Z)^-1 Z^T M of a shape of one cell.
-MatrixXd rigid_mass(const CorotationalShape& shape) {
-  const Vec2 centre = shape.nodes * shape.mass_of_translation / shape.mass_total;
-  const Points arms = shape.nodes - centre * shape.translation.transpose();
-  Eigen::Matrix<double, Eigen::Dynamic, 3> Z(2 * shape.nodes.cols(), 3);
-  for (Index a = 0; a < shape.nodes.cols(); ++a) {
-    Z.row(2 * a) << shape.translation[a], 0, -arms(1, a);
-    Z.row(2 * a + 1) << 0, shape.translation[a], arms(0, a);
-  }
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> MZ = both_axes(shape.cells[0].mass) * Z;
-  return MZ * (Z.transpose() * MZ).diagonal().cwiseInverse().asDiagonal() * MZ.transpose();
-}
-
 std::vector<MatrixXd> tangents(const CorotationalShape& shape, const StepRule& rule, double dt) {
-  const double end_share = rule.mean_forces() ? 0.5 + rule.decay() : 1;
+  const double end_share = rule.mean_forces() ? 0.5 : 1;
   std::vector<MatrixXd> tangents;
-  for (const ShapeCell& cell : shape.cells) {
+  for (const ShapeCell& cell : shape.cells)
     tangents.push_back((end_share + rule.damping.stiffness / dt) * cell.elastic.stiffness() +
                        (rule.inertia() / (dt * dt) + rule.damping.mass / dt) * both_axes(cell.mass));
-    if (rule.scheme == Scheme::decaying && shape.is_one_cell())
-      tangents.back() += (rigid_mass(shape) - both_axes(cell.mass)) / (dt * dt);
-  }
   return tangents;
 }
 

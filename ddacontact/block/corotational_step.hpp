@@ -10,17 +10,10 @@
 
 namespace ddacontact {
 
-/// A change of a block's motion within a step, and it times what is left of the step. Both turn with the
-/// block, see NodalKinematics::motion_at.
-struct CorotationalJump {
-  NodalMotion<polyfem::AnyNodes> velocity, path;
-};
-
 /// What a block keeps of the start of its step.
 struct CorotationalStart {
   std::shared_ptr<const StepMatrices> matrices;
-  std::unique_ptr<CorotationalJump> jump;  ///< none: none
-  /// Of the nodes places, velocities, velocities of deformation in the block's frame (decaying scheme) and
+  /// Of the nodes places, velocities, velocities of deformation in the block's frame (half steps) and
   /// accelerations (Newmark's); the first axis of that frame; of each cell the first axis of its frame,
   /// (stretch, 0) and the places of its nodes there; and where there is any, the forces on the nodes of each
   /// cell of the stress that the reference shape has.
@@ -45,7 +38,7 @@ class CorotationalStep {
         dt_(start.matrices->dt),
         at_(nodes.shape(), rule_) {}
 
-  /// Writes `start`, whose matrices and jump are there.
+  /// Writes `start`, whose matrices are there.
   static void begin(const Nodes& nodes, const Vectors& y, const Vectors& velocity,
                     const Vectors& acceleration, const TensorsRef& initial_stress, CorotationalStart& start) {
     const StepRule& rule = start.matrices->rule;
@@ -60,7 +53,7 @@ class CorotationalStep {
     put(velocity, at.velocity);
     const Mat2 R = nodes.rotation(y);
     start.arrays[at.axis] = R.col(0);
-    if (rule.scheme == Scheme::decaying)
+    if (rule.has_half_steps())
       put(R.transpose() * nodes.split(y, velocity).deformation, at.deforming);
     if (keeps_acceleration(rule)) put(acceleration, at.acceleration);
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -108,7 +101,9 @@ class CorotationalStep {
       const ShapeCell& cell = nodes_.shape().cells[c];
       const Mat2 end = nodes_.cell_rotation(y1, c);
       polyfem::rotate(start_.matrices->tangents[c],
-                      rule_.mean_forces() ? polyfem::mid_rotation(start_rotation(c), end) : end, parts[c]);
+                      rule_.directions() == Directions::of_end ? end
+                                                               : polyfem::mid_rotation(start_rotation(c), end),
+                      parts[c]);
       const MatrixXd& B = cell.nodes_by_unknowns;
       if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
     }
@@ -125,36 +120,47 @@ class CorotationalStep {
 
   /// The displacements of the nodes without forces.
   Vectors free_path() const {
-    Vectors velocity = this->velocity();
-    if (start_.jump) velocity += nodes_.motion_at(y0(), start_.jump->path) / dt_;
-    const Motion motion = nodes_.split(y0(), velocity);
-    const Mat2 turn = Eigen::Rotation2Dd(2 * std::atan(dt_ * motion.angular / 2)).toRotationMatrix();
+    const Motion motion = nodes_.split(y0(), velocity());
+    const double angle =
+        rule_.has_half_steps() ? dt_ * motion.angular : 2 * std::atan(dt_ * motion.angular / 2);
+    const Mat2 turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
     const Vectors r = nodes_.arms(y0());
     return turn * r - r + nodes_.everywhere(dt_ * motion.linear);
   }
 
-  /// Velocity and acceleration of the nodes after the step.
+  /// Velocity and acceleration of the nodes after the step; with half steps the velocity in its middle.
   struct End {
     Vectors velocity, acceleration;
   };
   End end(const Vectors& step) const {
     const Vectors y1 = y0() + step;
     End end;
-    end.acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step));
+    if (rule_.has_half_steps()) {  // its momenta follow in keep_momenta
+      const Motion v = half_step(step);
+      const typename Nodes::Rigid before = nodes_.rigid(y0(), y0()), now = nodes_.rigid(y1, y1);
+      const Mat2 half_turn = nodes_.rotation(y1) * middle_rotation(nodes_.rotation(y1)).transpose();
+      end.velocity = nodes_.everywhere(v.linear) + v.angular * before.inertia / now.inertia * now.turning +
+                     nodes_.split(y1, half_turn * v.deformation).deformation;
+      return end;
+    }
+    end.acceleration = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
     end.velocity = velocity();
-    if (start_.jump) end.velocity += nodes_.motion_at(y1, start_.jump->velocity);  // it turns with the block
     if (keeps_acceleration(rule_)) {
       end.acceleration -= rule_.history() * acceleration();
       end.velocity += dt_ * (1 - rule_.gamma) * acceleration();
     }
     end.velocity += dt_ * rule_.gamma * end.acceleration;
-    if (rule_.scheme == Scheme::decaying) {
-      // Rigid motion goes on, deformation has the velocity of the step's mean.
-      const Mat2 R = nodes_.rotation(y1),
-                 half_turn = R * polyfem::mid_rotation(start_rotation(), R).transpose();
-      end.velocity += nodes_.split(y1, half_turn * mean_deforming(step) - end.velocity).deformation;
-    }
     return end;
+  }
+
+  /// See Block::straight_motion.
+  Vectors straight_motion(const Vectors& step) const {
+    return at_start(straight(step), nodes_.rotation(y0() + step));
+  }
+
+  /// See Block::half_turn.
+  Mat2 half_turn(const Vectors& step) const {
+    return middle_rotation(nodes_.rotation(y0() + step)) * start_rotation().transpose();
   }
 
   /// Gives a free block the momentum that forces of its unknowns have given it, instead of what is left of
@@ -168,15 +174,16 @@ class CorotationalStep {
     };
     const Vec2 force(work(nodes_.everywhere(Vec2::UnitX())), work(nodes_.everywhere(Vec2::UnitY())));
     const Vec2 by_force = force / nodes_.shape().mass_total;
-    const typename Nodes::Rigid before = nodes_.rigid(y0(), start_velocity()),
+    const typename Nodes::Rigid before = nodes_.rigid(y0(), velocity()),
                                 after = nodes_.rigid(y0() + step, end.velocity);
-    Vec2 linear = before.linear + dt_ * rule_.gamma * by_force;
+    const double time = rule_.has_half_steps() ? rule_.impulse_time * dt_ : dt_;
+    Vec2 linear = before.linear + time * rule_.gamma * by_force;
     if (keeps_acceleration(rule_)) linear += dt_ * (1 - rule_.gamma) * nodes_.mean(acceleration());
     end.velocity += nodes_.everywhere(linear - after.linear);
     if (rule_.history() != 0) end.acceleration += nodes_.everywhere(by_force - nodes_.mean(end.acceleration));
-    if (rule_.mean_forces()) {
-      const double torque = work(nodes_.spin(y0() + step / 2));
-      const double angular = (before.inertia * before.angular + dt_ * torque) / after.inertia;
+    if (rule_.mean_forces() || rule_.has_half_steps()) {
+      const double torque = work(nodes_.spin(rule_.mean_forces() ? Vectors(y0() + step / 2) : y0()));
+      const double angular = (before.inertia * before.angular + time * torque) / after.inertia;
       end.velocity += (angular - after.angular) * after.turning;
     }
   }
@@ -192,14 +199,13 @@ class CorotationalStep {
     return energy;
   }
 
-  /// What the mean of the strains takes that has more of the end.
+  /// With half steps: what backward Euler takes from the deformation.
   double decay(const Vectors& step) const {
     const Vectors y1 = y0() + step;
     double loss = 0;
     for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
       const Stacked strained = nodes_.frame(y1, c).u - start_frame(c).u;
-      loss += rule_.decay() *
-              strained.dot(nodes_.shape().cells[c].elastic.template times_stiffness<Of>(strained));
+      loss += 0.5 * strained.dot(nodes_.shape().cells[c].elastic.template times_stiffness<Of>(strained));
     }
     return loss;
   }
@@ -213,7 +219,7 @@ class CorotationalStep {
       const Index m = shape.nodes.cols();
       velocity = m;
       deforming = 2 * m;
-      acceleration = deforming + (rule.scheme == Scheme::decaying ? m : 0);
+      acceleration = deforming + (rule.has_half_steps() ? m : 0);
       axis = acceleration + (keeps_acceleration(rule) ? m : 0);
       const ShapeCell& last = shape.cells.back();
       initial_forces = cell(last, shape.cells.size() - 1) + 2 + last.elastic.n_nodes();
@@ -257,37 +263,53 @@ class CorotationalStep {
   void elastic_force(const Frame& start, const Frame& end, std::size_t c,
                      const Eigen::Ref<const Stacked>& initial, Stacked& f) const {
     const polyfem::CorotatedElement& elastic = nodes_.shape().cells[c].elastic;
-    if (rule_.mean_forces())
-      elastic.mean_force(start, end, rule_.decay(), initial, f);
-    else
-      elastic.end_force(end, initial, f);
+    if (rule_.mean_forces()) {
+      elastic.mean_force(start, end, 0, initial, f);
+      return;
+    }
+    elastic.end_force(end, initial, f);
+    if (rule_.has_half_steps()) {  // of the strains at the end, on the shape at the start
+      const Mat2 back = start.rotation * end.rotation.transpose();
+      Eigen::Map<Vectors> of_nodes(f.data(), 2, f.size() / 2);
+      of_nodes = (back * of_nodes).eval();
+    }
   }
 
-  /// After the jump.
-  Vectors start_velocity() const {
-    if (!start_.jump) return velocity();
-    return velocity() + nodes_.motion_at(y0(), start_.jump->velocity);
+  Mat2 middle_rotation(const Mat2& end) const { return polyfem::mid_rotation(start_rotation(), end); }
+  /// A displacement as linear motion, turn and deformation in the middle of the step.
+  Motion straight(const Vectors& step) const {
+    Motion motion = nodes_.split(y0() + step / 2, step);
+    motion.angular = 2 * std::atan(motion.angular / 2);
+    return motion;
   }
-  /// Where the velocity at the start and a jump within the step lead, from the start.
-  Vectors path(const Vectors& step) const {
-    if (!start_.jump) return dt_ * velocity();
-    return dt_ * velocity() + nodes_.motion_at(y0() + step / 2, start_.jump->path);
+  /// The motion of the shape at the start that one of the middle is, when the block's frame ends here.
+  Vectors at_start(const Motion& motion, const Mat2& end) const {
+    const Mat2 back = start_rotation() * middle_rotation(end).transpose();
+    return nodes_.everywhere(motion.linear) + motion.angular * nodes_.spin(y0()) +
+           nodes_.split(y0(), back * motion.deformation).deformation;
   }
-  /// Velocity of deformation within the step: its mean.
-  Vectors mean_deforming(const Vectors& step) const {
-    const Vectors middle = y0() + step / 2;
-    if (!start_.jump) return nodes_.split(middle, step / dt_).deformation;
-    return nodes_.split(middle, (step - nodes_.motion_at(middle, start_.jump->path)) / dt_).deformation;
+  /// The velocity in the middle of the step.
+  Motion half_step(const Vectors& step) const {
+    Motion velocity = straight(step);
+    velocity.linear /= dt_;
+    velocity.angular /= dt_;
+    velocity.deformation /= dt_;
+    return velocity;
   }
-  /// That at the start, carried to the middle.
-  Vectors carried_deforming(const Mat2& end) const {
-    return polyfem::mid_rotation(start_rotation(), end) * deforming();
+  /// M (v - v before) / h of the shape at the start.
+  Vectors half_step_inertia(const Vectors& step, const Mat2& end) const {
+    const double h = rule_.impulse_time * dt_;
+    const Motion v = half_step(step);
+    const typename Nodes::Rigid before = nodes_.rigid(y0(), velocity());
+    return nodes_.weighted((at_start(v, end) - nodes_.everywhere(before.linear) -
+                            before.angular * before.turning - start_rotation() * deforming()) /
+                               h -
+                           before.angular * v.angular * nodes_.arms(y0()));
   }
   Vectors inertia_force(const Vectors& step, const Mat2& end) const {
-    Vectors acceleration = rule_.inertia() / (dt_ * dt_) * (step - path(step));
+    if (rule_.has_half_steps()) return half_step_inertia(step, end);
+    Vectors acceleration = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
     if (rule_.history() != 0) acceleration -= rule_.history() * this->acceleration();
-    if (rule_.scheme == Scheme::decaying)
-      acceleration -= (mean_deforming(step) - carried_deforming(end)) / dt_;
     return nodes_.weighted(acceleration);
   }
 

@@ -8,8 +8,7 @@ void IncrementalBlock::begin_step(const BlockState& state, const StepStart& star
   dt_ = start.dt;
   velocity_ = start.velocity.segment(u.first, u.count);
   acceleration_ = start.acceleration.segment(u.first, u.count);
-  jump_ = start.jump.segment(u.first, u.count);
-  path_ = dt_ * velocity_ + start.jump_path.segment(u.first, u.count);
+  path_ = dt_ * velocity_;
   VectorXd F = VectorXd::Zero(u.end());
   add_stress_forces(state, F);
   stress_forces_ = -F.segment(u.first, u.count);
@@ -38,8 +37,8 @@ void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen
   const VectorXd acceleration = rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
   const double gamma = rule_.gamma;
   next.velocity.segment(u.first, u.count) =
-      velocity_ + jump_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);
-  next.acceleration.segment(u.first, u.count) = acceleration;
+      velocity_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);
+  next.carried.segment(u.first, u.count) = acceleration;
   follow_with_origin(next);
 }
 

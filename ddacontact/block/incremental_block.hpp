@@ -46,7 +46,7 @@ class IncrementalBlock : public Block {
  private:
   StepRule rule_;
   double dt_ = 0;
-  VectorXd velocity_, acceleration_, jump_, path_;  ///< path_: what the block would move without forces
+  VectorXd velocity_, acceleration_, path_;  ///< path_: what the block would move without forces
   VectorXd stress_forces_;                          ///< integral of B^T sigma at the start of the step
 };
 

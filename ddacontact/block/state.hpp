@@ -15,7 +15,13 @@ struct BlockState {
   Points origin;          ///< of each block, relative to the model's origin
   Points position;        ///< the places of all blocks, relative to their block's origin
   VectorXd velocity;      ///< of every unknown
-  VectorXd acceleration;  ///< of every unknown, at the end of the last step; what Newmark's scheme carries on
+  /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end of
+  /// the last step; the decaying one the velocity in the middle of that step, on the present shape.
+  VectorXd carried;
+  /// The length of that step, s; 0: none, the decaying scheme begins with the velocity itself.
+  double carried_dt = 0;
+  /// The velocity that a dynamic step goes on with.
+  const VectorXd& going_on() const { return carried_dt > 0 ? carried : velocity; }
   Tensors stress;  ///< at the integration points of all blocks: the stress (incremental blocks), or what the
                    ///< reference shape has of it, in the block's own frame (corotational blocks); empty where
                    ///< no block has or ever gets any

@@ -1,6 +1,7 @@
 /// \file What a block is told of a step before its displacements are known.
 #pragma once
 
+#include <ddacontact/contact/edge_motion.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/core/types.hpp>
 
@@ -11,43 +12,57 @@ namespace ddacontact {
 /// The time scheme in numbers.
 struct StepRule {
   Scheme scheme = Scheme::dda;
-  double beta = 0.5, gamma = 1;  ///< of the Newmark family; midpoint and decaying have an inertia of (1/2, 1)
+  double beta = 0.5, gamma = 1;  ///< of the Newmark family; midpoint has an inertia of (1/2, 1)
   RayleighDamping damping;
+  /// Of the decaying scheme: the time h in which impulses act, from the middle of the step before to that of
+  /// this one, over dt.
+  double impulse_time = 1;
 
+  /// Velocities that go on are those in the middle of the steps (leapfrog); forces act at the start of a step.
+  bool has_half_steps() const { return scheme == Scheme::decaying; }
   /// Elastic forces come from both ends of the step and act at its middle, as contact forces do.
-  bool mean_forces() const { return scheme == Scheme::midpoint || scheme == Scheme::decaying; }
+  bool mean_forces() const { return scheme == Scheme::midpoint; }
+  Directions directions() const {
+    return has_half_steps() ? Directions::of_start : mean_forces() ? Directions::mean : Directions::of_end;
+  }
   /// Inertia forces are M (inertia() (d - dt v0) / dt^2 - history() a0).
-  double inertia() const { return scheme == Scheme::backward_euler ? 1 : 1 / beta; }
+  double inertia() const {
+    if (has_half_steps()) return 1 / impulse_time;
+    return scheme == Scheme::backward_euler ? 1 : 1 / beta;
+  }
   double history() const { return scheme == Scheme::newmark ? 1 / (2 * beta) - 1 : 0; }
-  /// The share of the end in the mean of the strains at both ends of the step, less a half.
-  double decay() const { return scheme == Scheme::decaying ? 0.5 : 0; }
   /// When within the step loads are taken.
-  double load_time() const { return mean_forces() ? 0.5 : 1; }
+  double load_time() const { return has_half_steps() ? 0 : mean_forces() ? 0.5 : 1; }
 
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
-           damping.mass == other.damping.mass && damping.stiffness == other.damping.stiffness;
+           impulse_time == other.impulse_time && damping.mass == other.damping.mass && damping.stiffness == other.damping.stiffness;
   }
 };
 
-/// The scheme that the options ask for, with its numbers. Static steps of the conserving scheme, whose
-/// strains would swing about equilibrium for ever, are made by the decaying one.
-inline StepRule step_rule(const AnalysisOptions& analysis) {
-  if (analysis.mode == Mode::statics && analysis.scheme == Scheme::midpoint)
-    return {Scheme::decaying, 0.5, 1, analysis.damping};
-  if (analysis.scheme == Scheme::newmark)
-    return {analysis.scheme, analysis.beta, analysis.gamma, analysis.damping};
-  return {analysis.scheme, 0.5, 1, analysis.damping};
+/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium: the
+/// schemes whose forces act elsewhere make them by backward Euler.
+/// \param[in] dt           of the step, s
+/// \param[in] previous_dt  of the step before, s; 0: there is none to go on from
+inline StepRule step_rule(const AnalysisOptions& analysis, double dt, double previous_dt) {
+  StepRule rule{.scheme = analysis.scheme, .damping = analysis.damping};
+  if (analysis.mode == Mode::statics && (rule.has_half_steps() || rule.mean_forces()))
+    rule.scheme = Scheme::backward_euler;
+  if (rule.scheme == Scheme::newmark) {
+    rule.beta = analysis.beta;
+    rule.gamma = analysis.gamma;
+  }
+  if (rule.has_half_steps()) rule.impulse_time = (dt + previous_dt) / (2 * dt);
+  return rule;
 }
 
 /// Motion at the start of a step, of all unknowns.
 struct StepStart {
   StepRule rule;
   double dt = 0;
-  VectorXd velocity, acceleration;
-  /// An impact within the step changes the velocity by `jump`; `jump_path` is `jump` times what is left of
-  /// the step after it.
-  VectorXd jump, jump_path;
+  /// With half steps that in the middle of the step before.
+  VectorXd velocity;
+  VectorXd acceleration;  ///< of Newmark's schemes
 };
 
 /// With what forces a block resists the displacements of a step, of its own unknowns. Their storage serves

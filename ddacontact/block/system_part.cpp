@@ -79,7 +79,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   state_.position.resize(2, next.places.first);
   state_.origin.resize(2, static_cast<Index>(blocks_.size()));
   state_.velocity.resize(next.unknowns.first);
-  state_.acceleration.resize(next.unknowns.first);
+  state_.carried.resize(next.unknowns.first);
   state_.rotation.resize(static_cast<Index>(blocks_.size()));
 
   system_.blocks_.resize(blocks_.size());
@@ -113,6 +113,7 @@ void SystemPart::give_back(BlockSystem& part, BlockSystem& whole) const {
 void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
                       const std::vector<Ranges>& in_to, bool into_part) const {
   to.time = from.time;
+  to.carried_dt = from.carried_dt;
   const bool stressed = from.stress.cols() > 0;
   if (into_part) to.stress.resize(3, stressed ? system_.n_stress_points_ : 0);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
@@ -125,8 +126,8 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
         from.position.middleCols(source.places.first, source.places.count);
     to.velocity.segment(target.unknowns.first, target.unknowns.count) =
         from.velocity.segment(source.unknowns.first, source.unknowns.count);
-    to.acceleration.segment(target.unknowns.first, target.unknowns.count) =
-        from.acceleration.segment(source.unknowns.first, source.unknowns.count);
+    to.carried.segment(target.unknowns.first, target.unknowns.count) =
+        from.carried.segment(source.unknowns.first, source.unknowns.count);
     if (stressed)
       to.stress.middleCols(target.stress_points.first, target.stress_points.count) =
           from.stress.middleCols(source.stress_points.first, source.stress_points.count);

@@ -21,9 +21,6 @@ struct ContactHistory {
   double shear = 0;       ///< T at the end of the last step
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
-  /// Of a closed one: the steps in a row in which its gap and its slip stayed (see staged.cpp), up to as many
-  /// as count.
-  unsigned char gap_stays = 0, slip_stays = 0;
 };
 
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
@@ -43,14 +40,16 @@ struct MovingVertexEdge {
   }
   /// From a place on, by a motion.
   GapAndSlip gap_and_slip_from(const RoundedPlace& place, const RoundedPlace& by, double lock,
-                               bool mean) const {
-    return rounding ? gap_and_slip(place, by, lock, mean, *rounding) : gap_and_slip(place, by, lock, mean);
+                               Directions directions) const {
+    return rounding ? gap_and_slip(place, by, lock, directions, *rounding)
+                    : gap_and_slip(place, by, lock, directions);
   }
-  GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, bool mean) const {
-    return gap_and_slip_from(places(), moved(d), lock, mean);
+  GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, Directions directions) const {
+    return gap_and_slip_from(places(), moved(d), lock, directions);
   }
   GapAndSlip rates_at(const RoundedPlace& place, double lock) const {
-    return gap_and_slip_from(place, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock, false);
+    return gap_and_slip_from(place, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock,
+                             Directions::of_end);
   }
   double start_gap() const { return rounding ? rates_at(places(), 0).gap : gap(start); }
   /// Whose place along the line j-k the slip is.
@@ -107,7 +106,6 @@ struct Contact : ContactRecord {
   // At the end of the last try of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
   double gap_change = 0, slip_change = 0;          ///< within the step
-  unsigned char gap_stays = 0, slip_stays = 0;     ///< see ContactHistory
   double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m

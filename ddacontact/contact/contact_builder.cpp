@@ -384,8 +384,16 @@ void ContactBuilder::restart(Contact& contact) const {
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
   contact.was_closed = false;
-  contact.gap_stays = contact.slip_stays = 0;
   contact.gap = contact.first_gap().constant;
+}
+
+void ContactBuilder::start_from(const BlockState& state, Contact& contact) const {
+  const RoundedPlace place = place_of(blocks_, state, contact.pair);
+  contact.motion.start = place;
+  if (!contact.motion.rounding) return;
+  Rounding rounding = *contact.motion.rounding;
+  rounding.after_i = place.after_i;
+  contact.motion.rounding = std::make_shared<const Rounding>(rounding);
 }
 
 void ContactBuilder::build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,

@@ -70,6 +70,8 @@ class ContactBuilder {
                        const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Makes a contact what it was before a try of a step.
   void restart(Contact& contact) const;
+  /// Takes the places of the vertex and the edge in a state as those at the start of the step.
+  void start_from(const BlockState& state, Contact& contact) const;
   /// Against the rate of the gap of a contact while it is closed, N s/m per m.
   double dashpot(const VertexEdge& pair) const;
   const ContactProperties& properties() const { return properties_; }

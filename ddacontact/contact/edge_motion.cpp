@@ -121,14 +121,17 @@ VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const Vertex
   return slip_mean_gradient(Edge(start), Edge(end), lock);
 }
 
-GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock, bool mean) {
+GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock,
+                        Directions directions) {
   const Edge edge0(start), edge1({start.i + by.i, start.j + by.j, start.k + by.k});
   const EdgeChange change(edge0, by);
   const double start_gap = edge0.along_n();
+  const Edge& at = directions == Directions::of_start ? edge0 : edge1;
+  const bool mean = directions == Directions::mean;
   return {start_gap, start_gap + gap_change(edge0, change),
           slip_of(edge0, lock) + slip_change(edge0, change, lock),
-          mean ? gap_mean_gradient(edge0, edge1) : gap_gradient(edge1),
-          mean ? slip_mean_gradient(edge0, edge1, lock) : slip_gradient(edge1, lock)};
+          mean ? gap_mean_gradient(edge0, edge1) : gap_gradient(at),
+          mean ? slip_mean_gradient(edge0, edge1, lock) : slip_gradient(at, lock)};
 }
 
 namespace {
@@ -140,6 +143,12 @@ bool are_all_own(const PointMap& i, const PointMap& j, const PointMap& k) {
 }
 
 }  // namespace
+
+VertexEdgeGradient turned(const VertexEdgeGradient& gradient, const Mat2& vertex_block,
+                          const Mat2& edge_block) {
+  return {vertex_block * gradient.i, edge_block * gradient.j, edge_block * gradient.k,
+          vertex_block * gradient.after_i};
+}
 
 AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                          const PointMap& k) {

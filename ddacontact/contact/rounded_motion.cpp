@@ -32,24 +32,26 @@ Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding) {
   return from_middle(place_of(rounding.centre, place, rounding));
 }
 
-GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, bool mean,
-                        const Rounding& rounding) {
+GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock,
+                        Directions directions, const Rounding& rounding) {
   // Places and motions go by the same linear map.
   const VertexEdgePlace centre = place_of(rounding.centre, start, rounding),
                         centre_by = place_of(rounding.centre, by, rounding);
   const GapAndSlip of_surface =
-      gap_and_slip(slip_place(start, rounding), slip_place(by, rounding), lock, mean);
+      gap_and_slip(slip_place(start, rounding), slip_place(by, rounding), lock, directions);
   GapAndSlip result{0, 0, of_surface.slip, {}, by_vertices(of_surface.by_slip, rounding.surface, rounding)};
   VertexEdgeGradient by_centres;
   if (rounding.corner) {
     const Vec2 from = from_middle(centre), change = from_middle(centre_by), to = from + change;
     const double sum = from.norm() + to.norm();
-    const Vec2 away = mean ? Vec2((from + to) / sum) : to.normalized();
+    const Vec2 away = directions == Directions::mean
+                          ? Vec2((from + to) / sum)
+                          : (directions == Directions::of_start ? from : to).normalized();
     result.start_gap = from.norm() - rounding.radius;
     result.gap = result.start_gap + (from + to).dot(change) / sum;
     by_centres = {away, -away / 2, -away / 2};
   } else {
-    const GapAndSlip of_centre = gap_and_slip(centre, centre_by, 0, mean);
+    const GapAndSlip of_centre = gap_and_slip(centre, centre_by, 0, directions);
     result.start_gap = of_centre.start_gap - rounding.radius;
     result.gap = of_centre.gap - rounding.radius;
     by_centres = of_centre.by_gap;

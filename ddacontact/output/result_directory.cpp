@@ -279,7 +279,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"overlap_rejections", counts.overlap_rejections},
                                        {"corner_solutions", counts.corner_solutions},
                                        {"unsettled_corners", counts.unsettled_corners},
-                                       {"frictionless_holds", counts.frictionless_holds},
+                                       {"unknown_velocities", counts.unknown_velocities},
                                        {"unbalanced", rest.unbalanced},
                                        {"unbalanced_block", name_of(rest.unbalanced_block)},
                                        {"blocks_unbalanced", rest.n_unbalanced},

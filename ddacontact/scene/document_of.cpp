@@ -137,6 +137,10 @@ std::optional<JointChange> change_of(int index, const Joint& joint, const Scene&
     change.*to = joint.*from;
     any = true;
   }
+  if (joint.restitution != of_scene.restitution) {
+    change.restitution = joint.restitution;
+    any = true;
+  }
   if (joint.glued) change.glued = any = true;
   if (!any) return std::nullopt;
   change.joint = reference_to(index, scene.joints);

@@ -141,7 +141,6 @@ struct JointNumber {
 inline constexpr JointNumber joint_law[]{{&Joint::friction_angle, &JointChange::friction_angle},
                                          {&Joint::cohesion, &JointChange::cohesion},
                                          {&Joint::tensile_strength, &JointChange::tensile_strength},
-                                         {&Joint::restitution, &JointChange::restitution},
                                          {&Joint::dashpot, &JointChange::dashpot}};
 
 struct BlockRecord {

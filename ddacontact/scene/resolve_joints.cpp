@@ -9,12 +9,12 @@ namespace ddacontact::scene_format {
 namespace {
 
 /// Springs let blocks bounce as they please: only the staged method can give what is asked for.
-void check_restitution(double restitution, const Places& places, const ContactRecord& contact,
+void check_restitution(std::optional<double> restitution, const Places& places, const ContactRecord& contact,
                        ContactMethod method, ProblemList& problems) {
-  if (method != ContactMethod::classic || restitution == 0) return;
+  if (method != ContactMethod::classic || !restitution || *restitution == 0) return;
   if (!places.good("restitution") || !contact.places.usable("method")) return;
   problems.error(places.of("restitution"),
-                 "'restitution' = '" + short_number(restitution) + "' needs the contact method 'staged'",
+                 "'restitution' = '" + short_number(*restitution) + "' needs the contact method 'staged'",
                  "leave it out, or write method = \"staged\" in [contact]");
 }
 
@@ -65,7 +65,7 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
   std::vector<Joint> joints = of_scene.joints;
   std::vector<bool> is_changed(joints.size(), false);
   for (const JointChange& change : stage.joints) {
-    check_restitution(change.restitution.value_or(0), change.places, contact, method, problems);
+    check_restitution(change.restitution, change.places, contact, method, problems);
     const int index = of_scene.names.find(change.joint, change.places.table, problems);
     if (index < 0) continue;
     if (is_changed[index])
@@ -74,6 +74,7 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
     is_changed[index] = true;
     for (const auto& [of_joint, of_change] : joint_law)
       joints[index].*of_joint = (change.*of_change).value_or(joints[index].*of_joint);
+    if (change.restitution) joints[index].restitution = change.restitution;
     joints[index].glued = change.glued.value_or(false);
   }
   return joints;

@@ -31,7 +31,7 @@ struct Joint {
   double cohesion = 0;                        ///< Pa
   double tensile_strength = 0;                ///< Pa
   std::optional<std::array<int, 2>> between;  ///< materials; none: everything not named elsewhere
-  double restitution = 0;                     ///< 0..1, normal, of blocks that meet
+  std::optional<double> restitution{};        ///< 0..1, normal, of blocks that meet; none: as they deform
   double dashpot = 0;                         ///< contact damping, ratio to critical of the contact spring
   bool glued = false;                         ///< closed contacts neither open nor slide; in stages alone
 };

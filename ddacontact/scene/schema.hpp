@@ -183,9 +183,10 @@ void describe_law(Law& law, Visit&& visit) {
             .bounds = not_negative},
         law.tensile_strength);
   visit(Key{.name = "restitution",
-            .what = "Of blocks that meet: how fast they part, of the normal speed at which they met; method "
-                    "\"staged\" alone.",
-            .bounds = {.low = 0, .high = 1}},
+            .what = "Of blocks that meet: how fast they part, of the normal speed at which they met, as rigid "
+                    "bodies; method \"staged\" alone.",
+            .bounds = {.low = 0, .high = 1},
+            .default_text = "none: as their own elasticity has it"},
         law.restitution);
   visit(Key{.name = "dashpot",
             .what = "Damping of closed contacts, ratio to critical of the contact spring.",

@@ -16,10 +16,10 @@ int root(std::vector<int>& parent, int k) {
 }
 
 /// Adds what the contact's forces do to a block that does not move.
-void add_to_held(const Contact& contact, const Range& unknowns, const VectorXd& d, bool mean_forces,
+void add_to_held(const Contact& contact, const Range& unknowns, const VectorXd& d, Directions directions,
                  VectorXd& external) {
   const MovingVertexEdge& m = contact.motion;
-  const GapAndSlip at_d = m.gap_and_slip_at(d, contact.history.lock, mean_forces);
+  const GapAndSlip at_d = m.gap_and_slip_at(d, contact.history.lock, directions);
   for (const auto& [gradient, force] :
        {std::pair{&at_d.by_gap, contact.normal}, std::pair{&at_d.by_slip, contact.shear}}) {
     const AffineForm form = m.form(*gradient);
@@ -155,9 +155,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     StepStart of_part{start.rule,
                       start.dt,
                       island->of_part(start.velocity),
-                      island->of_part(start.acceleration),
-                      island->of_part(start.jump),
-                      island->of_part(start.jump_path)};
+                      island->of_part(start.acceleration)};
     part.put_in(blocks, state);
     if (!island->system) island->system.emplace(blocks);
     StepSystem& system = *island->system;
@@ -204,7 +202,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
   for (const Contact& contact : contacts)
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
       if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
-        add_to_held(contact, blocks.block(b).unknowns(), d, options.mean_forces, residual.external);
+        add_to_held(contact, blocks.block(b).unknowns(), d, options.directions, residual.external);
   for (const HeldUnknown& held : blocks.held_unknowns())
     if (blocks.is_unchanging(blocks.block_of_place(held.vertex)))
       residual.force[held.unknown] = -residual.external[held.unknown];

@@ -18,15 +18,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// A gap or a slip stays in a step when it changes by less than this part of itself, and the softer side's
-/// stiffness times the larger motion of the two blocks is less than this multiple of what the contact adds to
-/// its force for it. What stays in so many steps in a row hangs together with others, as gaps of a wall do,
-/// and would go on to change forces for hundreds of steps. The contact lets it be, up to this part of the
-/// contact forces on either block. Of smooth motions slow ones, of a pulsation w with w dt < 0.44, do not
-/// stay by the second condition, since inertia resists them with 1/(w dt)^2 of the force, and most faster
-/// ones by the first.
-constexpr double staying_part = 0.45, moving_multiple = 5, negligible_correction = 0.1;
-constexpr int staying_steps = 3;
+/// Of the gaps and slips of closed contacts a step takes back this part, and what is beyond the tolerance of
+/// penetration: each moves others, and to take back all of them at once moves those of a wall for hundreds of
+/// steps.
+constexpr double part_taken_back = 0.2;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
@@ -66,7 +61,6 @@ constexpr double breaking_part = 0.5;
 struct Multiplier {
   double normal = 0, shear = 0;
   double gap = 0;        ///< the constant of the term's gap, the offset not taken off
-  double softer = 0;     ///< the stiffness of the softer side
   bool sliding = false;  ///< T is what friction bears, with the sign of `shear`, until the slip turns round
   bool on_edge = false;  ///< at the start of the step
   bool bonded = false;
@@ -91,9 +85,8 @@ class Staged {
 
   StagedReport solve() {
     system_.linearize(d_);
-    const std::vector<double> loads = options_.local ? std::vector<double>() : loads_of_blocks();
     for_contacts(contacts_.size(), [&](std::size_t c) {
-      start(contacts_[c], loads, multipliers_[c]);
+      start(contacts_[c], multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     });
     look();
@@ -117,17 +110,8 @@ class Staged {
   }
 
  private:
-  /// The sum of the magnitudes of what contacts brought along on each block, N per m.
-  std::vector<double> loads_of_blocks() const {
-    std::vector<double> loads(system_.n_blocks(), 0);
-    for (const Contact& contact : contacts_)
-      for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
-        loads[b] += std::hypot(contact.history.normal, contact.history.shear);
-    return loads;
-  }
-
   /// Stiffnesses and multipliers at the start of the step.
-  void start(Contact& contact, const std::vector<double>& loads, Multiplier& multiplier) const {
+  void start(Contact& contact, Multiplier& multiplier) const {
     JointLaw& law = contact.law;
     const ContactHistory& history = contact.history;
     multiplier.on_edge = contact.is_on_edge(contact.first_slip().constant);
@@ -149,22 +133,22 @@ class Staged {
       law.normal_stiffness =
           std::clamp(law.normal_stiffness, least_stiffness_ratio * softer, largest_stiffness_ratio * softer);
     law.tangential_stiffness = ratio * law.normal_stiffness;
-    multiplier.softer = softer;
     if (!contact.closed()) return;
     multiplier.normal = history.normal;
     multiplier.shear = history.shear;
     multiplier.sliding = is_slipping(history.state);
-    if (options_.local) return;
-    const double of_gap = law.normal_stiffness * (contact.first_gap().constant - history.gap_offset),
-                 of_slip = law.tangential_stiffness * contact.first_slip().constant,
-                 negligible = negligible_correction * std::min(loads[vertex_block], loads[edge_block]);
-    if (history.gap_stays >= staying_steps && std::abs(of_gap) <= negligible) multiplier.normal += of_gap;
-    if (history.slip_stays >= staying_steps && !multiplier.sliding && std::abs(of_slip) <= negligible)
-      multiplier.shear += of_slip;
+    if (!options_.lets_gaps_be) return;
+    const double most = options_.penetration_tolerance * contact.size, left = 1 - part_taken_back;
+    const double gap = contact.first_gap().constant - history.gap_offset,
+                 slip = contact.first_slip().constant;
+    if (gap <= most) multiplier.normal += left * law.normal_stiffness * std::max(gap, -most);
+    if (!multiplier.sliding)
+      multiplier.shear += left * law.tangential_stiffness * std::clamp(slip, -most, most);
   }
 
   /// Geometry, terms, forces and residual at d.
   void look() {
+    system_.turn_equations(d_);
     for_contacts(contacts_.size(), [&](std::size_t c) {
       look_at(contacts_[c], multipliers_[c], terms_[c]);
       springs_[c] = springs_at(terms_[c], d_);
@@ -202,9 +186,11 @@ class Staged {
 
   void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
-    const auto [start_gap, g, s, dg, ds] = m.gap_and_slip_at(d_, contact.history.lock, options_.mean_forces);
-    term.gap = m.linear_form(g, dg, d_);
-    term.slip = m.linear_form(s, ds, d_);
+    const auto [start_gap, g, s, dg, ds] = m.gap_and_slip_at(d_, contact.history.lock, options_.directions);
+    const Mat2 vertex_turn = system_.half_turn(contact.pair.vertex_block),
+               edge_turn = system_.half_turn(contact.pair.edge_block);
+    term.gap = m.linear_form(g, turned(dg, vertex_turn, edge_turn), d_);
+    term.slip = m.linear_form(s, turned(ds, vertex_turn, edge_turn), d_);
     multiplier.gap = term.gap.constant;
     term.gap.constant -= contact.history.gap_offset;
 
@@ -403,6 +389,7 @@ class Staged {
     ++report_.interior_paths;
     d_ = system_.prescribed();
     const auto look_at_contacts = [&] {
+      system_.turn_equations(d_);
       for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
     };
     const InteriorReport found =
@@ -512,29 +499,6 @@ class Staged {
     return terms_[c].sheared && terms_[c].bound > 0 && !springs_[c].tangential.acts();
   }
 
-  /// Counts the steps in which gaps and slips of closed contacts have stayed; where none is let be, from 0.
-  void note_what_stays() {
-    if (options_.local || options_.penetration_tolerance == 0) return;
-    std::vector<double> motions(system_.n_blocks());
-    for (int b = 0; b < system_.n_blocks(); ++b) motions[b] = system_.largest_motion(b, d_);
-    for_contacts(contacts_.size(), [&](std::size_t c) {
-      Contact& contact = contacts_[c];
-      const ContactHistory& history = contact.history;
-      const JointLaw& law = contact.law;
-      const double resistance = multipliers_[c].softer * std::max(motions[contact.pair.vertex_block],
-                                                                  motions[contact.pair.edge_block]);
-      const auto count = [&](unsigned char steps, double before, double after, double stiffness) {
-        const bool stays = contact.closed() && std::abs(after - before) <= staying_part * std::abs(before) &&
-                           resistance <= moving_multiple * stiffness * std::abs(after);
-        return static_cast<unsigned char>(stays ? std::min(steps + 1, staying_steps) : 0);
-      };
-      contact.gap_stays = count(history.gap_stays, contact.first_gap().constant - history.gap_offset,
-                                terms_[c].gap(d_), law.normal_stiffness);
-      contact.slip_stays = count(history.slip_stays, contact.first_slip().constant, terms_[c].slip(d_),
-                                 law.tangential_stiffness);
-    });
-  }
-
   StagedReport settle() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Contact& contact = contacts_[c];
@@ -552,7 +516,6 @@ class Staged {
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;
     }
-    note_what_stays();
     return end(StagedStatus::settled);
   }
 
@@ -580,6 +543,7 @@ class Staged {
       contacts_[c].end_slip = terms_[c].slip(d_);
     });
     if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
+    system_.turn_back(report_.residual);
     report_.status = status;
     report_.tangent += tangent_.counts();
     return std::move(report_);

@@ -12,7 +12,8 @@ struct StagedOptions {
   double residual_tolerance = 1e-8;  ///< of the forces on each block: what is accepted
   double residual_aim = 1e-12;       ///< what is iterated to while that goes on
   double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
-  bool mean_forces = false;          ///< contact forces act at the middle of the step
+  Directions directions = Directions::of_end;  ///< of contact forces
+  bool lets_gaps_be = false;  ///< small gaps of closed contacts stay as they are
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
   bool again = false;  ///< d and the contacts' forces are those of a solution nearby; local steps start there
   int max_solutions = 600;
@@ -47,7 +48,7 @@ struct StagedReport {
 ///
 /// The law of a contact: N = max(0, lambda - p g), T = tau - p_t s clipped to what friction bears under N,
 /// with g and s of the true geometry at the end of the step; forces act along the derivatives of g and s
-/// there, or, with mean forces, along their discrete gradients. lambda and tau start from the forces of the
+/// there, at the start, or along their discrete gradients. lambda and tau start from the forces of the
 /// step before and are replaced by N and T until g = 0 and, sticking, s = 0 within the tolerance: p and p_t
 /// do not matter then. A bonded contact neither opens nor slides; one that bears more than its strength when
 /// all has settled is broken for good, and the step solved again.

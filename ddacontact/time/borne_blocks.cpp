@@ -12,7 +12,7 @@ void start_borne_blocks(const BlockSystem& blocks, const std::vector<Contact>& c
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     const Range& u = block.unknowns();
-    if (!is_borne[b] || !blocks.is_free(b) || !start.jump.segment(u.first, u.count).isZero(0)) continue;
+    if (!is_borne[b] || !blocks.is_free(b)) continue;
     bool is_slow = true;
     for (int v = 0; v < block.n_vertices(); ++v)
       is_slow = is_slow && block.vertex_map(v)(start.velocity).norm() <= slow;

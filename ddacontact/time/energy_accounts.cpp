@@ -6,17 +6,14 @@ namespace ddacontact {
 
 namespace {
 
-/// What forces took from the block's motion less what it has of it after the step: elastic, and by inertia;
-/// and what its damping took.
+/// What elastic forces took from the block's motion and do not store, with the work of inertia; and what its
+/// damping took.
 Vec2 block_losses(const Block& block, const AcceptedStep& step) {
   const Range& u = block.unknowns();
-  const auto d = step.d.segment(u.first, u.count);
+  const auto d = step.d.segment(u.first, u.count), motion = step.motion.segment(u.first, u.count);
   thread_local BlockForces forces;
   block.forces(d, forces);
-  return {block.elastic_loss(d, forces.elastic) + d.dot(forces.inertia) -
-              (block.kinetic_energy(step.end_velocity.segment(u.first, u.count)) -
-               block.kinetic_energy(step.start_velocity.segment(u.first, u.count))),
-          d.dot(forces.damping)};
+  return {block.elastic_loss(d, forces.elastic) + motion.dot(forces.inertia), motion.dot(forces.damping)};
 }
 
 /// What the springs of a contact store in a state at this gap or slip.
@@ -75,10 +72,10 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
 
 void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
                   Energy& energy) {
-  energy.gravity -= system.gravity_forces().dot(step.d);
-  energy.external += system.load_forces().dot(step.d);
+  energy.gravity -= system.gravity_forces().dot(step.motion);
+  energy.external += system.load_forces().dot(step.motion);
   for (const HeldUnknown& held : blocks.held_unknowns())
-    energy.external += step.residual.force[held.unknown] * step.d[held.unknown];
+    energy.external += step.residual.force[held.unknown] * step.motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());
   for_blocks(blocks.n_blocks(), [&](int b) {
     if (!blocks.is_unchanging(b)) losses.col(b) = block_losses(blocks.block(b), step);

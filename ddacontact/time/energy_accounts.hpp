@@ -22,16 +22,16 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
 struct AcceptedStep {
   double dt;
   const VectorXd& d;
-  const VectorXd& start_velocity;  ///< what the step was computed with
-  const VectorXd& end_velocity;
+  const VectorXd& motion;  ///< BlockSystem::straight_motion of d: what forces act on
   const Residual& residual;
   const std::vector<Contact>& contacts;  ///< at the end, with the overlaps that they started with
   const ContactProperties& properties;   ///< of the contacts
 };
 
 /// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it
-/// takes every force at its end value over the whole step, and the difference between that work and the
-/// change of the energy that the force belongs to is gone.
+/// takes every force at one value over the whole step, and the difference between that work and the change of
+/// the energy that the force belongs to is gone. Of inertia's work the change of kinetic energy is still to be
+/// taken off.
 void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
                   Energy& energy);
 

@@ -77,7 +77,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   StepStart start;
   start.rule.scheme = Scheme::dda;
   start.dt = step_length(blocks);
-  start.velocity = start.acceleration = start.jump = start.jump_path = VectorXd::Zero(blocks.n_unknowns());
+  start.velocity = start.acceleration = VectorXd::Zero(blocks.n_unknowns());
   double stiffest = 0;
   for (const Contact& contact : contacts) stiffest = std::max(stiffest, contact.law.normal_stiffness);
   system.set_step(initial, start, stiffest);

@@ -58,17 +58,33 @@ VectorXd as_velocity(const Block& block, const RigidVelocity& v) {
   return block.rigid_modes() * Vec3(v.linear.x(), v.linear.y(), v.angular);
 }
 
+/// Turns the velocities of a free block's nodes about its centre; that of the centre stays.
+void turn_about_centre(const Block& block, const Mat2& turn, VectorXd& velocity) {
+  const Range& u = block.unknowns();
+  auto v = velocity.segment(u.first, u.count);
+  const VectorXd of_centre = block.translations() * rigid_velocity(block, velocity).linear;
+  v -= of_centre;
+  for (Index k = 0; k + 1 < v.size(); k += 2) v.segment<2>(k) = (turn * v.segment<2>(k)).eval();
+  v += of_centre;
+}
+
 }  // namespace
 
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt) {
   return std::max(0.1 * blocks.gravity.norm() * dt, 1e-9 * contact.size / dt);
 }
 
+std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
+                                     const StepRule& rule) {
+  const std::optional<double>& given = properties.strength(pair).restitution;
+  return given || rule.has_half_steps() ? given : 0;
+}
+
 StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const VectorXd& velocity, double dt,
-                          const std::vector<char>& also) {
+                          const std::vector<Contact>& contacts, const StepRule& rule, const VectorXd& velocity_before,
+                          double dt, const std::vector<char>& also) {
+  VectorXd velocity = velocity_before;
   StepImpact result;
-  result.jump = result.jump_path = VectorXd::Zero(velocity.size());
   result.hit.assign(contacts.size(), 0);
 
   std::vector<bool> touches(blocks.n_blocks(), false);
@@ -81,15 +97,18 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
     acceleration.segment(u.first, u.count) = blocks.block(b).translations() * blocks.gravity;
   }
 
+  if (rule.has_half_steps()) velocity += state.carried_dt / 2 * acceleration;
+
   std::vector<double> times(blocks.n_blocks(), infinity);
   std::vector<double> approaches(contacts.size(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
+    if (!restitution_of(properties, contact.pair, rule)) continue;
     const VertexEdgeForm gap = contact.first_gap();
     const double rate = contact.motion.change_along(gap.gradient, velocity),
                  growth = contact.motion.change_along(gap.gradient, acceleration),
                  gap_now = gap.constant - contact.history.gap_offset;
-    if (contact.closed() && carries_waves(blocks, contact, dt)) continue;
+    if (contact.closed() && (rule.has_half_steps() || carries_waves(blocks, contact, dt))) continue;
     const bool near = contact.closed() || gap_now <= contact.length_tolerance();
     const MovingVertexEdge& motion = contact.motion;
     Vec2 apart = Vec2::Zero(), passing = Vec2::Zero();
@@ -127,18 +146,18 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
         as_velocity(blocks.block(b), at_start[b]) + times[b] * acceleration.segment(u.first, u.count);
   }
   std::vector<ImpactContact> taking_part;
-  std::vector<std::size_t> their_contacts;
   double least = infinity;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    if (!result.hit[c] && (!contact.closed() || carries_waves(blocks, contact, dt))) continue;
+    if (!result.hit[c] && !contact.closed()) continue;
+    if (!result.hit[c] && !rule.has_half_steps() && carries_waves(blocks, contact, dt)) continue;
     const GapAndSlip rates =
         contact.motion.rates_at(place_of(blocks, then, contact.pair), contact.history.lock);
     const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
     taking_part.push_back({contact.motion.form(rates.by_gap), contact.motion.form(rates.by_slip),
                            shear_bound(contact.law, 1, false),
-                           bounces ? properties.strength(contact.pair).restitution : 0, contact.has_bond()});
-    their_contacts.push_back(c);
+                           bounces ? *restitution_of(properties, contact.pair, rule) : 0,
+                           contact.has_bond()});
     if (result.hit[c]) least = std::min(least, least_approach(blocks, contact, dt));
   }
   const JumpReport report = impact(blocks, taking_part, before, {.least_approach = least / 2});
@@ -146,27 +165,33 @@ StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const Co
   result.normal_loss = report.normal_loss;
   result.limited = report.limited;
   result.settled = report.settled;
-  const VectorXd after = before + report.jump;
-  result.parted.assign(contacts.size(), 0);
-  for (std::size_t k = 0; k < taking_part.size(); ++k) {
-    const std::size_t c = their_contacts[k];
-    result.parted[c] = taking_part[k].gap.change(after) > least_approach(blocks, contacts[c], dt);
-  }
 
   double earliest = infinity;
   for (double t : times) earliest = std::min(earliest, t);
+  for (double& time : times)
+    if (!std::isfinite(time)) time = earliest;
   std::vector<RigidVelocity> jumps;
   for (int b = 0; b < blocks.n_blocks(); ++b) jumps.push_back(rigid_velocity(blocks.block(b), report.jump));
   blocks.prepare(state);
+  result.jump = report.jump;
+  result.shift.resize(report.jump.size());
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     const Range& u = block.unknowns();
     auto jump = result.jump.segment(u.first, u.count);
-    jump = report.jump.segment(u.first, u.count);
     if (blocks.is_free(b)) jump = as_velocity(block, jumps[b]);
-    result.jump_path.segment(u.first, u.count) =
-        (dt - (std::isfinite(times[b]) ? times[b] : earliest)) * jump;
+    result.shift.segment(u.first, u.count) = -times[b] * jump;
   }
+  for (double& time : times) time = -time;
+  result.start = carried(blocks, state, result.jump, VectorXd::Zero(result.jump.size()), times);
+  VectorXd& going_on = state.carried_dt > 0 ? result.start.carried : result.start.velocity;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (!blocks.is_free(b)) continue;
+    const Mat2 turn = Eigen::Rotation2Dd(times[b] * jumps[b].angular).toRotationMatrix();
+    turn_about_centre(blocks.block(b), turn, going_on);
+    turn_about_centre(blocks.block(b), turn, result.jump);
+  }
+  going_on += result.jump;
   return result;
 }
 

@@ -10,28 +10,38 @@ namespace ddacontact {
 
 /// An impact within a step.
 struct StepImpact {
-  VectorXd jump;             ///< of the velocities of all unknowns
-  VectorXd jump_path;        ///< jump times what is left of the step after it
-  std::vector<char> hit;     ///< the contacts that met with a speed that counts
-  std::vector<char> parted;  ///< the contacts that it drives apart with a speed that counts; empty: none
+  VectorXd jump;   ///< of the velocities of all unknowns; empty: none
+  VectorXd shift;  ///< minus the jump times its time within the step
+  /// From where and with what velocities the step ends as if the blocks had moved with their velocities after
+  /// the impact all the time: shifted, and jumped.
+  BlockState start;
+  std::vector<char> hit;  ///< the contacts that met with a speed that counts
   int n_hits = 0;
   double friction_loss = 0, normal_loss = 0;  ///< kinetic energy lost, J per m
   bool limited = false;                       ///< restitution was reduced so that no energy arises
   bool settled = true;
+
+  bool changes() const { return jump.size() > 0; }
 };
+
+/// The restitution of a contact, nothing where blocks part as their elasticity has it. Schemes other than the
+/// decaying one reverse the approach of contacts that close: they have impacts everywhere.
+std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
+                                     const StepRule& rule);
 
 /// Follows the blocks on their way without forces (with gravity those that touch nothing) and lets those that
 /// meet within the step collide as rigid bodies: the approach of a hitting contact becomes `restitution`
-/// (of its joint) times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
+/// times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
 /// faster than what gravity makes in a tenth of the step; its restitution counts when it is faster than what
 /// gravity makes in two steps: bounces that short are not resolved.
 ///
+/// \param[in] velocity     at the start of the step; with half steps that in the middle of the step before
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] properties   of the contacts of these blocks
 /// \param[in] also         contacts that are known to close within the step; empty: none
 StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const VectorXd& velocity, double dt,
-                          const std::vector<char>& also);
+                          const std::vector<Contact>& contacts, const StepRule& rule, const VectorXd& velocity,
+                          double dt, const std::vector<char>& also);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

@@ -33,7 +33,7 @@ double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
   const Block& of = blocks_.block(block);
   double fastest = 0;  // squared
   for (int v = 0; v < of.n_vertices(); ++v)
-    fastest = std::max(fastest, of.vertex_map(v)(state.velocity).squaredNorm());
+    fastest = std::max(fastest, of.vertex_map(v)(state.going_on()).squaredNorm());
   return std::sqrt(fastest);
 }
 

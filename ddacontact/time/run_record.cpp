@@ -21,8 +21,6 @@ void visit_contact(Archive& visit, Contact& c) {
   visit(c.history.lock);
   visit(c.history.gap_offset);
   visit(c.history.bonded);
-  visit(c.history.gap_stays);
-  visit(c.history.slip_stays);
   visit(c.history.length);
   visit(c.history.normal);
   visit(c.history.shear);
@@ -48,7 +46,7 @@ void visit_counts(Archive& visit, Counts& c) {
                       &c.impacts,
                       &c.limited_impacts,
                       &c.unsettled_impacts,
-                      &c.frictionless_holds,
+                      &c.unknown_velocities,
                       &c.contacts_max,
                       &c.contacts,
                       &c.asleep,
@@ -92,7 +90,8 @@ void visit_record(Archive& visit, Record& r) {
   visit(state.origin);
   visit(state.position);
   visit(state.velocity);
-  visit(state.acceleration);
+  visit(state.carried);
+  visit(state.carried_dt);
   visit(state.stress);
   visit(state.rotation);
   for (auto* numbers : {&r.step.sleeping.island, &r.step.sleeping.rested})

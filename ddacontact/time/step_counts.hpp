@@ -25,7 +25,7 @@ struct StepCounts {
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose
   long unsettled_impacts =
       0;  ///< impacts whose friction did not agree with their normal impulses to the last
-  long frictionless_holds = 0;  ///< steps whose closed contacts were held without the friction of that
+  long unknown_velocities = 0;  ///< substeps after which no solution told the velocity at their end
   long contacts_max = 0;        ///< closed at the end of a substep, at most
   long contacts = 0;            ///< closed at the end of the last one
   long asleep = 0;              ///< blocks asleep at the end of the last substep

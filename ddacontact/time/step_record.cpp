@@ -79,8 +79,6 @@ void contact_numbers(Numbers& numbers, Contact& contact) {
   numbers(contact.history.normal);
   numbers(contact.history.shear);
   numbers(contact.end_slip);
-  numbers(contact.history.gap_stays);
-  numbers(contact.history.slip_stays);
   numbers.end_line();
   if constexpr (!std::is_const_v<Contact>) contact.history.state = static_cast<ContactState>(state);
 }
@@ -91,11 +89,12 @@ void record_numbers(Numbers& numbers, Record& record) {
   numbers(record.begun);
   numbers(record.substep);
   numbers(record.state.time);
+  numbers(record.state.carried_dt);
   numbers.end_line();
   numbers.matrix(record.state.origin);
   numbers.matrix(record.state.position);
   numbers.matrix(record.state.velocity);
-  numbers.matrix(record.state.acceleration);
+  numbers.matrix(record.state.carried);
   numbers.matrix(record.state.stress);
   numbers.matrix(record.state.rotation);
 }

@@ -5,7 +5,7 @@
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/time/borne_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
-#include <ddacontact/time/held_contacts.hpp>
+#include <ddacontact/time/half_steps.hpp>
 #include <ddacontact/time/support_velocity.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/basis/wachspress.hpp>
@@ -122,18 +122,34 @@ bool Stepper::step() {
   return true;
 }
 
+Stepper::Substep Stepper::next_substep(long steps_made) {
+  const double end = progress_.start_time + static_cast<double>(steps_made + 1) * analysis_.time_step;
+  const double remaining = end - state_.time;
+  const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
+  const double shortest = shortest_substep * analysis_.time_step;
+  const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
+  const double dt = without_round_off(remaining / pieces, analysis_.time_step, end);
+  return {dt, end, pieces <= 1, dt * analysis_.cutting_factor < shortest};
+}
+
 bool Stepper::carry_on() {
-  const double end = progress_.start_time + static_cast<double>(progress_.steps + 1) * analysis_.time_step;
   while (true) {
-    const double remaining = end - state_.time;
-    const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
-    const double shortest = shortest_substep * analysis_.time_step;
-    const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
-    const double dt = without_round_off(remaining / pieces, analysis_.time_step, end);
-    const bool last_resort = dt * analysis_.cutting_factor < shortest;
+    const auto [dt, end, is_last, is_shortest] = next_substep(progress_.steps);
     Try result;
     try {
       result = try_step(dt);
+      if (result == Try::accepted) {
+        substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
+        if (is_last) {
+          state_.time = end;
+          ++counts_.steps;
+        }
+        accepted_ = {substep_, counts_, {}};
+        look_ahead(next_substep(progress_.steps + is_last).dt);
+        if (is_last) return true;
+        if (is_interrupted()) return false;
+        continue;
+      }
     } catch (const std::bad_alloc& error) {
       if (accepting_) throw;
       forget_tries();
@@ -142,16 +158,6 @@ bool Stepper::carry_on() {
                          : "out of memory with " + std::to_string(blocks_.n_equations()) + " unknowns and " +
                                std::to_string(tried_.size()) + " contacts";
       return false;
-    }
-    if (result == Try::accepted) {
-      substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
-      accepted_ = {substep_, counts_, {}};
-      if (pieces > 1 && is_interrupted()) return false;
-      if (pieces > 1) continue;
-      state_.time = end;
-      ++counts_.steps;
-      accepted_.counts = counts_;
-      return true;
     }
     ++counts_.rejected;
     if (is_interrupted()) return false;
@@ -165,13 +171,42 @@ bool Stepper::carry_on() {
       detected_ = false;
       continue;
     }
-    if (last_resort) {
+    if (is_shortest) {
       stop_reason_ =
           rejection_ + ", even with a substep of " + std::to_string(dt / analysis_.time_step) + " time_step";
       return false;
     }
     substep_ = dt * analysis_.cutting_factor;
   }
+}
+
+void Stepper::look_ahead(double dt) {
+  if (state_.carried_dt > 0) {
+    try {
+      ahead_ = Ahead{dt, find_solution(dt), counts_};
+    } catch (const std::bad_alloc&) {  // the step itself will say so
+      forget_tries();
+    }
+    counts_ = accepted_.counts;
+    if (ahead_ && (ahead_->solution.objection.empty() || ahead_->solution.friction_unsettled)) {
+      const Solution& solution = ahead_->solution;
+      VectorXd after = blocks_.straight_motion(solution.d) / dt;
+      if (solution.impact.changes()) after -= solution.impact.jump;
+      const bool by_forces = !solution.impact.changes() && analysis_.damping.mass == 0;
+      state_.velocity = velocity_between(blocks_, state_, after, dt,
+                                         by_forces ? &solution.residual.external : nullptr);
+      book_kinetic(kinetic_energy(blocks_, state_.velocity));
+    } else {
+      accepted_.counts.unknown_velocities = ++counts_.unknown_velocities;
+      if (ahead_) ++ahead_->counts.unknown_velocities;
+    }
+  }
+  energy_.close_step(tolerated_work_);
+}
+
+void Stepper::book_kinetic(double kinetic) {
+  energy_.now.numerical_dissipated -= kinetic - energy_.now.kinetic;
+  energy_.now.kinetic = kinetic;
 }
 
 bool Stepper::is_interrupted() {
@@ -189,14 +224,31 @@ void Stepper::forget_tries() {
     regroup(&accepted_.sleeping->around);
   }
   blocks_.prepare(state_);
-  detected_ = false;
+  forget_ahead();
   reach_scale_ = 1;
 }
 
-Stepper::Try Stepper::try_step(double dt) {
+void Stepper::forget_ahead() {
+  ahead_.reset();
+  detected_ = false;
+}
+
+Stepper::Solution Stepper::find_solution(double dt) {
   wake_changing(dt);
   if (!detected_) detect(dt);
-  const Solution solution = solve_with_corners(dt);
+  return solve_with_corners(dt);
+}
+
+Stepper::Try Stepper::try_step(double dt) {
+  Solution solution;
+  if (ahead_ && ahead_->dt == dt) {
+    solution = std::move(ahead_->solution);
+    counts_ = ahead_->counts;
+    ahead_.reset();
+  } else {
+    ahead_.reset();
+    solution = find_solution(dt);
+  }
 
   const polyfem::Stopwatch watch(times_.update);
   if (wake_hit(solution)) return Try::woke_blocks;
@@ -225,11 +277,10 @@ Stepper::Try Stepper::try_step(double dt) {
   }
   if (outran) return Try::outran_detection;
 
-  BlockState next = state_;
+  BlockState next = solution.impact.changes() ? solution.impact.start : state_;
   if (!advance(dt, solution, next)) return Try::rejected;
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
   if (analysis_.preset != Preset::paper && contact_builder_->find_entered(state_, next, tried_)) {
-    blocks_.prepare(state_);  // holding contacts has prepared them for the end of the step
     restart_contacts();
     contact_builder_->add_entered(state_, tried_);
     keep_start();
@@ -272,17 +323,20 @@ void Stepper::restart_contacts() {
 
 std::vector<Contact> Stepper::contacts_to_begin_with() {
   const PartInPlace while_looking(*this);
+  forget_ahead();
   detect(analysis_.time_step);
   detected_ = false;
   return tried_;
 }
 
 Stepper::Solution Stepper::solve(double dt) {
-  if (method_ == ContactMethod::classic || is_static()) {
-    StepImpact none;
-    none.jump = none.jump_path = VectorXd::Zero(blocks_.n_unknowns());
-    return solve_with(dt, none, nullptr);
-  }
+  const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
+  const bool has_impacts =
+      method_ != ContactMethod::classic && !is_static() &&
+      std::ranges::any_of(tried_, [&](const Contact& contact) {
+        return restitution_of(contact_builder_->properties(), contact.pair, rule).has_value();
+      });
+  if (!has_impacts) return solve_with(dt, {}, nullptr);
   std::vector<char> also;
   Solution solution;
   for (int round = 0; round < most_impact_rounds; ++round) {
@@ -291,11 +345,10 @@ Stepper::Solution Stepper::solve(double dt) {
       const polyfem::Stopwatch watch(times_.solver);
       if (round > 0) solution.forces = forces_of(tried_);
       restart_contacts();
-      impact =
-          foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, state_.velocity, dt, also);
+      impact = foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, rule,
+                              state_.going_on(), dt, also);
     }
-    solution = solve_with(dt, impact, round > 0 ? &solution : nullptr);
-    solution.impact = std::move(impact);
+    solution = solve_with(dt, std::move(impact), round > 0 ? &solution : nullptr);
     if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
   }
   return solution;
@@ -307,28 +360,32 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const Contact& start = tried_[c];
     if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
-    const double rate = start.motion.change_along(start.first_gap().gradient, state_.velocity);
+    if (!restitution_of(contact_builder_->properties(), start.pair, system_->rule())) continue;
+    const double rate = start.motion.change_along(start.first_gap().gradient, state_.going_on());
     if (-rate > least_approach(blocks_, start, dt)) also[c] = 1;
   }
   return also != before && std::find(also.begin(), also.end(), 1) != also.end();
 }
 
-Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact, const Solution* nearby) {
-  const StepStart start{.rule = step_rule(analysis_),
+Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Solution* nearby) {
+  const BlockState& from = impact.changes() ? impact.start : state_;
+  const StepStart start{.rule = step_rule(analysis_, dt, state_.carried_dt),
                         .dt = dt,
-                        .velocity = start_velocity(),
-                        .acceleration = state_.acceleration,
-                        .jump = impact.jump,
-                        .jump_path = impact.jump_path};
+                        .velocity = is_static() ? VectorXd::Zero(from.velocity.size()) : from.going_on(),
+                        .acceleration = from.carried};
   {
     const polyfem::Stopwatch watch(times_.assembly);
-    system_->set_step(state_, start, held_stiffness_);
+    if (impact.changes()) blocks_.prepare(from);
+    system_->set_step(from, start, held_stiffness_);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
   restart_contacts();
   has_tried_ = true;
-  for (Contact& contact : tried_) contact.damping = contact_builder_->dashpot(contact.pair) / dt;
+  for (Contact& contact : tried_) {
+    contact.damping = contact_builder_->dashpot(contact.pair) / dt;
+    if (impact.changes()) contact_builder_->start_from(from, contact);
+  }
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
@@ -338,6 +395,11 @@ Stepper::Solution Stepper::solve_with(double dt, const StepImpact& impact, const
     solve_by_open_close(solution);
   else
     solve_by_stages(start, nearby, solution);
+  if (impact.changes()) {
+    for (Contact& contact : tried_) contact_builder_->start_from(state_, contact);
+    blocks_.prepare(state_);
+  }
+  solution.impact = std::move(impact);
   counts_.linear_solves += cholesky.n_solves() - solves;
   counts_.factorizations += cholesky.n_factorizations() - factorizations;
   times_.analyses += cholesky.n_analyses() - analyses;
@@ -375,6 +437,8 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
     return carries_waves(blocks_, contact, system_->dt());
   });
   staged_.skip = analysis_.skip;
+  staged_.directions = start.rule.directions();
+  staged_.lets_gaps_be = !is_static();
   solution.d = solution.start = system_->free_path();
   staged_.again = staged_.local && nearby;
   if (staged_.again) {
@@ -433,10 +497,6 @@ std::string Stepper::between(int contact) const {
          quoted(blocks_.names[pair.edge_block]);
 }
 
-VectorXd Stepper::start_velocity() const {
-  return is_static() ? VectorXd::Zero(state_.velocity.size()) : state_.velocity;
-}
-
 bool Stepper::check_concave(int b, const BlockState& next) {
   const Range& v = blocks_.block(b).vertices();
   if (polyfem::find_defect(next.position.middleCols(v.first, v.count))) {
@@ -450,7 +510,6 @@ bool Stepper::check_concave(int b, const BlockState& next) {
 bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
   turned_concave_.clear();
-  held_ = {};
   const VectorXd& d = solution.d;
   blocks_.end_step(d, solution.residual.external, next);
   std::vector<char> is_concave(blocks_.n_blocks(), 0);
@@ -464,21 +523,21 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   });
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     if (is_concave[b] && !check_concave(b, next)) return false;
+  const StepRule& rule = system_->rule();
+  next.carried_dt = rule.has_half_steps() ? dt : 0;
   if (is_static()) {  // after a static step blocks are at rest
     next.velocity.setZero();
-    next.acceleration.setZero();
+    next.carried.setZero();
     return true;
   }
-  const bool by_trapezoid = step_rule(analysis_).mean_forces();
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
-    // What a contact holds starts its next step with this velocity, and d - dt v0 is its force: a mean over
-    // the step would be half a step late, and make it twice as large as the support's acceleration does.
-    const bool of_both_sides = by_trapezoid && held.motion.kind == TimeFunction::Kind::history;
-    next.velocity[held.unknown] =
+    // Where the trapezoidal rule goes on with this velocity d - dt v0 is a contact's force: a mean over the step
+    // would be half a step late, and make it twice as large as the support's acceleration does.
+    const bool of_both_sides = rule.mean_forces() && held.motion.kind == TimeFunction::Kind::history;
+    (rule.has_half_steps() ? next.carried : next.velocity)[held.unknown] =
         of_both_sides ? support_velocity(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }
-  if (analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged)
-    held_ = hold_closed_contacts(blocks_, tried_, solution.impact.parted, d, dt, hold_factor_, next);
+  if (rule.has_half_steps()) next.velocity = next.carried;
   return true;
 }
 
@@ -486,21 +545,23 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   accepting_ = true;
   record_reactions(solution.d, solution.residual);
   assess(dt, solution, next.velocity);
-  account_step(blocks_, *system_,
-               {dt, solution.d, start_velocity(), next.velocity, solution.residual, tried_, properties_},
+  VectorXd motion = blocks_.straight_motion(solution.d);
+  if (solution.impact.changes()) motion += solution.impact.shift;
+  if (system_->rule().has_half_steps()) account_impacts(motion);
+  account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
                energy_.now);
+  book_kinetic(kinetic_energy(blocks_, next.velocity));
   record_contacts();
   // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
   const double of_impact = solution.impact.friction_loss + solution.impact.normal_loss;
   const double by_friction =
       std::clamp(solution.impact.friction_loss, std::min(0.0, of_impact), std::max(0.0, of_impact));
-  energy_.now.numerical_dissipated -= of_impact + held_.friction_loss;
-  energy_.now.friction_dissipated += by_friction + held_.friction_loss;
+  energy_.now.numerical_dissipated -= of_impact;
+  energy_.now.friction_dissipated += by_friction;
   energy_.now.damping_dissipated += of_impact - by_friction;
   counts_.impacts += solution.impact.n_hits;
   if (solution.impact.limited) ++counts_.limited_impacts;
   if (!solution.impact.settled) ++counts_.unsettled_impacts;
-  if (!held_.settled) ++counts_.frictionless_holds;
   for (int b : turned_concave_) {
     convex_[in_whole(b)] = false;
     notes_.push_back("block " + quoted(blocks_.names[b]) + " is no longer convex at time " +
@@ -516,10 +577,9 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
   const bool some_fell_asleep = fall_asleep(dt);
-  double tolerated = 0;
+  tolerated_work_ = 0;
   for (const Contact& contact : tried_)
-    tolerated += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
-  energy_.close_step(tolerated);
+    tolerated_work_ += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
   ++counts_.substeps;
   counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
   begun_ = true;
@@ -531,6 +591,20 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   if (some_fell_asleep) regroup();
   counts_.asleep = sleeping_.n_asleep();
   accepting_ = false;
+}
+
+void Stepper::account_impacts(const VectorXd& motion) {
+  const double dt = system_->dt(), impulse_time = system_->rule().impulse_time * dt;
+  for (Contact& contact : tried_) {
+    if (contact.normal == 0) continue;
+    const GapAndSlip rates = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
+    contact.gap_change = contact.motion.change_along(rates.by_gap, motion);
+    contact.slip_change = contact.motion.change_along(rates.by_slip, motion);
+    const double before = contact.motion.change_along(rates.by_gap, state_.going_on()),
+                 by_impulse = -contact.normal * impulse_time * (before + contact.gap_change / dt) / 2;
+    energy_.now.damping_dissipated += by_impulse;
+    energy_.now.numerical_dissipated -= by_impulse;
+  }
 }
 
 void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
@@ -598,8 +672,6 @@ void Stepper::record_contacts() {
         contact.normal == 0 ? 0 : contact.damping * (contact.gap - contact.motion.start_gap());
     history.normal = hands_on ? contact.normal + by_dashpot : 0;
     history.shear = hands_on ? contact.shear : 0;
-    history.gap_stays = contact.gap_stays;
-    history.slip_stays = contact.slip_stays;
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) history.bonded = false;
     if (!contact.closed()) {

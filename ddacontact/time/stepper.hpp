@@ -9,7 +9,6 @@
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
-#include <ddacontact/time/held_contacts.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/run_record.hpp>
@@ -35,9 +34,8 @@ struct StepMemory {
   double state = 0;      ///< of the blocks, with reactions
   double contacts = 0;   ///< of the last substep, and what it handed to the next
   double detection = 0;  ///< outlines, boxes, pairs
-  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13), the matrix of held
-                         ///< contacts; without factors
-  double factor = 0;     ///< of (13) and of held contacts, and what making them takes
+  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without its factor
+  double factor = 0;     ///< of (13), and what making it takes
 };
 
 /// Owns the blocks, their state and their contacts, and carries them through time.
@@ -77,6 +75,8 @@ class Stepper {
   StagedOptions& staged_options() { return staged_; }
 
   const BlockSystem& blocks() const { return blocks_; }
+  /// The velocity is that at the time of the state; where the next substep is not solvable as it stands, that
+  /// in the middle of the last one (StepCounts::unknown_velocities).
   const BlockState& state() const { return state_; }
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   /// Those of sleeping blocks are as they were.
@@ -125,6 +125,13 @@ class Stepper {
   enum class Try { accepted, rejected, outran_detection, missed_contacts, woke_blocks };
   class PartInPlace;
 
+  /// How far to try to go next, and until when the time_step lasts.
+  struct Substep {
+    double dt, end;
+    bool is_last, is_shortest;
+  };
+  /// \param[in] steps_made  of the present stage
+  Substep next_substep(long steps_made);
   /// The steps of one time_step; false when it has to stop.
   bool carry_on();
   void enter_stage(int stage);
@@ -137,6 +144,15 @@ class Stepper {
   /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
   void set_flight_acceleration();
   Try try_step(double dt);
+  /// With half steps: solves the next substep, for the velocity at the present time lies between that in the
+  /// middle of the last one and of this. Closes the accounts of the last one.
+  void look_ahead(double dt);
+  void forget_ahead();
+  /// Takes this as the kinetic energy; what it changes by the work of inertia has to have made.
+  void book_kinetic(double kinetic);
+  /// What impulses that end an approach take, in place of numerical loss: P_N times the mean of the rates before
+  /// and after. Of contacts whose gap and slip changed by the motion of the step.
+  void account_impacts(const VectorXd& motion);
   bool is_interrupted();
   /// As if the tries since the last accepted substep had not been made.
   void forget_tries();
@@ -156,7 +172,11 @@ class Stepper {
     VectorXd start;                    ///< where d was looked for from, without an earlier solution
     std::vector<ContactForce> forces;  ///< of the contacts, when it is solved again
   };
+  /// Of a substep that begins now, with blocks woken and contacts looked for.
+  Solution find_solution(double dt);
   Solution solve(double dt);
+  /// From where the blocks are at the start of the step.
+  static VectorXd motion_of(const Solution& solution);
   /// The same, with the lines that corners meet chosen by the motion that is found.
   Solution solve_with_corners(double dt);
   /// The motion of a step without the contacts at corners that are in doubt.
@@ -165,7 +185,7 @@ class Stepper {
   VectorXd predicted_motion(double dt) const;
   /// One try with an impact foreseen.
   /// \param[in] nearby  what was found with an impact that differs little; may be null
-  Solution solve_with(double dt, const StepImpact& impact, const Solution* nearby);
+  Solution solve_with(double dt, StepImpact impact, const Solution* nearby);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
   void solve_by_open_close(Solution& solution);
@@ -184,7 +204,6 @@ class Stepper {
   void record_contacts();
   /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
   void assess(double dt, const Solution& solution, const VectorXd& end_velocity);
-  VectorXd start_velocity() const;
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
   // Blocks that sleep take no part in a step: blocks_, state_, contacts_ and all that is made for them are
@@ -234,8 +253,6 @@ class Stepper {
   ContactMethod method_;
   StagedOptions staged_;
   double held_stiffness_;
-  HeldReport held_;  ///< of the last try
-  HoldFactor hold_factor_;
 
   BlockState state_;
   std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
@@ -253,6 +270,14 @@ class Stepper {
   bool has_tried_ = false;  ///< tried_ are no longer what they were before
 
   double substep_ = 0;  ///< the length to try next, s
+  /// The solution of the next substep, when it was looked for already, and the counts with it.
+  struct Ahead {
+    double dt;
+    Solution solution;
+    StepCounts counts;
+  };
+  std::optional<Ahead> ahead_;
+  double tolerated_work_ = 0;  ///< of contacts, see EnergyLedger::close_step
   struct {
     double substep;
     StepCounts counts;

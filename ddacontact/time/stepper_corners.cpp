@@ -14,11 +14,15 @@ constexpr int most_corner_rounds = 4;
 
 VectorXd Stepper::predicted_motion(double dt) const {
   const bool at_rest = is_static() || analysis_.preset == Preset::paper;
-  VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.velocity);
+  VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.going_on());
   if (analysis_.preset == Preset::paper || blocks_.held_unknowns().empty()) return d;
   const VectorXd prescribed = blocks_.prescribed(state_, state_.time + dt);
   for (const HeldUnknown& held : blocks_.held_unknowns()) d[held.unknown] = prescribed[held.unknown];
   return d;
+}
+
+VectorXd Stepper::motion_of(const Solution& solution) {
+  return solution.impact.changes() ? VectorXd(solution.d + solution.impact.shift) : solution.d;
 }
 
 Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, double dt) {
@@ -41,10 +45,10 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();
-      changed = contact_builder_->choose_again(state_, solution.d, contacts_, tried_);
+      changed = contact_builder_->choose_again(state_, motion_of(solution), contacts_, tried_);
     } else if (const Solution without = solve_without(doubtful, dt); without.objection.empty()) {
       ++counts_.corner_solutions;
-      changed = contact_builder_->decide_doubtful(state_, without.d, contacts_, tried_);
+      changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, tried_);
     }
     if (changed && round == most_corner_rounds) ++counts_.unsettled_corners;
     if (!changed || round == most_corner_rounds) {

@@ -118,7 +118,7 @@ bool Stepper::fall_asleep(double dt) {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     awake.push_back(in_whole(b));
-    sleeping_.note(in_whole(b), !restless[b] && fastest_vertex(blocks_.block(b), state_.velocity) <=
+    sleeping_.note(in_whole(b), !restless[b] && fastest_vertex(blocks_.block(b), state_.going_on()) <=
                                                     rest_speed(blocks_, b, dt));
   }
   std::vector<Pair> touching;
@@ -130,12 +130,10 @@ bool Stepper::fall_asleep(double dt) {
   for (int b : falling) {
     const Range& u = blocks_.block(asleep_ ? asleep_->part->number_of(b) : b).unknowns();
     state_.velocity.segment(u.first, u.count).setZero();
-    state_.acceleration.segment(u.first, u.count).setZero();
+    state_.carried.segment(u.first, u.count).setZero();
   }
   if (falling.empty()) return false;
-  const double before = energy_.now.kinetic;
-  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.numerical_dissipated += before - energy_.now.kinetic;
+  book_kinetic(kinetic_energy(blocks_, state_.velocity));
   return true;
 }
 
@@ -228,6 +226,7 @@ void Stepper::regroup(const std::vector<Box>* around) {
   } else {
     contact_builder_.emplace(blocks_, properties_);
     make_system();
+    forget_ahead();
   }
 }
 
@@ -318,7 +317,7 @@ void Stepper::form_part(const std::vector<Box>* around) {
   for (int b : asleep.part->blocks()) properties.materials.push_back(properties_.materials[b]);
   contact_builder_.emplace(blocks_, std::move(properties));
   make_system();
-  detected_ = false;
+  forget_ahead();
   if (!in_step_) show_whole();
 }
 

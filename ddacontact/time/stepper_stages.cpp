@@ -22,7 +22,6 @@ bool is_between(const BlockSystem& blocks, const VertexEdge& pair) {
 
 void Stepper::apply(const Stage& stage) {
   analysis_ = stage.analysis;
-  staged_.mean_forces = step_rule(analysis_).mean_forces();
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
@@ -43,13 +42,14 @@ void Stepper::enter_stage(int stage) {
   stage_ends_.push_back(stage_end());
   wake_all();
   const AnalysisOptions before = analysis_;
+  forget_ahead();
   apply(stages_[stage]);
   progress_ = {stage, 0, state_.time, false};
   substep_ = analysis_.time_step;
   detected_ = false;
   for (int b : stages_[stage].removed) {
     const Range& u = blocks_.block(b).unknowns();
-    state_.velocity.segment(u.first, u.count).setZero();
+    for (VectorXd* of_all : {&state_.velocity, &state_.carried}) of_all->segment(u.first, u.count).setZero();
   }
   Energy& e = energy_.now;
   // What goes with the blocks that are taken out is work done on them.
@@ -58,9 +58,12 @@ void Stepper::enter_stage(int stage) {
   e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
   e.kinetic = kinetic;
   e.elastic = elastic;
+  if (is_static() || analysis_.scheme != before.scheme) {
+    state_.carried.setZero();
+    state_.carried_dt = 0;
+  }
   if (is_static()) {
     state_.velocity.setZero();
-    state_.acceleration.setZero();
     e.numerical_dissipated += kinetic;
     e.kinetic = 0;
   }
@@ -71,7 +74,7 @@ void Stepper::enter_stage(int stage) {
 }
 
 void Stepper::set_flight_acceleration() {
-  if (is_static()) return;
+  if (is_static() || analysis_.scheme == Scheme::decaying) return;
   std::vector<bool> touches(static_cast<std::size_t>(blocks_.n_blocks()), false);
   for (const ContactRecord& contact : contacts_)
     if (contact.closed())
@@ -80,7 +83,7 @@ void Stepper::set_flight_acceleration() {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (touches[static_cast<std::size_t>(b)] || !blocks_.is_free(b)) continue;
     const Range& u = blocks_.block(b).unknowns();
-    state_.acceleration.segment(u.first, u.count) = blocks_.block(b).translations() * blocks_.gravity;
+    state_.carried.segment(u.first, u.count) = blocks_.block(b).translations() * blocks_.gravity;
   }
 }
 
@@ -137,7 +140,7 @@ void Stepper::restore(StepRecord record) {
   state_ = std::move(record.state);
   contacts_ = std::move(record.contacts);
   blocks_.prepare(state_, true);
-  detected_ = false;
+  forget_ahead();
   reach_scale_ = 1;
   accepted_ = {substep_, counts_, {}};
   start_accounts();
@@ -149,12 +152,12 @@ void Stepper::restore(StepRecord record) {
 StepMemory Stepper::memory() const {
   const BlockState& s = state_;
   return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
-                   bytes_of(s.acceleration) + bytes_of(s.stress) + bytes_of(s.rotation) +
+                   bytes_of(s.carried) + bytes_of(s.stress) + bytes_of(s.rotation) +
                    bytes_of(reactions_),
           .contacts = bytes_of(contacts_) + bytes_of(tried_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
-          .equations = system_->memory() + hold_factor_.matrix.memory(),
-          .factor = system_->problem().cholesky().memory() + hold_factor_.cholesky.memory()};
+          .equations = system_->memory(),
+          .factor = system_->problem().cholesky().memory()};
 }
 
 RunRecord Stepper::run_record() const {

@@ -94,8 +94,7 @@ inline BlockSystem& blocks_of(BuiltScene& built) {
 
 /// A step from the state, with no impact within.
 inline StepStart step_start(const BlockState& state, double dt, const StepRule& rule = {}) {
-  const VectorXd none = VectorXd::Zero(state.velocity.size());
-  return {rule, dt, state.velocity, state.acceleration, none, none};
+  return {rule, dt, state.velocity, state.carried};
 }
 
 inline Vec2 momentum(const Stepper& stepper, int b) {

@@ -13,10 +13,9 @@ Scene stack_scene(int blocks, double time_step, int steps) {
 StartedBlocks::StartedBlocks(const Scene& scene, double dt) : built_(build(scene)) {
   const Stepper& stepper = *built_.stepper;
   const BlockState& state = stepper.state();
-  const VectorXd none = VectorXd::Zero(state.velocity.size());
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b)
     const_cast<Block&>(stepper.blocks().block(b))
-        .begin_step(state, {{}, dt, state.velocity, state.acceleration, none, none});
+        .begin_step(state, {{}, dt, state.velocity, state.carried});
 }
 
 VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {

@@ -27,12 +27,10 @@ struct FlyingBlocks {
     system.prepare(state, true);
     std::srand(3);
     state.velocity = VectorXd::Random(system.n_unknowns());
-    start = {step_rule({}),
+    start = {step_rule({}, 1e-3, 1e-3),
              1e-3,
              state.velocity,
-             state.acceleration,
-             VectorXd::Zero(system.n_unknowns()),
-             VectorXd::Zero(system.n_unknowns())};
+             state.carried};
     parts.resize(n);
     next = state;
     step();
@@ -121,7 +119,7 @@ TEST(BlockWork, OnArraysOfKnownSizeIsThatOnAny) {
     const Points y = shape->nodes + 1e-3 * Points::Random(2, corners), v = Points::Random(2, corners);
     const VectorXd d = 1e-3 * VectorXd::Random(n);
     CorotationalStart start;
-    start.matrices = step_matrices(*shape, step_rule({}), 1e-3);
+    start.matrices = step_matrices(*shape, step_rule({}, 1e-3, 1e-3), 1e-3);
     const NodalKinematics<polyfem::AnyNodes> nodes(*shape);
     const CorotationalStep<polyfem::AnyNodes> plain(nodes, start);
     CorotationalStep<polyfem::AnyNodes>::begin(
@@ -147,7 +145,7 @@ TEST(BlockWork, OnArraysOfKnownSizeIsThatOnAny) {
 TEST(BlockWork, MatricesOfAStepAreOfItsRuleAndLengthAndSharedByCongruentBlocks) {
   std::mt19937 random{13};
   const auto shape = shape_of(support::random_convex_polygon(5, random));
-  StepRule rule = step_rule({});
+  StepRule rule = step_rule({}, 1e-3, 1e-3);
   const auto first = step_matrices(*shape, rule, 1e-3);
   EXPECT_EQ(step_matrices(*shape, rule, 1e-3), first);
   const auto shorter = step_matrices(*shape, rule, 1e-4);

@@ -275,14 +275,16 @@ TEST(GapAndSlip, AreThoseOfTheFunctionsOfEach) {
     const VertexEdgePlace start = place_at(random_place(0.5, random)), by = place_at(0.1 * Vec6::Random()),
                           end{start.i + by.i, start.j + by.j, start.k + by.k};
     const double lock = 0.3;
-    for (const bool mean : {false, true}) {
-      const GapAndSlip all = gap_and_slip(start, by, lock, mean);
+    for (const Directions directions : {Directions::of_start, Directions::mean, Directions::of_end}) {
+      const bool mean = directions == Directions::mean;
+      const VertexEdgePlace& at = directions == Directions::of_start ? start : end;
+      const GapAndSlip all = gap_and_slip(start, by, lock, directions);
       EXPECT_EQ(all.start_gap, gap(start));
       EXPECT_EQ(all.gap, gap(start) + gap_change(start, by));
       EXPECT_EQ(all.slip, slip(start, lock) + slip_change(start, by, lock));
-      const VertexEdgeGradient by_gap = mean ? gap_mean_gradient(start, end) : gap_gradient(end),
+      const VertexEdgeGradient by_gap = mean ? gap_mean_gradient(start, end) : gap_gradient(at),
                                by_slip =
-                                   mean ? slip_mean_gradient(start, end, lock) : slip_gradient(end, lock);
+                                   mean ? slip_mean_gradient(start, end, lock) : slip_gradient(at, lock);
       EXPECT_EQ(coordinates({all.by_gap.i, all.by_gap.j, all.by_gap.k}),
                 coordinates({by_gap.i, by_gap.j, by_gap.k}));
       EXPECT_EQ(coordinates({all.by_slip.i, all.by_slip.j, all.by_slip.k}),

@@ -46,8 +46,8 @@ struct RoundedMotion : testing::TestWithParam<bool> {
       rounding.end = {0.5, -0.1};
     }
   }
-  GapAndSlip at(const RoundedPlace& by, bool mean = false) const {
-    return gap_and_slip(start, by, lock, mean, rounding);
+  GapAndSlip at(const RoundedPlace& by, Directions directions = Directions::of_end) const {
+    return gap_and_slip(start, by, lock, directions, rounding);
   }
 };
 
@@ -84,7 +84,7 @@ TEST_P(RoundedMotion, MeanGradientsDoTheWorkOfTheChange) {
   for (int trial = 0; trial < 20; ++trial) {
     place();
     const RoundedPlace by = any_motion(0.3);
-    const GapAndSlip none = at(zero()), mean = at(by, true);
+    const GapAndSlip none = at(zero()), mean = at(by, Directions::mean);
     EXPECT_NEAR(along(mean.by_gap, by), mean.gap - none.gap, 1e-14);
     EXPECT_NEAR(along(mean.by_slip, by), mean.slip - none.slip, 1e-14);
     EXPECT_EQ(mean.start_gap, none.gap);

@@ -300,7 +300,7 @@ TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
                                                    {"limited_impacts", counts.limited_impacts},
                                                    {"unsettled_impacts", counts.unsettled_impacts},
                                                    {"overlap_rejections", counts.overlap_rejections},
-                                                   {"frictionless_holds", counts.frictionless_holds}};
+                                                   {"unknown_velocities", counts.unknown_velocities}};
   for (const auto& [key, count] : expected) EXPECT_EQ(summary.number(key), count) << key;
   EXPECT_EQ(summary.number("max_residual"), counts.max_residual);
   EXPECT_GT(counts.impacts, 0);

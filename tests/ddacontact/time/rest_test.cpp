@@ -145,35 +145,6 @@ TEST(Rest, AWallInRunningBondComesToRest) {
   EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + 2000 * 10 * (n_bricks + 2), 1e-8 * weight);
 }
 
-/// Steps are counted in which gaps and slips stay: one more in each, from nothing when a contact has opened.
-TEST(Rest, WhatStaysIsCountedStepByStep) {
-  constexpr int counted = 3;
-  Scene scene = wall_in_running_bond(6, 6);
-  scene.analysis.mode = Mode::statics;
-  const BuiltScene built = build(scene);
-  using Name = std::array<int, 4>;
-  std::map<Name, std::array<int, 2>> before;
-  int most = 0;
-  for (int step = 0; step < 20; ++step) {
-    run(*built.stepper, 1);
-    std::map<Name, std::array<int, 2>> now;
-    for (const ContactRecord& c : built.stepper->contacts()) {
-      const Name name{c.pair.vertex_block, c.pair.vertex, c.pair.edge_block, c.pair.edge};
-      const std::array<int, 2> counts{c.history.gap_stays, c.history.slip_stays};
-      for (int k : {0, 1}) {
-        EXPECT_TRUE(counts[k] == 0 || counts[k] == std::min(before[name][k] + 1, counted));
-        if (!c.closed()) {
-          EXPECT_EQ(counts[k], 0);
-        }
-        most = std::max(most, counts[k]);
-      }
-      now[name] = counts;
-    }
-    before = now;
-  }
-  EXPECT_EQ(most, counted);
-}
-
 /// The top of a wall moves as a whole, far more than any gap, while its joints slip by what gaps add to
 /// forces: that does not keep them from being let be.
 TEST(Rest, AWallOfManyCoursesStopsSlipping) {

@@ -147,7 +147,7 @@ TEST(StepMatrix, HoldsTheMassOfAllBlocks) {
   double mass = 0;
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b)
     if (stepper.blocks().is_free(b)) mass += stepper.blocks().block(b).mass_total();
-  const double dt = scene.analysis.time_step, inertia = step_rule(scene.analysis).inertia();
+  const double dt = scene.analysis.time_step, inertia = step_rule(scene.analysis, dt, dt).inertia();
   EXPECT_NEAR(translation.dot(lower.selfadjointView<Eigen::Lower>() * translation) * dt * dt / inertia, mass,
               1e-6 * mass);
 }
