@@ -126,15 +126,16 @@ class Block {
     d += change;
   }
   /// Writes the block's place, velocity, what the scheme carries on and stress after the step into `next`,
-  /// which holds those before it; with half steps the velocity is left as it is. `external` are all forces that acted on it, of its own unknowns: free blocks take their
-  /// momentum from them (and with forces at the middle their angular momentum).
+  /// which holds those before it; with half steps the velocity is left as it is. `external` are all forces
+  /// that acted on it, of its own unknowns: free blocks take their momentum from them (and with forces at the
+  /// middle their angular momentum).
   virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
                         bool is_free, BlockState& next) const = 0;
   /// With half steps: the motion d as velocities of the shape at the start times the length of the step. A
   /// turn by an angle is that angle times the velocities of a unit rotation; forces act on such motions.
   virtual VectorXd straight_motion(const Eigen::Ref<const VectorXd>& d) const { return d; }
-  /// With half steps: the turn of the block from the start to the middle of the step, where its unknowns are the
-  /// two displacements of one node after the other; else none.
+  /// With half steps: the turn of the block from the start to the middle of the step, where its unknowns are
+  /// the two displacements of one node after the other; else none.
   virtual Mat2 half_turn(const Eigen::Ref<const VectorXd>&) const { return Mat2::Identity(); }
 
   /// At the integration points, axes of the model, 3 x n_stress_points.

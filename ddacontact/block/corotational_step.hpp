@@ -53,8 +53,7 @@ class CorotationalStep {
     put(velocity, at.velocity);
     const Mat2 R = nodes.rotation(y);
     start.arrays[at.axis] = R.col(0);
-    if (rule.has_half_steps())
-      put(R.transpose() * nodes.split(y, velocity).deformation, at.deforming);
+    if (rule.has_half_steps()) put(R.transpose() * nodes.split(y, velocity).deformation, at.deforming);
     if (keeps_acceleration(rule)) put(acceleration, at.acceleration);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Frame frame = nodes.frame(y, c);
@@ -100,10 +99,10 @@ class CorotationalStep {
     for (std::size_t c = 0; c < parts.size(); ++c) {
       const ShapeCell& cell = nodes_.shape().cells[c];
       const Mat2 end = nodes_.cell_rotation(y1, c);
-      polyfem::rotate(start_.matrices->tangents[c],
-                      rule_.directions() == Directions::of_end ? end
-                                                               : polyfem::mid_rotation(start_rotation(c), end),
-                      parts[c]);
+      polyfem::rotate(
+          start_.matrices->tangents[c],
+          rule_.directions() == Directions::of_end ? end : polyfem::mid_rotation(start_rotation(c), end),
+          parts[c]);
       const MatrixXd& B = cell.nodes_by_unknowns;
       if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
     }

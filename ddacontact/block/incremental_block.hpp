@@ -47,7 +47,7 @@ class IncrementalBlock : public Block {
   StepRule rule_;
   double dt_ = 0;
   VectorXd velocity_, acceleration_, path_;  ///< path_: what the block would move without forces
-  VectorXd stress_forces_;                          ///< integral of B^T sigma at the start of the step
+  VectorXd stress_forces_;                   ///< integral of B^T sigma at the start of the step
 };
 
 }  // namespace ddacontact

@@ -12,11 +12,11 @@ namespace ddacontact {
 /// their differences are exact, and so is moving one after its block.
 struct BlockState {
   double time = 0;
-  Points origin;          ///< of each block, relative to the model's origin
-  Points position;        ///< the places of all blocks, relative to their block's origin
-  VectorXd velocity;      ///< of every unknown
-  /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end of
-  /// the last step; the decaying one the velocity in the middle of that step, on the present shape.
+  Points origin;      ///< of each block, relative to the model's origin
+  Points position;    ///< the places of all blocks, relative to their block's origin
+  VectorXd velocity;  ///< of every unknown
+  /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end
+  /// of the last step; the decaying one the velocity in the middle of that step, on the present shape.
   VectorXd carried;
   /// The length of that step, s; 0: none, the decaying scheme begins with the velocity itself.
   double carried_dt = 0;

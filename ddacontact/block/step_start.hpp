@@ -18,7 +18,8 @@ struct StepRule {
   /// this one, over dt.
   double impulse_time = 1;
 
-  /// Velocities that go on are those in the middle of the steps (leapfrog); forces act at the start of a step.
+  /// Velocities that go on are those in the middle of the steps (leapfrog); forces act at the start of a
+  /// step.
   bool has_half_steps() const { return scheme == Scheme::decaying; }
   /// Elastic forces come from both ends of the step and act at its middle, as contact forces do.
   bool mean_forces() const { return scheme == Scheme::midpoint; }
@@ -36,13 +37,13 @@ struct StepRule {
 
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
-           impulse_time == other.impulse_time && damping.mass == other.damping.mass && damping.stiffness == other.damping.stiffness;
+           impulse_time == other.impulse_time && damping.mass == other.damping.mass &&
+           damping.stiffness == other.damping.stiffness;
   }
 };
 
-/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium: the
-/// schemes whose forces act elsewhere make them by backward Euler.
-/// \param[in] dt           of the step, s
+/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium:
+/// the schemes whose forces act elsewhere make them by backward Euler. \param[in] dt           of the step, s
 /// \param[in] previous_dt  of the step before, s; 0: there is none to go on from
 inline StepRule step_rule(const AnalysisOptions& analysis, double dt, double previous_dt) {
   StepRule rule{.scheme = analysis.scheme, .damping = analysis.damping};

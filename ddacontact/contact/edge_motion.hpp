@@ -55,15 +55,16 @@ struct GapAndSlip {
   double start_gap, gap, slip;
   VertexEdgeGradient by_gap, by_slip;
 };
-/// Of which place the derivatives are that forces act by: of the start or the end of a motion, or the discrete
-/// gradients of both.
+/// Of which place the derivatives are that forces act by: of the start or the end of a motion, or the
+/// discrete gradients of both.
 enum class Directions { of_start, mean, of_end };
 /// All of the above at once, for the motion `by` from `start`.
 GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock,
                         Directions directions);
 
 /// The gradient of forces that have turned with their blocks, that of the vertex and that of the edge.
-VertexEdgeGradient turned(const VertexEdgeGradient& gradient, const Mat2& vertex_block, const Mat2& edge_block);
+VertexEdgeGradient turned(const VertexEdgeGradient& gradient, const Mat2& vertex_block,
+                          const Mat2& edge_block);
 
 /// constant + gradient.i . u_i + gradient.j . u_j + gradient.k . u_k: a gap or a slip as an affine function
 /// of the displacements of the three places.

@@ -15,10 +15,11 @@ struct JointStrength {
   double cohesion = 0;          ///< Pa
   double tensile_strength = 0;  ///< Pa
   FrictionLaw friction_law{};   ///< in place of Coulomb's N tan(phi); none: Coulomb
-  /// 0..1, normal, of blocks that meet: they collide as rigid bodies. None: they part as their elasticity has it.
+  /// 0..1, normal, of blocks that meet: they collide as rigid bodies. None: they part as their elasticity has
+  /// it.
   std::optional<double> restitution{};
-  double dashpot = 0;           ///< contact damping, ratio to critical of the contact spring
-  bool glued = false;           ///< contacts neither open nor slide once they are closed
+  double dashpot = 0;  ///< contact damping, ratio to critical of the contact spring
+  bool glued = false;  ///< contacts neither open nor slide once they are closed
 };
 
 /// The strengths of the joint between any two materials.

@@ -32,8 +32,8 @@ Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding) {
   return from_middle(place_of(rounding.centre, place, rounding));
 }
 
-GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock,
-                        Directions directions, const Rounding& rounding) {
+GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, Directions directions,
+                        const Rounding& rounding) {
   // Places and motions go by the same linear map.
   const VertexEdgePlace centre = place_of(rounding.centre, start, rounding),
                         centre_by = place_of(rounding.centre, by, rounding);

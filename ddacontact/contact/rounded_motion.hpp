@@ -31,8 +31,8 @@ struct Rounding {
 VertexEdgePlace slip_place(const RoundedPlace& place, const Rounding& rounding);
 
 /// See the same of sharp corners; derivatives by all four places.
-GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock,
-                        Directions directions, const Rounding& rounding);
+GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, Directions directions,
+                        const Rounding& rounding);
 
 /// From the corner to the centre of the circle, or how fast that changes.
 Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding);

@@ -28,7 +28,8 @@ inline constexpr Key max_displacement_ratio{
     .bounds = positive};
 inline constexpr Key gravity{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"};
 inline constexpr Key scheme{.name = "scheme",
-                            .what = "Time scheme; static steps of \"midpoint\" are made by \"decaying\"."};
+                            .what = "Time scheme; static steps of \"decaying\" and \"midpoint\" are made by "
+                                    "\"backward_euler\"."};
 inline constexpr Key beta{.name = "beta",
                           .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
                           .bounds = positive,
@@ -182,12 +183,13 @@ void describe_law(Law& law, Visit&& visit) {
             .unit = "Pa",
             .bounds = not_negative},
         law.tensile_strength);
-  visit(Key{.name = "restitution",
-            .what = "Of blocks that meet: how fast they part, of the normal speed at which they met, as rigid "
-                    "bodies; method \"staged\" alone.",
-            .bounds = {.low = 0, .high = 1},
-            .default_text = "none: as their own elasticity has it"},
-        law.restitution);
+  visit(
+      Key{.name = "restitution",
+          .what = "Of blocks that meet: how fast they part, of the normal speed at which they met, as rigid "
+                  "bodies; method \"staged\" alone.",
+          .bounds = {.low = 0, .high = 1},
+          .default_text = "none: as their own elasticity has it"},
+      law.restitution);
   visit(Key{.name = "dashpot",
             .what = "Damping of closed contacts, ratio to critical of the contact spring.",
             .bounds = not_negative},

@@ -152,9 +152,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
   const VectorXd start_d = std::exchange(d, whole.prescribed());
   for (const std::unique_ptr<Island>& island : islands_) {
     SystemPart& part = *island->part;
-    StepStart of_part{start.rule,
-                      start.dt,
-                      island->of_part(start.velocity),
+    StepStart of_part{start.rule, start.dt, island->of_part(start.velocity),
                       island->of_part(start.acceleration)};
     part.put_in(blocks, state);
     if (!island->system) island->system.emplace(blocks);
@@ -177,7 +175,6 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     report.iterations = std::max(report.iterations, own_report.iterations);
     report.interior_paths += own_report.interior_paths;
     report.augmentations = std::max(report.augmentations, own_report.augmentations);
-    report.broken_bonds += own_report.broken_bonds;
     report.sweeps += own_report.sweeps;
     report.tangent += own_report.tangent;
     for (double Residual::*measure :

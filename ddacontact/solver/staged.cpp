@@ -96,7 +96,7 @@ class Staged {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
-        if (break_bonds()) continue;
+        if (release_bonds()) continue;
         if (is_close()) {
           take_law_where_negligible();
           return settle();
@@ -137,7 +137,6 @@ class Staged {
     multiplier.normal = history.normal;
     multiplier.shear = history.shear;
     multiplier.sliding = is_slipping(history.state);
-    if (!options_.lets_gaps_be) return;
     const double most = options_.penetration_tolerance * contact.size, left = 1 - part_taken_back;
     const double gap = contact.first_gap().constant - history.gap_offset,
                  slip = contact.first_slip().constant;
@@ -428,29 +427,35 @@ class Staged {
     return couplings;
   }
 
+  /// By how much a bond's force exceeds its strength; 0: it holds.
+  double excess_of_bond(std::size_t c) const {
+    if (!multipliers_[c].bonded) return 0;
+    const JointLaw& law = contacts_[c].law;
+    const auto [normal, shear] = forces_[c];
+    const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, normal);
+    const bool is_open = terms_[c].normal == ContactTerm::Normal::unilateral && normal <= 0 &&
+                         terms_[c].gap(d_) > contacts_[c].length_tolerance();
+    const double excess = std::max({-normal - law.tension, std::abs(shear) - shear_bound(law, normal, true),
+                                    is_open ? strength : 0});
+    return excess > options_.residual_tolerance * strength ? excess : 0;
+  }
+
   /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
   bool break_bonds() {
-    double worst = 0;
-    std::vector<double> excess(contacts_.size(), 0);
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      if (!multipliers_[c].bonded) continue;
-      const JointLaw& law = contacts_[c].law;
-      const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, forces_[c].normal);
-      const double opened = terms_[c].normal == ContactTerm::Normal::unilateral && forces_[c].normal <= 0 &&
-                                    terms_[c].gap(d_) > contacts_[c].length_tolerance()
-                                ? strength
-                                : 0;
-      excess[c] = std::max({-forces_[c].normal - law.tension,
-                            std::abs(forces_[c].shear) - shear_bound(law, forces_[c].normal, true), opened});
-      if (excess[c] <= options_.residual_tolerance * strength) excess[c] = 0;
-      worst = std::max(worst, excess[c]);
-    }
+    std::vector<double> excess(contacts_.size());
+    for (std::size_t c = 0; c < contacts_.size(); ++c) excess[c] = excess_of_bond(c);
+    const double worst = excess.empty() ? 0 : *std::max_element(excess.begin(), excess.end());
     if (worst == 0) return false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      if (excess[c] < breaking_part * worst || excess[c] == 0) continue;
-      multipliers_[c].bonded = contacts_[c].history.bonded = false;
-      ++report_.broken_bonds;
-    }
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      if (excess[c] >= breaking_part * worst) contacts_[c].history.bonded = false;
+    return true;
+  }
+
+  /// The same within the step.
+  bool release_bonds() {
+    if (!options_.breaks_within || !break_bonds()) return false;
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      multipliers_[c].bonded = multipliers_[c].bonded && contacts_[c].has_bond();
     restart();
     return true;
   }
@@ -516,6 +521,7 @@ class Staged {
       contact.normal = forces_[c].normal;
       contact.shear = forces_[c].shear;
     }
+    break_bonds();
     return end(StagedStatus::settled);
   }
 

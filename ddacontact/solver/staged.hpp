@@ -9,11 +9,11 @@ namespace ddacontact {
 
 /// When the staged method ends.
 struct StagedOptions {
-  double residual_tolerance = 1e-8;  ///< of the forces on each block: what is accepted
-  double residual_aim = 1e-12;       ///< what is iterated to while that goes on
-  double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
+  double residual_tolerance = 1e-8;            ///< of the forces on each block: what is accepted
+  double residual_aim = 1e-12;                 ///< what is iterated to while that goes on
+  double penetration_tolerance = 0;            ///< of the block size; 0: plain penalty
   Directions directions = Directions::of_end;  ///< of contact forces
-  bool lets_gaps_be = false;  ///< small gaps of closed contacts stay as they are
+  bool breaks_within = false;  ///< bonds that exceed their strength break within the step, else at its end
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
   bool again = false;  ///< d and the contacts' forces are those of a solution nearby; local steps start there
   int max_solutions = 600;
@@ -39,7 +39,6 @@ struct StagedReport {
   int sweeps = 0;          ///< of relaxation
   int interior_paths = 0;  ///< searches for the states from inside the contacts' laws
   TangentCounts tangent;
-  int broken_bonds = 0;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none
 };
@@ -51,7 +50,8 @@ struct StagedReport {
 /// there, at the start, or along their discrete gradients. lambda and tau start from the forces of the
 /// step before and are replaced by N and T until g = 0 and, sticking, s = 0 within the tolerance: p and p_t
 /// do not matter then. A bonded contact neither opens nor slides; one that bears more than its strength when
-/// all has settled is broken for good, and the step solved again.
+/// all has settled is broken for good: at the end of the step, which releases what it held and nothing else; or
+/// within, and the step is solved again, where there is no time between one bond and the next (static steps).
 ///
 /// Where steps are local, contacts are first relaxed one after the other (ContactRelaxation), which finds
 /// most of their states. Stage 0 follows the active set, as open-close does. When that goes round in circles,

@@ -20,8 +20,7 @@ constexpr double largest_move = 0.25;
 
 /// Turns forces of pairs of unknowns.
 void turn(const Mat2& by, Eigen::Ref<VectorXd> forces) {
-  for (Index k = 0; k + 1 < forces.size(); k += 2)
-    forces.segment<2>(k) = (by * forces.segment<2>(k)).eval();
+  for (Index k = 0; k + 1 < forces.size(); k += 2) forces.segment<2>(k) = (by * forces.segment<2>(k)).eval();
 }
 
 /// Whether an unknown of the block by itself moves it without straining it.

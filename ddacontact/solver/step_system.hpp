@@ -45,13 +45,15 @@ class StepSystem {
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                         const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
                         Residual& residual) const;
-  /// With half steps forces are those on the shapes at the start of the step, and the elastic ones of those at
-  /// its end: their derivative is not symmetric. That of equations turned half way to the end with their block
-  /// is. From now on residuals are of equations turned so for d, of which gradients of the terms are to be too,
-  /// by the half turns of their blocks; until the next step, or until they are turned back.
+  /// With half steps forces are those on the shapes at the start of the step, and the elastic ones of those
+  /// at its end: their derivative is not symmetric. That of equations turned half way to the end with their
+  /// block is. From now on residuals are of equations turned so for d, of which gradients of the terms are to
+  /// be too, by the half turns of their blocks; until the next step, or until they are turned back.
   void turn_equations(const VectorXd& d);
   /// The identity unless they are turned.
-  Mat2 half_turn(int block) const { return half_turns_.empty() ? Mat2(Mat2::Identity()) : half_turns_[block]; }
+  Mat2 half_turn(int block) const {
+    return half_turns_.empty() ? Mat2(Mat2::Identity()) : half_turns_[block];
+  }
   void turn_back(Residual& residual) const;
   /// The residual without contacts.
   VectorXd smooth_residual(const VectorXd& d) const;

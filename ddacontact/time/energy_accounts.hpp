@@ -30,8 +30,8 @@ struct AcceptedStep {
 
 /// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it
 /// takes every force at one value over the whole step, and the difference between that work and the change of
-/// the energy that the force belongs to is gone. Of inertia's work the change of kinetic energy is still to be
-/// taken off.
+/// the energy that the force belongs to is gone. Of inertia's work the change of kinetic energy is still to
+/// be taken off.
 void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
                   Energy& energy);
 

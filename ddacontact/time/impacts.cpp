@@ -81,8 +81,8 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 }
 
 StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const StepRule& rule, const VectorXd& velocity_before,
-                          double dt, const std::vector<char>& also) {
+                          const std::vector<Contact>& contacts, const StepRule& rule,
+                          const VectorXd& velocity_before, double dt, const std::vector<char>& also) {
   VectorXd velocity = velocity_before;
   StepImpact result;
   result.hit.assign(contacts.size(), 0);

@@ -40,8 +40,8 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 /// \param[in] properties   of the contacts of these blocks
 /// \param[in] also         contacts that are known to close within the step; empty: none
 StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const StepRule& rule, const VectorXd& velocity,
-                          double dt, const std::vector<char>& also);
+                          const std::vector<Contact>& contacts, const StepRule& rule,
+                          const VectorXd& velocity, double dt, const std::vector<char>& also);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

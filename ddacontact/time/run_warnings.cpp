@@ -1,5 +1,6 @@
 #include <ddacontact/time/run_warnings.hpp>
 
+#include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
@@ -32,10 +33,6 @@ std::string figure(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
   return text;
-}
-
-std::string quoted(const std::string& name) {
-  return '"' + name + '"';
 }
 
 }  // namespace

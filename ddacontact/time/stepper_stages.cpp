@@ -1,7 +1,9 @@
-// Where a stepper is among its stages, and going on from there.
+// Where a stepper begins and where it is among its stages, and going on from there.
 #include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
+#include <polyfem/basis/wachspress.hpp>
+#include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
 
@@ -19,6 +21,36 @@ bool is_between(const BlockSystem& blocks, const VertexEdge& pair) {
 }
 
 }  // namespace
+
+Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
+                 std::vector<Stage> stages)
+    : blocks_(std::move(blocks)),
+      stages_(std::move(stages)),
+      limits_(blocks_, stages_.front().analysis),
+      properties_(contacts),
+      method_(contacts.method),
+      staged_{.penetration_tolerance = contacts.penetration_tolerance},
+      held_stiffness_(contacts.normal_stiffness),
+      state_(std::move(initial)),
+      reactions_(Points::Zero(2, state_.position.cols())),
+      warnings_(blocks_.n_blocks()),
+      sleeping_(blocks_.n_blocks()) {
+  contact_builder_.emplace(blocks_, properties_);
+  apply(stages_.front());
+  substep_ = analysis_.time_step;
+  blocks_.prepare(state_, true);
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Block& block = blocks_.block(b);
+    convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
+                      !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
+  }
+  const std::vector<Contact> first = contact_builder_->build_first(
+      state_, predicted_motion(analysis_.time_step), limits_.reach(state_, {}, analysis_.time_step, 1));
+  contacts_.assign(first.begin(), first.end());
+  accepted_ = {substep_, counts_, {}};
+  set_flight_acceleration();
+  start_accounts();
+}
 
 void Stepper::apply(const Stage& stage) {
   analysis_ = stage.analysis;
@@ -151,9 +183,8 @@ void Stepper::restore(StepRecord record) {
 
 StepMemory Stepper::memory() const {
   const BlockState& s = state_;
-  return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
-                   bytes_of(s.carried) + bytes_of(s.stress) + bytes_of(s.rotation) +
-                   bytes_of(reactions_),
+  return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) + bytes_of(s.carried) +
+                   bytes_of(s.stress) + bytes_of(s.rotation) + bytes_of(reactions_),
           .contacts = bytes_of(contacts_) + bytes_of(tried_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
           .equations = system_->memory(),

@@ -14,8 +14,7 @@ StartedBlocks::StartedBlocks(const Scene& scene, double dt) : built_(build(scene
   const Stepper& stepper = *built_.stepper;
   const BlockState& state = stepper.state();
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b)
-    const_cast<Block&>(stepper.blocks().block(b))
-        .begin_step(state, {{}, dt, state.velocity, state.carried});
+    const_cast<Block&>(stepper.blocks().block(b)).begin_step(state, {{}, dt, state.velocity, state.carried});
 }
 
 VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {

@@ -69,7 +69,8 @@ void spun(Report& report) {
   report.paragraph(
       fmt::format("### A spinning block\n\nThe same pentagon turns {} times at {} rad/s, without gravity. "
                   "Its period over 2π/ω less 1, next to "
-                  "what tan(θ/2) = ωΔt/2 makes of it; largest change of its area, of which up to 1e-6 is its "
+                  "what tan(θ/2) = ωΔt/2 makes of it with midpoint; the decaying scheme turns by ωΔt a step. "
+                  "Largest change of its area, of which up to 1e-6 is its "
                   "centrifugal stretch and the vibration that comes of "
                   "starting unstretched; largest change of angular momentum.",
                   turns, spin));
@@ -94,14 +95,14 @@ void spun(Report& report) {
         lost = std::max(lost, std::abs(angular_momentum(stepper, 0) / L - 1));
       }
       const double period = spin * stepper.state().time / stepper.state().rotation[0] - 1;
-      const double law = spin * dt / 2 / std::atan(spin * dt / 2) - 1;
+      const double law = scheme == Scheme::midpoint ? spin * dt / 2 / std::atan(spin * dt / 2) - 1 : 0;
       rows.push_back({name, fmt::format("{:g}", dt), text(period), text(law), text(grown), text(lost)});
       period_off = std::max(period_off, std::abs(period - law));
       area = std::max(area, grown);
       momentum = std::max(momentum, lost);
     }
   report.table(rows);
-  report.claims({{"The period is off by its law, to 1e-5.", period_off <= 1e-5, text(period_off)},
+  report.claims({{"The period is that of its law, to 1e-5.", period_off <= 1e-5, text(period_off)},
                  {"The area does not grow: 1e-5.", area <= 1e-5, text(area)},
                  {"Angular momentum stays to 1e-6.", momentum <= 1e-6, text(momentum)}});
 }

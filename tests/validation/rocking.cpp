@@ -69,6 +69,7 @@ Scene rocking_scene(const Rocker& rocker, const Setting& setting) {
   Scene scene = rock_scene(setting.time_step, 1, setting.young);
   scene.analysis.scheme = setting.scheme;
   scene.joints[0].friction_angle = 60;
+  scene.joints[0].restitution = 0;
   scene.contact.normal_stiffness = setting.penalty * setting.young;
   scene.contact.tangential_stiffness = scene.contact.normal_stiffness / 2.5;
   if (setting.method == ContactMethod::classic) {

@@ -27,10 +27,7 @@ struct FlyingBlocks {
     system.prepare(state, true);
     std::srand(3);
     state.velocity = VectorXd::Random(system.n_unknowns());
-    start = {step_rule({}, 1e-3, 1e-3),
-             1e-3,
-             state.velocity,
-             state.carried};
+    start = {step_rule({}, 1e-3, 1e-3), 1e-3, state.velocity, state.carried};
     parts.resize(n);
     next = state;
     step();

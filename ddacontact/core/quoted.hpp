@@ -1,0 +1,12 @@
+/// \file A name in a message.
+#pragma once
+
+#include <string>
+
+namespace ddacontact {
+
+inline std::string quoted(const std::string& name) {
+  return "\"" + name + "\"";
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,237 @@
+// What an accepted step leaves: the next state, its accounts, and what the next step carries on.
+#include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/block/rigid_velocity.hpp>
+#include <ddacontact/core/quoted.hpp>
+#include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/half_steps.hpp>
+#include <ddacontact/time/stepper.hpp>
+#include <ddacontact/time/support_velocity.hpp>
+#include <polyfem/geometry/validity.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numbers>
+
+namespace ddacontact {
+
+bool Stepper::check_concave(int b, const BlockState& next) {
+  const Range& v = blocks_.block(b).vertices();
+  if (polyfem::find_defect(next.position.middleCols(v.first, v.count))) {
+    rejection_ = "the outline of block " + quoted(blocks_.names[b]) + " crosses itself";
+    return false;
+  }
+  if (convex_[in_whole(b)]) turned_concave_.push_back(b);
+  return true;
+}
+
+bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
+  next.time += dt;
+  turned_concave_.clear();
+  const VectorXd& d = solution.d;
+  blocks_.end_step(d, solution.residual.external, next);
+  std::vector<char> is_concave(blocks_.n_blocks(), 0);
+  for_blocks(blocks_.n_blocks(), [&](int b) {
+    if (blocks_.is_unchanging(b)) return;
+    const Range& v = blocks_.block(b).vertices();
+    const auto outline = next.position.middleCols(v.first, v.count);
+    is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
+    const double angle = best_fit_rotation(blocks_.block(b).reference().leftCols(v.count), outline);
+    next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
+  });
+  for (int b = 0; b < blocks_.n_blocks(); ++b)
+    if (is_concave[b] && !check_concave(b, next)) return false;
+  const StepRule& rule = system_->rule();
+  next.carried_dt = rule.has_half_steps() ? dt : 0;
+  if (is_static()) {  // after a static step blocks are at rest
+    next.velocity.setZero();
+    next.carried.setZero();
+    return true;
+  }
+  for (const HeldUnknown& held : blocks_.held_unknowns()) {
+    // Where the trapezoidal rule goes on with this velocity d - dt v0 is a contact's force: a mean over the
+    // step would be half a step late, and make it twice as large as the support's acceleration does.
+    const bool of_both_sides = rule.mean_forces() && held.motion.kind == TimeFunction::Kind::history;
+    (rule.has_half_steps() ? next.carried : next.velocity)[held.unknown] =
+        of_both_sides ? support_velocity(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
+  }
+  if (rule.has_half_steps()) next.velocity = next.carried;
+  return true;
+}
+
+void Stepper::accept(double dt, const Solution& solution, BlockState next) {
+  accepting_ = true;
+  record_reactions(solution.d, solution.residual);
+  assess(dt, solution, next.velocity);
+  VectorXd motion = blocks_.straight_motion(solution.d);
+  if (solution.impact.changes()) motion += solution.impact.shift;
+  if (system_->rule().has_half_steps()) account_impacts(motion);
+  account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
+               energy_.now);
+  book_kinetic(kinetic_energy(blocks_, next.velocity));
+  record_contacts();
+  // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
+  const double of_impact = solution.impact.friction_loss + solution.impact.normal_loss;
+  const double by_friction =
+      std::clamp(solution.impact.friction_loss, std::min(0.0, of_impact), std::max(0.0, of_impact));
+  energy_.now.numerical_dissipated -= of_impact;
+  energy_.now.friction_dissipated += by_friction;
+  energy_.now.damping_dissipated += of_impact - by_friction;
+  counts_.impacts += solution.impact.n_hits;
+  if (solution.impact.limited) ++counts_.limited_impacts;
+  if (!solution.impact.settled) ++counts_.unsettled_impacts;
+  for (int b : turned_concave_) {
+    convex_[in_whole(b)] = false;
+    notes_.push_back("block " + quoted(blocks_.names[b]) + " is no longer convex at time " +
+                     std::to_string(next.time) + " s: it goes on with " +
+                     (analysis_.kinematics == Kinematics::corotational
+                          ? "the functions of its starting shape"
+                          : "mean value functions while a corner is concave"));
+  }
+  contacts_.assign(tried_.begin(), tried_.end());
+  state_ = std::move(next);
+  prepare_and_keep_momentum();
+  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
+  if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
+  const bool some_fell_asleep = fall_asleep(dt);
+  tolerated_work_ = 0;
+  for (const Contact& contact : tried_)
+    tolerated_work_ += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
+  ++counts_.substeps;
+  counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
+  begun_ = true;
+  last_dt_ = dt;
+  detected_ = false;
+  reach_scale_ = 1;
+  all_contacts_known_ = false;
+  counts_.equations = blocks_.n_equations();
+  if (some_fell_asleep) regroup();
+  counts_.asleep = sleeping_.n_asleep();
+  accepting_ = false;
+}
+
+void Stepper::look_ahead(double dt) {
+  if (state_.carried_dt > 0) {
+    try {
+      ahead_ = Ahead{dt, find_solution(dt), counts_};
+    } catch (const std::bad_alloc&) {  // the step itself will say so
+      forget_tries();
+    }
+    counts_ = accepted_.counts;
+    if (ahead_ && (ahead_->solution.objection.empty() || ahead_->solution.friction_unsettled)) {
+      const Solution& solution = ahead_->solution;
+      // An impact is yet to come.
+      const VectorXd after =
+          solution.impact.changes() ? state_.carried : VectorXd(blocks_.straight_motion(solution.d) / dt);
+      state_.velocity = velocity_between(blocks_, state_, after, dt,
+                                         analysis_.damping.mass == 0 ? &solution.residual.external : nullptr);
+      book_kinetic(kinetic_energy(blocks_, state_.velocity));
+    } else {
+      accepted_.counts.unknown_velocities = ++counts_.unknown_velocities;
+      if (ahead_) ++ahead_->counts.unknown_velocities;
+    }
+  }
+  energy_.close_step(tolerated_work_);
+}
+
+void Stepper::book_kinetic(double kinetic) {
+  energy_.now.numerical_dissipated -= kinetic - energy_.now.kinetic;
+  energy_.now.kinetic = kinetic;
+}
+
+void Stepper::account_impacts(const VectorXd& motion) {
+  const double dt = system_->dt(), impulse_time = system_->rule().impulse_time * dt;
+  for (Contact& contact : tried_) {
+    if (contact.normal == 0) continue;
+    const GapAndSlip rates = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
+    contact.gap_change = contact.motion.change_along(rates.by_gap, motion);
+    contact.slip_change = contact.motion.change_along(rates.by_slip, motion);
+    const double before = contact.motion.change_along(rates.by_gap, state_.going_on()),
+                 by_impulse = -contact.normal * impulse_time * (before + contact.gap_change / dt) / 2;
+    energy_.now.damping_dissipated += by_impulse;
+    energy_.now.numerical_dissipated -= by_impulse;
+  }
+}
+
+void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
+  const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
+  const double before = equilibrium_.unbalanced;
+  equilibrium_ = find_equilibrium(blocks_, *system_, solution.residual, tried_,
+                                  asleep_ ? asleep_->part_reactions : reactions_, velocity);
+  for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
+    if (*b >= 0) *b = in_whole(*b);
+  equilibrium_.unbalanced_before = before;
+  warnings_.look(
+      {.blocks = blocks_,
+       .d = solution.d,
+       .contacts = tried_,
+       .dt = dt,
+       .time = state_.time + dt,
+       .has_velocities = !is_static(),
+       .is_first = !begun_,
+       .in_whole = asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{}});
+}
+
+void Stepper::prepare_and_keep_momentum() {
+  if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static()) {
+    blocks_.prepare(state_);
+    return;
+  }
+  Points before(2, blocks_.n_blocks());
+  for (int b = 0; b < blocks_.n_blocks(); ++b)
+    before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
+  blocks_.prepare(state_);
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!blocks_.is_free(b)) continue;
+    const Block& block = blocks_.block(b);
+    const Vec2 lost = before.col(b) - rigid_velocity(block, state_.velocity).linear;
+    state_.velocity.segment(block.unknowns().first, block.unknowns().count) += block.translations() * lost;
+  }
+}
+
+void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
+  Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
+  reactions.setZero(2, state_.position.cols());
+  for (const HeldUnknown& held : blocks_.held_unknowns())
+    reactions(held.axis, held.vertex) += residual.force[held.unknown];
+  for (const StepSystem::HeldSpring& spring : system_->held_springs()) {
+    const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
+    reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
+        system_->held_stiffness() * spring.form(d);
+  }
+  if (!asleep_) return;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (asleep_->part->is_resting(b)) continue;
+    const Range &from = blocks_.block(b).places(), &to = asleep_->part->places_in_whole(b);
+    reactions_.middleCols(to.first, to.count) =
+        reactions.middleCols(from.first, from.count) + asleep_->reactions.middleCols(to.first, to.count);
+  }
+}
+
+void Stepper::record_contacts() {
+  counts_.contacts = asleep_ ? asleep_->n_closed : 0;
+  for (Contact& contact : tried_) {
+    ContactHistory& history = contact.history;
+    contact.end_gap = contact.gap - history.gap_offset;
+    const bool hands_on = contact.closed() && properties_.has_multipliers();
+    const double by_dashpot =
+        contact.normal == 0 ? 0 : contact.damping * (contact.gap - contact.motion.start_gap());
+    history.normal = hands_on ? contact.normal + by_dashpot : 0;
+    history.shear = hands_on ? contact.shear : 0;
+    const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
+    if (slid || !contact.closed()) history.bonded = false;
+    const bool had_strength = contact.law.cohesion > 0 || contact.law.tension > 0;
+    if (contact.start_bonded && !history.bonded && had_strength) ++counts_.broken_bonds;
+    if (!contact.closed()) {
+      const double left = std::clamp(contact.gap, std::min(history.gap_offset, 0.0), 0.0);
+      history.gap_offset = left < -contact.length_tolerance() ? left : 0;
+      continue;
+    }
+    ++counts_.contacts;
+    counts_.max_penetration = std::max(counts_.max_penetration, -contact.end_gap);
+  }
+  counts_.contacts_max = std::max(counts_.contacts_max, counts_.contacts);
+}
+
+}  // namespace ddacontact

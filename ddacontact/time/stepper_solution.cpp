@@ -1,0 +1,226 @@
+// The solutions of a try: with the impacts of its step, by either contact method.
+#include <ddacontact/contact/for_contacts.hpp>
+#include <ddacontact/core/quoted.hpp>
+#include <ddacontact/time/borne_blocks.hpp>
+#include <ddacontact/time/stepper.hpp>
+#include <ddacontact/time/waves.hpp>
+#include <polyfem/core/stopwatch.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace ddacontact {
+
+namespace {
+
+/// What a scene can do where no forces of contacts are found.
+constexpr const char* cure_of_unsettled =
+    " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it a "
+    "smaller friction_angle)";
+/// A step is solved again so often for contacts that closed fast without having been foreseen.
+constexpr int most_impact_rounds = 4;
+
+std::vector<ContactForce> forces_of(const std::vector<Contact>& contacts) {
+  std::vector<ContactForce> forces;
+  forces.reserve(contacts.size());
+  for (const Contact& contact : contacts) forces.push_back({contact.normal, contact.shear});
+  return forces;
+}
+
+/// After a step of displacements d.
+void leave_open(const VectorXd& d, Contact& contact) {
+  const GapAndSlip end = contact.motion.gap_and_slip_at(d, contact.history.lock, Directions::of_end);
+  contact.gap_change = end.gap - contact.gap;
+  contact.gap = end.gap;
+  contact.end_slip = end.slip;
+}
+
+}  // namespace
+
+Stepper::Solution Stepper::solve(double dt) {
+  const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
+  const bool has_impacts =
+      method_ != ContactMethod::classic && !is_static() &&
+      std::ranges::any_of(tried_, [&](const Contact& contact) {
+        return restitution_of(contact_builder_->properties(), contact.pair, rule).has_value();
+      });
+  if (!has_impacts) return solve_with(dt, {}, nullptr);
+  std::vector<char> also;
+  Solution solution;
+  for (int round = 0; round < most_impact_rounds; ++round) {
+    StepImpact impact;
+    {
+      const polyfem::Stopwatch watch(times_.solver);
+      if (round > 0) solution.forces = forces_of(tried_);
+      restart_contacts();
+      impact = foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, rule,
+                              state_.going_on(), dt, also);
+    }
+    solution = solve_with(dt, std::move(impact), round > 0 ? &solution : nullptr);
+    if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
+  }
+  return solution;
+}
+
+bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const {
+  const std::vector<char> before = also;
+  also.resize(tried_.size(), 0);
+  for (std::size_t c = 0; c < tried_.size(); ++c) {
+    const Contact& start = tried_[c];
+    if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
+    if (!restitution_of(contact_builder_->properties(), start.pair, system_->rule())) continue;
+    const double rate = start.motion.change_along(start.first_gap().gradient, state_.going_on());
+    if (-rate > least_approach(blocks_, start, dt)) also[c] = 1;
+  }
+  return also != before && std::find(also.begin(), also.end(), 1) != also.end();
+}
+
+Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Solution* nearby) {
+  const BlockState& from = impact.changes() ? impact.start : state_;
+  const StepStart start{.rule = step_rule(analysis_, dt, state_.carried_dt),
+                        .dt = dt,
+                        .velocity = is_static() ? VectorXd::Zero(from.velocity.size()) : from.going_on(),
+                        .acceleration = from.carried};
+  {
+    const polyfem::Stopwatch watch(times_.assembly);
+    if (impact.changes()) blocks_.prepare(from);
+    system_->set_step(from, start, held_stiffness_);
+    system_->problem().keep_factor(analysis_.skip.unchanged_factor);
+  }
+  const polyfem::Stopwatch watch(times_.solver);
+  restart_contacts();
+  has_tried_ = true;
+  for (std::size_t c = 0; c < tried_.size(); ++c) {
+    Contact& contact = tried_[c];
+    contact.damping = contact_builder_->dashpot(contact.pair) / dt;
+    if (impact.changes()) contact_builder_->start_from(from, contact);
+    if (!nearby) continue;
+    contact.normal = nearby->forces[c].normal;
+    contact.shear = nearby->forces[c].shear;
+  }
+  // What an impact drives apart exerts no force in what is left of the step.
+  const auto is_parted = [&](const Contact& contact) {
+    const GapAndSlip rates = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
+    return !contact.closed() &&
+           contact.motion.change_along(rates.by_gap, from.going_on()) > least_approach(blocks_, contact, dt);
+  };
+  std::vector<Contact> all;
+  if (impact.changes()) {
+    all = tried_;
+    std::erase_if(tried_, is_parted);
+  }
+  Solution solution;
+  const polyfem::Cholesky& cholesky = system_->problem().cholesky();
+  const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
+            analyses = cholesky.n_analyses();
+  const polyfem::CholeskySeconds seconds = cholesky.seconds();
+  if (method_ == ContactMethod::classic)
+    solve_by_open_close(solution);
+  else
+    solve_by_stages(start, nearby, solution);
+  if (impact.changes()) {
+    auto solved = tried_.begin();
+    for (Contact& contact : all) {
+      if (!is_parted(contact))
+        contact = std::move(*solved++);
+      else if (solution.d.size() > 0)
+        leave_open(solution.d, contact);
+      contact_builder_->start_from(state_, contact);
+    }
+    tried_ = std::move(all);
+    blocks_.prepare(state_);
+  }
+  solution.impact = std::move(impact);
+  counts_.linear_solves += cholesky.n_solves() - solves;
+  counts_.factorizations += cholesky.n_factorizations() - factorizations;
+  times_.analyses += cholesky.n_analyses() - analyses;
+  times_.analysis += cholesky.seconds().analysis - seconds.analysis;
+  times_.factorization += cholesky.seconds().factorization - seconds.factorization;
+  times_.solution += cholesky.seconds().solution - seconds.solution;
+  return solution;
+}
+
+void Stepper::solve_by_open_close(Solution& solution) {
+  OpenCloseReport report = iterate_open_close(*system_, open_close_, tried_, solution.d);
+  counts_.open_close_iterations += report.iterations;
+  solution.residual = std::move(report.residual);
+  switch (report.status) {
+    case OpenCloseStatus::settled:
+      return;
+    case OpenCloseStatus::friction_unsettled:
+      solution.friction_unsettled = true;
+      solution.objection = "stick and slip did not settle" + between(report.disagreeing);
+      return;
+    case OpenCloseStatus::unsettled:
+      solution.objection =
+          "open and closed contacts did not settle" + between(report.disagreeing) + cure_of_unsettled;
+      return;
+    case OpenCloseStatus::not_positive_definite:
+      solution.objection = "the equations are not positive definite";
+      return;
+    case OpenCloseStatus::not_finite:
+      solution.objection = "the solution is not finite";
+  }
+}
+
+void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution) {
+  staged_.local = !is_static() && std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
+    return carries_waves(blocks_, contact, system_->dt());
+  });
+  staged_.skip = analysis_.skip;
+  staged_.directions = start.rule.directions();
+  staged_.breaks_within = is_static();
+  solution.d = solution.start = system_->free_path();
+  staged_.again = staged_.local && nearby;
+  if (staged_.again) {
+    solution.d += nearby->d - nearby->start;
+  }
+  if (!is_static() && !staged_.local) start_borne_blocks(blocks_, tried_, start, solution.d);
+  const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
+                     islands_.divide(blocks_, tried_);
+  StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)
+                              : solve_staged(*system_, staged_, tried_, solution.d);
+  if (apart) {
+    const IslandsApart::Work& work = islands_.last_work();
+    counts_.linear_solves += work.n_solves;
+    counts_.factorizations += work.n_factorizations;
+    times_.analyses += work.n_analyses;
+    times_.analysis += work.seconds.analysis;
+    times_.factorization += work.seconds.factorization;
+    times_.solution += work.seconds.solution;
+  }
+  counts_.open_close_iterations += report.iterations;
+  counts_.interior_paths += report.interior_paths;
+  counts_.augmentations += report.augmentations;
+  counts_.sweeps += report.sweeps;
+  counts_.solutions_without_factor += report.tangent.without_factor;
+  counts_.solutions_with_stale_factor += report.tangent.with_stale_factor;
+  counts_.krylov_iterations += report.tangent.iterations;
+  counts_.solver_fallbacks += report.tangent.fallbacks;
+  solution.residual = std::move(report.residual);
+  switch (report.status) {
+    case StagedStatus::settled:
+      return;
+    case StagedStatus::unsettled:
+      solution.objection =
+          "contact forces did not come into balance" + between(report.worst_contact) + cure_of_unsettled;
+      return;
+    case StagedStatus::penetrating:
+      solution.objection = "penetration did not fall below its tolerance" + between(report.worst_contact);
+      return;
+    case StagedStatus::not_positive_definite:
+      solution.objection = "the equations are not positive definite";
+      return;
+    case StagedStatus::not_finite:
+      solution.objection = "the solution is not finite";
+  }
+}
+
+std::string Stepper::between(int contact) const {
+  if (contact < 0) return "";
+  const VertexEdge& pair = tried_[contact].pair;
+  return ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
+         quoted(blocks_.names[pair.edge_block]);
+}
+
+}  // namespace ddacontact
