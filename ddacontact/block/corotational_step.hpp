@@ -198,15 +198,17 @@ class CorotationalStep {
     return energy;
   }
 
-  /// With half steps: what backward Euler takes from the deformation.
+  /// With half steps: what backward Euler takes from the deformation, the work of the elastic forces on the
+  /// straight motion less what is stored.
   double decay(const Vectors& step) const {
     const Vectors y1 = y0() + step;
-    double loss = 0;
+    Vectors elastic = Vectors::Zero(2, step.cols());
+    Stacked f;
     for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
-      const Stacked strained = nodes_.frame(y1, c).u - start_frame(c).u;
-      loss += 0.5 * strained.dot(nodes_.shape().cells[c].elastic.template times_stiffness<Of>(strained));
+      elastic_force(start_frame(c), nodes_.frame(y1, c), c, initial_force(c), f);
+      nodes_.add_of_cell(f, c, elastic);
     }
-    return loss;
+    return elastic.cwiseProduct(straight_motion(step)).sum() - stored_energy(step);
   }
 
  private:

@@ -34,6 +34,7 @@ class JointTable {
   /// One joint for all contacts.
   explicit JointTable(JointStrength everywhere) : entries_{{std::move(everywhere), std::nullopt}} {}
 
+  const std::vector<Entry>& entries() const { return entries_; }
   const JointStrength& between(int material_a, int material_b) const {
     const Entry* general = nullptr;
     for (const Entry& entry : entries_) {

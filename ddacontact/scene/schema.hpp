@@ -130,7 +130,8 @@ void describe(ContactRecord& r, Visit&& visit) {
             .default_text = "`normal_stiffness` / 2.5"},
         r.tangential_stiffness);
   visit(Key{.name = "penetration_tolerance",
-            .what = "Deepest penetration, of the block size; 0 is the plain penalty method.",
+            .what = "Deepest penetration, of the block size; closed contacts keep gaps of up to a thousandth of "
+                    "it. 0 is the plain penalty method.",
             .bounds = not_negative,
             .default_text = "`1e-06`; method \"classic\": `0.0`"},
         r.penetration_tolerance);

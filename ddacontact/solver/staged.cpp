@@ -18,10 +18,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// Of the gaps and slips of closed contacts a step takes back this part, and what is beyond the tolerance of
-/// penetration: each moves others, and to take back all of them at once moves those of a wall for hundreds of
-/// steps.
-constexpr double part_taken_back = 0.2;
+/// Of the gaps and slips of closed contacts a dynamic step takes back this part, and what is beyond the tolerance of
+/// penetration; what is within this part of the tolerance stays: in a wall each moves others when it is taken
+/// back, for hundreds of steps.
+constexpr double part_taken_back = 0.2, part_that_stays = 1e-3;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
@@ -137,12 +137,18 @@ class Staged {
     multiplier.normal = history.normal;
     multiplier.shear = history.shear;
     multiplier.sliding = is_slipping(history.state);
-    const double most = options_.penetration_tolerance * contact.size, left = 1 - part_taken_back;
-    const double gap = contact.first_gap().constant - history.gap_offset,
-                 slip = contact.first_slip().constant;
-    if (gap <= most) multiplier.normal += left * law.normal_stiffness * std::max(gap, -most);
+    multiplier.normal +=
+        law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset, contact.size);
     if (!multiplier.sliding)
-      multiplier.shear += left * law.tangential_stiffness * std::clamp(slip, -most, most);
+      multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, contact.size);
+  }
+
+  /// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
+  double kept(double length, double size) const {
+    const double most = options_.penetration_tolerance * size, least = part_that_stays * most,
+                 within = std::min(std::abs(length), most),
+                 left = options_.is_static ? 0 : (1 - part_taken_back) * within;
+    return std::copysign(within <= least ? within : std::max(least, left), length);
   }
 
   /// Geometry, terms, forces and residual at d.
@@ -453,7 +459,7 @@ class Staged {
 
   /// The same within the step.
   bool release_bonds() {
-    if (!options_.breaks_within || !break_bonds()) return false;
+    if (!options_.is_static || !break_bonds()) return false;
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       multipliers_[c].bonded = multipliers_[c].bonded && contacts_[c].has_bond();
     restart();

@@ -13,7 +13,9 @@ struct StagedOptions {
   double residual_aim = 1e-12;                 ///< what is iterated to while that goes on
   double penetration_tolerance = 0;            ///< of the block size; 0: plain penalty
   Directions directions = Directions::of_end;  ///< of contact forces
-  bool breaks_within = false;  ///< bonds that exceed their strength break within the step, else at its end
+  /// Steps without time between them: bonds that exceed their strength break within, not at the end, and gaps of
+  /// closed contacts are taken back whole.
+  bool is_static = false;
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
   bool again = false;  ///< d and the contacts' forces are those of a solution nearby; local steps start there
   int max_solutions = 600;

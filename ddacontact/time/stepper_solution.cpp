@@ -169,7 +169,7 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   });
   staged_.skip = analysis_.skip;
   staged_.directions = start.rule.directions();
-  staged_.breaks_within = is_static();
+  staged_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
   staged_.again = staged_.local && nearby;
   if (staged_.again) {

@@ -20,6 +20,23 @@ bool is_between(const BlockSystem& blocks, const VertexEdge& pair) {
          (!pair.corner || blocks.has_rounded_corners());
 }
 
+bool are_same(const JointStrength& a, const JointStrength& b) {
+  return a.friction == b.friction && a.cohesion == b.cohesion && a.tensile_strength == b.tensile_strength &&
+         a.restitution == b.restitution && a.dashpot == b.dashpot && a.glued == b.glued && !a.friction_law &&
+         !b.friction_law;
+}
+
+/// Whether the same forces act under both on the same blocks in the same motion.
+bool have_same_forces(const Stage& a, const Stage& b) {
+  const auto &x = a.analysis, &y = b.analysis;
+  return x.scheme == y.scheme && x.mode == y.mode && x.gravity == y.gravity &&
+         x.damping.mass == y.damping.mass && x.damping.stiffness == y.damping.stiffness &&
+         std::ranges::equal(a.joints.entries(), b.joints.entries(),
+                            [](const JointTable::Entry& one, const JointTable::Entry& other) {
+                              return one.between == other.between && are_same(one.strength, other.strength);
+                            });
+}
+
 }  // namespace
 
 Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
@@ -90,7 +107,9 @@ void Stepper::enter_stage(int stage) {
   e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
   e.kinetic = kinetic;
   e.elastic = elastic;
-  if (is_static() || analysis_.scheme != before.scheme) {
+  const Stage &last = stages_[stage - 1], &next = stages_[stage];
+  if (is_static() || !next.removed.empty() || !have_same_forces(last, next)) {
+    // Half of the impulse of the next step would be that of forces that were not there before.
     state_.carried.setZero();
     state_.carried_dt = 0;
   }

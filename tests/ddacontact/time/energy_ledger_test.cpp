@@ -44,6 +44,10 @@ class MisjudgedBlock final : public Block {
                 BlockState& next) const override {
     right_.end_step(d, external, is_free, next);
   }
+  VectorXd straight_motion(const Eigen::Ref<const VectorXd>& d) const override {
+    return right_.straight_motion(d);
+  }
+  Mat2 half_turn(const Eigen::Ref<const VectorXd>& d) const override { return right_.half_turn(d); }
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override { return right_.stored_energy(d); }
   double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                       const Eigen::Ref<const VectorXd>& elastic) const override {

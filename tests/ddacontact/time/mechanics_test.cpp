@@ -150,7 +150,8 @@ TEST(Flight, OfASpinningBlockIsExactAndItsAngleOfSecondOrder) {
       EXPECT_LE((travel(*built.stepper, 0) - Vec2(4, 6 - g / 2)).norm(),
                 1e-7);  // a stretched shape's centroid
       EXPECT_LE((rigid(*built.stepper, 0).linear - Vec2(4, 6 - g)).norm(), 1e-12);
-      EXPECT_NEAR(built.stepper->state().rotation[0], 5 / (5 * dt / 2) * std::atan(5 * dt / 2), 1e-5);
+      const double law = scheme == Scheme::midpoint ? 5 / (5 * dt / 2) * std::atan(5 * dt / 2) : 5;
+      EXPECT_NEAR(built.stepper->state().rotation[0], law, 1e-5);
     }
   }
 }
