@@ -18,9 +18,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
 /// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// Of the gaps and slips of closed contacts a dynamic step takes back this part, and what is beyond the tolerance of
-/// penetration; what is within this part of the tolerance stays: in a wall each moves others when it is taken
-/// back, for hundreds of steps.
+/// Of the gaps and slips of closed contacts a dynamic step takes back this part, and what is beyond the
+/// tolerance of penetration; what is within this part of the tolerance stays: in a wall each moves others
+/// when it is taken back, for hundreds of steps.
 constexpr double part_taken_back = 0.2, part_that_stays = 1e-3;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
@@ -139,7 +139,7 @@ class Staged {
     multiplier.sliding = is_slipping(history.state);
     multiplier.normal +=
         law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset, contact.size);
-    if (!multiplier.sliding)
+    if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
       multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, contact.size);
   }
 
@@ -210,8 +210,9 @@ class Staged {
                                                          : ContactTerm::Normal::unilateral;
     term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
     term.bound = multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false);
-    term.tangential_multiplier = multiplier.sliding ? std::copysign(term.bound, multiplier.shear)
-                                                    : std::clamp(multiplier.shear, -term.bound, term.bound);
+    term.tangential_multiplier = term.bound == 0      ? 0
+                                 : multiplier.sliding ? std::copysign(term.bound, multiplier.shear)
+                                                      : std::clamp(multiplier.shear, -term.bound, term.bound);
   }
 
   bool is_balanced() const {
@@ -441,8 +442,8 @@ class Staged {
     const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, normal);
     const bool is_open = terms_[c].normal == ContactTerm::Normal::unilateral && normal <= 0 &&
                          terms_[c].gap(d_) > contacts_[c].length_tolerance();
-    const double excess = std::max({-normal - law.tension, std::abs(shear) - shear_bound(law, normal, true),
-                                    is_open ? strength : 0});
+    const double excess = std::max(
+        {-normal - law.tension, std::abs(shear) - shear_bound(law, normal, true), is_open ? strength : 0});
     return excess > options_.residual_tolerance * strength ? excess : 0;
   }
 

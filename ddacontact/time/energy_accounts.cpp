@@ -13,7 +13,10 @@ Vec2 block_losses(const Block& block, const AcceptedStep& step) {
   const auto d = step.d.segment(u.first, u.count), motion = step.motion.segment(u.first, u.count);
   thread_local BlockForces forces;
   block.forces(d, forces);
-  return {block.elastic_loss(d, forces.elastic) + motion.dot(forces.inertia), motion.dot(forces.damping)};
+  // A shift before the step stores nothing.
+  const double by_shift = forces.elastic.dot(motion - block.straight_motion(d));
+  return {block.elastic_loss(d, forces.elastic) + by_shift + motion.dot(forces.inertia),
+          motion.dot(forces.damping)};
 }
 
 /// What the springs of a contact store in a state at this gap or slip.

@@ -150,9 +150,12 @@ class Stepper {
   void forget_ahead();
   /// Takes this as the kinetic energy; what it changes by the work of inertia has to have made.
   void book_kinetic(double kinetic);
-  /// What impulses that end an approach take, in place of numerical loss: P_N times the mean of the rates
-  /// before and after. Of contacts whose gap and slip changed by the motion of the step.
-  void account_impacts(const VectorXd& motion);
+  /// How the motion of the step changed gaps and slips, in the directions of the contacts' forces.
+  /// \param[in] from  where the step was computed from
+  void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion);
+  /// With half steps: what impulses that end an approach take, in place of numerical loss: P_N times the mean
+  /// of the rates before and after.
+  void account_impacts(const BlockState& from);
   bool is_interrupted();
   /// As if the tries since the last accepted substep had not been made.
   void forget_tries();

@@ -64,8 +64,11 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   record_reactions(solution.d, solution.residual);
   assess(dt, solution, next.velocity);
   VectorXd motion = blocks_.straight_motion(solution.d);
-  if (solution.impact.changes()) motion += solution.impact.shift;
-  if (system_->rule().has_half_steps()) account_impacts(motion);
+  const bool has_impact = solution.impact.changes(), has_half_steps = system_->rule().has_half_steps();
+  const BlockState& from = has_impact ? solution.impact.start : state_;
+  if (has_impact) motion += solution.impact.shift;
+  if (has_impact || has_half_steps) measure_contacts(from, solution.d, motion);
+  if (has_half_steps) account_impacts(from);
   account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
                energy_.now);
   book_kinetic(kinetic_energy(blocks_, next.velocity));
@@ -140,14 +143,23 @@ void Stepper::book_kinetic(double kinetic) {
   energy_.now.kinetic = kinetic;
 }
 
-void Stepper::account_impacts(const VectorXd& motion) {
-  const double dt = system_->dt(), impulse_time = system_->rule().impulse_time * dt;
+void Stepper::measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion) {
   for (Contact& contact : tried_) {
+    if (contact.normal == 0 && contact.shear == 0) continue;
+    contact_builder_->start_from(from, contact);
+    const GapAndSlip at_d =
+        contact.motion.gap_and_slip_at(d, contact.history.lock, system_->rule().directions());
+    contact.gap_change = contact.motion.change_along(at_d.by_gap, motion);
+    contact.slip_change = contact.motion.change_along(at_d.by_slip, motion);
+  }
+}
+
+void Stepper::account_impacts(const BlockState& from) {
+  const double dt = system_->dt(), impulse_time = system_->rule().impulse_time * dt;
+  for (const Contact& contact : tried_) {
     if (contact.normal == 0) continue;
     const GapAndSlip rates = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
-    contact.gap_change = contact.motion.change_along(rates.by_gap, motion);
-    contact.slip_change = contact.motion.change_along(rates.by_slip, motion);
-    const double before = contact.motion.change_along(rates.by_gap, state_.going_on()),
+    const double before = contact.motion.change_along(rates.by_gap, from.going_on()),
                  by_impulse = -contact.normal * impulse_time * (before + contact.gap_change / dt) / 2;
     energy_.now.damping_dissipated += by_impulse;
     energy_.now.numerical_dissipated -= by_impulse;

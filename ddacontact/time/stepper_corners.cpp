@@ -1,4 +1,5 @@
 // Which lines corners meet, by the motion of the step itself.
+#include <ddacontact/time/step_from.hpp>
 #include <ddacontact/time/stepper.hpp>
 
 #include <algorithm>
@@ -46,9 +47,19 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
     if (doubtful.empty()) {
       restart_contacts();
       changed = contact_builder_->choose_again(state_, motion_of(solution), contacts_, tried_);
-    } else if (const Solution without = solve_without(doubtful, dt); without.objection.empty()) {
-      ++counts_.corner_solutions;
-      changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, tried_);
+    } else {
+      const Solution without = solve_without(doubtful, dt);
+      if (without.objection.empty()) {
+        ++counts_.corner_solutions;
+        changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, tried_);
+      }
+      const StepImpact& impact = solution.impact;
+      if (impact.changes() || without.impact.changes()) {  // the step of the solution, not that without
+        const BlockState& from = impact.changes() ? impact.start : state_;
+        blocks_.prepare(from);
+        system_->set_step(from, step_from(analysis_, from, dt, state_.carried_dt), held_stiffness_);
+        blocks_.prepare(state_);
+      }
     }
     if (changed && round == most_corner_rounds) ++counts_.unsettled_corners;
     if (!changed || round == most_corner_rounds) {

@@ -2,11 +2,13 @@
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/borne_blocks.hpp>
+#include <ddacontact/time/step_from.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace ddacontact {
@@ -27,13 +29,17 @@ std::vector<ContactForce> forces_of(const std::vector<Contact>& contacts) {
   return forces;
 }
 
-/// After a step of displacements d.
-void leave_open(const VectorXd& d, Contact& contact) {
-  const GapAndSlip end = contact.motion.gap_and_slip_at(d, contact.history.lock, Directions::of_end);
-  contact.gap_change = end.gap - contact.gap;
-  contact.gap = end.gap;
-  contact.end_slip = end.slip;
-}
+/// Two states are in each other's place while it lives.
+class Swapped {
+ public:
+  Swapped(BlockState& one, BlockState& other) : one_(one), other_(other) { std::swap(one_, other_); }
+  ~Swapped() { std::swap(one_, other_); }
+  Swapped(const Swapped&) = delete;
+  Swapped& operator=(const Swapped&) = delete;
+
+ private:
+  BlockState &one_, &other_;
+};
 
 }  // namespace
 
@@ -76,15 +82,13 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
 }
 
 Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Solution* nearby) {
-  const BlockState& from = impact.changes() ? impact.start : state_;
-  const StepStart start{.rule = step_rule(analysis_, dt, state_.carried_dt),
-                        .dt = dt,
-                        .velocity = is_static() ? VectorXd::Zero(from.velocity.size()) : from.going_on(),
-                        .acceleration = from.carried};
+  std::optional<Swapped> at_impact;  // the step starts from where the impact leads it
+  if (impact.changes()) at_impact.emplace(state_, impact.start);
+  const StepStart start = step_from(analysis_, state_, dt, state_.carried_dt);
   {
     const polyfem::Stopwatch watch(times_.assembly);
-    if (impact.changes()) blocks_.prepare(from);
-    system_->set_step(from, start, held_stiffness_);
+    if (impact.changes()) blocks_.prepare(state_);
+    system_->set_step(state_, start, held_stiffness_);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
@@ -93,21 +97,10 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     Contact& contact = tried_[c];
     contact.damping = contact_builder_->dashpot(contact.pair) / dt;
-    if (impact.changes()) contact_builder_->start_from(from, contact);
+    if (impact.changes()) contact_builder_->start_from(state_, contact);
     if (!nearby) continue;
     contact.normal = nearby->forces[c].normal;
     contact.shear = nearby->forces[c].shear;
-  }
-  // What an impact drives apart exerts no force in what is left of the step.
-  const auto is_parted = [&](const Contact& contact) {
-    const GapAndSlip rates = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
-    return !contact.closed() &&
-           contact.motion.change_along(rates.by_gap, from.going_on()) > least_approach(blocks_, contact, dt);
-  };
-  std::vector<Contact> all;
-  if (impact.changes()) {
-    all = tried_;
-    std::erase_if(tried_, is_parted);
   }
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
@@ -118,16 +111,9 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
     solve_by_open_close(solution);
   else
     solve_by_stages(start, nearby, solution);
+  at_impact.reset();
   if (impact.changes()) {
-    auto solved = tried_.begin();
-    for (Contact& contact : all) {
-      if (!is_parted(contact))
-        contact = std::move(*solved++);
-      else if (solution.d.size() > 0)
-        leave_open(solution.d, contact);
-      contact_builder_->start_from(state_, contact);
-    }
-    tried_ = std::move(all);
+    for (Contact& contact : tried_) contact_builder_->start_from(state_, contact);
     blocks_.prepare(state_);
   }
   solution.impact = std::move(impact);

@@ -65,7 +65,7 @@ void expect_same_motion(const Stepper& one, const Stepper& other, const Analysis
   const BlockSystem& blocks = one.blocks();
   const double dt = analysis.time_step;
   const Points apart = blocks.positions(one.state()) - other.blocks().positions(other.state());
-  const VectorXd change = one.state().velocity - other.state().velocity;
+  const VectorXd change = one.state().going_on() - other.state().going_on();
   const std::vector<double> tolerated = tolerated_forces(other, analysis.gravity);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);

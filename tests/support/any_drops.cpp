@@ -42,7 +42,7 @@ class Drawing {
     Joint joint;
     joint.name = "joint";
     joint.friction_angle = chance(0.15) ? 0 : between(0, 45);
-    joint.restitution = chance(0.5) ? 0 : between(0, 0.5);
+    if (!chance(0.5)) joint.restitution = between(0, 0.5);
     scene_.joints = {joint};
   }
 

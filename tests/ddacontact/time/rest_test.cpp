@@ -128,13 +128,13 @@ Scene wall_in_running_bond(int n_courses, int n_bricks) {
   return scene;
 }
 
-/// Gaps of running bond hang together: forces that correct one open another. They are let be where that goes
-/// on and on, so the wall comes to rest, and its blocks carry what stands on them nonetheless.
+/// Gaps of running bond hang together: forces that correct one open another. Small ones are let be, so the wall
+/// comes to rest, and its blocks carry what stands on them nonetheless.
 TEST(Rest, AWallInRunningBondComesToRest) {
   constexpr int n_courses = 12, n_bricks = 12;
   const BuiltScene built = build(wall_in_running_bond(n_courses, n_bricks));
   Stepper& stepper = *built.stepper;
-  run(stepper, 60);
+  run(stepper, 300);
   const StepCounts before = stepper.counts();
   const Points place = stepper.state().position;
   run(stepper, 20);
@@ -145,9 +145,8 @@ TEST(Rest, AWallInRunningBondComesToRest) {
   EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + 2000 * 10 * (n_bricks + 2), 1e-8 * weight);
 }
 
-/// The top of a wall moves as a whole, far more than any gap, while its joints slip by what gaps add to
-/// forces: that does not keep them from being let be.
-TEST(Rest, AWallOfManyCoursesStopsSlipping) {
+/// Static steps take gaps back whole: joints slip ever less by what gaps add to forces.
+TEST(Rest, AStaticWallOfManyCoursesSlipsEverLess) {
   Scene scene = wall_in_running_bond(32, 32);
   scene.analysis.mode = Mode::statics;
   scene.analysis.time_step = 0.03;
@@ -157,7 +156,8 @@ TEST(Rest, AWallOfManyCoursesStopsSlipping) {
   const double dissipated = stepper.energy().now.friction_dissipated;
   EXPECT_GT(dissipated, 0.1);
   run(stepper, 5);
-  EXPECT_LE(stepper.energy().now.friction_dissipated, dissipated * (1 + 1e-6));
+  EXPECT_LE(stepper.energy().now.friction_dissipated, dissipated * (1 + 2e-3));
+  EXPECT_TRUE(stepper.equilibrium().in_balance());
 }
 
 /// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All places and the
