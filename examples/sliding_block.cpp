@@ -35,7 +35,7 @@ int main() {
   system.set_held_unknowns(held);
 
   const JointTable joints(JointStrength{.friction = friction});
-  const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}};
+  const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}, ContactMethod::staged, 1e-6};
   AnalysisOptions analysis;
   analysis.time_step = 0.02;
   BlockState start = system.initial_state();

@@ -1,7 +1,7 @@
 /// \file What a block is told of a step before its displacements are known.
 #pragma once
 
-#include <ddacontact/contact/edge_motion.hpp>
+#include <ddacontact/core/directions.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/core/types.hpp>
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <ddacontact/block/point_map.hpp>
+#include <ddacontact/core/directions.hpp>
 
 namespace ddacontact {
 
@@ -55,9 +56,6 @@ struct GapAndSlip {
   double start_gap, gap, slip;
   VertexEdgeGradient by_gap, by_slip;
 };
-/// Of which place the derivatives are that forces act by: of the start or the end of a motion, or the
-/// discrete gradients of both.
-enum class Directions { of_start, mean, of_end };
 /// All of the above at once, for the motion `by` from `start`.
 GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock,
                         Directions directions);

@@ -96,12 +96,16 @@ class Staged {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
-        if (release_bonds()) continue;
+        if (options_.is_static && release_bonds()) continue;
         if (is_close()) {
           take_law_where_negligible();
           return settle();
         }
-        if (report_.augmentations == options_.max_augmentations) return end(StagedStatus::penetrating);
+        if (report_.augmentations == options_.max_augmentations) {
+          if (!release_bonds()) return end(StagedStatus::penetrating);  // no motion holds them
+          report_.augmentations = 0;
+          continue;
+        }
         augment();
         continue;
       }
@@ -460,7 +464,7 @@ class Staged {
 
   /// The same within the step.
   bool release_bonds() {
-    if (!options_.is_static || !break_bonds()) return false;
+    if (!break_bonds()) return false;
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       multipliers_[c].bonded = multipliers_[c].bonded && contacts_[c].has_bond();
     restart();

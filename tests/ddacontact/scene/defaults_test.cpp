@@ -33,7 +33,7 @@ TEST(Defaults, OfTheDefaultPreset) {
   EXPECT_EQ(scene.joints[0].friction_angle, 0);
   EXPECT_EQ(scene.joints[0].cohesion, 0);
   EXPECT_EQ(scene.joints[0].tensile_strength, 0);
-  EXPECT_EQ(scene.joints[0].restitution, 0);
+  EXPECT_EQ(scene.joints[0].restitution, std::nullopt);
   EXPECT_EQ(scene.joints[0].dashpot, 0);
   EXPECT_FALSE(scene.joints[0].between);
   EXPECT_EQ(scene.blocks[0].model, BlockModel::automatic);

@@ -86,7 +86,6 @@ TEST(RoundTrip, StatesEveryDefault) {
                            "scheme = \"decaying\"",
                            "penetration_tolerance = 1e-06",
                            "damping = { mass = 0.0, stiffness = 0.0 }",
-                           "restitution = 0.0",
                            "dashpot = 0.0",
                            "skip = { friction_rows = true, fixed_blocks = true, unchanged_factor = true, "
                            "congruent = true, output = true, stale_factor = true, cg = true, islands = true, "

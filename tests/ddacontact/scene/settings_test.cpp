@@ -88,7 +88,7 @@ TEST(Settings, ChooseTheMechanics) {
   EXPECT_EQ(scene.contact.method, ddacontact::ContactMethod::staged);
   EXPECT_EQ(scene.contact.penetration_tolerance, 1e-4);
   EXPECT_EQ(scene.joints[0].restitution, 0.5);
-  EXPECT_EQ(scene.joints[1].restitution, 0);
+  EXPECT_EQ(scene.joints[1].restitution, std::nullopt);
   EXPECT_EQ(scene.joints[1].dashpot, 0.1);
 }
 
