@@ -47,13 +47,11 @@ double velocity_after_half_a_second(double mass) {
     for (int axis = 0; axis < 2; ++axis) held.push_back({2 * vertex + axis, vertex, axis, {}});
   system.set_held_unknowns(held);
 
-  const ContactProperties contacts{40 * young,
-                                   16 * young,
-                                   JointTable(JointStrength{.friction_law = patton}),
-                                   {0, 0},
-                                   ContactMethod::staged,
-                                   1e-6};
+  const ContactProperties contacts{
+      40 * young, 16 * young, JointTable(JointStrength{.friction_law = patton}), {0, 0}};
   AnalysisOptions analysis;
+  analysis.scheme = Scheme::dda;
+  analysis.kinematics = Kinematics::incremental;
   analysis.time_step = 0.01;
   BlockState start = system.initial_state();
   Stepper stepper(std::move(system), std::move(start), contacts, analysis);

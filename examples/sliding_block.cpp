@@ -35,8 +35,10 @@ int main() {
   system.set_held_unknowns(held);
 
   const JointTable joints(JointStrength{.friction = friction});
-  const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}, ContactMethod::staged, 1e-6};
+  const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}};
   AnalysisOptions analysis;
+  analysis.scheme = Scheme::dda;
+  analysis.kinematics = Kinematics::incremental;
   analysis.time_step = 0.02;
   BlockState start = system.initial_state();
   Stepper stepper(std::move(system), std::move(start), contacts, analysis);

@@ -4,6 +4,8 @@ namespace ddacontact {
 
 void IncrementalBlock::begin_step(const BlockState& state, const StepStart& start) {
   const Range& u = unknowns();
+  if (start.rule.has_half_steps() || start.rule.mean_forces())
+    throw Error("blocks with incremental kinematics need the scheme dda, newmark or backward_euler");
   rule_ = start.rule;
   dt_ = start.dt;
   velocity_ = start.velocity.segment(u.first, u.count);
