@@ -76,7 +76,8 @@ TEST(Measurements, HavePhasesThatSumUpToTheStep) {
 }
 
 TEST(Measurements, HavePartsOfTheMemoryThatIsTaken) {
-  for (const auto& [time_step, most] : {std::pair{1e-4, 5.8}, std::pair{1e-2, 8.0}}) {
+  // The solution of the step after the last is kept for it.
+  for (const auto& [time_step, most] : {std::pair{1e-4, 6.1}, std::pair{1e-2, 8.0}}) {
     const Measurement m = measure({.scene = "wall", .size = 2000, .time_step = time_step},
                                   {.warm_steps = 0, .steps = 1, .cholmod = false});
     double parts = 0;
