@@ -5,6 +5,7 @@
 
 namespace ddacontact {
 
+/// Between quotation marks.
 inline std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
 }
