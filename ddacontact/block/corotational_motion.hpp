@@ -13,8 +13,6 @@ struct NodalMotion {
   Vec2 linear;
   double angular;
   typename Of::Vectors deformation;  ///< velocities of the nodes, 2 x m
-
-  NodalMotion<polyfem::AnyNodes> kept() const { return {linear, angular, deformation}; }
 };
 
 /// The nodes of a shape as arrays of a known size (polyfem::Nodal) and their mass.
@@ -127,11 +125,6 @@ class NodalKinematics {
     const Rigid r = rigid(y, velocity);
     return {r.linear, r.angular, velocity - everywhere(r.linear) - r.angular * r.turning};
   }
-  /// The velocities of a motion of the block in this place.
-  Vectors motion_at(const Vectors& y, const auto& motion) const {
-    return everywhere(motion.linear) + motion.angular * spin(y) + motion.deformation;
-  }
-
   /// Adds what acts on the nodes of a cell.
   void add_of_cell(const Stacked& f, std::size_t c, Vectors& on_nodes) const {
     const std::vector<int>& nodes = shape_.cells[c].nodes;

@@ -158,9 +158,7 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   staged_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
   staged_.again = staged_.local && nearby;
-  if (staged_.again) {
-    solution.d += nearby->d - nearby->start;
-  }
+  if (staged_.again) solution.d += nearby->d - nearby->start;
   if (!is_static() && !staged_.local) start_borne_blocks(blocks_, tried_, start, solution.d);
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, tried_);
