@@ -61,6 +61,7 @@ void Block::follow_with_origin(BlockState& state) const {
   const Vec2 shift = grid_point(mean);
   places.colwise() -= shift;
   state.origin.col(index_) += shift;
+  if (state.modal.size() > 0) state.modal.segment<2>(unknowns_.first) -= shift;
 }
 
 double Block::elastic_energy(const BlockState& state) const {

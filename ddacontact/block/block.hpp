@@ -12,6 +12,8 @@
 
 namespace ddacontact {
 
+struct CorotationalShape;
+
 /// What a block is made of.
 struct BlockMaterial {
   Mat3 elasticity;     ///< D of (9), Pa
@@ -47,6 +49,10 @@ class Block {
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
 
+  /// The shape whose motions carry the block on; null: it has none.
+  virtual const CorotationalShape* shape() const { return nullptr; }
+  /// Forces on the deformations of the shape by the stress that it has at rest; empty: none.
+  virtual VectorXd initial_modal_force(const BlockState&) const { return {}; }
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
   /// Whether steps change what the state has of the block's stress.
@@ -101,6 +107,9 @@ class Block {
   /// 1 for an unknown that is a displacement, the block's size for one that is an angle or a strain: forces
   /// conjugate to it divided by this are comparable.
   virtual VectorXd unknown_lengths() const = 0;
+
+  /// Moves the origin in `state` back to the block when it has gone far from it.
+  void follow_with_origin(BlockState& state) const;
 
   /// The displacement of a place (0 .. n_places - 1).
   virtual PointMap vertex_map(int place) const = 0;
@@ -171,8 +180,6 @@ class Block {
   virtual void prepare_shape(const PointsRef& places) = 0;
   Mat3 compliance() const;  ///< D^-1
   int index() const { return index_; }
-  /// Moves the origin in `state` back to the block when it has gone far from it.
-  void follow_with_origin(BlockState& state) const;
 
   /// Of the size of rotation(), to be written by prepare_shape.
   Eigen::Map<VectorXd> new_rotation() {

@@ -1,5 +1,6 @@
 #include <ddacontact/block/block_system.hpp>
 
+#include <ddacontact/block/corotational_motion.hpp>
 #include <ddacontact/block/for_blocks.hpp>
 
 #include <algorithm>
@@ -149,6 +150,35 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
     for (int v : {j, k}) on.vertex_map(v).add_force(load.pressure / 2 * inward, F);
   }
   for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
+}
+
+void BlockSystem::add_loads(const BlockState& state, double time, Points& at_places, Points& on_blocks) const {
+  for (const PointLoad& load : point_loads) {
+    const Range& places = block(load.point.block).places();
+    at_places.middleCols(places.first, places.count) +=
+        load.force.at(time, end_time) * load.point.weights.transpose();
+  }
+  for (const PressureLoad& load : pressure_loads) {
+    const Block& on = block(load.block);
+    const int first = on.vertices().first, j = first + load.edge, k = first + (load.edge + 1) % on.n_vertices();
+    const Vec2 edge = state.position.col(k) - state.position.col(j);
+    const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
+    for (int v : {j, k}) at_places.col(v) += load.pressure / 2 * inward;
+  }
+  for (const BodyLoad& load : body_loads)
+    on_blocks.col(load.block) += block(load.block).reference_area() * load.force.at(time, end_time);
+}
+
+void BlockSystem::find_modal(BlockState& state) const {
+  state.modal = VectorXd::Zero(n_unknowns_);
+  for_blocks(n_blocks(), [&](int b) {
+    if (unchanging_[b] || !block(b).shape()) return;
+    const Range &u = block(b).unknowns(), &p = block(b).places();
+    const CorotationalShape& shape = *block(b).shape();
+    const Points nodes = NodalKinematics<polyfem::AnyNodes>(shape).of_places(
+        state.position.middleCols(p.first, p.count));
+    state.modal.segment(u.first, u.count) = shape.modal().coordinates_of(nodes);
+  });
 }
 
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {

@@ -113,6 +113,10 @@ class BlockSystem {
   void add_gravity(VectorXd& F) const;
   /// F += point, pressure and body loads at `time` on the shape of `state`, Eq. (21), (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
+  /// The same loads: forces at the places (2 x all places), and those on whole blocks (2 x n_blocks), N per m.
+  void add_loads(const BlockState& state, double time, Points& at_places, Points& on_blocks) const;
+  /// Finds the motions of the blocks that may move from their places in `state`.
+  void find_modal(BlockState& state) const;
   /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
   VectorXd prescribed(const BlockState& state, double time) const;
 

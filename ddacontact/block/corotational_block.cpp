@@ -191,7 +191,32 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state, int c) con
   return state.stress.middleCols(stress_points().first + cell.first_point, cell.element.n_points());
 }
 
+double CorotationalBlock::elastic_energy_of_motion(const BlockState& state) const {
+  const auto q = state.modal.segment(unknowns().first + 3, unknowns().count - 3);
+  double energy = 0;
+  if (!q.isZero(0)) energy = shape_->modal().stiffness.dot(q.cwiseAbs2()) / 2;
+  const TensorsRef initial = initial_stress(state);
+  if (initial.isZero(0)) return energy;
+  if (!q.isZero(0)) energy += initial_modal_force(state).dot(q);
+  for (Index p = 0; p < initial.cols(); ++p)
+    energy += shape_->integration_weights[p] * initial.col(p).dot(compliance() * initial.col(p)) / 2;
+  return energy;
+}
+
+VectorXd CorotationalBlock::initial_modal_force(const BlockState& state) const {
+  if (initial_stress(state).isZero(0)) return {};
+  const NodalKinematics<polyfem::AnyNodes> nodes(*shape_);
+  Points force = Points::Zero(2, shape_->nodes.cols());
+  for (int c = 0; c < n_cells(); ++c) {
+    VectorXd of_cell(2 * shape_->cells[c].elastic.n_nodes());
+    polyfem::stress_forces(shape_->cells[c].element, initial_stress(state, c), of_cell);
+    nodes.add_of_cell(of_cell, static_cast<std::size_t>(c), force);
+  }
+  return shape_->modal().deformations.transpose() * force.reshaped();
+}
+
 double CorotationalBlock::elastic_energy(const BlockState& state) const {
+  if (state.modal.size() > 0) return elastic_energy_of_motion(state);
   return with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     const auto y = nodes.of_places(state.position.middleCols(places().first, places().count));
     double energy = 0;

@@ -14,10 +14,12 @@ class CorotationalBlock final : public Block {
   CorotationalBlock(const BlockMaterial& material, const PointsRef& places,
                     std::shared_ptr<const CorotationalShape> shape);
 
+  const CorotationalShape* shape() const override { return shape_.get(); }
   int n_unknowns() const override { return static_cast<int>(shape_->n_unknowns()); }
   int n_stress_points() const override { return static_cast<int>(shape_->integration_weights.size()); }
   bool changes_stress() const override { return false; }
   VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
+  VectorXd initial_modal_force(const BlockState& state) const override;
   PointMap vertex_map(int place) const override;
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return shape_->translations;
@@ -54,6 +56,7 @@ class CorotationalBlock final : public Block {
 
   void prepare_shape(const PointsRef& places) override;
   void map_places();
+  double elastic_energy_of_motion(const BlockState& state) const;
   Points nodes(const PointsRef& places) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const Points& y, int c) const;

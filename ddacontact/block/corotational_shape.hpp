@@ -3,11 +3,15 @@
 
 #include <ddacontact/block/affine_block.hpp>
 #include <ddacontact/block/block_mesh.hpp>
+#include <ddacontact/block/modal_shape.hpp>
 #include <ddacontact/block/step_matrices.hpp>
 #include <ddacontact/block/vertex_block.hpp>
 #include <polyfem/element/corotation.hpp>
 
 #include <Eigen/SparseCore>
+
+#include <memory>
+#include <mutex>
 
 namespace ddacontact {
 
@@ -47,6 +51,17 @@ struct CorotationalShape {
   VectorXd integration_weights{};                           ///< of the points of all cells
   /// See StepMatrices, of the blocks of this shape.
   std::unique_ptr<LastStepMatrices> step_matrices = std::make_unique<LastStepMatrices>();
+
+  /// Its motions, found when they are first asked for. Any thread may ask.
+  const ModalShape& modal() const {
+    std::call_once(motions->found, [this] { motions->modal.emplace(*this); });
+    return *motions->modal;
+  }
+  struct Motions {
+    std::once_flag found;
+    std::optional<ModalShape> modal;
+  };
+  std::unique_ptr<Motions> motions = std::make_unique<Motions>();
 
   /// Whether the only cell has all nodes in their order.
   bool is_one_cell() const { return cells[0].nodes.empty(); }

@@ -79,6 +79,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   state_.position.resize(2, next.places.first);
   state_.origin.resize(2, static_cast<Index>(blocks_.size()));
   state_.velocity.resize(next.unknowns.first);
+  state_.modal.resize(0);
   state_.carried.resize(next.unknowns.first);
   state_.rotation.resize(static_cast<Index>(blocks_.size()));
 
@@ -114,7 +115,8 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
                       const std::vector<Ranges>& in_to, bool into_part) const {
   to.time = from.time;
   to.carried_dt = from.carried_dt;
-  const bool stressed = from.stress.cols() > 0;
+  const bool stressed = from.stress.cols() > 0, modal = from.modal.size() > 0;
+  if (into_part) to.modal.resize(modal ? system_.n_unknowns_ : 0);
   if (into_part) to.stress.resize(3, stressed ? system_.n_stress_points_ : 0);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges &source = in_from[k], &target = in_to[k];
@@ -124,6 +126,9 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
     to.rotation[there] = from.rotation[here];
     to.position.middleCols(target.places.first, target.places.count) =
         from.position.middleCols(source.places.first, source.places.count);
+    if (modal)
+      to.modal.segment(target.unknowns.first, target.unknowns.count) =
+          from.modal.segment(source.unknowns.first, source.unknowns.count);
     to.velocity.segment(target.unknowns.first, target.unknowns.count) =
         from.velocity.segment(source.unknowns.first, source.unknowns.count);
     to.carried.segment(target.unknowns.first, target.unknowns.count) =

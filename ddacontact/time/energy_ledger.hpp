@@ -12,10 +12,11 @@ struct Energy {
   double numerical_dissipated = 0;  ///< the time scheme's own identity, with velocities set to zero
   double external = 0;              ///< work of loads and supports
   double damping_dissipated = 0;
+  double pushed_out = 0;  ///< put in by contacts that push penetration out
 
   double total() const {
     return kinetic + elastic + gravity + friction_dissipated + numerical_dissipated + damping_dissipated -
-           external;
+           external - pushed_out;
   }
 };
 
@@ -60,7 +61,8 @@ class EnergyLedger {
                                                 &Energy::friction_dissipated,
                                                 &Energy::numerical_dissipated,
                                                 &Energy::external,
-                                                &Energy::damping_dissipated};
+                                                &Energy::damping_dissipated,
+                                                &Energy::pushed_out};
 
   Energy start_;
   bool has_exchanged() const;

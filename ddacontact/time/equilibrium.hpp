@@ -3,6 +3,7 @@
 
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
+#include <ddacontact/solver/modal_step.hpp>
 #include <ddacontact/solver/step_system.hpp>
 
 #include <vector>
@@ -37,6 +38,9 @@ struct Equilibrium {
   }
 };
 
+/// Of a substep by the blocks' motions. \param[in] forces  on the blocks
+Equilibrium find_equilibrium(const BlockSystem& blocks, const std::vector<BlockForceSum>& forces,
+                             const std::vector<Contact>& contacts, const VectorXd& velocity);
 /// \param[in] system     of the substep
 /// \param[in] residual   of its displacements: forces on all unknowns, reactions of prescribed ones
 /// \param[in] reactions  of supports, N per m, 2 x all places

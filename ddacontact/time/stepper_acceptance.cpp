@@ -29,7 +29,10 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
   turned_concave_.clear();
   const VectorXd& d = solution.d;
-  blocks_.end_step(d, solution.residual.external, next);
+  if (solution.modal)
+    ModalStep::advance(blocks_, modal_rule(dt), solution.modal->modal_velocity, next);
+  else
+    blocks_.end_step(d, solution.residual.external, next);
   std::vector<char> is_concave(blocks_.n_blocks(), 0);
   for_blocks(blocks_.n_blocks(), [&](int b) {
     if (blocks_.is_unchanging(b)) return;
@@ -41,13 +44,14 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   });
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     if (is_concave[b] && !check_concave(b, next)) return false;
-  const StepRule& rule = system_->rule();
+  const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
   next.carried_dt = rule.has_half_steps() ? dt : 0;
   if (is_static()) {  // after a static step blocks are at rest
     next.velocity.setZero();
     next.carried.setZero();
     return true;
   }
+  if (!solution.modal)
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
     // Where the trapezoidal rule goes on with this velocity d - dt v0 is a contact's force: a mean over the
     // step would be half a step late, and make it twice as large as the support's acceleration does.
@@ -61,8 +65,11 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
 
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   accepting_ = true;
-  record_reactions(solution.d, solution.residual);
+  record_reactions(solution);
   assess(dt, solution, next.velocity);
+  if (solution.modal) {
+    book(solution.modal->work);
+  } else {
   VectorXd motion = blocks_.straight_motion(solution.d);
   const bool has_impact = solution.impact.changes(), has_half_steps = system_->rule().has_half_steps();
   const BlockState& from = has_impact ? solution.impact.start : state_;
@@ -71,6 +78,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   if (has_half_steps) account_impacts(from);
   account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
                energy_.now);
+  }
   book_kinetic(kinetic_energy(blocks_, next.velocity));
   record_contacts();
   // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
@@ -125,10 +133,15 @@ void Stepper::look_ahead(double dt) {
     if (ahead_ && (ahead_->solution.objection.empty() || ahead_->solution.friction_unsettled)) {
       const Solution& solution = ahead_->solution;
       // An impact is yet to come.
+      if (solution.modal) {
+        const VectorXd& after = solution.impact.changes() ? state_.carried : solution.modal->velocity;
+        state_.velocity = (dt * state_.carried + state_.carried_dt * after) / (dt + state_.carried_dt);
+      } else {
       const VectorXd after =
           solution.impact.changes() ? state_.carried : VectorXd(blocks_.straight_motion(solution.d) / dt);
       state_.velocity = velocity_between(blocks_, state_, after, dt,
                                          analysis_.damping.mass == 0 ? &solution.residual.external : nullptr);
+      }
       book_kinetic(kinetic_energy(blocks_, state_.velocity));
     } else {
       accepted_.counts.unknown_velocities = ++counts_.unknown_velocities;
@@ -136,6 +149,16 @@ void Stepper::look_ahead(double dt) {
     }
   }
   energy_.close_step(tolerated_work_);
+}
+
+void Stepper::book(const StepWork& work) {
+  Energy& e = energy_.now;
+  e.gravity += work.gravity;
+  e.external += work.external;
+  e.friction_dissipated += work.friction;
+  e.damping_dissipated += work.damping;
+  e.numerical_dissipated += work.scheme;
+  e.pushed_out += work.pushed_out;
 }
 
 void Stepper::book_kinetic(double kinetic) {
@@ -169,8 +192,10 @@ void Stepper::account_impacts(const BlockState& from) {
 void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
   const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
   const double before = equilibrium_.unbalanced;
-  equilibrium_ = find_equilibrium(blocks_, *system_, solution.residual, tried_,
-                                  asleep_ ? asleep_->part_reactions : reactions_, velocity);
+  equilibrium_ = solution.modal
+                     ? find_equilibrium(blocks_, solution.modal->forces, tried_, velocity)
+                     : find_equilibrium(blocks_, *system_, solution.residual, tried_,
+                                        asleep_ ? asleep_->part_reactions : reactions_, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = in_whole(*b);
   equilibrium_.unbalanced_before = before;
@@ -202,11 +227,16 @@ void Stepper::prepare_and_keep_momentum() {
   }
 }
 
-void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
+void Stepper::record_reactions(const Solution& solution) {
+  const VectorXd& d = solution.d;
   Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
   reactions.setZero(2, state_.position.cols());
-  for (const HeldUnknown& held : blocks_.held_unknowns())
-    reactions(held.axis, held.vertex) += residual.force[held.unknown];
+  for (std::size_t k = 0; k < blocks_.held_unknowns().size(); ++k) {
+    const HeldUnknown& held = blocks_.held_unknowns()[k];
+    reactions(held.axis, held.vertex) += solution.modal ? solution.modal->reaction[static_cast<Index>(k)]
+                                                        : solution.residual.force[held.unknown];
+  }
+  if (!solution.modal)
   for (const StepSystem::HeldSpring& spring : system_->held_springs()) {
     const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
     reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=

@@ -80,6 +80,14 @@ void Stepper::apply(const Stage& stage) {
   });
   properties_.joints = stage.joints;
   contact_builder_->set_joints(stage.joints);
+  find_motions();
+}
+
+void Stepper::find_motions() {
+  if (!is_modal())
+    state_.modal.resize(0);
+  else if (state_.modal.size() == 0)
+    blocks_.find_modal(state_);
 }
 
 void Stepper::make_system() {
@@ -190,6 +198,7 @@ void Stepper::restore(StepRecord record) {
   progress_ = record.progress;
   state_ = std::move(record.state);
   contacts_ = std::move(record.contacts);
+  find_motions();
   blocks_.prepare(state_, true);
   forget_ahead();
   reach_scale_ = 1;
