@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -22,9 +21,9 @@ struct NormalAndShear {
 
 /// The law of one contact over a step whose impulses act during `time`.
 struct CoulombLaw {
-  double friction = 0;                        ///< tan(phi)
-  const FrictionLaw* friction_law = nullptr;  ///< of forces, in place of tan(phi); not owned
-  double time = 1;                            ///< force = impulse / time, s
+  double friction = 0;                                 ///< tan(phi)
+  const FrictionLaw* friction_law = nullptr;           ///< of forces, in place of tan(phi); not owned
+  double time = 1;                                     ///< force = impulse / time, s
   double normal_compliance = 0, shear_compliance = 0;  ///< c_n, c_t, m/s per N s/m, >= 0; 0: rigid
   bool bonded = false;                                 ///< neither opens nor slides, whatever it bears
 
@@ -33,13 +32,14 @@ struct CoulombLaw {
     if (normal <= 0) return 0;
     return friction_law ? time * (*friction_law)(normal / time) : friction * normal;
   }
-  /// dF/dp.
+  /// dF/dp; of a friction law by a central difference. At p <= 0: tan(phi).
   double bound_rate(double normal) const {
     if (!friction_law || normal <= 0) return friction;
-    constexpr double relative_step = 1e-6;  // of a central difference: F need not be differentiable
+    constexpr double relative_step = 1e-6;  // cube root of round-off, about; F need not be differentiable
     const double step = relative_step * normal;
     return (bound(normal + step) - bound(normal - step)) / (2 * step);
   }
+  /// Whether a shear impulse can act at all.
   bool has_friction() const { return bonded || friction > 0 || friction_law; }
 
   /// The impulses nearest to `trial` that the law allows: the normal one first, then the shear one within the
@@ -49,17 +49,21 @@ struct CoulombLaw {
     const double normal = std::max(trial.normal, 0.0), largest = bound(normal);
     return {normal, std::clamp(trial.shear, -largest, largest)};
   }
-  /// How far impulses are from obeying the law at velocities (u, v): p - project(p - (u + c p) / w), the
-  /// natural map, N s/m. Zero exactly where the law holds.
+  /// How far impulses are from obeying the law at velocities (u, v): p - project(p - (u + c p) / (w + c)),
+  /// the natural map, N s/m; the shear impulse is compared with the bound of p. Zero exactly where the law
+  /// holds. It is divided by w + c because that is what an error of p makes of u + c p: a compliant contact
+  /// is judged by its impulse like a rigid one.
   /// \param[in] response  w > 0: the change of u and v by a unit of p and q alone, m/s per N s/m
   NormalAndShear residual(const NormalAndShear& impulse, const NormalAndShear& velocity,
                           const NormalAndShear& response) const {
-    const double normal = std::max(0.0, impulse.normal), u = velocity.normal + normal_compliance * impulse.normal,
-                 v = velocity.shear + shear_compliance * impulse.shear;
-    if (bonded) return {u / response.normal, v / response.shear};
-    const double largest = bound(normal);
-    return {impulse.normal - std::max(0.0, impulse.normal - u / response.normal),
-            impulse.shear - std::clamp(impulse.shear - v / response.shear, -largest, largest)};
+    const double u = (velocity.normal + normal_compliance * impulse.normal) /
+                     (response.normal + normal_compliance),
+                 v = (velocity.shear + shear_compliance * impulse.shear) /
+                     (response.shear + shear_compliance);
+    if (bonded) return {u, v};
+    const double largest = bound(impulse.normal);
+    return {impulse.normal - std::max(0.0, impulse.normal - u),
+            impulse.shear - std::clamp(impulse.shear - v, -largest, largest)};
   }
 };
 
