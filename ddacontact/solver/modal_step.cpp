@@ -232,10 +232,18 @@ class Step {
     }
   }
 
+  /// A joint with a dashpot is a spring beside it, N = -k g - c g', g that at the end of the step.
+  bool has_spring(std::size_t c) const { return contacts_[c].damping > 0 && !bonded_[c]; }
+  /// k dt + c, N s/m per m.
+  double spring_rate(std::size_t c) const {
+    return dt() * (contacts_[c].law.normal_stiffness + contacts_[c].damping);
+  }
+
   double gap(std::size_t c) const { return straight_[c].gap - contacts_[c].history.gap_offset; }
 
   /// b_n without what the straight motion misses: rates that close a gap, leave it, or push penetration out.
   double normal_offset(std::size_t c) const {
+    if (has_spring(c)) return gap(c) * contacts_[c].law.normal_stiffness / spring_rate(c);
     const double left = gap_left * contacts_[c].size, g = gap(c);
     return g > left ? g / dt() : g < -left ? (g + left) / dt() : 0;
   }
@@ -291,6 +299,7 @@ class Step {
     law.friction_law = joint.friction_law;
     law.time = h();
     law.bonded = bonded_[c];
+    if (has_spring(c)) law.normal_compliance = 1 / (h() * spring_rate(c));
     return law;
   }
 
@@ -432,6 +441,10 @@ class Step {
       const NormalAndShear missed{(end.gap - straight_[c].gap) / dt() - straight.normal,
                                   (end.slip - straight_[c].slip) / dt() - straight.shear};
       const bool presses = impulse_[c].normal != 0 || bonded_[c];
+      if (has_spring(c)) {
+        geometry_[c].normal = presses ? missed.normal : 0;
+        continue;
+      }
       const double gap_error = presses ? std::abs(end.gap - aim) : std::max(0.0, aim - end.gap),
                    slip_error = std::abs(missed.shear - geometry_[c].shear) * dt();
       geometry_[c].normal = presses || end.gap < aim ? missed.normal : geometry_[c].normal;
@@ -591,11 +604,19 @@ class Step {
     if (number_[c] < 0 || (contact.normal == 0 && contact.shear == 0)) return;
     StepWork& work = solution_.work;
     const double by_shear = -contact.shear * contact.slip_change, by_normal = -contact.normal * contact.gap_change;
-    (bonded_[c] ? work.scheme : work.friction) += by_shear;
+    // Friction is against the slip at the end; the straight motion of the start misses a part of it.
+    const double slipped = bonded_[c] ? 0 : -contact.shear * dt() * problem_->rates(number_[c], z_).shear;
+    work.friction += slipped;
+    work.scheme += by_shear - slipped;
+    if (has_spring(c)) {
+      const double by_dashpot = contact.damping * contact.gap_change * contact.gap_change;
+      work.damping += by_dashpot;
+      work.scheme += by_normal - by_dashpot;  // less what the spring stores
+      return;
+    }
     // An impulse changes kinetic energy by p times the mean of the rates before and after.
-    const double before = rate_before(c), energy = contact.normal * h() * (before + contact.gap_change / dt()) / 2;
-    const bool pushes = gap(c) < 0 && contact.normal > 0;
-    if (pushes)
+    const double energy = contact.normal * h() * (rate_before(c) + contact.gap_change / dt()) / 2;
+    if (energy > 0)
       work.pushed_out += energy;
     else
       work.damping -= energy;

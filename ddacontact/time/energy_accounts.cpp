@@ -62,6 +62,7 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
     energy += stored_normal(properties, contact.history.state, contact.end_gap) +
               stored_shear(properties, contact.history.state, contact.end_slip);
   }
+  if (state.modal.size() > 0) energy += spring_energy(contacts, properties);
   for (const HeldVertex& held : blocks.held_vertices) {
     const int v = blocks.block(held.block).vertices().first + held.vertex;
     const Vec2 target = held.motion.at(state.time, blocks.end_time);
@@ -70,6 +71,14 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
       if (axis == 0 ? held.x : held.y) energy += held_stiffness * stretch * stretch / 2;
     }
   }
+  return energy;
+}
+
+double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties) {
+  double energy = 0;
+  for (const ContactRecord& contact : contacts)
+    if (contact.normal > 0 && properties.strength(contact.pair).dashpot > 0)
+      energy += properties.normal_stiffness * contact.end_gap * contact.end_gap / 2;
   return energy;
 }
 

@@ -18,6 +18,9 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
                       double held_stiffness);
 
+/// Of the springs beside the dashpots of joints that have any, where steps are made by the blocks' motions.
+double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
+
 /// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {
   double dt;

@@ -90,6 +90,7 @@ bool Stepper::carry_on() {
         }
         accepted_ = {substep_, counts_, {}};
         look_ahead(next_substep(progress_.steps + is_last).dt);
+        accepted_.sleeping.reset();  // who sleeps after it is what a record holds
         if (is_last) return true;
         if (is_interrupted()) return false;
         continue;

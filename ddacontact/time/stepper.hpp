@@ -152,6 +152,8 @@ class Stepper {
   /// Takes this as the kinetic energy; what it changes by the work of inertia has to have made.
   void book_kinetic(double kinetic);
   void book(const StepWork& work);
+  /// What weight and loads work where an impact shifts the start of the step.
+  void book_shift(const VectorXd& shift);
   /// How the motion of the step changed gaps and slips, in the directions of the contacts' forces.
   /// \param[in] from  where the step was computed from
   void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion);

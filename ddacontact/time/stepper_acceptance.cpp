@@ -69,6 +69,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   assess(dt, solution, next.velocity);
   if (solution.modal) {
     book(solution.modal->work);
+    if (solution.impact.changes()) book_shift(solution.impact.shift);
   } else {
   VectorXd motion = blocks_.straight_motion(solution.d);
   const bool has_impact = solution.impact.changes(), has_half_steps = system_->rule().has_half_steps();
@@ -99,7 +100,10 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
                           ? "the functions of its starting shape"
                           : "mean value functions while a corner is concave"));
   }
+  const double stored = solution.modal ? spring_energy(contacts_, contact_builder_->properties()) : 0;
   contacts_.assign(tried_.begin(), tried_.end());
+  if (solution.modal)
+    energy_.now.numerical_dissipated -= spring_energy(contacts_, contact_builder_->properties()) - stored;
   state_ = std::move(next);
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
@@ -134,7 +138,8 @@ void Stepper::look_ahead(double dt) {
       const Solution& solution = ahead_->solution;
       // An impact is yet to come.
       if (solution.modal) {
-        const VectorXd& after = solution.impact.changes() ? state_.carried : solution.modal->velocity;
+        VectorXd after = solution.modal->velocity;
+        if (solution.impact.changes()) after -= solution.impact.jump;  // an impact is yet to come
         state_.velocity = (dt * state_.carried + state_.carried_dt * after) / (dt + state_.carried_dt);
       } else {
       const VectorXd after =
@@ -159,6 +164,15 @@ void Stepper::book(const StepWork& work) {
   e.damping_dissipated += work.damping;
   e.numerical_dissipated += work.scheme;
   e.pushed_out += work.pushed_out;
+}
+
+void Stepper::book_shift(const VectorXd& shift) {
+  VectorXd weight = VectorXd::Zero(blocks_.n_unknowns()), loads = weight;
+  blocks_.add_gravity(weight);
+  blocks_.add_loads(state_, state_.time, loads);
+  energy_.now.gravity -= weight.dot(shift);
+  energy_.now.external += loads.dot(shift);
+  energy_.now.numerical_dissipated += (weight + loads).dot(shift);
 }
 
 void Stepper::book_kinetic(double kinetic) {
