@@ -214,13 +214,9 @@ double residual(const ContactProblem& problem, const VectorXd& z, const std::vec
   }
   const double normal = std::abs(left.normal) - round_off * u / (w.normal + law.normal_compliance),
                shear = std::abs(left.shear) - round_off * v / (w.shear + law.shear_compliance);
-  // NaN has to be seen: it is neither above nor below 0.
   if (normal <= 0 && shear <= 0) return 0;
-  const double sum = impulse_sum(problem, sums, contact);
-  const double larger = normal >= shear || !(shear == shear) ? normal : shear;
-  const double relative =
-      normal != normal || shear != shear ? std::numeric_limits<double>::infinity() : larger / sum;
-  return relative;
+  if (!std::isfinite(normal) || !std::isfinite(shear)) return std::numeric_limits<double>::infinity();
+  return std::max(normal, shear) / impulse_sum(problem, sums, contact);
 }
 
 ContactResidual residual(const ContactProblem& problem, const VectorXd& z) {

@@ -1,3 +1,4 @@
+#include <ddacontact/solver/augmented_lagrangian.hpp>
 #include <ddacontact/solver/contact_newton.hpp>
 #include <ddacontact/solver/contact_solution.hpp>
 #include <ddacontact/solver/gauss_seidel.hpp>
@@ -80,13 +81,14 @@ ContactResidual solve_island(ContactProblem& problem, const ContactSolverOptions
   left = sweep_while_it_pays(problem, left, required, counts);
   if (left.relative <= required) return left;
 
-  constexpr int warm_factorizations = 8, polishing_factorizations = 16;
-  constexpr double polished = 1e-6;  // residual from which states are right
+  constexpr int warm_factorizations = 8, further_factorizations = 60, polishing_factorizations = 16;
+  constexpr double near = 1e-6;  // residual from which active sets find the way
   ContactMatrix matrix(problem);
   left = newton(problem, matrix, required, options.target, warm_factorizations, counts);
   if (left.relative <= options.tolerance) return left;
   const std::vector<NormalAndShear> before = problem.impulses;
-  interior_point(problem, matrix, polished, counts);
+  interior_point(problem, matrix, near, counts);
+  augmented_lagrangian(problem, matrix, required, further_factorizations, counts);
   const ContactResidual after =
       newton(problem, matrix, required, options.target, polishing_factorizations, counts);
   if (after.relative <= left.relative) return after;

@@ -29,7 +29,7 @@ struct ContactSolution {
 };
 
 /// Finds impulses (problem.impulses: in, a warm start; out, the solution) and velocities. Bodies that
-/// contacts connect are an island; each is solved by itself: by coloured Gauss-Seidel sweeps while they
+/// contacts connect are an island; each is solved by itself: by Gauss-Seidel sweeps while they
 /// converge, then by a semismooth Newton method on active sets, then by an interior-point method with
 /// Newton's last steps. The same bytes for the same problem.
 ContactSolution solve(ContactProblem& problem, const ContactSolverOptions& options = {});

@@ -1,6 +1,8 @@
 #include <ddacontact/solver/contact_operators.hpp>
 #include <ddacontact/solver/interior_point_contact.hpp>
 
+#include <limits>
+
 namespace ddacontact {
 
 namespace {
@@ -26,6 +28,21 @@ struct Targets {
   ArrayXd normal, plus, minus;
 };
 
+/// The mean impulse of the contacts of each contact's bodies, of the body with the smaller one.
+std::vector<double> impulse_scales(const ContactProblem& problem) {
+  const std::vector<double> sums = impulse_sums(problem);
+  std::vector<int> n_contacts(sums.size(), 0);
+  for (int c = 0; c < problem.n_contacts(); ++c)
+    for (const int side : {0, 1})
+      if (const int b = problem.body(c, side); b >= 0) ++n_contacts[index(b)];
+  std::vector<double> scale(index(problem.n_contacts()), std::numeric_limits<double>::infinity());
+  for (int c = 0; c < problem.n_contacts(); ++c)
+    for (const int side : {0, 1})
+      if (const int b = problem.body(c, side); b >= 0)
+        scale[index(c)] = std::min(scale[index(c)], sums[index(b)] / n_contacts[index(b)]);
+  return scale;
+}
+
 class InteriorPath {
  public:
   InteriorPath(ContactProblem& problem, ContactMatrix& matrix);
@@ -34,8 +51,11 @@ class InteriorPath {
   [[nodiscard]] bool advance(ContactSolverCounts& counts);
   /// Impulses that obey the bounds.
   void store_impulses();
+  /// Newton's full step towards mu = 0: how large impulses are going to be.
+  [[nodiscard]] bool predict(ContactSolverCounts& counts);
 
  private:
+  void place(int c, double scale, double u, double v);
   void evaluate();
   PathPoint direction(const Targets& targets);
   double longest_step(const PathPoint& d) const;
@@ -46,7 +66,7 @@ class InteriorPath {
   ContactMatrix& matrix_;
   int n_;
   ArrayXd bounded_, rubbing_;  ///< 1: has a normal inequality; has friction bounds; else 0
-  ArrayXd w_n, w_t, c_n, c_t, b_n, b_t, geometric_;  ///< responses, compliances, offsets, sqrt(w_n w_t)
+  ArrayXd w_n, w_t, c_n, c_t, b_n, b_t, e_n, e_t;  ///< responses, compliances, offsets, scales of products
   PathPoint at_;
   ArrayXd u_, v_, F_, rate_;  ///< rates with offsets and compliance, friction bounds and their rates
   ArrayXd D_n, D_t, coupling_;
@@ -68,24 +88,46 @@ InteriorPath::InteriorPath(ContactProblem& problem, ContactMatrix& matrix)
     b_n[c] = problem.offsets[index(c)].normal;
     b_t[c] = problem.offsets[index(c)].shear;
   }
-  geometric_ = ((w_n + c_n) * (w_t + c_t)).sqrt();
-  at_.z = problem.free_velocity();
+  at_.z = problem.velocity();
   VectorXd u, v;
   contact_rates(problem, at_.z, u, v);
-  u_ = u.array() + b_n;
-  v_ = v.array() + b_t;
-  // The velocity that impulses have to undo.
-  double scale = std::sqrt((-u_).max(0).square().mean());
-  if (scale == 0) scale = std::sqrt((u_.square() + v_.square()).mean());
-  if (scale == 0) scale = 1;
-  at_.y = u_.max(0) + scale;
-  at_.p = bounded_ * (scale / (w_n + c_n)) * (scale / at_.y).max(0.3);
-  at_.q = ArrayXd::Zero(n_);
-  at_.a_plus.resize(n_);
-  for (int c = 0; c < n_; ++c) at_.a_plus[c] = std::max(problem.law(c).bound(at_.p[c]), 1e-8 * at_.p[c]);
-  at_.a_minus = at_.a_plus;
-  at_.l_plus = (-v_).max(0) + scale;
-  at_.l_minus = v_.max(0) + scale;
+  for (ArrayXd* a :
+       {&at_.p, &at_.q, &at_.y, &at_.a_plus, &at_.a_minus, &at_.l_plus, &at_.l_minus, &e_n, &e_t})
+    a->setOnes(n_);
+  const std::vector<double> scale = impulse_scales(problem);
+  for (int c = 0; c < n_; ++c) place(c, scale[index(c)], u[c] + b_n[c], v[c] + b_t[c]);
+}
+
+/// Puts a contact inside its law, near its impulses and rates, with products of theta^2.
+void InteriorPath::place(int c, double scale, double u, double v) {
+  constexpr double theta = 3;  // of the scale: large, since impulses may have to grow far
+  constexpr double share = 0.9,
+                   least_bound = 1e-8;  // of the bound, that q starts with; of p, that a bound has
+  const CoulombLaw& law = problem_.law(c);
+  const NormalAndShear start = problem_.impulses[index(c)];
+  const double w = w_n[c] + c_n[c];
+  const double s = std::max(scale, 1e-3 * std::abs(u) / w);  // where impulses say nothing
+  e_n[c] = w * s * s;
+  e_t[c] = std::sqrt(w * (w_t[c] + c_t[c])) * s * s;
+  if (!(s > 0)) e_n[c] = e_t[c] = 1;
+  u += c_n[c] * start.normal;
+  v += c_t[c] * start.shear;
+  if (law.bonded) {
+    at_.p[c] = start.normal;
+    at_.q[c] = start.shear;
+    return;
+  }
+  const double product = theta * theta * e_n[c], product_t = theta * theta * e_t[c];
+  const double p = std::max(start.normal, product / std::max(u, std::sqrt(product * w)));
+  const double F = std::max(law.bound(p), least_bound * p),
+               q = std::clamp(start.shear, -share * F, share * F);
+  at_.p[c] = p;
+  at_.q[c] = rubbing_[c] * q;
+  at_.y[c] = std::max(u, product / p);
+  at_.a_plus[c] = F - q;
+  at_.a_minus[c] = F + q;
+  at_.l_plus[c] = std::max(-v, product_t / at_.a_plus[c]);
+  at_.l_minus[c] = std::max(v, product_t / at_.a_minus[c]);
 }
 
 void InteriorPath::evaluate() {
@@ -136,7 +178,8 @@ PathPoint InteriorPath::direction(const Targets& t) {
 }
 
 double InteriorPath::longest_step(const PathPoint& d) const {
-  double length = 1 / 0.99;
+  constexpr double inside = 0.99;  // not onto the boundary
+  double length = 1 / inside;
   const auto limit = [&](const ArrayXd& mask, const ArrayXd& x, const ArrayXd& dx) {
     for (int c = 0; c < n_; ++c)
       if (mask[c] != 0 && dx[c] < 0) length = std::min(length, -x[c] / dx[c]);
@@ -147,13 +190,13 @@ double InteriorPath::longest_step(const PathPoint& d) const {
   limit(rubbing_, at_.a_minus, d.a_minus);
   limit(rubbing_, at_.l_plus, d.l_plus);
   limit(rubbing_, at_.l_minus, d.l_minus);
-  return 0.99 * length;  // not onto the boundary
+  return inside * length;
 }
 
-/// The mean of the products, as velocities squared.
+/// The mean of the products, each over its scale.
 double InteriorPath::complementarity(const PathPoint& x) const {
-  const double sum = (bounded_ * x.p * x.y * (w_n + c_n)).sum() +
-                     (rubbing_ * (x.l_plus * x.a_plus + x.l_minus * x.a_minus) * geometric_).sum();
+  const double sum = (bounded_ * x.p * x.y / e_n).sum() +
+                     (rubbing_ * (x.l_plus * x.a_plus + x.l_minus * x.a_minus) / e_t).sum();
   return sum / std::max(1.0, bounded_.sum() + 2 * rubbing_.sum());
 }
 
@@ -177,17 +220,27 @@ bool InteriorPath::advance(ContactSolverCounts& counts) {
   const double ratio = complementarity(moved(predictor, length)) / mu;
   const double centring = length > 0.1 ? std::clamp(ratio * ratio, 1e-4, 1.0) : 0.5;
   const double second_order = length > 0.3 ? 1 : 0, goal = centring * mu;
-  PathPoint d = direction({goal / (w_n + c_n) - second_order * predictor.p * predictor.y,
-                           goal / geometric_ - second_order * predictor.l_plus * predictor.a_plus,
-                           goal / geometric_ - second_order * predictor.l_minus * predictor.a_minus});
+  PathPoint d = direction({goal * e_n - second_order * predictor.p * predictor.y,
+                           goal * e_t - second_order * predictor.l_plus * predictor.a_plus,
+                           goal * e_t - second_order * predictor.l_minus * predictor.a_minus});
   length = longest_step(d);
   if (length < 0.05) {  // back towards the path
-    d = direction({0.8 * mu / (w_n + c_n), 0.8 * mu / geometric_, 0.8 * mu / geometric_});
+    const double back = 0.8 * mu;
+    d = direction({back * e_n, back * e_t, back * e_t});
     length = longest_step(d);
   }
   if (!(length > 1e-8) || !d.z.allFinite()) return false;
   at_ = moved(d, length);
   return true;
+}
+
+bool InteriorPath::predict(ContactSolverCounts& counts) {
+  evaluate();
+  ++counts.factorizations;
+  if (!matrix_.factorize(stiffness_)) return false;
+  const ArrayXd zero = ArrayXd::Zero(n_);
+  at_ = moved(direction({zero, zero, zero}), 1);
+  return at_.z.allFinite();
 }
 
 void InteriorPath::store_impulses() {
@@ -199,10 +252,15 @@ void InteriorPath::store_impulses() {
 ContactResidual interior_point(ContactProblem& problem, ContactMatrix& matrix, double required,
                                ContactSolverCounts& counts) {
   ++counts.interior_point_solves;
-  InteriorPath path(problem, matrix);
-  path.store_impulses();
   std::vector<NormalAndShear> best = problem.impulses;
   ContactResidual least = residual(problem, problem.velocity());
+  constexpr int n_predictions = 2;
+  for (int i = 0; i < n_predictions; ++i) {
+    InteriorPath path(problem, matrix);
+    if (!path.predict(counts)) break;
+    path.store_impulses();
+  }
+  InteriorPath path(problem, matrix);
   for (int i = 0; i < max_iterations && least.relative > required; ++i) {
     if (!path.advance(counts)) break;
     path.store_impulses();

@@ -1,4 +1,4 @@
-#include "contact_walls.hpp"
+#include <tests/support/contact_walls.hpp>
 
 #include <Eigen/Eigenvalues>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace testing_support {
+namespace support {
 
 using ddacontact::CoulombLaw;
 
@@ -218,4 +218,4 @@ void QuadrilateralSystem::advance(const ContactProblem& solved, const VectorXd& 
   }
 }
 
-}  // namespace testing_support
+}  // namespace support

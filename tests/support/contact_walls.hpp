@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace testing_support {
+namespace support {
 
 using ddacontact::ContactProblem;
 using ddacontact::MatrixXd;
@@ -63,4 +63,4 @@ class QuadrilateralSystem {
   double friction_;
 };
 
-}  // namespace testing_support
+}  // namespace support
