@@ -116,6 +116,8 @@ void tell_energy(Answer& answer, const SummaryTable& summary) {
   answer.line(fmt::format("lost to friction {}, to damping {}, to the time scheme {}",
                           text("friction_dissipated"), text("damping_dissipated"),
                           text("numerical_dissipated")));
+  if (number("pushed_out").value_or(0) > 0)
+    answer.line(fmt::format("put in by contacts that push penetration out {}", text("pushed_out")));
   const double error = std::abs(number("balance_error").value_or(0));
   answer.line(error == 0 ? "the balance closes"
                          : fmt::format("the balance closes to {} of the largest energy exchanged",

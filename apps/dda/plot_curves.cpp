@@ -37,13 +37,14 @@ struct EnergyColumn {
   const char* text;
 };
 
-const std::array<EnergyColumn, 7> energy_columns = {{{"kinetic", "kinetic"},
+const std::array<EnergyColumn, 8> energy_columns = {{{"kinetic", "kinetic"},
                                                      {"elastic", "elastic"},
                                                      {"gravity", "gravity"},
                                                      {"friction_dissipated", "lost to friction"},
                                                      {"numerical_dissipated", "lost to the scheme"},
                                                      {"external", "external work"},
-                                                     {"damping_dissipated", "lost to damping"}}};
+                                                     {"damping_dissipated", "lost to damping"},
+                                                     {"pushed_out", "put in by pushing out"}}};
 
 const HistoryColumn& column_called(const std::string& name) {
   std::vector<std::string_view> known;

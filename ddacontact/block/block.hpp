@@ -13,6 +13,7 @@
 namespace ddacontact {
 
 struct CorotationalShape;
+class ModalMotion;
 
 /// What a block is made of.
 struct BlockMaterial {
@@ -140,12 +141,13 @@ class Block {
   /// middle their angular momentum).
   virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
                         bool is_free, BlockState& next) const = 0;
-  /// With half steps: the motion d as velocities of the shape at the start times the length of the step. A
-  /// turn by an angle is that angle times the velocities of a unit rotation; forces act on such motions.
-  virtual VectorXd straight_motion(const Eigen::Ref<const VectorXd>& d) const { return d; }
-  /// With half steps: the turn of the block from the start to the middle of the step, where its unknowns are
-  /// the two displacements of one node after the other; else none.
-  virtual Mat2 half_turn(const Eigen::Ref<const VectorXd>&) const { return Mat2::Identity(); }
+  /// Where d leads the block's unknowns to. With half steps d is the straight motion of the shape at the start, dt
+  /// times its velocities: forces act on that, and the block turns on the way.
+  virtual void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const {
+    displaced = d;
+  }
+  /// The step by the block's motions that was begun; null: steps are made otherwise.
+  virtual const ModalMotion* motion() const { return nullptr; }
 
   /// At the integration points, axes of the model, 3 x n_stress_points.
   virtual Tensors stress(const BlockState& state) const = 0;

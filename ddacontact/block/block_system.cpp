@@ -88,7 +88,6 @@ void BlockSystem::number_equations() {
 
   movable_.assign(n_blocks(), false);
   free_.assign(n_blocks(), true);
-  turns_.assign(n_blocks(), true);
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
   for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
@@ -98,8 +97,6 @@ void BlockSystem::number_equations() {
       free_[b] = false;
       continue;
     }
-    for (int k = u.first; k + 1 < u.end(); k += 2)
-      if ((equation_[k] < 0) != (equation_[k + 1] < 0)) turns_[b] = false;
     for (int k = u.first; k < u.end(); ++k) {
       if (equation_[k] >= 0) movable_[b] = true;
       if (equation_[k] < 0) free_[b] = false;
@@ -150,23 +147,6 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
     for (int v : {j, k}) on.vertex_map(v).add_force(load.pressure / 2 * inward, F);
   }
   for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
-}
-
-void BlockSystem::add_loads(const BlockState& state, double time, Points& at_places, Points& on_blocks) const {
-  for (const PointLoad& load : point_loads) {
-    const Range& places = block(load.point.block).places();
-    at_places.middleCols(places.first, places.count) +=
-        load.force.at(time, end_time) * load.point.weights.transpose();
-  }
-  for (const PressureLoad& load : pressure_loads) {
-    const Block& on = block(load.block);
-    const int first = on.vertices().first, j = first + load.edge, k = first + (load.edge + 1) % on.n_vertices();
-    const Vec2 edge = state.position.col(k) - state.position.col(j);
-    const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
-    for (int v : {j, k}) at_places.col(v) += load.pressure / 2 * inward;
-  }
-  for (const BodyLoad& load : body_loads)
-    on_blocks.col(load.block) += block(load.block).reference_area() * load.force.at(time, end_time);
 }
 
 void BlockSystem::find_modal(BlockState& state) const {
@@ -236,20 +216,32 @@ void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockSta
   });
 }
 
-VectorXd BlockSystem::straight_motion(const VectorXd& d) const {
-  VectorXd motion = d;
+VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) const {
+  VectorXd displaced = d;
   for_blocks(n_blocks(), [&](int b) {
     if (is_unchanging(b)) return;
     const Range& u = block(b).unknowns();
-    motion.segment(u.first, u.count) = block(b).straight_motion(d.segment(u.first, u.count));
+    block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
   });
-  for (const HeldUnknown& held : held_unknowns_) motion[held.unknown] = d[held.unknown];
-  return motion;
-}
-
-Mat2 BlockSystem::half_turn(int b, const VectorXd& d) const {
-  if (!turns_[b] || unchanging_[b]) return Mat2::Identity();
-  return block(b).half_turn(d.segment(block(b).unknowns().first, block(b).unknowns().count));
+  // A place that turns with its block leaves the straight line that its support prescribes.
+  constexpr int most_rounds = 8;
+  constexpr double negligible = 1e-15;  // of the block size
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<int> moved;
+    for (const HeldUnknown& held : held_unknowns_) {
+      const int b = block_of_unknown_[held.unknown];
+      const double error = displaced[held.unknown] - prescribed[held.unknown];
+      if (is_unchanging(b) || std::abs(error) <= negligible * block(b).size()) continue;
+      d[held.unknown] -= error;
+      if (moved.empty() || moved.back() != b) moved.push_back(b);
+    }
+    if (moved.empty()) break;
+    for (int b : moved) {
+      const Range& u = block(b).unknowns();
+      block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
+    }
+  }
+  return displaced;
 }
 
 Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_places) const {

@@ -113,8 +113,6 @@ class BlockSystem {
   void add_gravity(VectorXd& F) const;
   /// F += point, pressure and body loads at `time` on the shape of `state`, Eq. (21), (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
-  /// The same loads: forces at the places (2 x all places), and those on whole blocks (2 x n_blocks), N per m.
-  void add_loads(const BlockState& state, double time, Points& at_places, Points& on_blocks) const;
   /// Finds the motions of the blocks that may move from their places in `state`.
   void find_modal(BlockState& state) const;
   /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
@@ -141,10 +139,9 @@ class BlockSystem {
   void begin_step(const BlockState& state, const StepStart& start);
   /// Ends it: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
-  /// See Block::straight_motion.
-  VectorXd straight_motion(const VectorXd& d) const;
-  /// See Block::half_turn; none of a block of which a node is held along one axis alone.
-  Mat2 half_turn(int b, const VectorXd& d) const;
+  /// See Block::displacement. Prescribed places are led to where they should be: d is changed so that they are.
+  /// \param[in] prescribed  displacements of the held unknowns
+  VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
 
  private:
   friend class SystemPart;
@@ -164,7 +161,6 @@ class BlockSystem {
   std::vector<bool> resting_;  ///< left where they are for a while, as if wholly held
   std::vector<bool> movable_;
   std::vector<bool> free_;
-  std::vector<bool> turns_;  ///< no node is held along one axis alone
   std::vector<bool> unchanging_;
   bool computes_fixed_ = false;
 };

@@ -105,6 +105,18 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   const Range &u = unknowns(), &p = places();
   if (!start_.matrices || !start_.matrices->are_for(start.rule, start.dt))
     start_.matrices = step_matrices(*shape_, start.rule, start.dt);
+  if (start.rule.has_half_steps()) {
+    if (!motion_) motion_ = std::make_unique<ModalMotion>();
+    const auto velocity = start.velocity.segment(u.first, u.count);
+    const VectorXd initial = initial_modal_force(state);
+    if (state.modal.size() > 0)
+      motion_->begin(*shape_, start.rule, start.dt, state.modal.segment(u.first, u.count), velocity, initial);
+    else
+      motion_->begin(*shape_, start.rule, start.dt, shape_->modal().coordinates_of(nodes(state)), velocity,
+                     initial);
+    return;
+  }
+  motion_.reset();
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     const auto y = nodes.of_places(state.position.middleCols(p.first, p.count));
     CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(start.velocity.segment(u.first, u.count)),
@@ -121,54 +133,80 @@ auto CorotationalBlock::with_step(const Work& work) const {
 }
 
 void CorotationalBlock::free_path(Eigen::Ref<VectorXd> path) const {
+  if (motion_) return motion_->free_path(path);
   with_step([&](const auto& nodes, const auto& step) { nodes.to_unknowns(step.free_path(), path); });
 }
 
 void CorotationalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const {
+  if (motion_) {
+    forces.resize(d.size());
+    forces.elastic.setZero();
+    forces.damping.setZero();
+    return motion_->forces(d, forces.inertia);
+  }
   with_step([&](const auto&, const auto& step) { step.forces(d, forces); });
 }
 
 void CorotationalBlock::tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const {
+  if (motion_) {
+    // Of the shape at rest: what deformation changes of it is of the order of the strain.
+    const Mat2 turn = motion_->turn();
+    for (std::size_t c = 0; c < parts.size(); ++c) {
+      polyfem::rotate(start_.matrices->tangents[c], turn, parts[c]);
+      const MatrixXd& B = shape_->cells[c].nodes_by_unknowns;
+      if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
+    }
+    return;
+  }
   with_step([&](const auto&, const auto& step) { step.tangent(d, parts); });
 }
 
 void CorotationalBlock::add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
-  with_step([&](const auto&, const auto& step) { step.add_change(change, d); });
+  if (motion_)
+    d += change;
+  else
+    with_step([&](const auto&, const auto& step) { step.add_change(change, d); });
 }
 
 void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
                                  const Eigen::Ref<const VectorXd>& external, bool is_free,
                                  BlockState& next) const {
   const Range &u = unknowns(), &p = places();
+  if (motion_) {
+    const VectorXd none;
+    const ModalMotion::Numbers forces = is_free ? external : ModalMotion::Numbers(none);
+    auto places = next.position.middleCols(p.first, p.count);
+    auto velocity = next.carried.segment(u.first, u.count);
+    if (next.modal.size() > 0) {
+      motion_->end(d, forces, next.modal.segment(u.first, u.count), places, velocity);
+    } else {
+      VectorXd coordinates(u.count);
+      motion_->end(d, forces, coordinates, places, velocity);
+    }
+    follow_with_origin(next);
+    return;
+  }
   with_step([&](const auto& nodes, const auto& step) {
     const auto moved = nodes.to_nodes(d);
     nodes.put_places(step.y0() + moved, next.position.middleCols(p.first, p.count));
     auto end = step.end(moved);
     if (is_free) step.keep_momenta(moved, external, end);
-    const bool has_half_steps = start_.matrices->rule.has_half_steps();
-    VectorXd& velocity = has_half_steps ? next.carried : next.velocity;
-    nodes.to_unknowns(end.velocity, velocity.segment(u.first, u.count));
-    if (!has_half_steps) nodes.to_unknowns(end.acceleration, next.carried.segment(u.first, u.count));
+    nodes.to_unknowns(end.velocity, next.velocity.segment(u.first, u.count));
+    nodes.to_unknowns(end.acceleration, next.carried.segment(u.first, u.count));
   });
   follow_with_origin(next);
 }
 
-VectorXd CorotationalBlock::straight_motion(const Eigen::Ref<const VectorXd>& d) const {
-  if (!start_.matrices->rule.has_half_steps()) return d;
-  VectorXd motion(n_unknowns());
-  with_step([&](const auto& nodes, const auto& step) {
-    nodes.to_unknowns(step.straight_motion(nodes.to_nodes(d)), motion);
-  });
-  return motion;
-}
-
-Mat2 CorotationalBlock::half_turn(const Eigen::Ref<const VectorXd>& d) const {
-  const bool has_control_vertices = shape_->places.size() > 0 && shape_->has_basis();
-  if (!start_.matrices->rule.has_half_steps() || has_control_vertices) return Mat2::Identity();
-  return with_step([&](const auto& nodes, const auto& step) { return step.half_turn(nodes.to_nodes(d)); });
+void CorotationalBlock::displacement(const Eigen::Ref<const VectorXd>& d,
+                                     Eigen::Ref<VectorXd> displaced) const {
+  if (motion_)
+    motion_->displacement(d, displaced);
+  else
+    displaced = d;
 }
 
 double CorotationalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) const {
+  if (motion_) return motion_->stored_energy(d);
   return with_step(
       [&](const auto& nodes, const auto& step) { return step.stored_energy(nodes.to_nodes(d)); });
 }
@@ -177,8 +215,7 @@ double CorotationalBlock::elastic_loss(const Eigen::Ref<const VectorXd>& d,
                                        const Eigen::Ref<const VectorXd>& elastic) const {
   const StepRule& rule = start_.matrices->rule;
   if (rule.mean_forces()) return 0;
-  if (!rule.has_half_steps()) return Block::elastic_loss(d, elastic);
-  return with_step([&](const auto& nodes, const auto& step) { return step.decay(nodes.to_nodes(d)); });
+  return Block::elastic_loss(d, elastic);
 }
 
 CorotationalBlock::Frame CorotationalBlock::cell_frame(const Points& y, int c) const {

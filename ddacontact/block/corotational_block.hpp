@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/corotational_step.hpp>
+#include <ddacontact/block/modal_motion.hpp>
 
 #include <memory>
 
@@ -36,8 +37,8 @@ class CorotationalBlock final : public Block {
   void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const override;
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
-  VectorXd straight_motion(const Eigen::Ref<const VectorXd>& d) const override;
-  Mat2 half_turn(const Eigen::Ref<const VectorXd>& d) const override;
+  void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const override;
+  const ModalMotion* motion() const override { return motion_.get(); }
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
   double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                       const Eigen::Ref<const VectorXd>& elastic) const override;
@@ -72,6 +73,7 @@ class CorotationalBlock final : public Block {
   std::shared_ptr<const CorotationalShape> shape_;
   std::vector<std::vector<PointMap::Term>> place_maps_;  ///< empty: each place has two unknowns of its own
   CorotationalStart start_;                              ///< of the step last begun
+  std::unique_ptr<ModalMotion> motion_;                  ///< the same, where it is made by motions
 };
 
 }  // namespace ddacontact

@@ -13,8 +13,8 @@ namespace ddacontact {
 /// What a block keeps of the start of its step.
 struct CorotationalStart {
   std::shared_ptr<const StepMatrices> matrices;
-  /// Of the nodes places, velocities, velocities of deformation in the block's frame (half steps) and
-  /// accelerations (Newmark's); the first axis of that frame; of each cell the first axis of its frame,
+  /// Of the nodes places, velocities and
+  /// accelerations (Newmark's); of each cell the first axis of its frame,
   /// (stretch, 0) and the places of its nodes there; and where there is any, the forces on the nodes of each
   /// cell of the stress that the reference shape has.
   std::vector<Vec2> arrays;
@@ -51,9 +51,6 @@ class CorotationalStep {
     };
     put(y, 0);
     put(velocity, at.velocity);
-    const Mat2 R = nodes.rotation(y);
-    start.arrays[at.axis] = R.col(0);
-    if (rule.has_half_steps()) put(R.transpose() * nodes.split(y, velocity).deformation, at.deforming);
     if (keeps_acceleration(rule)) put(acceleration, at.acceleration);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Frame frame = nodes.frame(y, c);
@@ -75,11 +72,9 @@ class CorotationalStep {
     const Vectors step = nodes_.to_nodes(d), y1 = y0() + step;
     Vectors elastic = Vectors::Zero(2, step.cols()), damping = elastic;
     if (rule_.damping.mass != 0) damping = rule_.damping.mass / dt_ * nodes_.weighted(step);
-    Mat2 end;
     Stacked f, damped;
     for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
       const Frame from = start_frame(c), to = nodes_.frame(y1, c);
-      if (nodes_.shape().is_one_cell()) end = to.rotation;
       elastic_force(from, to, c, initial_force(c), f);
       nodes_.add_of_cell(f, c, elastic);
       if (rule_.damping.stiffness == 0) continue;
@@ -87,10 +82,9 @@ class CorotationalStep {
       elastic_force(from, to, c, initial_force(c) + rule_.damping.stiffness / dt_ * rate, damped);
       nodes_.add_of_cell(damped - f, c, damping);
     }
-    if (!nodes_.shape().is_one_cell()) end = nodes_.rotation(y1);
     forces.resize(d.size());
     nodes_.forces_on_unknowns(elastic, forces.elastic);
-    nodes_.forces_on_unknowns(inertia_force(step, end), forces.inertia);
+    nodes_.forces_on_unknowns(inertia_force(step), forces.inertia);
     nodes_.forces_on_unknowns(damping, forces.damping);
   }
 
@@ -120,28 +114,18 @@ class CorotationalStep {
   /// The displacements of the nodes without forces.
   Vectors free_path() const {
     const Motion motion = nodes_.split(y0(), velocity());
-    const double angle =
-        rule_.has_half_steps() ? dt_ * motion.angular : 2 * std::atan(dt_ * motion.angular / 2);
+    const double angle = 2 * std::atan(dt_ * motion.angular / 2);
     const Mat2 turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
     const Vectors r = nodes_.arms(y0());
     return turn * r - r + nodes_.everywhere(dt_ * motion.linear);
   }
 
-  /// Velocity and acceleration of the nodes after the step; with half steps the velocity in its middle.
+  /// Velocity and acceleration of the nodes after the step.
   struct End {
     Vectors velocity, acceleration;
   };
   End end(const Vectors& step) const {
-    const Vectors y1 = y0() + step;
     End end;
-    if (rule_.has_half_steps()) {  // its momenta follow in keep_momenta
-      const Motion v = half_step(step);
-      const typename Nodes::Rigid before = nodes_.rigid(y0(), y0()), now = nodes_.rigid(y1, y1);
-      const Mat2 half_turn = nodes_.rotation(y1) * middle_rotation(nodes_.rotation(y1)).transpose();
-      end.velocity = nodes_.everywhere(v.linear) + v.angular * before.inertia / now.inertia * now.turning +
-                     nodes_.split(y1, half_turn * v.deformation).deformation;
-      return end;
-    }
     end.acceleration = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
     end.velocity = velocity();
     if (keeps_acceleration(rule_)) {
@@ -150,16 +134,6 @@ class CorotationalStep {
     }
     end.velocity += dt_ * rule_.gamma * end.acceleration;
     return end;
-  }
-
-  /// See Block::straight_motion.
-  Vectors straight_motion(const Vectors& step) const {
-    return at_start(straight(step), nodes_.rotation(y0() + step));
-  }
-
-  /// See Block::half_turn.
-  Mat2 half_turn(const Vectors& step) const {
-    return middle_rotation(nodes_.rotation(y0() + step)) * start_rotation().transpose();
   }
 
   /// Gives a free block the momentum that forces of its unknowns have given it, instead of what is left of
@@ -175,14 +149,13 @@ class CorotationalStep {
     const Vec2 by_force = force / nodes_.shape().mass_total;
     const typename Nodes::Rigid before = nodes_.rigid(y0(), velocity()),
                                 after = nodes_.rigid(y0() + step, end.velocity);
-    const double time = rule_.has_half_steps() ? rule_.impulse_time * dt_ : dt_;
-    Vec2 linear = before.linear + time * rule_.gamma * by_force;
+    Vec2 linear = before.linear + dt_ * rule_.gamma * by_force;
     if (keeps_acceleration(rule_)) linear += dt_ * (1 - rule_.gamma) * nodes_.mean(acceleration());
     end.velocity += nodes_.everywhere(linear - after.linear);
     if (rule_.history() != 0) end.acceleration += nodes_.everywhere(by_force - nodes_.mean(end.acceleration));
-    if (rule_.mean_forces() || rule_.has_half_steps()) {
-      const double torque = work(nodes_.spin(rule_.mean_forces() ? Vectors(y0() + step / 2) : y0()));
-      const double angular = (before.inertia * before.angular + time * torque) / after.inertia;
+    if (rule_.mean_forces()) {
+      const double torque = work(nodes_.spin(y0() + step / 2));
+      const double angular = (before.inertia * before.angular + dt_ * torque) / after.inertia;
       end.velocity += (angular - after.angular) * after.turning;
     }
   }
@@ -198,19 +171,6 @@ class CorotationalStep {
     return energy;
   }
 
-  /// With half steps: what backward Euler takes from the deformation, the work of the elastic forces on the
-  /// straight motion less what is stored.
-  double decay(const Vectors& step) const {
-    const Vectors y1 = y0() + step;
-    Vectors elastic = Vectors::Zero(2, step.cols());
-    Stacked f;
-    for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
-      elastic_force(start_frame(c), nodes_.frame(y1, c), c, initial_force(c), f);
-      nodes_.add_of_cell(f, c, elastic);
-    }
-    return elastic.cwiseProduct(straight_motion(step)).sum() - stored_energy(step);
-  }
-
  private:
   static bool keeps_acceleration(const StepRule& rule) { return rule.history() != 0 || rule.gamma != 1; }
 
@@ -219,30 +179,27 @@ class CorotationalStep {
     Places(const CorotationalShape& shape, const StepRule& rule) {
       const Index m = shape.nodes.cols();
       velocity = m;
-      deforming = 2 * m;
-      acceleration = deforming + (rule.has_half_steps() ? m : 0);
-      axis = acceleration + (keeps_acceleration(rule) ? m : 0);
+      acceleration = 2 * m;
+      first_cell = acceleration + (keeps_acceleration(rule) ? m : 0);
       const ShapeCell& last = shape.cells.back();
       initial_forces = cell(last, shape.cells.size() - 1) + 2 + last.elastic.n_nodes();
       end = initial_forces + last.first_node + last.elastic.n_nodes();
     }
     Index cell(const ShapeCell& cell, std::size_t c) const {
-      return axis + 1 + cell.first_node + 2 * static_cast<Index>(c);
+      return first_cell + cell.first_node + 2 * static_cast<Index>(c);
     }
-    Index velocity, deforming, acceleration, axis, initial_forces, end;
+    Index velocity, acceleration, first_cell, initial_forces, end;
   };
 
   Array array(Index column, Index n) const { return {start_.arrays[column].data(), 2, n}; }
   Array velocity() const { return array(at_.velocity, nodes_.n_nodes()); }
   Array acceleration() const { return array(at_.acceleration, nodes_.n_nodes()); }
-  Array deforming() const { return array(at_.deforming, nodes_.n_nodes()); }
   Mat2 rotation_at(Index column) const {
     const Vec2& axis = start_.arrays[column];
     Mat2 R;
     R << axis.x(), -axis.y(), axis.y(), axis.x();
     return R;
   }
-  Mat2 start_rotation() const { return rotation_at(at_.axis); }
   Mat2 start_rotation(std::size_t c) const { return rotation_at(at_.cell(nodes_.shape().cells[c], c)); }
   Frame start_frame(std::size_t c) const {
     const ShapeCell& cell = nodes_.shape().cells[c];
@@ -269,46 +226,9 @@ class CorotationalStep {
       return;
     }
     elastic.end_force(end, initial, f);
-    if (rule_.has_half_steps()) {  // of the strains at the end, on the shape at the start
-      const Mat2 back = start.rotation * end.rotation.transpose();
-      Eigen::Map<Vectors> of_nodes(f.data(), 2, f.size() / 2);
-      of_nodes = (back * of_nodes).eval();
-    }
   }
 
-  Mat2 middle_rotation(const Mat2& end) const { return polyfem::mid_rotation(start_rotation(), end); }
-  /// A displacement as linear motion, turn and deformation in the middle of the step.
-  Motion straight(const Vectors& step) const {
-    Motion motion = nodes_.split(y0() + step / 2, step);
-    motion.angular = 2 * std::atan(motion.angular / 2);
-    return motion;
-  }
-  /// The motion of the shape at the start that one of the middle is, when the block's frame ends here.
-  Vectors at_start(const Motion& motion, const Mat2& end) const {
-    const Mat2 back = start_rotation() * middle_rotation(end).transpose();
-    return nodes_.everywhere(motion.linear) + motion.angular * nodes_.spin(y0()) +
-           nodes_.split(y0(), back * motion.deformation).deformation;
-  }
-  /// The velocity in the middle of the step.
-  Motion half_step(const Vectors& step) const {
-    Motion velocity = straight(step);
-    velocity.linear /= dt_;
-    velocity.angular /= dt_;
-    velocity.deformation /= dt_;
-    return velocity;
-  }
-  /// M (v - v before) / h of the shape at the start.
-  Vectors half_step_inertia(const Vectors& step, const Mat2& end) const {
-    const double h = rule_.impulse_time * dt_;
-    const Motion v = half_step(step);
-    const typename Nodes::Rigid before = nodes_.rigid(y0(), velocity());
-    return nodes_.weighted((at_start(v, end) - nodes_.everywhere(before.linear) -
-                            before.angular * before.turning - start_rotation() * deforming()) /
-                               h -
-                           before.angular * v.angular * nodes_.arms(y0()));
-  }
-  Vectors inertia_force(const Vectors& step, const Mat2& end) const {
-    if (rule_.has_half_steps()) return half_step_inertia(step, end);
+  Vectors inertia_force(const Vectors& step) const {
     Vectors acceleration = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
     if (rule_.history() != 0) acceleration -= rule_.history() * this->acceleration();
     return nodes_.weighted(acceleration);

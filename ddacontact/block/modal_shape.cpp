@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ddacontact {
 
@@ -74,7 +75,9 @@ ModalShape::ModalShape(const CorotationalShape& shape)
   deformations = basis * vibrations.eigenvectors();
   stiffness = vibrations.eigenvalues().cwiseMax(0);
   momenta_of = times_mass(momenta, deformations);
-  largest_inertia = inertia(nodes);
+  turning = left(nodes * momenta);
+  rest_inertia = (nodes * momenta).cwiseProduct(nodes).sum();
+  radial = momenta_of.transpose() * nodes.reshaped();
 
   if (shape.places.size() == 0) {
     places = nodes;
@@ -91,24 +94,15 @@ Points ModalShape::deformed(const Coordinates& s) const {
   return nodes + (deformations * s.tail(n_deformations())).reshaped(2, nodes.cols());
 }
 
-Points ModalShape::deformed_places(const Coordinates& s) const {
-  return places + (place_deformations * s.tail(n_deformations())).reshaped(2, places.cols());
-}
-
-double ModalShape::inertia(const Points& deformed) const {
-  return (deformed * momenta).cwiseProduct(deformed).sum();
-}
-
-VectorXd ModalShape::centrifugal(const Points& deformed) const {
-  return momenta_of.transpose() * deformed.reshaped();
-}
-
 VectorXd ModalShape::coordinates_of(const PointsRef& y) const {
   const Vec2 centre = y * weights;
-  const Points arms = y - centre * translation.transpose(), weighted = nodes * momenta;
-  const double sine = left(weighted).cwiseProduct(arms).sum(), cosine = weighted.cwiseProduct(arms).sum(),
+  const Points arms = y - centre * translation.transpose();
+  const double sine = turning.cwiseProduct(arms).sum(),
+               cosine = (nodes * momenta).cwiseProduct(arms).sum(),
                angle = std::atan2(sine, cosine);
-  const Points u = turned_by(-angle) * arms - nodes;
+  Points u = turned_by(-angle) * arms - nodes;
+  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
+  if (u.cwiseAbs().maxCoeff() <= round_off * nodes.cwiseAbs().maxCoeff()) u.setZero();
   VectorXd s(n_unknowns());
   s << centre, angle, momenta_of.transpose() * u.reshaped();
   return s;
@@ -116,10 +110,8 @@ VectorXd ModalShape::coordinates_of(const PointsRef& y) const {
 
 VectorXd ModalShape::velocities_of(const Coordinates& s, const PointsRef& v) const {
   const Vec2 of_centre = v * weights;
-  const Points Z = deformed(s), rates = turned_by(-s[2]) * (v - of_centre * translation.transpose()),
-               weighted = nodes * momenta;
-  const double angular =
-      left(weighted).cwiseProduct(rates).sum() / weighted.cwiseProduct(Z).sum();
+  const Points Z = deformed(s), rates = turned_by(-s[2]) * (v - of_centre * translation.transpose());
+  const double angular = turning.cwiseProduct(rates).sum() / leverage(s.tail(n_deformations()));
   VectorXd velocities(n_unknowns());
   velocities << of_centre, angular, momenta_of.transpose() * (rates - angular * left(Z)).reshaped();
   return velocities;

@@ -26,9 +26,11 @@ struct ModalShape {
   MatrixXd deformations;    ///< Phi, 2m x k
   VectorXd stiffness;       ///< w^2 of each, 1/s^2, ascending
   MatrixXd momenta_of;      ///< M Phi of both axes, 2m x k
+  Points turning;           ///< J X M: its product with velocities is their moment of momentum at rest, 2 x m
+  double rest_inertia;      ///< X M X, kg m2 per m
+  VectorXd radial;          ///< Phi' M X, k
   Points places;            ///< X of the block's places, 2 x p
   MatrixXd place_deformations;  ///< Phi there, 2p x k
-  double largest_inertia;   ///< X M X of the shape at rest, kg m2 per m
 
   Index n_deformations() const { return stiffness.size(); }
   Index n_unknowns() const { return 3 + n_deformations(); }
@@ -36,14 +38,11 @@ struct ModalShape {
   using Coordinates = Eigen::Ref<const VectorXd>;
   /// X + Phi q, 2 x m.
   Points deformed(const Coordinates& s) const;
-  /// y - c t turned back: the same at the places, 2 x p.
-  Points deformed_places(const Coordinates& s) const;
-  /// I(q) = Z M Z of the deformed shape Z.
-  double inertia(const Points& deformed) const;
-  /// Phi' M Z, what turning with omega = 1 does to the deformations.
-  VectorXd centrifugal(const Points& deformed) const;
+  /// I(q) = Z M Z of the deformed shape Z = X + Phi q, and X M Z.
+  double inertia(const Coordinates& q) const { return rest_inertia + 2 * radial.dot(q) + q.squaredNorm(); }
+  double leverage(const Coordinates& q) const { return rest_inertia + radial.dot(q); }
 
-  /// The coordinates of nodes at y, exact for all that the shape can be.
+  /// The coordinates of nodes at y, exact for all that the shape can be. Deformations of the size of round-off are none.
   VectorXd coordinates_of(const PointsRef& y) const;
   /// The velocities (vc, omega, q') of nodes with velocities v in the configuration s.
   VectorXd velocities_of(const Coordinates& s, const PointsRef& v) const;

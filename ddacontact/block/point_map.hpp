@@ -49,12 +49,6 @@ class PointMap {
     if (is_own()) F.segment<2>(first_) += force;
     for (const Term& term : terms()) F[first_ + term.unknown] += term.column.dot(force);
   }
-  /// The same to the unknowns of the point's block alone, the first of which is `first`.
-  void add_force(const Vec2& force, int first, Eigen::Ref<VectorXd> F) const {
-    const int shift = first_ - first;
-    if (is_own()) F.segment<2>(shift) += force;
-    for (const Term& term : terms()) F[shift + term.unknown] += term.column.dot(force);
-  }
   /// form += direction . u
   void add_to(AffineForm& form, const Vec2& direction) const {
     if (is_own()) {

@@ -17,6 +17,7 @@ struct StepRule {
   /// Of the decaying scheme: the time h in which impulses act, from the middle of the step before to that of
   /// this one, over dt.
   double impulse_time = 1;
+  bool starts_at_rest = false;  ///< a static step
 
   /// Velocities that go on are those in the middle of the steps (leapfrog); forces act at the start of a
   /// step.
@@ -37,23 +38,25 @@ struct StepRule {
 
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
-           impulse_time == other.impulse_time && damping.mass == other.damping.mass &&
+           impulse_time == other.impulse_time && starts_at_rest == other.starts_at_rest && damping.mass == other.damping.mass &&
            damping.stiffness == other.damping.stiffness;
   }
 };
 
-/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium:
-/// the schemes whose forces act elsewhere make them by backward Euler. \param[in] dt           of the step, s
+/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium: impulses of
+/// the decaying scheme act over their whole length, and the scheme whose forces act at the middle makes them by backward
+/// Euler.
+/// \param[in] dt           of the step, s
 /// \param[in] previous_dt  of the step before, s; 0: there is none to go on from
 inline StepRule step_rule(const AnalysisOptions& analysis, double dt, double previous_dt) {
   StepRule rule{.scheme = analysis.scheme, .damping = analysis.damping};
-  if (analysis.mode == Mode::statics && (rule.has_half_steps() || rule.mean_forces()))
-    rule.scheme = Scheme::backward_euler;
+  rule.starts_at_rest = analysis.mode == Mode::statics;
+  if (rule.starts_at_rest && rule.mean_forces()) rule.scheme = Scheme::backward_euler;
   if (rule.scheme == Scheme::newmark) {
     rule.beta = analysis.beta;
     rule.gamma = analysis.gamma;
   }
-  if (rule.has_half_steps()) rule.impulse_time = (dt + previous_dt) / (2 * dt);
+  if (rule.has_half_steps() && !rule.starts_at_rest) rule.impulse_time = (dt + previous_dt) / (2 * dt);
   return rule;
 }
 

@@ -144,12 +144,6 @@ bool are_all_own(const PointMap& i, const PointMap& j, const PointMap& k) {
 
 }  // namespace
 
-VertexEdgeGradient turned(const VertexEdgeGradient& gradient, const Mat2& vertex_block,
-                          const Mat2& edge_block) {
-  return {vertex_block * gradient.i, edge_block * gradient.j, edge_block * gradient.k,
-          vertex_block * gradient.after_i};
-}
-
 AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                          const PointMap& k) {
   AffineForm form;

@@ -60,10 +60,6 @@ struct GapAndSlip {
 GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock,
                         Directions directions);
 
-/// The gradient of forces that have turned with their blocks, that of the vertex and that of the edge.
-VertexEdgeGradient turned(const VertexEdgeGradient& gradient, const Mat2& vertex_block,
-                          const Mat2& edge_block);
-
 /// constant + gradient.i . u_i + gradient.j . u_j + gradient.k . u_k: a gap or a slip as an affine function
 /// of the displacements of the three places.
 struct VertexEdgeForm {

@@ -18,7 +18,7 @@ constexpr char monitors_file[] = "monitors.csv", monitors_header[] = "step,time,
 constexpr char energy_file[] = "energy.csv",
                energy_header[] =
                    "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,"
-                   "balance_error,damping_dissipated";
+                   "balance_error,damping_dissipated,pushed_out";
 
 const char* state_name(ContactState state) {
   switch (state) {
@@ -137,7 +137,7 @@ void ResultDirectory::write_energy(const Stepper& stepper) {
   const Energy& e = stepper.energy().now;
   energy_.row(stepper.counts().steps, stepper.state().time, e.kinetic, e.elastic, e.gravity,
               e.friction_dissipated, e.numerical_dissipated, e.external, stepper.energy().balance_error(),
-              e.damping_dissipated);
+              e.damping_dissipated, e.pushed_out);
 }
 
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {
@@ -298,7 +298,8 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                          {"numerical_dissipated", e.numerical_dissipated},
                                          {"external", e.external},
                                          {"balance_error", stepper.energy().balance_error()},
-                                         {"damping_dissipated", e.damping_dissipated}}},
+                                         {"damping_dissipated", e.damping_dissipated},
+                                         {"pushed_out", e.pushed_out}}},
                                        {"wall_seconds",
                                         {{"total", summary.seconds_total},
                                          {"setup", summary.seconds_setup},

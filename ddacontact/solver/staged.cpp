@@ -157,7 +157,7 @@ class Staged {
 
   /// Geometry, terms, forces and residual at d.
   void look() {
-    system_.turn_equations(d_);
+    displaced_ = system_.displacement(d_);
     for_contacts(contacts_.size(), [&](std::size_t c) {
       look_at(contacts_[c], multipliers_[c], terms_[c]);
       springs_[c] = springs_at(terms_[c], d_);
@@ -195,11 +195,9 @@ class Staged {
 
   void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
-    const auto [start_gap, g, s, dg, ds] = m.gap_and_slip_at(d_, contact.history.lock, options_.directions);
-    const Mat2 vertex_turn = system_.half_turn(contact.pair.vertex_block),
-               edge_turn = system_.half_turn(contact.pair.edge_block);
-    term.gap = m.linear_form(g, turned(dg, vertex_turn, edge_turn), d_);
-    term.slip = m.linear_form(s, turned(ds, vertex_turn, edge_turn), d_);
+    const auto [start_gap, g, s, dg, ds] = m.gap_and_slip_at(displaced_, contact.history.lock, options_.directions);
+    term.gap = m.linear_form(g, dg, d_);
+    term.slip = m.linear_form(s, ds, d_);
     multiplier.gap = term.gap.constant;
     term.gap.constant -= contact.history.gap_offset;
 
@@ -399,7 +397,7 @@ class Staged {
     ++report_.interior_paths;
     d_ = system_.prescribed();
     const auto look_at_contacts = [&] {
-      system_.turn_equations(d_);
+      displaced_ = system_.displacement(d_);
       for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
     };
     const InteriorReport found =
@@ -560,7 +558,6 @@ class Staged {
       contacts_[c].end_slip = terms_[c].slip(d_);
     });
     if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
-    system_.turn_back(report_.residual);
     report_.status = status;
     report_.tangent += tangent_.counts();
     return std::move(report_);
@@ -570,6 +567,7 @@ class Staged {
   const StagedOptions& options_;
   std::vector<Contact>& contacts_;
   VectorXd& d_;
+  VectorXd displaced_;  ///< where d leads to
   std::vector<ContactTerm> terms_;
   std::vector<ContactSprings> springs_;  ///< of the terms at d
   std::vector<unsigned char> at_d_;      ///< states of the law there

@@ -18,11 +18,6 @@ constexpr double floor_factor = 64 * std::numeric_limits<double>::epsilon();
 /// A change moves no block further than this part of its size.
 constexpr double largest_move = 0.25;
 
-/// Turns forces of pairs of unknowns.
-void turn(const Mat2& by, Eigen::Ref<VectorXd> forces) {
-  for (Index k = 0; k + 1 < forces.size(); k += 2) forces.segment<2>(k) = (by * forces.segment<2>(k)).eval();
-}
-
 /// Whether an unknown of the block by itself moves it without straining it.
 bool moves_as_a_whole(const Block& block, int unknown) {
   const auto is_by_itself = [&](const auto& mode) {
@@ -81,7 +76,6 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   }
   blocks_.begin_step(state, start);
   own_at_.resize(0);
-  half_turns_.clear();
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(state, load_time, load_forces_);
   blocks_.add_gravity(gravity_forces_);
@@ -114,7 +108,6 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   magnitude_.setZero(blocks_.n_blocks());
   stiffest_.setZero(blocks_.n_blocks());
   residual.external = load_forces_ + gravity_forces_;
-  turn_forces(residual.external, false);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (forces[c].normal == 0 && forces[c].shear == 0) continue;
     const Contact& contact = contacts[c];
@@ -143,13 +136,13 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     const Range& u = block.unknowns();
     const auto lengths = unknown_lengths_.segment(u.first, u.count);
     auto r = residual.force.segment(u.first, u.count);
-    VectorXd own_forces = own_forces_.segment(u.first, u.count);
-    if (!half_turns_.empty()) turn(half_turns_[b], own_forces);
-    r += own_forces;
+    r += own_forces_.segment(u.first, u.count);
     const auto& [own, furthest] = own_sums_[a];
     const double sum = magnitude_[b] + own;
+    // With half steps forces follow from deformations and from changes of gaps, not from places.
+    const double length = rule_.has_half_steps() ? furthest : block.size() + furthest;
     const double floor =
-        floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * (block.size() + furthest) +
+        floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
                         rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
     double largest = 0;
     for (int k = 0; k < u.count; ++k) {
@@ -177,24 +170,9 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   }
 }
 
-void StepSystem::turn_equations(const VectorXd& d) {
-  if (!rule_.has_half_steps()) return;
-  half_turns_.resize(static_cast<std::size_t>(blocks_.n_blocks()));
-  for_blocks(blocks_.n_blocks(), [&](int b) { half_turns_[b] = blocks_.half_turn(b, d); });
-}
-
-void StepSystem::turn_forces(VectorXd& forces, bool back) const {
-  if (half_turns_.empty()) return;
-  for_blocks(static_cast<int>(active_.size()), [&](int a) {
-    const Range& u = blocks_.block(active_[a]).unknowns();
-    const Mat2& by = half_turns_[active_[a]];
-    turn(back ? Mat2(by.transpose()) : by, forces.segment(u.first, u.count));
-  });
-}
-
-void StepSystem::turn_back(Residual& residual) const {
-  turn_forces(residual.force, true);
-  turn_forces(residual.external, true);
+VectorXd StepSystem::displacement(VectorXd& d) const {
+  if (!rule_.has_half_steps()) return d;
+  return blocks_.displacement(prescribed_, d);
 }
 
 VectorXd StepSystem::free_path() const {

@@ -45,16 +45,9 @@ class StepSystem {
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                         const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
                         Residual& residual) const;
-  /// With half steps forces are those on the shapes at the start of the step, and the elastic ones of those
-  /// at its end: their derivative is not symmetric. That of equations turned half way to the end with their
-  /// block is. From now on residuals are of equations turned so for d, of which gradients of the terms are to
-  /// be too, by the half turns of their blocks; until the next step, or until they are turned back.
-  void turn_equations(const VectorXd& d);
-  /// The identity unless they are turned.
-  Mat2 half_turn(int block) const {
-    return half_turns_.empty() ? Mat2(Mat2::Identity()) : half_turns_[block];
-  }
-  void turn_back(Residual& residual) const;
+  /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where they
+  /// should be.
+  VectorXd displacement(VectorXd& d) const;
   /// The residual without contacts.
   VectorXd smooth_residual(const VectorXd& d) const;
   /// Makes the matrix anew for the blocks displaced by d.
@@ -92,7 +85,6 @@ class StepSystem {
   double memory() const;
 
  private:
-  void turn_forces(VectorXd& forces, bool back) const;
   double largest_relative_move(const VectorXd& change) const;
   /// Makes what follows from displacements alone, unless it is there.
   void find_own_forces(const VectorXd& d) const;
@@ -108,7 +100,6 @@ class StepSystem {
   double held_stiffness_ = 0;
   double dt_ = 0;
   StepRule rule_;
-  std::vector<Mat2> half_turns_;  ///< of all blocks; empty: equations are not turned
   VectorXd prescribed_, load_forces_, gravity_forces_;
   /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
   struct Sums {

@@ -14,7 +14,7 @@ Vec2 block_losses(const Block& block, const AcceptedStep& step) {
   thread_local BlockForces forces;
   block.forces(d, forces);
   // A shift before the step stores nothing.
-  const double by_shift = forces.elastic.dot(motion - block.straight_motion(d));
+  const double by_shift = forces.elastic.dot(motion - d);
   return {block.elastic_loss(d, forces.elastic) + by_shift + motion.dot(forces.inertia),
           motion.dot(forces.damping)};
 }
@@ -62,7 +62,6 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
     energy += stored_normal(properties, contact.history.state, contact.end_gap) +
               stored_shear(properties, contact.history.state, contact.end_slip);
   }
-  if (state.modal.size() > 0) energy += spring_energy(contacts, properties);
   for (const HeldVertex& held : blocks.held_vertices) {
     const int v = blocks.block(held.block).vertices().first + held.vertex;
     const Vec2 target = held.motion.at(state.time, blocks.end_time);
@@ -71,14 +70,6 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
       if (axis == 0 ? held.x : held.y) energy += held_stiffness * stretch * stretch / 2;
     }
   }
-  return energy;
-}
-
-double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties) {
-  double energy = 0;
-  for (const ContactRecord& contact : contacts)
-    if (contact.normal > 0 && properties.strength(contact.pair).dashpot > 0)
-      energy += properties.normal_stiffness * contact.end_gap * contact.end_gap / 2;
   return energy;
 }
 

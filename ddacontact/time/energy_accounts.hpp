@@ -18,14 +18,11 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
                       double held_stiffness);
 
-/// Of the springs beside the dashpots of joints that have any, where steps are made by the blocks' motions.
-double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
-
 /// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {
   double dt;
   const VectorXd& d;
-  const VectorXd& motion;  ///< BlockSystem::straight_motion of d: what forces act on
+  const VectorXd& motion;  ///< d and the shift that an impact made before: what forces act on
   const Residual& residual;
   const std::vector<Contact>& contacts;  ///< at the end, with the overlaps that they started with
   const ContactProperties& properties;   ///< of the contacts

@@ -38,6 +38,7 @@ Equilibrium find_motion(const BlockSystem& blocks, const VectorXd& velocity) {
 
 /// Notes what is left of forces on a block, the largest of which is given.
 void judge(int b, double left, double largest, Equilibrium& found) {
+  if (largest == 0) return;  // round-off of a motion without forces
   if (left > largest_unbalanced * largest) ++found.n_unbalanced;
   if (left > found.unbalanced * largest) {
     found.unbalanced = left / largest;

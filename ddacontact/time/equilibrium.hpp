@@ -3,8 +3,8 @@
 
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
-#include <ddacontact/solver/modal_step.hpp>
 #include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/time/modal_accounts.hpp>
 
 #include <vector>
 

@@ -110,6 +110,7 @@ void write_record(std::ostream& out, const StepRecord& record) {
   numbers(n_contacts);
   numbers.end_line();
   for (const ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
+  numbers.matrix(record.state.modal);
   out.flags(flags);
 }
 
@@ -121,6 +122,8 @@ StepRecord read_record(std::istream& in) {
   numbers(n_contacts);
   record.contacts.resize(n_contacts);
   for (ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
+  in >> std::ws;
+  if (!in.eof()) numbers.matrix(record.state.modal);  // else it follows from the places
   record.progress.steps = record.steps;
   return record;
 }

@@ -2,6 +2,7 @@
 
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
+#include <ddacontact/time/driven_blocks.hpp>
 #include <polyfem/core/out_of_memory.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
@@ -195,6 +196,11 @@ Stepper::Try Stepper::try_step(double dt) {
 
   BlockState next = solution.impact.changes() ? solution.impact.start : state_;
   if (!advance(dt, solution, next)) return Try::rejected;
+  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, state_, next)) {
+    rejection_ = "supports drive blocks " + quoted(blocks_.names[(*overlap)[0]]) + " and " +
+                 quoted(blocks_.names[(*overlap)[1]]) + " into each other";
+    return Try::rejected;
+  }
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
   if (analysis_.preset != Preset::paper && contact_builder_->find_entered(state_, next, tried_)) {
     restart_contacts();

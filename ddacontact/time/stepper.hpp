@@ -5,12 +5,12 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/solver/islands_apart.hpp>
-#include <ddacontact/solver/modal_step.hpp>
 #include <ddacontact/solver/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
 #include <ddacontact/time/impacts.hpp>
+#include <ddacontact/time/modal_accounts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/run_record.hpp>
 #include <ddacontact/time/run_warnings.hpp>
@@ -152,14 +152,13 @@ class Stepper {
   /// Takes this as the kinetic energy; what it changes by the work of inertia has to have made.
   void book_kinetic(double kinetic);
   void book(const StepWork& work);
+  /// Blocks that an impact of the next substep makes jump have the velocity before it at the present time.
+  void before_impact(const VectorXd& jump);
   /// What weight and loads work where an impact shifts the start of the step.
   void book_shift(const VectorXd& shift);
-  /// How the motion of the step changed gaps and slips, in the directions of the contacts' forces.
+  /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts' forces.
   /// \param[in] from  where the step was computed from
   void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion);
-  /// With half steps: what impulses that end an approach take, in place of numerical loss: P_N times the mean
-  /// of the rates before and after.
-  void account_impacts(const BlockState& from);
   bool is_interrupted();
   /// As if the tries since the last accepted substep had not been made.
   void forget_tries();
@@ -171,12 +170,12 @@ class Stepper {
   /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
   /// can).
   struct Solution {
-    VectorXd d;
+    VectorXd d;         ///< of all unknowns
+    VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
     Residual residual;
     std::string objection;
     bool friction_unsettled = false;  ///< and nothing else
     StepImpact impact;
-    std::optional<ModalSolution> modal;  ///< where blocks are carried on by their motions
     VectorXd start;                    ///< where d was looked for from, without an earlier solution
     std::vector<ContactForce> forces;  ///< of the contacts, when it is solved again
   };
@@ -196,14 +195,10 @@ class Stepper {
   Solution solve_with(double dt, StepImpact impact, const Solution* nearby);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
-  /// Whether blocks are carried on by their motions (ModalStep).
-  bool is_modal() const {
-    return analysis_.scheme == Scheme::decaying && method_ == ContactMethod::staged;
-  }
+  /// Whether blocks are carried on by their motions (ModalMotion).
+  bool is_modal() const { return analysis_.scheme == Scheme::decaying; }
   /// Of the blocks in the present state, where they are carried on by them.
   void find_motions();
-  ModalStepRule modal_rule(double dt) const;
-  void solve_by_motions(double dt, bool warm, Solution& solution);
   void solve_by_open_close(Solution& solution);
   void solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution);
   std::string between(int contact) const;
@@ -216,7 +211,7 @@ class Stepper {
   /// with the shape, so that the same vertex velocities would carry another momentum: free blocks are given
   /// the difference as a translation. The paper preset leaves it.
   void prepare_and_keep_momentum();
-  void record_reactions(const Solution& solution);
+  void record_reactions(const VectorXd& d, const Residual& residual);
   void record_contacts();
   /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
   void assess(double dt, const Solution& solution, const VectorXd& end_velocity);

@@ -3,7 +3,6 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
-#include <ddacontact/time/half_steps.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <ddacontact/time/support_velocity.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -29,10 +28,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   next.time += dt;
   turned_concave_.clear();
   const VectorXd& d = solution.d;
-  if (solution.modal)
-    ModalStep::advance(blocks_, modal_rule(dt), solution.modal->modal_velocity, next);
-  else
-    blocks_.end_step(d, solution.residual.external, next);
+  blocks_.end_step(solution.straight, solution.residual.external, next);
   std::vector<char> is_concave(blocks_.n_blocks(), 0);
   for_blocks(blocks_.n_blocks(), [&](int b) {
     if (blocks_.is_unchanging(b)) return;
@@ -45,41 +41,53 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   for (int b = 0; b < blocks_.n_blocks(); ++b)
     if (is_concave[b] && !check_concave(b, next)) return false;
   const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
-  next.carried_dt = rule.has_half_steps() ? dt : 0;
+  next.carried_dt = rule.has_half_steps() && !is_static() ? dt : 0;
+  for (const HeldUnknown& held : blocks_.held_unknowns()) {  // to the bit, without the rounding of the motions
+    const int b = blocks_.block_of_unknown(held.unknown);
+    if (!rule.has_half_steps() || blocks_.is_unchanging(b)) continue;
+    next.position(held.axis, held.vertex) =
+        state_.position(held.axis, held.vertex) + system_->prescribed()[held.unknown] +
+        (state_.origin(held.axis, b) - next.origin(held.axis, b));
+  }
   if (is_static()) {  // after a static step blocks are at rest
     next.velocity.setZero();
     next.carried.setZero();
     return true;
   }
-  if (!solution.modal)
+  if (rule.has_half_steps()) {
+    next.velocity = next.carried;
+    return true;
+  }
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
     // Where the trapezoidal rule goes on with this velocity d - dt v0 is a contact's force: a mean over the
     // step would be half a step late, and make it twice as large as the support's acceleration does.
     const bool of_both_sides = rule.mean_forces() && held.motion.kind == TimeFunction::Kind::history;
-    (rule.has_half_steps() ? next.carried : next.velocity)[held.unknown] =
+    next.velocity[held.unknown] =
         of_both_sides ? support_velocity(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }
-  if (rule.has_half_steps()) next.velocity = next.carried;
   return true;
 }
 
 void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   accepting_ = true;
-  record_reactions(solution);
-  assess(dt, solution, next.velocity);
-  if (solution.modal) {
-    book(solution.modal->work);
-    if (solution.impact.changes()) book_shift(solution.impact.shift);
-  } else {
-  VectorXd motion = blocks_.straight_motion(solution.d);
-  const bool has_impact = solution.impact.changes(), has_half_steps = system_->rule().has_half_steps();
+  record_reactions(solution.straight, solution.residual);
+  const bool has_impact = solution.impact.changes();
   const BlockState& from = has_impact ? solution.impact.start : state_;
-  if (has_impact) motion += solution.impact.shift;
-  if (has_impact || has_half_steps) measure_contacts(from, solution.d, motion);
-  if (has_half_steps) account_impacts(from);
-  account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
-               energy_.now);
+  if (is_modal()) {
+    for (Contact& contact : tried_)
+      if (has_impact) contact_builder_->start_from(from, contact);
+    book(account_modal_step(
+        blocks_, *system_, {from, solution.straight, system_->prescribed(), solution.residual, tried_}));
+    if (has_impact) book_shift(solution.impact.shift);
+  } else {
+    VectorXd motion = solution.d;
+    if (has_impact) {
+      motion += solution.impact.shift;
+      measure_contacts(from, solution.d, motion);
+    }
+    account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_}, energy_.now);
   }
+  assess(dt, solution, next.velocity);
   book_kinetic(kinetic_energy(blocks_, next.velocity));
   record_contacts();
   // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
@@ -100,10 +108,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
                           ? "the functions of its starting shape"
                           : "mean value functions while a corner is concave"));
   }
-  const double stored = solution.modal ? spring_energy(contacts_, contact_builder_->properties()) : 0;
   contacts_.assign(tried_.begin(), tried_.end());
-  if (solution.modal)
-    energy_.now.numerical_dissipated -= spring_energy(contacts_, contact_builder_->properties()) - stored;
   state_ = std::move(next);
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
@@ -137,16 +142,9 @@ void Stepper::look_ahead(double dt) {
     if (ahead_ && (ahead_->solution.objection.empty() || ahead_->solution.friction_unsettled)) {
       const Solution& solution = ahead_->solution;
       // An impact is yet to come.
-      if (solution.modal) {
-        VectorXd after = solution.modal->velocity;
-        if (solution.impact.changes()) after -= solution.impact.jump;  // an impact is yet to come
-        state_.velocity = (dt * state_.carried + state_.carried_dt * after) / (dt + state_.carried_dt);
-      } else {
-      const VectorXd after =
-          solution.impact.changes() ? state_.carried : VectorXd(blocks_.straight_motion(solution.d) / dt);
-      state_.velocity = velocity_between(blocks_, state_, after, dt,
-                                         analysis_.damping.mass == 0 ? &solution.residual.external : nullptr);
-      }
+      const double before = state_.carried_dt;
+      state_.velocity = (dt * state_.carried + before * (solution.straight / dt)) / (dt + before);
+      if (solution.impact.changes()) before_impact(solution.impact.jump);
       book_kinetic(kinetic_energy(blocks_, state_.velocity));
     } else {
       accepted_.counts.unknown_velocities = ++counts_.unknown_velocities;
@@ -154,6 +152,21 @@ void Stepper::look_ahead(double dt) {
     }
   }
   energy_.close_step(tolerated_work_);
+}
+
+void Stepper::before_impact(const VectorXd& jump) {
+  std::vector<char> touches(static_cast<std::size_t>(blocks_.n_blocks()), 0);
+  for (const ContactRecord& contact : contacts_)
+    if (contact.closed()) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const Block& block = blocks_.block(b);
+    const Range& u = block.unknowns();
+    if (jump.segment(u.first, u.count).isZero(0)) continue;
+    auto velocity = state_.velocity.segment(u.first, u.count);
+    velocity = state_.carried.segment(u.first, u.count);
+    if (!touches[b] && blocks_.is_free(b))
+      velocity += state_.carried_dt / 2 * block.translations() * blocks_.gravity;
+  }
 }
 
 void Stepper::book(const StepWork& work) {
@@ -191,25 +204,13 @@ void Stepper::measure_contacts(const BlockState& from, const VectorXd& d, const 
   }
 }
 
-void Stepper::account_impacts(const BlockState& from) {
-  const double dt = system_->dt(), impulse_time = system_->rule().impulse_time * dt;
-  for (const Contact& contact : tried_) {
-    if (contact.normal == 0) continue;
-    const GapAndSlip rates = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
-    const double before = contact.motion.change_along(rates.by_gap, from.going_on()),
-                 by_impulse = -contact.normal * impulse_time * (before + contact.gap_change / dt) / 2;
-    energy_.now.damping_dissipated += by_impulse;
-    energy_.now.numerical_dissipated -= by_impulse;
-  }
-}
-
 void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
   const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
   const double before = equilibrium_.unbalanced;
-  equilibrium_ = solution.modal
-                     ? find_equilibrium(blocks_, solution.modal->forces, tried_, velocity)
-                     : find_equilibrium(blocks_, *system_, solution.residual, tried_,
-                                        asleep_ ? asleep_->part_reactions : reactions_, velocity);
+  const Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
+  equilibrium_ = is_modal() ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
+                                               tried_, velocity)
+                            : find_equilibrium(blocks_, *system_, solution.residual, tried_, reactions, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = in_whole(*b);
   equilibrium_.unbalanced_before = before;
@@ -241,16 +242,11 @@ void Stepper::prepare_and_keep_momentum() {
   }
 }
 
-void Stepper::record_reactions(const Solution& solution) {
-  const VectorXd& d = solution.d;
+void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
   Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
   reactions.setZero(2, state_.position.cols());
-  for (std::size_t k = 0; k < blocks_.held_unknowns().size(); ++k) {
-    const HeldUnknown& held = blocks_.held_unknowns()[k];
-    reactions(held.axis, held.vertex) += solution.modal ? solution.modal->reaction[static_cast<Index>(k)]
-                                                        : solution.residual.force[held.unknown];
-  }
-  if (!solution.modal)
+  for (const HeldUnknown& held : blocks_.held_unknowns())
+    reactions(held.axis, held.vertex) += residual.force[held.unknown];
   for (const StepSystem::HeldSpring& spring : system_->held_springs()) {
     const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
     reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=

@@ -54,7 +54,7 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
         changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, tried_);
       }
       const StepImpact& impact = solution.impact;
-      if (!is_modal() && (impact.changes() || without.impact.changes())) {  // the step of the solution, not that without
+      if (impact.changes() || without.impact.changes()) {  // the step of the solution, not that without
         const BlockState& from = impact.changes() ? impact.start : state_;
         blocks_.prepare(from);
         system_->set_step(from, step_from(analysis_, from, dt, state_.carried_dt), held_stiffness_);

@@ -86,9 +86,9 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   std::optional<Swapped> at_impact;  // the step starts from where the impact leads it
   if (impact.changes()) at_impact.emplace(state_, impact.start);
   const StepStart start = step_from(analysis_, state_, dt, state_.carried_dt);
-  if (impact.changes()) blocks_.prepare(state_);
-  if (!is_modal()) {
+  {
     const polyfem::Stopwatch watch(times_.assembly);
+    if (impact.changes()) blocks_.prepare(state_);
     system_->set_step(state_, start, held_stiffness_);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
@@ -108,12 +108,12 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
             analyses = cholesky.n_analyses();
   const polyfem::CholeskySeconds seconds = cholesky.seconds();
-  if (is_modal())
-    solve_by_motions(dt, nearby != nullptr, solution);
-  else if (method_ == ContactMethod::classic)
+  if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
     solve_by_stages(start, nearby, solution);
+  solution.straight = solution.d;
+  solution.d = system_->displacement(solution.straight);
   at_impact.reset();
   if (impact.changes()) {
     for (Contact& contact : tried_) contact_builder_->start_from(state_, contact);
@@ -127,42 +127,6 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   times_.factorization += cholesky.seconds().factorization - seconds.factorization;
   times_.solution += cholesky.seconds().solution - seconds.solution;
   return solution;
-}
-
-ModalStepRule Stepper::modal_rule(double dt) const {
-  return {.dt = dt,
-          .impulse_time = is_static() ? dt : (dt + state_.carried_dt) / 2,
-          .is_static = is_static(),
-          .damping = analysis_.damping,
-          .gap_tolerance = staged_.penetration_tolerance,
-          .residual_tolerance = staged_.residual_tolerance};
-}
-
-void Stepper::solve_by_motions(double dt, bool warm, Solution& solution) {
-  ModalSolution& found = solution.modal.emplace(ModalStep(blocks_).solve(state_, modal_rule(dt), tried_, warm));
-  solution.d = found.displacement;
-  counts_.open_close_iterations +=
-      static_cast<int>(found.counts.newton_iterations + found.counts.interior_point_iterations);
-  counts_.linear_solves += static_cast<int>(found.counts.newton_iterations + found.counts.interior_point_iterations);
-  counts_.factorizations += static_cast<int>(found.counts.factorizations);
-  counts_.interior_paths += static_cast<int>(found.counts.interior_point_solves);
-  counts_.sweeps += static_cast<int>(found.counts.sweeps);
-  counts_.augmentations += found.geometry_rounds - 1;
-  solution.residual.own = found.relative_residual;
-  solution.residual.scale = found.force_scale;
-  switch (found.status) {
-    case ModalStepStatus::solved:
-      return;
-    case ModalStepStatus::no_balance:
-      solution.objection =
-          "contact forces did not come into balance" + between(found.worst_contact) + cure_of_unsettled;
-      return;
-    case ModalStepStatus::penetrating:
-      solution.objection = "penetration did not fall below its tolerance" + between(found.worst_contact);
-      return;
-    case ModalStepStatus::not_finite:
-      solution.objection = "the solution is not finite";
-  }
 }
 
 void Stepper::solve_by_open_close(Solution& solution) {
@@ -197,7 +161,7 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   staged_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
   staged_.again = staged_.local && nearby;
-  if (staged_.again) solution.d += nearby->d - nearby->start;
+  if (staged_.again) solution.d += nearby->straight - nearby->start;
   if (!is_static() && !staged_.local) start_borne_blocks(blocks_, tried_, start, solution.d);
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, tried_);

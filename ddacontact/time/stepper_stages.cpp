@@ -1,5 +1,6 @@
 // Where a stepper begins and where it is among its stages, and going on from there.
 #include <ddacontact/core/bytes_of.hpp>
+#include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <polyfem/basis/wachspress.hpp>
@@ -88,6 +89,9 @@ void Stepper::find_motions() {
     state_.modal.resize(0);
   else if (state_.modal.size() == 0)
     blocks_.find_modal(state_);
+  for (int b = 0; is_modal() && b < blocks_.n_blocks(); ++b)
+    if (!blocks_.block(b).shape() && !blocks_.is_unchanging(b))
+      throw Error("block " + quoted(blocks_.names[b]) + " has no motions that the decaying scheme could carry on");
 }
 
 void Stepper::make_system() {

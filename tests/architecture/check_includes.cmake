@@ -11,7 +11,7 @@ set(third_party
   "toml\\+\\+|toml\\.hpp"                 "^ddacontact/scene/"
   "nlohmann/"                             "^ddacontact/(output/|scene/json_parser\\.cpp$)"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
-  "cholmod|umfpack|suitesparse/|cblas|openblas"   "^polyfem/assembly/"
+  "cholmod|suitesparse/|cblas|openblas"   "^polyfem/assembly/"
   "zlib|pugixml"                          "^polyfem/io/"
   "gtest/|gmock/"                         "^polyfem/testing/"
   "geos_c\\.h|geos/"                      "^polyfem/mesh/.*\\.cpp$")

@@ -44,10 +44,6 @@ class MisjudgedBlock final : public Block {
                 BlockState& next) const override {
     right_.end_step(d, external, is_free, next);
   }
-  VectorXd straight_motion(const Eigen::Ref<const VectorXd>& d) const override {
-    return right_.straight_motion(d);
-  }
-  Mat2 half_turn(const Eigen::Ref<const VectorXd>& d) const override { return right_.half_turn(d); }
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override { return right_.stored_energy(d); }
   double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                       const Eigen::Ref<const VectorXd>& elastic) const override {
@@ -102,11 +98,14 @@ double worst_balance(Scheme scheme, double factor) {
 }  // namespace
 
 TEST(EnergyLedger, OpensWhenAForceIsWrong) {
-  for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying}) {
-    EXPECT_LE(worst_balance(scheme, 1), 1e-8);
-    EXPECT_GE(worst_balance(scheme, 1.01), 5e-3);
-    EXPECT_LE(worst_balance(scheme, 1.01), 0.1);
-  }
+  EXPECT_LE(worst_balance(Scheme::midpoint, 1), 1e-8);
+  EXPECT_GE(worst_balance(Scheme::midpoint, 1.01), 5e-3);
+  EXPECT_LE(worst_balance(Scheme::midpoint, 1.01), 0.1);
+}
+
+/// The decaying scheme carries blocks on by the motions of their shape.
+TEST(EnergyLedger, BlocksWithoutMotionsAreRefusedByTheDecayingScheme) {
+  EXPECT_THROW(worst_balance(Scheme::decaying, 1), Error);
 }
 
 /// A square is thrown along the floor, bounces on a corner, slides and hits another one; damping acts

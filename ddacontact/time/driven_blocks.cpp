@@ -1,0 +1,38 @@
+#include <ddacontact/time/driven_blocks.hpp>
+
+#include <ddacontact/detection/separation.hpp>
+
+#include <algorithm>
+
+namespace ddacontact {
+
+namespace {
+
+/// How deep b is in a, or minus their distance, m.
+double depth(const BlockSystem& blocks, const BlockState& state, int a, int b) {
+  return -separation(blocks.outline_from(state, a, a), blocks.outline_from(state, b, a));
+}
+
+}  // namespace
+
+std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& start,
+                                        const BlockState& end) {
+  constexpr double allowed = 1e-6;  // of the size of the smaller block, as of contacts
+  std::vector<int> wholly_held;
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    if (blocks.is_present(b) && !blocks.is_movable(b)) wholly_held.push_back(b);
+  for (int a : wholly_held) {
+    if (blocks.is_unchanging(a)) continue;
+    const Box box = bounding_box(blocks.outline_from(end, a, a));
+    for (int b : wholly_held) {
+      const bool seen = b <= a && !blocks.is_unchanging(b);
+      if (seen || !touch(box, bounding_box(blocks.outline_from(end, b, a)))) continue;
+      const double limit = allowed * std::min(blocks.block(a).size(), blocks.block(b).size()),
+                   now = depth(blocks, end, a, b);
+      if (now > limit && now > std::max(0.0, depth(blocks, start, a, b)) + limit) return Pair{a, b};
+    }
+  }
+  return {};
+}
+
+}  // namespace ddacontact
