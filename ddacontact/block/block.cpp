@@ -21,12 +21,14 @@ Block::Block(const BlockMaterial& material, const PointsRef& places, int n_verti
   Points::Map(reference_.front().data(), 2, places.cols()) = places;
 }
 
-void Block::place(int index, int first_place, int first_unknown, int first_stress_point) {
+void Block::place(int index, int first_place, int first_unknown, int first_stress_point,
+                  int first_coordinate) {
   index_ = index;
   vertices_ = {first_place, n_vertices()};
   places_ = {first_place, n_places()};
   unknowns_ = {first_unknown, n_unknowns()};
   stress_points_ = {first_stress_point, n_stress_points()};
+  coordinates_ = {first_coordinate, n_coordinates()};
 }
 
 Mat3 Block::compliance() const {
@@ -61,7 +63,8 @@ void Block::follow_with_origin(BlockState& state) const {
   const Vec2 shift = grid_point(mean);
   places.colwise() -= shift;
   state.origin.col(index_) += shift;
-  if (state.modal.size() > 0) state.modal.segment<2>(unknowns_.first) -= shift;
+  if (state.coordinates.size() > 0 && coordinates_.count > 0)
+    state.coordinates.segment<2>(coordinates_.first) -= shift;
 }
 
 double Block::elastic_energy(const BlockState& state) const {

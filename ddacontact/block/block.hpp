@@ -13,7 +13,7 @@
 namespace ddacontact {
 
 struct CorotationalShape;
-class ModalMotion;
+class BlockMotion;
 
 /// What a block is made of.
 struct BlockMaterial {
@@ -52,8 +52,10 @@ class Block {
 
   /// The shape whose motions carry the block on; null: it has none.
   virtual const CorotationalShape* shape() const { return nullptr; }
-  /// Forces on the deformations of the shape by the stress that it has at rest; empty: none.
-  virtual VectorXd initial_modal_force(const BlockState&) const { return {}; }
+  /// Forces on the nodes of the shape by the stress that it has at rest, in the block's frame; empty: none.
+  virtual VectorXd initial_force(const BlockState&) const { return {}; }
+  /// How many numbers BlockState::coordinates has of it.
+  virtual int n_coordinates() const { return 0; }
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
   /// Whether steps change what the state has of the block's stress.
@@ -61,12 +63,13 @@ class Block {
   int n_vertices() const { return n_vertices_; }
   int n_places() const { return static_cast<int>(reference_.size()); }
   /// Its number, and where its entries start in the arrays of the state.
-  void place(int index, int first_place, int first_unknown, int first_stress_point);
+  void place(int index, int first_place, int first_unknown, int first_stress_point, int first_coordinate);
   /// Of the outline, the first of `places`.
   const Range& vertices() const { return vertices_; }
   const Range& places() const { return places_; }
   const Range& unknowns() const { return unknowns_; }
   const Range& stress_points() const { return stress_points_; }
+  const Range& coordinates() const { return coordinates_; }
 
   /// The places at the start, relative to the model's origin.
   Eigen::Map<const Points> reference() const { return {reference_.front().data(), 2, n_places()}; }
@@ -147,7 +150,7 @@ class Block {
     displaced = d;
   }
   /// The step by the block's motions that was begun; null: steps are made otherwise.
-  virtual const ModalMotion* motion() const { return nullptr; }
+  virtual const BlockMotion* motion() const { return nullptr; }
 
   /// At the integration points, axes of the model, 3 x n_stress_points.
   virtual Tensors stress(const BlockState& state) const = 0;
@@ -198,7 +201,7 @@ class Block {
   double grid_;  ///< spacing of the origins
   int index_ = 0;
   int n_vertices_;
-  Range vertices_, places_, unknowns_, stress_points_;
+  Range vertices_, places_, unknowns_, stress_points_, coordinates_;
   Vec2 origin_{0, 0};
   polyfem::AreaMoments moments_;
 };

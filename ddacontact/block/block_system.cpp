@@ -20,10 +20,12 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   int n_places = 0;
   names.reserve(blocks_.size());
   for (const auto& block : blocks_) {
-    block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_);
+    block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_,
+                 n_coordinates_);
     n_places = block->places().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
+    n_coordinates_ = block->coordinates().end();
     names.push_back(std::to_string(names.size()));
   }
   block_of_place_.reserve(static_cast<std::size_t>(n_places));
@@ -149,15 +151,15 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
   for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
 }
 
-void BlockSystem::find_modal(BlockState& state) const {
-  state.modal = VectorXd::Zero(n_unknowns_);
+void BlockSystem::find_coordinates(BlockState& state) const {
+  state.coordinates = VectorXd::Zero(n_coordinates_);
   for_blocks(n_blocks(), [&](int b) {
     if (unchanging_[b] || !block(b).shape()) return;
-    const Range &u = block(b).unknowns(), &p = block(b).places();
+    const Range &c = block(b).coordinates(), &p = block(b).places();
     const CorotationalShape& shape = *block(b).shape();
     const Points nodes = NodalKinematics<polyfem::AnyNodes>(shape).of_places(
         state.position.middleCols(p.first, p.count));
-    state.modal.segment(u.first, u.count) = shape.modal().coordinates_of(nodes);
+    state.coordinates.segment(c.first, c.count) = shape.motions().coordinates_of(nodes);
   });
 }
 

@@ -58,6 +58,7 @@ class BlockSystem {
   int n_blocks() const { return static_cast<int>(blocks_.size()); }
   int n_unknowns() const { return n_unknowns_; }
   int n_stress_points() const { return n_stress_points_; }
+  int n_coordinates() const { return n_coordinates_; }
   const Block& block(int b) const { return *blocks_[b]; }
   /// All places at the start.
   Points reference() const;
@@ -114,7 +115,7 @@ class BlockSystem {
   /// F += point, pressure and body loads at `time` on the shape of `state`, Eq. (21), (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
   /// Finds the motions of the blocks that may move from their places in `state`.
-  void find_modal(BlockState& state) const;
+  void find_coordinates(BlockState& state) const;
   /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
   VectorXd prescribed(const BlockState& state, double time) const;
 
@@ -154,7 +155,7 @@ class BlockSystem {
   BlockState start_, zero_;  ///< places and origins alone; zero_ is empty while displacements are counted
                              ///< from the start
   std::vector<int> block_of_place_, block_of_unknown_;
-  int n_unknowns_ = 0, n_stress_points_ = 0, n_equations_ = 0;
+  int n_unknowns_ = 0, n_stress_points_ = 0, n_coordinates_ = 0, n_equations_ = 0;
   std::vector<HeldUnknown> held_unknowns_;
   std::vector<int> equation_;
   std::vector<bool> present_;

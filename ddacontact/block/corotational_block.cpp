@@ -106,13 +106,14 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   if (!start_.matrices || !start_.matrices->are_for(start.rule, start.dt))
     start_.matrices = step_matrices(*shape_, start.rule, start.dt);
   if (start.rule.has_half_steps()) {
-    if (!motion_) motion_ = std::make_unique<ModalMotion>();
+    if (!motion_) motion_ = std::make_unique<BlockMotion>();
     const auto velocity = start.velocity.segment(u.first, u.count);
-    const VectorXd initial = initial_modal_force(state);
-    if (state.modal.size() > 0)
-      motion_->begin(*shape_, start.rule, start.dt, state.modal.segment(u.first, u.count), velocity, initial);
+    const VectorXd initial = initial_force(state);
+    if (state.coordinates.size() > 0)
+      motion_->begin(*shape_, start.rule, start.dt,
+                     state.coordinates.segment(coordinates().first, coordinates().count), velocity, initial);
     else
-      motion_->begin(*shape_, start.rule, start.dt, shape_->modal().coordinates_of(nodes(state)), velocity,
+      motion_->begin(*shape_, start.rule, start.dt, shape_->motions().coordinates_of(nodes(state)), velocity,
                      initial);
     return;
   }
@@ -174,14 +175,15 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   const Range &u = unknowns(), &p = places();
   if (motion_) {
     const VectorXd none;
-    const ModalMotion::Numbers forces = is_free ? external : ModalMotion::Numbers(none);
+    const BlockMotion::Numbers forces = is_free ? external : BlockMotion::Numbers(none);
     auto places = next.position.middleCols(p.first, p.count);
     auto velocity = next.carried.segment(u.first, u.count);
-    if (next.modal.size() > 0) {
-      motion_->end(d, forces, next.modal.segment(u.first, u.count), places, velocity);
+    if (next.coordinates.size() > 0) {
+      motion_->end(d, forces, next.coordinates.segment(coordinates().first, coordinates().count), places,
+                   velocity);
     } else {
-      VectorXd coordinates(u.count);
-      motion_->end(d, forces, coordinates, places, velocity);
+      VectorXd of_block(n_coordinates());
+      motion_->end(d, forces, of_block, places, velocity);
     }
     follow_with_origin(next);
     return;
@@ -228,19 +230,21 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state, int c) con
   return state.stress.middleCols(stress_points().first + cell.first_point, cell.element.n_points());
 }
 
-double CorotationalBlock::elastic_energy_of_motion(const BlockState& state) const {
-  const auto q = state.modal.segment(unknowns().first + 3, unknowns().count - 3);
+double CorotationalBlock::elastic_energy_of_deformation(const BlockState& state) const {
+  const VectorXd u = state.coordinates.segment(coordinates().first + 3, coordinates().count - 3);
+  const bool strained = !u.isZero(0);
   double energy = 0;
-  if (!q.isZero(0)) energy = shape_->modal().stiffness.dot(q.cwiseAbs2()) / 2;
+  if (strained && shape_->is_one_cell()) energy = u.dot(shape_->cells[0].elastic.stiffness() * u) / 2;
+  if (strained && !shape_->is_one_cell()) energy = u.dot(shape_->motions().stiffness * u) / 2;
   const TensorsRef initial = initial_stress(state);
   if (initial.isZero(0)) return energy;
-  if (!q.isZero(0)) energy += initial_modal_force(state).dot(q);
+  energy += initial_force(state).dot(u);
   for (Index p = 0; p < initial.cols(); ++p)
     energy += shape_->integration_weights[p] * initial.col(p).dot(compliance() * initial.col(p)) / 2;
   return energy;
 }
 
-VectorXd CorotationalBlock::initial_modal_force(const BlockState& state) const {
+VectorXd CorotationalBlock::initial_force(const BlockState& state) const {
   if (initial_stress(state).isZero(0)) return {};
   const NodalKinematics<polyfem::AnyNodes> nodes(*shape_);
   Points force = Points::Zero(2, shape_->nodes.cols());
@@ -249,11 +253,11 @@ VectorXd CorotationalBlock::initial_modal_force(const BlockState& state) const {
     polyfem::stress_forces(shape_->cells[c].element, initial_stress(state, c), of_cell);
     nodes.add_of_cell(of_cell, static_cast<std::size_t>(c), force);
   }
-  return shape_->modal().deformations.transpose() * force.reshaped();
+  return force.reshaped();
 }
 
 double CorotationalBlock::elastic_energy(const BlockState& state) const {
-  if (state.modal.size() > 0) return elastic_energy_of_motion(state);
+  if (state.coordinates.size() > 0) return elastic_energy_of_deformation(state);
   return with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     const auto y = nodes.of_places(state.position.middleCols(places().first, places().count));
     double energy = 0;

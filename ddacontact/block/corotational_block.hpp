@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/corotational_step.hpp>
-#include <ddacontact/block/modal_motion.hpp>
+#include <ddacontact/block/block_motion.hpp>
 
 #include <memory>
 
@@ -16,11 +16,12 @@ class CorotationalBlock final : public Block {
                     std::shared_ptr<const CorotationalShape> shape);
 
   const CorotationalShape* shape() const override { return shape_.get(); }
+  int n_coordinates() const override { return 3 + 2 * static_cast<int>(shape_->nodes.cols()); }
   int n_unknowns() const override { return static_cast<int>(shape_->n_unknowns()); }
   int n_stress_points() const override { return static_cast<int>(shape_->integration_weights.size()); }
   bool changes_stress() const override { return false; }
   VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
-  VectorXd initial_modal_force(const BlockState& state) const override;
+  VectorXd initial_force(const BlockState& state) const override;
   PointMap vertex_map(int place) const override;
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return shape_->translations;
@@ -38,7 +39,7 @@ class CorotationalBlock final : public Block {
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
   void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const override;
-  const ModalMotion* motion() const override { return motion_.get(); }
+  const BlockMotion* motion() const override { return motion_.get(); }
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
   double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                       const Eigen::Ref<const VectorXd>& elastic) const override;
@@ -57,7 +58,7 @@ class CorotationalBlock final : public Block {
 
   void prepare_shape(const PointsRef& places) override;
   void map_places();
-  double elastic_energy_of_motion(const BlockState& state) const;
+  double elastic_energy_of_deformation(const BlockState& state) const;
   Points nodes(const PointsRef& places) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const Points& y, int c) const;
@@ -73,7 +74,7 @@ class CorotationalBlock final : public Block {
   std::shared_ptr<const CorotationalShape> shape_;
   std::vector<std::vector<PointMap::Term>> place_maps_;  ///< empty: each place has two unknowns of its own
   CorotationalStart start_;                              ///< of the step last begun
-  std::unique_ptr<ModalMotion> motion_;                  ///< the same, where it is made by motions
+  std::unique_ptr<BlockMotion> motion_;                  ///< the same, where it is made by motions
 };
 
 }  // namespace ddacontact

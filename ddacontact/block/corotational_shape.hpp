@@ -3,7 +3,7 @@
 
 #include <ddacontact/block/affine_block.hpp>
 #include <ddacontact/block/block_mesh.hpp>
-#include <ddacontact/block/modal_shape.hpp>
+#include <ddacontact/block/motion_shape.hpp>
 #include <ddacontact/block/step_matrices.hpp>
 #include <ddacontact/block/vertex_block.hpp>
 #include <polyfem/element/corotation.hpp>
@@ -52,16 +52,16 @@ struct CorotationalShape {
   /// See StepMatrices, of the blocks of this shape.
   std::unique_ptr<LastStepMatrices> step_matrices = std::make_unique<LastStepMatrices>();
 
-  /// Its motions, found when they are first asked for. Any thread may ask.
-  const ModalShape& modal() const {
-    std::call_once(motions->found, [this] { motions->modal.emplace(*this); });
-    return *motions->modal;
+  /// The shape in its own frame, found when it is first asked for. Any thread may ask.
+  const MotionShape& motions() const {
+    std::call_once(in_own_frame->found, [this] { in_own_frame->motions.emplace(*this); });
+    return *in_own_frame->motions;
   }
-  struct Motions {
+  struct InOwnFrame {
     std::once_flag found;
-    std::optional<ModalShape> modal;
+    std::optional<MotionShape> motions;
   };
-  std::unique_ptr<Motions> motions = std::make_unique<Motions>();
+  std::unique_ptr<InOwnFrame> in_own_frame = std::make_unique<InOwnFrame>();
 
   /// Whether the only cell has all nodes in their order.
   bool is_one_cell() const { return cells[0].nodes.empty(); }

@@ -14,9 +14,9 @@ struct BlockState {
   double time = 0;
   Points origin;      ///< of each block, relative to the model's origin
   Points position;    ///< the places of all blocks, relative to their block's origin
-  /// Of blocks that are carried on by their motions, the truth that places follow from: (centre of mass from the
-  /// origin, angle, deformations), in the ranges of their unknowns. Empty: places are the truth.
-  VectorXd modal;
+  /// Of blocks that are carried on by their motions, what places follow from: centre of mass from the origin, angle,
+  /// deformation of the nodes (MotionShape). Empty: places themselves are the state.
+  VectorXd coordinates;
   VectorXd velocity;  ///< of every unknown
   /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end
   /// of the last step; the decaying one the velocity in the middle of that step, on the present shape.

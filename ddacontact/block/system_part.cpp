@@ -10,20 +10,23 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   Ranges next;
   for (int b : blocks_) {
     const Block& block = whole.block(b);
-    in_whole_.push_back({block.places(), block.unknowns(), block.stress_points()});
+    in_whole_.push_back({block.places(), block.unknowns(), block.stress_points(), block.coordinates()});
     in_part_.push_back({{next.places.first, block.n_places()},
                         {next.unknowns.first, block.n_unknowns()},
-                        {next.stress_points.first, block.n_stress_points()}});
+                        {next.stress_points.first, block.n_stress_points()},
+                        {next.coordinates.first, block.n_coordinates()}});
     for (int u = block.unknowns().first; u < block.unknowns().end(); ++u) unknowns_.push_back(u);
     next.places.first = in_part_.back().places.end();
     next.unknowns.first = in_part_.back().unknowns.end();
     next.stress_points.first = in_part_.back().stress_points.end();
+    next.coordinates.first = in_part_.back().coordinates.end();
     resting_.push_back(resting[b] != 0);
     system_.names.push_back(whole.names[b]);
     if (whole.has_rounded_corners()) system_.rounded_.push_back(whole.rounded(b));
   }
   system_.n_unknowns_ = next.unknowns.first;
   system_.n_stress_points_ = next.stress_points.first;
+  system_.n_coordinates_ = next.coordinates.first;
   system_.present_.assign(blocks_.size(), true);
   system_.resting_ = resting_;
   system_.computes_fixed_ = whole.computes_fixed_;
@@ -79,7 +82,6 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   state_.position.resize(2, next.places.first);
   state_.origin.resize(2, static_cast<Index>(blocks_.size()));
   state_.velocity.resize(next.unknowns.first);
-  state_.modal.resize(0);
   state_.carried.resize(next.unknowns.first);
   state_.rotation.resize(static_cast<Index>(blocks_.size()));
 
@@ -98,7 +100,8 @@ void SystemPart::lend(BlockSystem& whole, BlockSystem& part) const {
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges& to = in_part_[k];
     part.blocks_[k] = std::move(whole.blocks_[blocks_[k]]);
-    part.blocks_[k]->place(static_cast<int>(k), to.places.first, to.unknowns.first, to.stress_points.first);
+    part.blocks_[k]->place(static_cast<int>(k), to.places.first, to.unknowns.first, to.stress_points.first,
+                            to.coordinates.first);
   }
 }
 
@@ -107,7 +110,7 @@ void SystemPart::give_back(BlockSystem& part, BlockSystem& whole) const {
     const Ranges& to = in_whole_[k];
     const int b = blocks_[k];
     whole.blocks_[b] = std::move(part.blocks_[k]);
-    whole.blocks_[b]->place(b, to.places.first, to.unknowns.first, to.stress_points.first);
+    whole.blocks_[b]->place(b, to.places.first, to.unknowns.first, to.stress_points.first, to.coordinates.first);
   }
 }
 
@@ -115,8 +118,8 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
                       const std::vector<Ranges>& in_to, bool into_part) const {
   to.time = from.time;
   to.carried_dt = from.carried_dt;
-  const bool stressed = from.stress.cols() > 0, modal = from.modal.size() > 0;
-  if (into_part) to.modal.resize(modal ? system_.n_unknowns_ : 0);
+  const bool stressed = from.stress.cols() > 0, by_motions = from.coordinates.size() > 0;
+  if (into_part) to.coordinates.resize(by_motions ? system_.n_coordinates_ : 0);
   if (into_part) to.stress.resize(3, stressed ? system_.n_stress_points_ : 0);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges &source = in_from[k], &target = in_to[k];
@@ -126,9 +129,9 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
     to.rotation[there] = from.rotation[here];
     to.position.middleCols(target.places.first, target.places.count) =
         from.position.middleCols(source.places.first, source.places.count);
-    if (modal)
-      to.modal.segment(target.unknowns.first, target.unknowns.count) =
-          from.modal.segment(source.unknowns.first, source.unknowns.count);
+    if (by_motions)
+      to.coordinates.segment(target.coordinates.first, target.coordinates.count) =
+          from.coordinates.segment(source.coordinates.first, source.coordinates.count);
     to.velocity.segment(target.unknowns.first, target.unknowns.count) =
         from.velocity.segment(source.unknowns.first, source.unknowns.count);
     to.carried.segment(target.unknowns.first, target.unknowns.count) =

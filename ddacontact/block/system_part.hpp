@@ -36,7 +36,7 @@ class SystemPart {
 
  private:
   struct Ranges {
-    Range places, unknowns, stress_points;
+    Range places, unknowns, stress_points, coordinates;
   };
   void lend(BlockSystem& whole, BlockSystem& part) const;
   void give_back(BlockSystem& part, BlockSystem& whole) const;

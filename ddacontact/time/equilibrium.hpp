@@ -4,7 +4,7 @@
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
 #include <ddacontact/solver/step_system.hpp>
-#include <ddacontact/time/modal_accounts.hpp>
+#include <ddacontact/time/motion_accounts.hpp>
 
 #include <vector>
 

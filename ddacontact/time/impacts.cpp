@@ -50,8 +50,8 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     const Mat2 R = Eigen::Rotation2Dd(times[b] * v.angular).toRotationMatrix();
     auto places = later.position.middleCols(block.places().first, block.places().count);
     places = ((R * (places.colwise() - centre)).colwise() + (centre + shift)).eval();
-    if (later.modal.size() == 0) continue;
-    auto s = later.modal.segment<3>(block.unknowns().first);
+    if (later.coordinates.size() == 0) continue;
+    auto s = later.coordinates.segment<3>(block.coordinates().first);
     s.head<2>() = (centre + shift + R * (Vec2(s.head<2>()) - centre)).eval();
     s[2] += times[b] * v.angular;
   }

@@ -90,7 +90,7 @@ void visit_record(Archive& visit, Record& r) {
   visit(state.origin);
   visit(state.position);
   visit(state.velocity);
-  visit(state.modal);
+  visit(state.coordinates);
   visit(state.carried);
   visit(state.carried_dt);
   visit(state.stress);

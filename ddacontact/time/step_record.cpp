@@ -110,7 +110,7 @@ void write_record(std::ostream& out, const StepRecord& record) {
   numbers(n_contacts);
   numbers.end_line();
   for (const ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
-  numbers.matrix(record.state.modal);
+  numbers.matrix(record.state.coordinates);
   out.flags(flags);
 }
 
@@ -123,7 +123,7 @@ StepRecord read_record(std::istream& in) {
   record.contacts.resize(n_contacts);
   for (ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
   in >> std::ws;
-  if (!in.eof()) numbers.matrix(record.state.modal);  // else it follows from the places
+  if (!in.eof()) numbers.matrix(record.state.coordinates);  // else it follows from the places
   record.progress.steps = record.steps;
   return record;
 }

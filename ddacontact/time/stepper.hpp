@@ -10,7 +10,7 @@
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
 #include <ddacontact/time/impacts.hpp>
-#include <ddacontact/time/modal_accounts.hpp>
+#include <ddacontact/time/motion_accounts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/run_record.hpp>
 #include <ddacontact/time/run_warnings.hpp>
@@ -195,8 +195,8 @@ class Stepper {
   Solution solve_with(double dt, StepImpact impact, const Solution* nearby);
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
-  /// Whether blocks are carried on by their motions (ModalMotion).
-  bool is_modal() const { return analysis_.scheme == Scheme::decaying; }
+  /// Whether blocks are carried on by their motions (BlockMotion).
+  bool has_motions() const { return analysis_.scheme == Scheme::decaying; }
   /// Of the blocks in the present state, where they are carried on by them.
   void find_motions();
   void solve_by_open_close(Solution& solution);

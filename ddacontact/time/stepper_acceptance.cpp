@@ -73,10 +73,10 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   record_reactions(solution.straight, solution.residual);
   const bool has_impact = solution.impact.changes();
   const BlockState& from = has_impact ? solution.impact.start : state_;
-  if (is_modal()) {
+  if (has_motions()) {
     for (Contact& contact : tried_)
       if (has_impact) contact_builder_->start_from(from, contact);
-    book(account_modal_step(
+    book(account_motion_step(
         blocks_, *system_, {from, solution.straight, system_->prescribed(), solution.residual, tried_}));
     if (has_impact) book_shift(solution.impact.shift);
   } else {
@@ -208,7 +208,7 @@ void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_ve
   const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
   const double before = equilibrium_.unbalanced;
   const Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
-  equilibrium_ = is_modal() ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
+  equilibrium_ = has_motions() ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
                                                tried_, velocity)
                             : find_equilibrium(blocks_, *system_, solution.residual, tried_, reactions, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})

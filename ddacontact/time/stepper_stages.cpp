@@ -85,11 +85,11 @@ void Stepper::apply(const Stage& stage) {
 }
 
 void Stepper::find_motions() {
-  if (!is_modal())
-    state_.modal.resize(0);
-  else if (state_.modal.size() == 0)
-    blocks_.find_modal(state_);
-  for (int b = 0; is_modal() && b < blocks_.n_blocks(); ++b)
+  if (!has_motions())
+    state_.coordinates.resize(0);
+  else if (state_.coordinates.size() == 0)
+    blocks_.find_coordinates(state_);
+  for (int b = 0; has_motions() && b < blocks_.n_blocks(); ++b)
     if (!blocks_.block(b).shape() && !blocks_.is_unchanging(b))
       throw Error("block " + quoted(blocks_.names[b]) + " has no motions that the decaying scheme could carry on");
 }

@@ -25,7 +25,7 @@ std::shared_ptr<const CorotationalShape> shape_of(const Points& outline) {
 struct FlyingBlocks {
   explicit FlyingBlocks(int n) : system(make_blocks(n)), state(system.initial_state()) {
     system.prepare(state, true);
-    system.find_modal(state);
+    system.find_coordinates(state);
     std::srand(3);
     state.velocity = VectorXd::Random(system.n_unknowns());
     start = {step_rule({}, 1e-3, 1e-3), 1e-3, state.velocity, state.carried};

@@ -74,9 +74,9 @@ struct OneBlock {
   }
   void begin(const StepRule& rule, double dt) {
     if (!rule.has_half_steps())
-      state.modal.resize(0);
-    else if (state.modal.size() == 0)
-      system.find_modal(state);
+      state.coordinates.resize(0);
+    else if (state.coordinates.size() == 0)
+      system.find_coordinates(state);
     system.begin_step(state, {rule, dt, state.going_on(), state.carried});
   }
   VectorXd resistance(const VectorXd& at) const {
@@ -109,13 +109,16 @@ struct OneBlock {
   }
   double kinetic() const { return state.going_on().dot(block().mass() * state.going_on()) / 2; }
   double energy() const { return kinetic() + block().elastic_energy(state); }
-  /// Of its motions: of first order in the deformations, the momenta of deformation against each other left out.
+  /// Of its motions: what deformation has of momenta by its own rate is left out.
   double energy_of_motions() const {
-    const ModalShape& modal = shape->modal();
+    const MotionShape& motions = shape->motions();
     const Points velocities = NodalKinematics<polyfem::AnyNodes>(*shape).to_nodes(state.going_on());
-    const VectorXd s = modal.velocities_of(state.modal, velocities), q = state.modal.tail(modal.n_deformations());
-    return modal.mass * s.head<2>().squaredNorm() / 2 + modal.inertia(q) * s[2] * s[2] / 2 +
-           s.tail(modal.n_deformations()).squaredNorm() / 2 + block().elastic_energy(state);
+    const VectorXd s = motions.velocities_of(state.coordinates, velocities);
+    const MatrixXd& M = shape->cells[0].mass;
+    const Points Z = motions.deformed(state.coordinates),
+                 rates = s.tail(2 * motions.n_nodes()).reshaped(2, motions.n_nodes());
+    return motions.mass * s.head<2>().squaredNorm() / 2 + (Z * M).cwiseProduct(Z).sum() * s[2] * s[2] / 2 +
+           (rates * M).cwiseProduct(rates).sum() / 2 + block().elastic_energy(state);
   }
 
  private:
@@ -302,10 +305,13 @@ TEST_P(CorotationalBlocks, ASteadySpinStaysSteadyInLargeSteps) {
     Points stretched = (X + u).reshaped(2, m);
     if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
     for (Scheme scheme : {Scheme::midpoint, Scheme::decaying}) {
-      if (scheme == Scheme::decaying) {  // the same in the frame of the motions: w_k^2 q = w^2 (Phi' M X + q)
-        const ModalShape& modal = shape.modal();
-        const VectorXd q = w * w * modal.radial.array() / (modal.stiffness.array() - w * w);
-        stretched = modal.places + (modal.place_deformations * q).reshaped(2, modal.places.cols());
+      if (scheme == Scheme::decaying) {  // in the frame of the motions: J X M u = 0 in place of B(u) = 0
+        MatrixXd by_momenta = bordered;
+        by_momenta.bottomLeftCorner(1, 2 * m) = shape.motions().turning.reshaped().transpose();
+        by_momenta.topRightCorner(2 * m, 1) = shape.motions().turning.reshaped();
+        const VectorXd in_frame = by_momenta.partialPivLu().solve(centrifugal).head(2 * m);
+        stretched = (X + in_frame).reshaped(2, m);
+        if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
       }
       OneBlock spinning(one);
       spinning.state.position = stretched;

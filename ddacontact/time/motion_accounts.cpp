@@ -1,6 +1,6 @@
-#include <ddacontact/time/modal_accounts.hpp>
+#include <ddacontact/time/motion_accounts.hpp>
 
-#include <ddacontact/block/modal_motion.hpp>
+#include <ddacontact/block/block_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,18 +8,6 @@
 namespace ddacontact {
 
 namespace {
-
-/// Work of a block's own forces, that of inertia and centrifugal forces included.
-void account_block(const ModalMotion& motion, const StepRule& rule, double dt, const VectorXd& s, StepWork& work) {
-  const ModalShape& modal = motion.modal();
-  const auto rates = s.tail(modal.n_deformations());
-  work.damping += dt * (rule.damping.mass * motion.inertia().dot(s.cwiseAbs2()) +
-                        rule.damping.stiffness * modal.stiffness.dot(rates.cwiseAbs2()));
-  // Backward Euler takes K (d q)^2 / 2 of what a change of the deformation stores.
-  work.scheme += dt * dt / 2 * modal.stiffness.dot(rates.cwiseAbs2()) +
-                 s.dot(motion.inertia().cwiseProduct(s - motion.before())) / rule.impulse_time -
-                 dt * rates.dot(motion.centrifugal());
-}
 
 /// What a contact takes or gives: friction, the end of an approach, and pushing out.
 void account_contact(const StepRule& rule, double dt, const BlockState& from, const VectorXd& straight,
@@ -43,7 +31,7 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
 
 }  // namespace
 
-StepWork account_modal_step(const BlockSystem& blocks, const StepSystem& system, const ModalStep& step) {
+StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system, const MotionStep& step) {
   StepWork work;
   const StepRule& rule = system.rule();
   const double dt = system.dt();
@@ -57,8 +45,9 @@ StepWork account_modal_step(const BlockSystem& blocks, const StepSystem& system,
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    const ModalMotion& motion = *blocks.block(b).motion();
-    account_block(motion, rule, dt, motion.modal_velocity(step.straight.segment(u.first, u.count)), work);
+    const BlockMotion::Losses losses = blocks.block(b).motion()->losses(step.straight.segment(u.first, u.count));
+    work.damping += losses.damping;
+    work.scheme += losses.scheme;
   }
   for (Contact& contact : step.contacts) account_contact(rule, dt, step.from, step.straight, contact, work);
   return work;
@@ -67,14 +56,11 @@ StepWork account_modal_step(const BlockSystem& blocks, const StepSystem& system,
 std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSystem& system,
                                       const VectorXd& straight, const Points& reactions) {
   std::vector<BlockForceSum> sums(static_cast<std::size_t>(blocks.n_blocks()));
-  const double h = system.rule().impulse_time * system.dt();
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Block& block = blocks.block(b);
     const Range &u = block.unknowns(), &places = block.places();
-    const ModalMotion& motion = *block.motion();
-    const VectorXd change = motion.modal_velocity(straight.segment(u.first, u.count)) - motion.before(),
-                   momentum = motion.inertia().cwiseProduct(change) / h;
+    const Vec3 momentum = block.motion()->resultant(straight.segment(u.first, u.count));
     const auto size_of = [&](const VectorXd& forces) {
       const auto of_block = forces.segment(u.first, u.count);
       const Vec2 resultant = block.translations().transpose() * of_block;

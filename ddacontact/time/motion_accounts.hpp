@@ -25,7 +25,7 @@ struct BlockForceSum {
 };
 
 /// An accepted step as its blocks still have it begun.
-struct ModalStep {
+struct MotionStep {
   const BlockState& from;          ///< where it starts: shifted and jumped by an impact
   const VectorXd& straight;        ///< the straight motion of all unknowns
   const VectorXd& prescribed;      ///< displacements of the held unknowns
@@ -35,7 +35,7 @@ struct ModalStep {
 
 /// An impulse works on the straight motion of the shape at the start. What turns away from that on the way, of
 /// slips and of prescribed places, is the scheme's.
-StepWork account_modal_step(const BlockSystem& blocks, const StepSystem& system, const ModalStep& step);
+StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system, const MotionStep& step);
 
 /// Mass times acceleration of every block, and the largest force beside those of contacts.
 std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSystem& system,

@@ -1,0 +1,60 @@
+/// \file A shape in its own frame: what is rigid in a motion of its nodes, and what deforms it.
+///
+/// A node stands at y = c t + R(theta) (X + u), with t = 1 for points, and moves with
+///     v = vc t + omega J (y - c t) + R u'.
+/// c is the centre of mass, and theta such that u carries neither momentum nor angular momentum about the shape at
+/// rest: sum M u = 0, sum X x M u = 0 (an Eckart frame). So kinetic energy is m vc^2 / 2 + I omega^2 / 2 + u' M u' / 2,
+/// with I of the deformed shape, less terms of the order of the strain squared.
+#pragma once
+
+#include <ddacontact/core/types.hpp>
+
+#include <Eigen/SparseCore>
+
+namespace ddacontact {
+
+struct CorotationalShape;
+
+/// Coordinates of a block, and its velocities, are (c, theta, u) of its nodes: 3 + 2 m numbers.
+struct MotionShape {
+  explicit MotionShape(const CorotationalShape& shape);
+
+  double mass;              ///< kg per m
+  double rest_inertia;      ///< X M X, kg m2 per m
+  Points nodes;             ///< X, from the centre of mass, 2 x m
+  VectorXd translation;     ///< t, m
+  VectorXd weights;         ///< of the nodes in the centre of mass, M t / mass, m
+  Points weighted;          ///< X M, 2 x m
+  Points turning;           ///< J X M: its product with velocities is their moment of momentum at rest, 2 x m
+  Eigen::SparseMatrix<double> stiffness;  ///< K of all cells, 2m x 2m; empty: that of the only one
+
+  Index n_nodes() const { return nodes.cols(); }
+  Index n_coordinates() const { return 3 + 2 * n_nodes(); }
+
+  using Numbers = Eigen::Ref<const VectorXd>;
+  /// X + u, 2 x m.
+  Points deformed(const Numbers& s) const { return nodes + s.tail(2 * n_nodes()).reshaped(2, n_nodes()); }
+  /// The coordinates of nodes at y, with the angle in (-pi, pi]. Deformations of the size of round-off are none.
+  VectorXd coordinates_of(const PointsRef& y) const;
+  /// The velocities (vc, omega, u') of nodes with velocities v in the configuration s, and back.
+  VectorXd velocities_of(const Numbers& s, const PointsRef& v) const;
+  Points node_velocities(const Numbers& s, const Numbers& velocities) const;
+  /// The displacements of the nodes from s to s + change, to the rounding of the change.
+  Points node_displacements(const Numbers& s, const Numbers& change) const;
+};
+
+/// R(angle).
+Mat2 turned_by(double angle);
+/// R(angle) - 1 without cancellation.
+Mat2 turn_less_one(double angle);
+
+/// A quarter turn to the left of every vector.
+template <class Vectors>
+Vectors left(const Vectors& of) {
+  Vectors turned(2, of.cols());
+  turned.row(0) = -of.row(1);
+  turned.row(1) = of.row(0);
+  return turned;
+}
+
+}  // namespace ddacontact

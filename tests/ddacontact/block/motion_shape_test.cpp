@@ -1,0 +1,110 @@
+#include <ddacontact/block/corotational_shape.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+#include <polyfem/quadrature/triangle_rule.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace ddacontact;
+
+namespace {
+
+BlockMaterial rock() {
+  return {polyfem::elasticity_matrix(10e9, 0.25, polyfem::Plane::strain), 2500};
+}
+
+/// A pentagon without symmetry.
+Points pentagon() {
+  Points outline(2, 5);
+  outline << 0, 2, 2.4, 1.1, -0.3,  //
+      0, -0.2, 1, 1.9, 1.2;
+  return outline;
+}
+
+std::vector<CorotationalShape> shapes() {
+  std::vector<CorotationalShape> all;
+  all.push_back(polygon_shape(rock(), pentagon(), polyfem::suitable_basis(pentagon()),
+                              {&polyfem::hammer_rule(3), polyfem::GradientCorrection::on}));
+  all.push_back(affine_shape(rock(), pentagon()));
+  for (const bool edge_nodes : {true, false}) {
+    const MeshOptions mesh{.kind = CellKind::voronoi, .cells = 12, .cell_size = 0, .edge_nodes = edge_nodes};
+    all.push_back(mesh_shape(rock(), divide(pentagon(), mesh), polyfem::GradientCorrection::on));
+  }
+  return all;
+}
+
+/// Any nodes near the shape, turned and moved.
+Points some_nodes(const MotionShape& shape) {
+  const Points strained = shape.nodes + 1e-3 * Points::Random(2, shape.n_nodes());
+  return turned_by(2.2) * strained + Vec2(3, -7) * shape.translation.transpose();
+}
+
+}  // namespace
+
+TEST(MotionShape, HasTheMassOfTheOutlineAboutItsCentre) {
+  for (const CorotationalShape& shape : shapes()) {
+    const MotionShape& motions = shape.motions();
+    const polyfem::AreaMoments moments = polyfem::area_moments(pentagon());
+    EXPECT_NEAR(motions.mass, rock().density * moments.area, 1e-9 * motions.mass);
+    EXPECT_LE((motions.nodes * motions.weights).norm(), 1e-14);
+    EXPECT_NEAR(motions.rest_inertia, rock().density * moments.second.trace(), 1e-9 * motions.rest_inertia);
+  }
+}
+
+TEST(MotionShape, DeformationsCarryNoMomentaAndNodesReadBack) {
+  for (const CorotationalShape& shape : shapes()) {
+    const MotionShape& motions = shape.motions();
+    const Points y = some_nodes(motions);
+    const VectorXd s = motions.coordinates_of(y);
+    const Points u = s.tail(2 * motions.n_nodes()).reshaped(2, motions.n_nodes());
+    EXPECT_LE((u * motions.weights).norm(), 1e-15);
+    EXPECT_LE(std::abs(motions.turning.cwiseProduct(u).sum()), 1e-14 * motions.rest_inertia);
+    const VectorXd zero = VectorXd::Zero(motions.n_coordinates());
+    EXPECT_LE((motions.nodes + motions.node_displacements(zero, s) - y).norm(), 1e-13);
+
+    const Points v = Points::Random(2, motions.n_nodes());
+    const VectorXd rates = motions.velocities_of(s, v);
+    EXPECT_LE((motions.node_velocities(s, rates) - v).norm(), 1e-13);
+    const Points deforming = rates.tail(2 * motions.n_nodes()).reshaped(2, motions.n_nodes());
+    EXPECT_LE((deforming * motions.weights).norm(), 1e-14);
+    EXPECT_LE(std::abs(motions.turning.cwiseProduct(deforming).sum()), 1e-13 * motions.rest_inertia);
+  }
+}
+
+TEST(MotionShape, VelocitiesAreTheRatesOfDisplacements) {
+  for (const CorotationalShape& shape : shapes()) {
+    const MotionShape& motions = shape.motions();
+    const VectorXd s = motions.coordinates_of(some_nodes(motions));
+    const VectorXd rates = motions.velocities_of(s, Points::Random(2, motions.n_nodes()));
+    const double dt = 1e-6;
+    const Points by_difference =
+        (motions.node_displacements(s, dt * rates) - motions.node_displacements(s, -dt * rates)) / (2 * dt);
+    EXPECT_LE((motions.node_velocities(s, rates) - by_difference).norm(), 1e-9 * by_difference.norm());
+  }
+}
+
+TEST(MotionShape, TwoDisplacementsAreOneAfterTheOther) {
+  for (const CorotationalShape& shape : shapes()) {
+    const MotionShape& motions = shape.motions();
+    const VectorXd start = motions.coordinates_of(some_nodes(motions)),
+                   by = 0.3 * VectorXd::Random(motions.n_coordinates()),
+                   zero = VectorXd::Zero(motions.n_coordinates());
+    const Points at_once = motions.node_displacements(zero, start + by),
+                 in_two = motions.node_displacements(zero, start) + motions.node_displacements(start, by);
+    EXPECT_LE((at_once - in_two).norm(), 1e-13 * (1 + at_once.norm()));
+  }
+}
+
+TEST(MotionShape, AShapeAtRestHasNoDeformationAtAll) {
+  for (const CorotationalShape& shape : shapes()) {
+    const MotionShape& motions = shape.motions();
+    const Points y = turned_by(0.4) * motions.nodes + Vec2(0.5, -1) * motions.translation.transpose();
+    EXPECT_TRUE(motions.coordinates_of(y).tail(2 * motions.n_nodes()).isZero(0));
+  }
+}
+
+TEST(MotionShape, TurnLessOneKeepsTheDigitsOfSmallAngles) {
+  const double angle = 1e-9;
+  EXPECT_NEAR(turn_less_one(angle)(0, 0), -angle * angle / 2, 1e-30);
+  EXPECT_LE((turn_less_one(2.5) - (turned_by(2.5) - Mat2::Identity())).norm(), 1e-15);
+}
