@@ -27,7 +27,9 @@ template <class Of>
 typename Of::Vectors BlockMotion::times_stiffness(const typename Of::Vectors& u) const {
   const Index n = u.cols();
   if (shape_->is_one_cell())
-    return shape_->cells[0].elastic.template times_stiffness<Of>(typename Of::Stacked(u.reshaped())).reshaped(2, n);
+    return shape_->cells[0]
+        .elastic.template times_stiffness<Of>(typename Of::Stacked(u.reshaped()))
+        .reshaped(2, n);
   const VectorXd f = shape_->motions().stiffness * Eigen::Map<const VectorXd>(u.data(), 2 * n);
   return f.reshaped(2, n);
 }
@@ -102,7 +104,8 @@ void BlockMotion::free_path(Written d) const {
 void BlockMotion::displacement(const Numbers& d, Written displaced) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
-    Vectors moved = turn_less_one(way.angular) * Vectors(shape_now_) + turned_by(way.angular) * way.deformation;
+    Vectors moved =
+        turn_less_one(way.angular) * Vectors(shape_now_) + turned_by(way.angular) * way.deformation;
     moved = (turn_ * moved).eval();
     moved += way.linear.lazyProduct(shape_->motions().translation.transpose());
     nodes.to_unknowns(moved, displaced);
@@ -114,7 +117,8 @@ double BlockMotion::stored_energy(const Numbers& d) const {
     using Vectors = typename Of::Vectors;
     const Vectors middle = shape_now_ - shape_->motions().nodes + way.deformation / 2;
     double stored = times_stiffness<Of>(middle).cwiseProduct(way.deformation).sum();
-    if (initial_.size() > 0) stored += initial_.reshaped(2, middle.cols()).cwiseProduct(way.deformation).sum();
+    if (initial_.size() > 0)
+      stored += initial_.reshaped(2, middle.cols()).cwiseProduct(way.deformation).sum();
     return stored;
   });
 }
@@ -127,7 +131,8 @@ BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
     const Vectors momentum = nodes.weighted(way.deformation);
     const double quadratic = mass * way.linear.squaredNorm() + inertia_ * way.angular * way.angular +
                              momentum.cwiseProduct(way.deformation).sum();
-    const double with_before = mass * way.linear.dot(linear_before_) + inertia_ * way.angular * angular_before_ +
+    const double with_before = mass * way.linear.dot(linear_before_) +
+                               inertia_ * way.angular * angular_before_ +
                                momentum.cwiseProduct(deforming_).sum();
     Losses losses;
     losses.damping = (damping_.mass * quadratic + damping_.stiffness * stretched) / dt_;
@@ -145,16 +150,20 @@ Vec3 BlockMotion::resultant(const Numbers& d) const {
   });
 }
 
-void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> places,
-                      Written velocity) const {
+void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordinates,
+                      Eigen::Ref<Points> places, Written velocity) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, Velocities<Of> way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_->motions();
     const Index m = motions.n_nodes();
     coordinates.head<2>() = start_.head<2>() + way.linear;
     coordinates[2] = start_[2] + way.angular;
-    coordinates.tail(2 * m) = start_.tail(2 * m) + way.deformation.reshaped();
-    const Vectors Z = motions.nodes + coordinates.tail(2 * m).reshaped(2, m);
+    // Round-off that is rigid in the deformation would add up, and turn with the block.
+    Vectors u = start_.tail(2 * m).reshaped(2, m) + way.deformation;
+    u -= Vec2(u.lazyProduct(motions.weights)).lazyProduct(motions.translation.transpose());
+    u -= motions.turning.cwiseProduct(u).sum() / motions.rest_inertia * left(Vectors(motions.nodes));
+    coordinates.tail(2 * m) = u.reshaped();
+    const Vectors Z = motions.nodes + u;
     const Mat2 turn = turned_by(coordinates[2]);
     Vectors y = turn * Z;
     y += Vec2(coordinates.head<2>()).lazyProduct(motions.translation.transpose());
@@ -174,6 +183,8 @@ void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordin
     const Vectors rates = angular * left(Z) + way.deformation / dt_;
     Vectors v = turn * rates;
     v += linear.lazyProduct(motions.translation.transpose());
+    // The weights sum to one but for round-off, which would add up from step to step.
+    v += Vec2(linear - v.lazyProduct(motions.weights)).lazyProduct(motions.translation.transpose());
     nodes.to_unknowns(v, velocity);
   });
 }

@@ -1,12 +1,12 @@
 /// \file A block's step by its motions: with what forces it resists the motion of its unknowns.
 ///
-/// Velocities (vc, omega, u') of the middle of a step follow from those of the middle of the step before by impulses over
-/// the time h between the two, on the shape at the start:
+/// Velocities (vc, omega, u') of the middle of a step follow from those of the middle of the step before by
+/// impulses over the time h between the two, on the shape at the start:
 ///     (1 + alpha h) m vc = m vc_before + h f,        (1 + alpha h) I omega = I omega_before + h torque,
 ///     ((1 + alpha h) M + h (dt + beta) K) u' = M u'_before + h (omega_before^2 M (X + u) - K u - f0 + f),
-/// with Rayleigh's alpha and beta: leapfrog for the motion as a rigid body, backward Euler for the deformation. Unknowns
-/// are displacements d = dt v of the straight motion that the velocities v of the shape at the start make; where it
-/// leads to is `displacement`.
+/// with Rayleigh's alpha and beta: leapfrog for the motion as a rigid body, backward Euler for the
+/// deformation. Unknowns are displacements d = dt v of the straight motion that the velocities v of the shape
+/// at the start make; where it leads to is `displacement`.
 #pragma once
 
 #include <ddacontact/block/corotational_shape.hpp>
@@ -34,8 +34,8 @@ class BlockMotion {
   void displacement(const Numbers& d, Written displaced) const;
   /// What it stores in the block, J per m.
   double stored_energy(const Numbers& d) const;
-  /// What Rayleigh damping takes, and what the scheme takes of the work of elastic forces and of inertia before the change
-  /// of kinetic energy is taken off, J per m.
+  /// What Rayleigh damping takes, and what the scheme takes of the work of elastic forces and of inertia
+  /// before the change of kinetic energy is taken off, J per m.
   struct Losses {
     double damping = 0, scheme = 0;
   };
@@ -45,7 +45,8 @@ class BlockMotion {
 
   /// Writes the block after the step: its coordinates and places, and the velocities of its unknowns on that
   /// shape in the middle of the step; the angular momentum is that of the step.
-  /// \param[in] external  all forces on the unknowns of a free block, which takes its momenta from them: what is left
+  /// \param[in] external  all forces on the unknowns of a free block, which takes its momenta from them: what
+  /// is left
   ///                      of them in d has the solution's error; empty: it has supports
   void end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> places,
            Written velocity) const;
@@ -77,11 +78,11 @@ class BlockMotion {
   VectorXd start_;
   Vec2 linear_before_{0, 0};
   double angular_before_ = 0;
-  Points shape_now_;    ///< Z = X + u
-  Points deforming_;    ///< u' before
-  Points drive_;        ///< M u' before + h (omega^2 M Z - K u - f0)
-  Points centrifugal_;  ///< omega^2 M Z
-  VectorXd initial_;    ///< f0; empty: none
+  Points shape_now_;                   ///< Z = X + u
+  Points deforming_;                   ///< u' before
+  Points drive_;                       ///< M u' before + h (omega^2 M Z - K u - f0)
+  Points centrifugal_;                 ///< omega^2 M Z
+  VectorXd initial_;                   ///< f0; empty: none
   double inertia_ = 0, leverage_ = 0;  ///< Z M Z, X M Z
   Mat2 turn_ = Mat2::Identity();
 };

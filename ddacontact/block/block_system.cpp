@@ -20,8 +20,7 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
   int n_places = 0;
   names.reserve(blocks_.size());
   for (const auto& block : blocks_) {
-    block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_,
-                 n_coordinates_);
+    block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_, n_coordinates_);
     n_places = block->places().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
@@ -157,8 +156,8 @@ void BlockSystem::find_coordinates(BlockState& state) const {
     if (unchanging_[b] || !block(b).shape()) return;
     const Range &c = block(b).coordinates(), &p = block(b).places();
     const CorotationalShape& shape = *block(b).shape();
-    const Points nodes = NodalKinematics<polyfem::AnyNodes>(shape).of_places(
-        state.position.middleCols(p.first, p.count));
+    const Points nodes =
+        NodalKinematics<polyfem::AnyNodes>(shape).of_places(state.position.middleCols(p.first, p.count));
     state.coordinates.segment(c.first, c.count) = shape.motions().coordinates_of(nodes);
   });
 }

@@ -231,11 +231,15 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state, int c) con
 }
 
 double CorotationalBlock::elastic_energy_of_deformation(const BlockState& state) const {
-  const VectorXd u = state.coordinates.segment(coordinates().first + 3, coordinates().count - 3);
-  const bool strained = !u.isZero(0);
+  const auto u = state.coordinates.segment(coordinates().first + 3, coordinates().count - 3);
   double energy = 0;
-  if (strained && shape_->is_one_cell()) energy = u.dot(shape_->cells[0].elastic.stiffness() * u) / 2;
-  if (strained && !shape_->is_one_cell()) energy = u.dot(shape_->motions().stiffness * u) / 2;
+  if (!u.isZero(0))
+    energy = with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>&) {
+      const typename Of::Stacked of_nodes = u;
+      if (shape_->is_one_cell())
+        return shape_->cells[0].elastic.template times_stiffness<Of>(of_nodes).dot(of_nodes) / 2;
+      return u.dot(shape_->motions().stiffness * u) / 2;
+    });
   const TensorsRef initial = initial_stress(state);
   if (initial.isZero(0)) return energy;
   energy += initial_force(state).dot(u);

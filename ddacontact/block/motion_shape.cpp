@@ -20,9 +20,9 @@ Eigen::SparseMatrix<double> stiffness_of(const CorotationalShape& shape) {
       for (std::size_t b = 0; b < cell.nodes.size(); ++b)
         for (int i = 0; i < 2; ++i)
           for (int j = 0; j < 2; ++j)
-            entries.emplace_back(2 * cell.nodes[a] + i, 2 * cell.nodes[b] + j,
-                                 cell.elastic.stiffness()(2 * static_cast<Index>(a) + i,
-                                                          2 * static_cast<Index>(b) + j));
+            entries.emplace_back(
+                2 * cell.nodes[a] + i, 2 * cell.nodes[b] + j,
+                cell.elastic.stiffness()(2 * static_cast<Index>(a) + i, 2 * static_cast<Index>(b) + j));
   Eigen::SparseMatrix<double> K(n, n);
   K.setFromTriplets(entries.begin(), entries.end());
   return K;
@@ -30,7 +30,9 @@ Eigen::SparseMatrix<double> stiffness_of(const CorotationalShape& shape) {
 
 }  // namespace
 
-Mat2 turned_by(double angle) { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
+Mat2 turned_by(double angle) {
+  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
 
 Mat2 turn_less_one(double angle) {
   const double half = std::sin(angle / 2), less = -2 * half * half, sine = std::sin(angle);
@@ -54,8 +56,7 @@ MotionShape::MotionShape(const CorotationalShape& shape)
 VectorXd MotionShape::coordinates_of(const PointsRef& y) const {
   const Vec2 centre = y * weights;
   const Points arms = y - centre * translation.transpose();
-  const double angle =
-      std::atan2(turning.cwiseProduct(arms).sum(), weighted.cwiseProduct(arms).sum());
+  const double angle = std::atan2(turning.cwiseProduct(arms).sum(), weighted.cwiseProduct(arms).sum());
   Points u = turned_by(-angle) * arms - nodes;
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
   if (u.cwiseAbs().maxCoeff() <= round_off * nodes.cwiseAbs().maxCoeff()) u.setZero();

@@ -2,9 +2,9 @@
 ///
 /// A node stands at y = c t + R(theta) (X + u), with t = 1 for points, and moves with
 ///     v = vc t + omega J (y - c t) + R u'.
-/// c is the centre of mass, and theta such that u carries neither momentum nor angular momentum about the shape at
-/// rest: sum M u = 0, sum X x M u = 0 (an Eckart frame). So kinetic energy is m vc^2 / 2 + I omega^2 / 2 + u' M u' / 2,
-/// with I of the deformed shape, less terms of the order of the strain squared.
+/// c is the centre of mass, and theta such that u carries neither momentum nor angular momentum about the
+/// shape at rest: sum M u = 0, sum X x M u = 0 (an Eckart frame). So kinetic energy is m vc^2 / 2 + I omega^2
+/// / 2 + u' M u' / 2, with I of the deformed shape, less terms of the order of the strain squared.
 #pragma once
 
 #include <ddacontact/core/types.hpp>
@@ -19,13 +19,13 @@ struct CorotationalShape;
 struct MotionShape {
   explicit MotionShape(const CorotationalShape& shape);
 
-  double mass;              ///< kg per m
-  double rest_inertia;      ///< X M X, kg m2 per m
-  Points nodes;             ///< X, from the centre of mass, 2 x m
-  VectorXd translation;     ///< t, m
-  VectorXd weights;         ///< of the nodes in the centre of mass, M t / mass, m
-  Points weighted;          ///< X M, 2 x m
-  Points turning;           ///< J X M: its product with velocities is their moment of momentum at rest, 2 x m
+  double mass;           ///< kg per m
+  double rest_inertia;   ///< X M X, kg m2 per m
+  Points nodes;          ///< X, from the centre of mass, 2 x m
+  VectorXd translation;  ///< t, m
+  VectorXd weights;      ///< of the nodes in the centre of mass, M t / mass, m
+  Points weighted;       ///< X M, 2 x m
+  Points turning;        ///< J X M: its product with velocities is their moment of momentum at rest, 2 x m
   Eigen::SparseMatrix<double> stiffness;  ///< K of all cells, 2m x 2m; empty: that of the only one
 
   Index n_nodes() const { return nodes.cols(); }
@@ -34,7 +34,8 @@ struct MotionShape {
   using Numbers = Eigen::Ref<const VectorXd>;
   /// X + u, 2 x m.
   Points deformed(const Numbers& s) const { return nodes + s.tail(2 * n_nodes()).reshaped(2, n_nodes()); }
-  /// The coordinates of nodes at y, with the angle in (-pi, pi]. Deformations of the size of round-off are none.
+  /// The coordinates of nodes at y, with the angle in (-pi, pi]. Deformations of the size of round-off are
+  /// none.
   VectorXd coordinates_of(const PointsRef& y) const;
   /// The velocities (vc, omega, u') of nodes with velocities v in the configuration s, and back.
   VectorXd velocities_of(const Numbers& s, const PointsRef& v) const;

@@ -101,7 +101,7 @@ void SystemPart::lend(BlockSystem& whole, BlockSystem& part) const {
     const Ranges& to = in_part_[k];
     part.blocks_[k] = std::move(whole.blocks_[blocks_[k]]);
     part.blocks_[k]->place(static_cast<int>(k), to.places.first, to.unknowns.first, to.stress_points.first,
-                            to.coordinates.first);
+                           to.coordinates.first);
   }
 }
 
@@ -110,7 +110,8 @@ void SystemPart::give_back(BlockSystem& part, BlockSystem& whole) const {
     const Ranges& to = in_whole_[k];
     const int b = blocks_[k];
     whole.blocks_[b] = std::move(part.blocks_[k]);
-    whole.blocks_[b]->place(b, to.places.first, to.unknowns.first, to.stress_points.first, to.coordinates.first);
+    whole.blocks_[b]->place(b, to.places.first, to.unknowns.first, to.stress_points.first,
+                            to.coordinates.first);
   }
 }
 

@@ -139,11 +139,12 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     r += own_forces_.segment(u.first, u.count);
     const auto& [own, furthest] = own_sums_[a];
     const double sum = magnitude_[b] + own;
-    // With half steps forces follow from deformations and from changes of gaps, not from places.
-    const double length = rule_.has_half_steps() ? furthest : block.size() + furthest;
-    const double floor =
-        floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
-                        rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
+    // With half steps forces follow from deformations and from changes of gaps: of places round-off is left
+    // by one unit.
+    constexpr double of_gaps = 1. / 64;
+    const double length = (rule_.has_half_steps() ? of_gaps : 1) * block.size() + furthest;
+    const double floor = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
+                                         rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
     double largest = 0;
     for (int k = 0; k < u.count; ++k) {
       if (blocks_.equation()[u.first + k] < 0) continue;

@@ -8,8 +8,8 @@
 
 namespace ddacontact {
 
-/// The first two blocks without free unknowns of which the supports of one or both have driven one deeper into the
-/// other than a millionth of the smaller one's size; nothing where there are none.
+/// The first two blocks without free unknowns of which the supports of one or both have driven one deeper
+/// into the other than a millionth of the smaller one's size; nothing where there are none.
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& start,
                                         const BlockState& end);
 

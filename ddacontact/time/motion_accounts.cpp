@@ -23,7 +23,8 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   const double by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change;
   work.damping -= by_dashpot * contact.gap_change;
   // An impulse changes kinetic energy by p times the mean of the rates before and after.
-  const double before = contact.motion.change_along(start.by_gap, from.going_on()) * (rule.starts_at_rest ? 0 : 1),
+  const double before =
+                   contact.motion.change_along(start.by_gap, from.going_on()) * (rule.starts_at_rest ? 0 : 1),
                energy = contact.normal * rule.impulse_time * (dt * before + contact.gap_change) / 2;
   (energy > 0 ? work.pushed_out : work.damping) += std::abs(energy);
   work.scheme -= (contact.normal - by_dashpot) * contact.gap_change - energy;
@@ -45,7 +46,8 @@ StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    const BlockMotion::Losses losses = blocks.block(b).motion()->losses(step.straight.segment(u.first, u.count));
+    const BlockMotion::Losses losses =
+        blocks.block(b).motion()->losses(step.straight.segment(u.first, u.count));
     work.damping += losses.damping;
     work.scheme += losses.scheme;
   }
@@ -67,8 +69,9 @@ std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSyste
       return std::max(resultant.norm(), std::abs(block.rotation().dot(of_block)) / block.size());
     };
     sums[b].resultant = std::max(momentum.head<2>().norm(), std::abs(momentum[2]) / block.size());
-    sums[b].largest = std::max({size_of(system.gravity_forces()), size_of(system.load_forces()),
-                                reactions.middleCols(places.first, places.count).colwise().norm().maxCoeff()});
+    sums[b].largest =
+        std::max({size_of(system.gravity_forces()), size_of(system.load_forces()),
+                  reactions.middleCols(places.first, places.count).colwise().norm().maxCoeff()});
   }
   return sums;
 }

@@ -1,4 +1,5 @@
-/// \file What a step by the blocks' motions leaves: energies, reactions, and how far each block is from balance.
+/// \file What a step by the blocks' motions leaves: energies, reactions, and how far each block is from
+/// balance.
 #pragma once
 
 #include <ddacontact/contact/contact.hpp>
@@ -33,8 +34,8 @@ struct MotionStep {
   std::vector<Contact>& contacts;  ///< gap and slip changes are set to those of the straight motion
 };
 
-/// An impulse works on the straight motion of the shape at the start. What turns away from that on the way, of
-/// slips and of prescribed places, is the scheme's.
+/// An impulse works on the straight motion of the shape at the start. What turns away from that on the way,
+/// of slips and of prescribed places, is the scheme's.
 StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system, const MotionStep& step);
 
 /// Mass times acceleration of every block, and the largest force beside those of contacts.

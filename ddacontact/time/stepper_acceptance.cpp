@@ -42,12 +42,13 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     if (is_concave[b] && !check_concave(b, next)) return false;
   const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
   next.carried_dt = rule.has_half_steps() && !is_static() ? dt : 0;
-  for (const HeldUnknown& held : blocks_.held_unknowns()) {  // to the bit, without the rounding of the motions
+  for (const HeldUnknown& held :
+       blocks_.held_unknowns()) {  // to the bit, without the rounding of the motions
     const int b = blocks_.block_of_unknown(held.unknown);
     if (!rule.has_half_steps() || blocks_.is_unchanging(b)) continue;
-    next.position(held.axis, held.vertex) =
-        state_.position(held.axis, held.vertex) + system_->prescribed()[held.unknown] +
-        (state_.origin(held.axis, b) - next.origin(held.axis, b));
+    next.position(held.axis, held.vertex) = state_.position(held.axis, held.vertex) +
+                                            system_->prescribed()[held.unknown] +
+                                            (state_.origin(held.axis, b) - next.origin(held.axis, b));
   }
   if (is_static()) {  // after a static step blocks are at rest
     next.velocity.setZero();
@@ -76,8 +77,8 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   if (has_motions()) {
     for (Contact& contact : tried_)
       if (has_impact) contact_builder_->start_from(from, contact);
-    book(account_motion_step(
-        blocks_, *system_, {from, solution.straight, system_->prescribed(), solution.residual, tried_}));
+    book(account_motion_step(blocks_, *system_,
+                             {from, solution.straight, system_->prescribed(), solution.residual, tried_}));
     if (has_impact) book_shift(solution.impact.shift);
   } else {
     VectorXd motion = solution.d;
@@ -85,7 +86,8 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
       motion += solution.impact.shift;
       measure_contacts(from, solution.d, motion);
     }
-    account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_}, energy_.now);
+    account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
+                 energy_.now);
   }
   assess(dt, solution, next.velocity);
   book_kinetic(kinetic_energy(blocks_, next.velocity));
@@ -208,9 +210,10 @@ void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_ve
   const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
   const double before = equilibrium_.unbalanced;
   const Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
-  equilibrium_ = has_motions() ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
-                                               tried_, velocity)
-                            : find_equilibrium(blocks_, *system_, solution.residual, tried_, reactions, velocity);
+  equilibrium_ = has_motions()
+                     ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
+                                        tried_, velocity)
+                     : find_equilibrium(blocks_, *system_, solution.residual, tried_, reactions, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = in_whole(*b);
   equilibrium_.unbalanced_before = before;

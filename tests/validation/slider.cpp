@@ -62,7 +62,10 @@ Vibration vibration(double width, double height, const Material& material) {
 BuiltScene settled(Scene scene) {
   StageDescription settling = scene.stage("settling");
   settling.analysis.mode = Mode::statics;
-  settling.analysis.scheme = Scheme::decaying;  // by midpoint static steps alternate about the equilibrium
+  settling.analysis.scheme =
+      scene.analysis.kinematics == Kinematics::incremental
+          ? Scheme::backward_euler
+          : Scheme::decaying;  // by midpoint static steps alternate about the equilibrium
   settling.analysis.time_step = settling_time / settling_steps;
   settling.analysis.steps = settling_steps;
   for (Joint& joint : settling.joints) joint.friction_angle = settling_friction;

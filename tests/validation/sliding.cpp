@@ -166,7 +166,8 @@ BuiltScene sliding_steadily(const Slider& slider, const Tolerances& tolerances) 
   scene.contact.penetration_tolerance = tolerances.penetration;
   StageDescription settling = scene.stage("settling");
   settling.analysis.mode = Mode::statics;
-  settling.analysis.scheme = Scheme::decaying;
+  settling.analysis.scheme =
+      scene.analysis.kinematics == Kinematics::incremental ? Scheme::backward_euler : Scheme::decaying;
   settling.analysis.time_step = settling_time / steps;
   settling.analysis.steps = steps;
   settling.analysis.gravity =

@@ -34,7 +34,8 @@ struct Flight {
   VectorXd coordinates, velocity;
   double previous = 0;
 
-  /// \param[in] stretch  the deformation at the start; that of the first node, others so that it has no momenta
+  /// \param[in] stretch  the deformation at the start; that of the first node, others so that it has no
+  /// momenta
   Flight(double young, const VectorXd& rates, double stretch = 0) : shape(polygon(young)) {
     const MotionShape& motions = shape.motions();
     Points y = motions.nodes;
@@ -73,7 +74,9 @@ struct Flight {
   VectorXd deformation() const { return coordinates.tail(8); }
 };
 
-VectorXd at_rest() { return VectorXd::Zero(11); }
+VectorXd at_rest() {
+  return VectorXd::Zero(11);
+}
 VectorXd spinning(double omega) {
   VectorXd s = VectorXd::Zero(11);
   s.head<3>() << 3, -2, omega;
@@ -123,14 +126,16 @@ TEST(BlockMotion, AStraightMotionTurnsOnItsWay) {
   StepRule rule;
   rule.scheme = Scheme::decaying;
   const MotionShape& motions = shape.motions();
-  motion.begin(shape, rule, dt, at_rest(), motions.node_velocities(at_rest(), spinning(100)).reshaped(), VectorXd());
+  motion.begin(shape, rule, dt, at_rest(), motions.node_velocities(at_rest(), spinning(100)).reshaped(),
+               VectorXd());
   VectorXd straight(8), displaced(8);
   motion.free_path(straight);
   motion.displacement(straight, displaced);
   const Points start = motions.nodes, end = start + displaced.reshaped(2, 4);
   for (int a = 0; a < 4; ++a) {
     const int b = (a + 1) % 4;
-    EXPECT_NEAR((end.col(a) - end.col(b)).norm(), (start.col(a) - start.col(b)).norm(), 1e-12) << "no stretch";
+    EXPECT_NEAR((end.col(a) - end.col(b)).norm(), (start.col(a) - start.col(b)).norm(), 1e-12)
+        << "no stretch";
   }
   EXPECT_GT((straight - displaced).norm(), 1e-3) << "the straight motion would stretch it";
 }

@@ -34,7 +34,8 @@ std::string reason_to_stop(const Scene& scene) {
 
 TEST(DrivenBlocks, SupportsThatDriveBlocksIntoEachOtherStopTheRunAndAreNamed) {
   const std::string reason = reason_to_stop(driven(0.01, {0.1, 0}, {-0.1, 0}));
-  EXPECT_NE(reason.find("supports drive blocks \"0\" and \"1\" into each other"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("supports drive blocks \"0\" and \"1\" into each other"), std::string::npos)
+      << reason;
 }
 
 TEST(DrivenBlocks, SupportsThatPartOrSlideBlocksDoNot) {
