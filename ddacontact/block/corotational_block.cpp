@@ -220,8 +220,17 @@ double CorotationalBlock::elastic_loss(const Eigen::Ref<const VectorXd>& d,
   return Block::elastic_loss(d, elastic);
 }
 
-CorotationalBlock::Frame CorotationalBlock::cell_frame(const Points& y, int c) const {
-  return NodalKinematics<polyfem::AnyNodes>(*shape_).frame(y, static_cast<std::size_t>(c));
+CorotationalBlock::Frame CorotationalBlock::cell_frame(const BlockState& state, const Points& y, int c) const {
+  if (state.coordinates.size() == 0)
+    return NodalKinematics<polyfem::AnyNodes>(*shape_).frame(y, static_cast<std::size_t>(c));
+  // That of the motions, in which forces were balanced.
+  const auto s = state.coordinates.segment(coordinates().first, coordinates().count);
+  const Points u = s.tail(s.size() - 3).reshaped(2, shape_->nodes.cols());
+  const std::vector<int>& nodes = shape_->cells[c].nodes;
+  Frame frame;
+  frame.rotation = turned_by(s[2]);
+  frame.u = nodes.empty() ? VectorXd(u.reshaped()) : VectorXd(Points(u(Eigen::all, nodes)).reshaped());
+  return frame;
 }
 
 TensorsRef CorotationalBlock::initial_stress(const BlockState& state, int c) const {
@@ -299,7 +308,7 @@ Tensors CorotationalBlock::stress(const BlockState& state) const {
   const Points y = nodes(state);
   Tensors sigma(3, n_stress_points());
   for (int c = 0; c < n_cells(); ++c) {
-    const Frame frame = cell_frame(y, c);
+    const Frame frame = cell_frame(state, y, c);
     const Tensors of_cell = cell_stresses(state, frame, c);
     for (Index q = 0; q < of_cell.cols(); ++q)
       sigma.col(shape_->cells[c].first_point + q) = turned(frame.rotation, of_cell.col(q));
@@ -326,7 +335,7 @@ BlockCell CorotationalBlock::cell(int c) const {
 CellStress CorotationalBlock::cell_stress(const BlockState& state, int c) const {
   if (shape_->is_one_cell()) return Block::cell_stress(state, c);
   const ShapeCell& cell = shape_->cells[c];
-  const Frame frame = cell_frame(nodes(state), c);
+  const Frame frame = cell_frame(state, nodes(state), c);
   CellStress stress{frame.rotation * frame.u.reshaped(2, cell.elastic.n_nodes()), material().elasticity,
                     Vec3::Zero()};
   if (cell.mean_dilatation) stress.elasticity.topLeftCorner<2, 2>().array() -= material().elasticity(0, 1);
@@ -341,7 +350,7 @@ CellStress CorotationalBlock::cell_stress(const BlockState& state, int c) const 
 Points CorotationalBlock::strain_displacement(const BlockState& state) const {
   assert(shape_->is_one_cell());
   const ShapeCell& cell = shape_->cells[0];
-  const Frame frame = cell_frame(nodes(state), 0);
+  const Frame frame = cell_frame(state, nodes(state), 0);
   const Points u = frame.u.reshaped(2, shape_->nodes.cols());
   Points w = u, rest = shape_->nodes;
   if (shape_->places.size() > 0) {

@@ -61,7 +61,7 @@ class CorotationalBlock final : public Block {
   double elastic_energy_of_deformation(const BlockState& state) const;
   Points nodes(const PointsRef& places) const;
   Points nodes(const BlockState& state) const;
-  Frame cell_frame(const Points& y, int c) const;
+  Frame cell_frame(const BlockState& state, const Points& y, int c) const;
   /// Empty: none.
   TensorsRef initial_stress(const BlockState& state) const;
   TensorsRef initial_stress(const BlockState& state, int c) const;
