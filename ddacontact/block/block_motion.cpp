@@ -19,11 +19,6 @@ BlockMotion::Velocities<Of> BlockMotion::velocities(const typename Of::Vectors& 
 }
 
 template <class Of>
-BlockMotion::Velocities<Of> BlockMotion::before() const {
-  return {linear_before_, angular_before_, deforming_};
-}
-
-template <class Of>
 typename Of::Vectors BlockMotion::times_stiffness(const typename Of::Vectors& u) const {
   const Index n = u.cols();
   if (shape_->is_one_cell())

@@ -65,8 +65,6 @@ class BlockMotion {
   template <class Of>
   Velocities<Of> velocities(const typename Of::Vectors& of_nodes) const;
   template <class Of>
-  Velocities<Of> before() const;
-  template <class Of>
   typename Of::Vectors times_stiffness(const typename Of::Vectors& u) const;
   /// velocities, and work(nodes, velocities of d, in m and rad a step)
   template <class Work>

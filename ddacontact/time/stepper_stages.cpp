@@ -216,7 +216,7 @@ void Stepper::restore(StepRecord record) {
 StepMemory Stepper::memory() const {
   const BlockState& s = state_;
   return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) + bytes_of(s.carried) +
-                   bytes_of(s.stress) + bytes_of(s.rotation) + bytes_of(reactions_),
+                   bytes_of(s.stress) + bytes_of(s.coordinates) + bytes_of(s.rotation) + bytes_of(reactions_),
           .contacts = bytes_of(contacts_) + bytes_of(tried_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
           .equations = system_->memory(),
