@@ -1,5 +1,6 @@
 #include <ddacontact/block/block.hpp>
 
+#include <ddacontact/block/block_motion.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -19,6 +20,10 @@ Block::Block(const BlockMaterial& material, const PointsRef& places, int n_verti
       n_vertices_(n_vertices),
       moments_(polyfem::area_moments(places.leftCols(n_vertices))) {
   Points::Map(reference_.front().data(), 2, places.cols()) = places;
+}
+
+std::optional<BlockMotion> Block::motion() const {
+  return {};
 }
 
 void Block::place(int index, int first_place, int first_unknown, int first_stress_point,

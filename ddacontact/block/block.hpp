@@ -7,6 +7,7 @@
 #include <polyfem/basis/basis.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -144,13 +145,13 @@ class Block {
   /// middle their angular momentum).
   virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
                         bool is_free, BlockState& next) const = 0;
-  /// Where d leads the block's unknowns to. With half steps d is the straight motion of the shape at the start, dt
-  /// times its velocities: forces act on that, and the block turns on the way.
+  /// Where d leads the block's unknowns to. With half steps d is the straight motion of the shape at the
+  /// start, dt times its velocities: forces act on that, and the block turns on the way.
   virtual void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const {
     displaced = d;
   }
-  /// The step by the block's motions that was begun; null: steps are made otherwise.
-  virtual const BlockMotion* motion() const { return nullptr; }
+  /// The step by the block's motions that was begun; none: steps are made otherwise.
+  virtual std::optional<BlockMotion> motion() const;
 
   /// At the integration points, axes of the model, 3 x n_stress_points.
   virtual Tensors stress(const BlockState& state) const = 0;

@@ -8,75 +8,91 @@ namespace ddacontact {
 
 template <class Of>
 BlockMotion::Velocities<Of> BlockMotion::velocities(const typename Of::Vectors& of_nodes) const {
-  const MotionShape& shape = shape_->motions();
+  const MotionShape& shape = shape_.motions();
   Velocities<Of> found;
   found.linear = of_nodes.lazyProduct(shape.weights);
   const typename Of::Vectors apart = of_nodes - found.linear.lazyProduct(shape.translation.transpose());
   found.deformation = turn_.transpose() * apart;
   found.angular = shape.turning.cwiseProduct(found.deformation).sum() / leverage_;
-  found.deformation -= found.angular * left(typename Of::Vectors(shape_now_));
+  found.deformation -= found.angular * left_of_shape<Of>();
   return found;
 }
 
 template <class Of>
 typename Of::Vectors BlockMotion::times_stiffness(const typename Of::Vectors& u) const {
   const Index n = u.cols();
-  if (shape_->is_one_cell())
-    return shape_->cells[0]
+  if (shape_.is_one_cell())
+    return shape_.cells[0]
         .elastic.template times_stiffness<Of>(typename Of::Stacked(u.reshaped()))
         .reshaped(2, n);
-  const VectorXd f = shape_->motions().stiffness * Eigen::Map<const VectorXd>(u.data(), 2 * n);
+  const VectorXd f = shape_.motions().stiffness * Eigen::Map<const VectorXd>(u.data(), 2 * n);
   return f.reshaped(2, n);
 }
 
 template <class Work>
 auto BlockMotion::with_motion(const Numbers& d, const Work& work) const {
-  return with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
+  return with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     return work(nodes, velocities<Of>(nodes.to_nodes(d)));
   });
 }
 
-void BlockMotion::begin(const CorotationalShape& shape, const StepRule& rule, double dt,
-                        const Numbers& coordinates, const Numbers& velocity, const Numbers& initial) {
-  shape_ = &shape;
-  dt_ = dt;
-  impulse_time_ = rule.impulse_time * dt;
-  damping_ = rule.damping;
-  start_ = coordinates;
-  initial_ = initial;
+BlockMotion::BlockMotion(const CorotationalShape& shape, const CorotationalStart& start)
+    : shape_(shape),
+      start_(start),
+      damping_(start.matrices->rule.damping),
+      dt_(start.matrices->dt),
+      impulse_time_(start.matrices->rule.impulse_time * dt_),
+      linear_before_(start.arrays[0]),
+      angular_before_(start.arrays[1][0]),
+      inertia_(start.arrays[2][0]),
+      leverage_(start.arrays[2][1]) {
+  const Vec2& axis = start.arrays[3];
+  turn_ << axis.x(), -axis.y(), axis.y(), axis.x();
+}
+
+void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinates, const Numbers& velocity,
+                        const Numbers& initial, CorotationalStart& start) {
   const MotionShape& motions = shape.motions();
   const Index m = motions.n_nodes();
-  for (Points* points : {&shape_now_, &deforming_, &drive_, &centrifugal_}) points->resize(2, m);
-  turn_ = turned_by(start_[2]);
+  start.arrays.resize(
+      static_cast<std::size_t>(n_numbers + (initial.size() > 0 ? stress_forces + 1 : stress_forces) * m));
   with_nodes(shape, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     using Vectors = typename Of::Vectors;
-    const Vectors u = start_.tail(2 * m).reshaped(2, m), Z = motions.nodes + u, of_shape = nodes.weighted(Z);
-    shape_now_ = Z;
-    leverage_ = motions.weighted.cwiseProduct(Z).sum();
-    inertia_ = of_shape.cwiseProduct(Z).sum();
-    const Velocities<Of> v = velocities<Of>(nodes.to_nodes(velocity));
-    linear_before_ = v.linear;
-    angular_before_ = v.angular;
-    deforming_ = v.deformation;
-    centrifugal_ = angular_before_ * angular_before_ * of_shape;
-    drive_ = nodes.weighted(v.deformation) + impulse_time_ * (centrifugal_ - times_stiffness<Of>(u));
-    if (initial_.size() > 0) drive_ -= impulse_time_ * initial_.reshaped(2, m);
+    const auto put = [&](Array k, const Vectors& of_nodes) {
+      Eigen::Map<Vectors, Eigen::Aligned16>(start.arrays[n_numbers + k * m].data(), 2, m) = of_nodes;
+    };
+    const Vectors u = coordinates.tail(2 * m).reshaped(2, m), Z = motions.nodes + u,
+                  of_shape = nodes.weighted(Z);
+    put(shape_now, Z);
+    start.arrays[2] = {of_shape.cwiseProduct(Z).sum(), motions.weighted.cwiseProduct(Z).sum()};
+    start.arrays[3] = turned_by(coordinates[2]).col(0);
+    const BlockMotion motion(shape, start);  // knows the shape: velocities can be taken apart
+    const auto [linear, angular, rates] = motion.velocities<Of>(nodes.to_nodes(velocity));
+    start.arrays[0] = linear;
+    start.arrays[1] = {angular, 0};
+    put(deforming, rates);
+    Vectors force = angular * angular * of_shape - motion.times_stiffness<Of>(u);
+    if (initial.size() > 0) {
+      put(stress_forces, initial.reshaped(2, m));
+      force -= initial.reshaped(2, m);
+    }
+    put(drive, nodes.weighted(rates) + motion.impulse_time_ * force);
   });
 }
 
 void BlockMotion::forces(const Numbers& d, Written resisting) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
-    const MotionShape& motions = shape_->motions();
+    const MotionShape& motions = shape_.motions();
     const double h = impulse_time_, damped = 1 + h * damping_.mass;
     Vectors f = damped / dt_ * nodes.weighted(way.deformation) +
                 h * (1 + damping_.stiffness / dt_) * times_stiffness<Of>(way.deformation);
-    f -= drive_;
+    f -= array<Of>(drive);
     f /= h;
     const Vec2 linear = motions.mass / h * (damped / dt_ * way.linear - linear_before_),
                of_deformation = f.lazyProduct(motions.translation);
     const double torque = inertia_ / h * (damped / dt_ * way.angular - angular_before_),
-                 moment = left(Vectors(shape_now_)).cwiseProduct(f).sum();
+                 moment = left_of_shape<Of>().cwiseProduct(f).sum();
     // Forces on the deformation of a motion, what is rigid in it taken off.
     f += (torque - moment) / leverage_ * motions.turning;
     f -= of_deformation.lazyProduct(motions.weights.transpose());
@@ -87,11 +103,11 @@ void BlockMotion::forces(const Numbers& d, Written resisting) const {
 }
 
 void BlockMotion::free_path(Written d) const {
-  with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
+  with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     using Vectors = typename Of::Vectors;
-    const Vectors rates = angular_before_ * left(Vectors(shape_now_)) + deforming_;
+    const Vectors rates = angular_before_ * left_of_shape<Of>() + array<Of>(deforming);
     Vectors path = turn_ * rates;
-    path += linear_before_.lazyProduct(shape_->motions().translation.transpose());
+    path += linear_before_.lazyProduct(shape_.motions().translation.transpose());
     nodes.to_unknowns(dt_ * path, d);
   });
 }
@@ -100,9 +116,9 @@ void BlockMotion::displacement(const Numbers& d, Written displaced) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     Vectors moved =
-        turn_less_one(way.angular) * Vectors(shape_now_) + turned_by(way.angular) * way.deformation;
+        turn_less_one(way.angular) * array<Of>(shape_now) + turned_by(way.angular) * way.deformation;
     moved = (turn_ * moved).eval();
-    moved += way.linear.lazyProduct(shape_->motions().translation.transpose());
+    moved += way.linear.lazyProduct(shape_.motions().translation.transpose());
     nodes.to_unknowns(moved, displaced);
   });
 }
@@ -110,10 +126,9 @@ void BlockMotion::displacement(const Numbers& d, Written displaced) const {
 double BlockMotion::stored_energy(const Numbers& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>&, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
-    const Vectors middle = shape_now_ - shape_->motions().nodes + way.deformation / 2;
+    const Vectors middle = array<Of>(shape_now) - shape_.motions().nodes + way.deformation / 2;
     double stored = times_stiffness<Of>(middle).cwiseProduct(way.deformation).sum();
-    if (initial_.size() > 0)
-      stored += initial_.reshaped(2, middle.cols()).cwiseProduct(way.deformation).sum();
+    if (has_stress()) stored += array<Of>(stress_forces).cwiseProduct(way.deformation).sum();
     return stored;
   });
 }
@@ -121,26 +136,26 @@ double BlockMotion::stored_energy(const Numbers& d) const {
 BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
-    const double mass = shape_->motions().mass;
+    const double mass = shape_.motions().mass;
     const double stretched = times_stiffness<Of>(way.deformation).cwiseProduct(way.deformation).sum();
     const Vectors momentum = nodes.weighted(way.deformation);
     const double quadratic = mass * way.linear.squaredNorm() + inertia_ * way.angular * way.angular +
                              momentum.cwiseProduct(way.deformation).sum();
     const double with_before = mass * way.linear.dot(linear_before_) +
                                inertia_ * way.angular * angular_before_ +
-                               momentum.cwiseProduct(deforming_).sum();
+                               momentum.cwiseProduct(array<Of>(deforming)).sum();
     Losses losses;
     losses.damping = (damping_.mass * quadratic + damping_.stiffness * stretched) / dt_;
     // Backward Euler takes K (d u)^2 / 2 of what a change of the deformation stores.
     losses.scheme = stretched / 2 + (quadratic / dt_ - with_before) / impulse_time_ -
-                    centrifugal_.cwiseProduct(way.deformation).sum();
+                    angular_before_ * angular_before_ * momentum.cwiseProduct(array<Of>(shape_now)).sum();
     return losses;
   });
 }
 
 Vec3 BlockMotion::resultant(const Numbers& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>&, const Velocities<Of>& way) {
-    const Vec2 force = shape_->motions().mass / impulse_time_ * (way.linear / dt_ - linear_before_);
+    const Vec2 force = shape_.motions().mass / impulse_time_ * (way.linear / dt_ - linear_before_);
     return Vec3(force.x(), force.y(), inertia_ / impulse_time_ * (way.angular / dt_ - angular_before_));
   });
 }
@@ -149,12 +164,12 @@ void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordin
                       Eigen::Ref<Points> places, Written velocity) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, Velocities<Of> way) {
     using Vectors = typename Of::Vectors;
-    const MotionShape& motions = shape_->motions();
+    const MotionShape& motions = shape_.motions();
     const Index m = motions.n_nodes();
-    coordinates.head<2>() = start_.head<2>() + way.linear;
-    coordinates[2] = start_[2] + way.angular;
+    coordinates.head<2>() += way.linear;
+    coordinates[2] += way.angular;
     // Round-off that is rigid in the deformation would add up, and turn with the block.
-    Vectors u = start_.tail(2 * m).reshaped(2, m) + way.deformation;
+    Vectors u = coordinates.tail(2 * m).reshaped(2, m) + way.deformation;
     u -= Vec2(u.lazyProduct(motions.weights)).lazyProduct(motions.translation.transpose());
     u -= motions.turning.cwiseProduct(u).sum() / motions.rest_inertia * left(Vectors(motions.nodes));
     coordinates.tail(2 * m) = u.reshaped();
@@ -168,7 +183,7 @@ void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordin
     double angular = way.angular / dt_;
     if (external.size() > 0) {
       const double h = impulse_time_, damped = 1 + h * damping_.mass;
-      const Vectors turning = turn_ * left(Vectors(shape_now_));
+      const Vectors turning = turn_ * left_of_shape<Of>();
       const Vec2 force(nodes.work(external, nodes.everywhere(Vec2::UnitX())),
                        nodes.work(external, nodes.everywhere(Vec2::UnitY())));
       linear = (linear_before_ + h / motions.mass * force) / damped;

@@ -10,21 +10,23 @@
 #pragma once
 
 #include <ddacontact/block/corotational_shape.hpp>
-#include <ddacontact/block/step_start.hpp>
+#include <ddacontact/block/corotational_start.hpp>
 
 namespace ddacontact {
 
-/// A step that was begun. Once it has been of a shape, others of it need no memory.
+/// A step that was begun: a view of what CorotationalStart keeps of its start.
 class BlockMotion {
  public:
   using Numbers = Eigen::Ref<const VectorXd>;
   using Written = Eigen::Ref<VectorXd>;
 
+  /// Writes `start`, whose matrices are there.
   /// \param[in] coordinates  of the block, see BlockState::coordinates
   /// \param[in] velocity     of its unknowns in the middle of the step before
   /// \param[in] initial      forces of the stress at rest on the nodes, in the block's frame; empty: none
-  void begin(const CorotationalShape& shape, const StepRule& rule, double dt, const Numbers& coordinates,
-             const Numbers& velocity, const Numbers& initial);
+  static void begin(const CorotationalShape& shape, const Numbers& coordinates, const Numbers& velocity,
+                    const Numbers& initial, CorotationalStart& start);
+  BlockMotion(const CorotationalShape& shape, const CorotationalStart& start);
 
   /// What external forces on the unknowns have to be so that the motion is d.
   void forces(const Numbers& d, Written resisting) const;
@@ -43,10 +45,10 @@ class BlockMotion {
   /// Mass and moment of inertia times the accelerations, N and N m per m.
   Vec3 resultant(const Numbers& d) const;
 
-  /// Writes the block after the step: its coordinates and places, and the velocities of its unknowns on that
-  /// shape in the middle of the step; the angular momentum is that of the step.
-  /// \param[in] external  all forces on the unknowns of a free block, which takes its momenta from them: what
-  /// is left
+  /// Writes the block after the step: its coordinates (those at the start are given) and places, and the
+  /// velocities of its unknowns on that shape in the middle of the step; the angular momentum is that of the
+  /// step. \param[in] external  all forces on the unknowns of a free block, which takes its momenta from
+  /// them: what is left
   ///                      of them in d has the solution's error; empty: it has supports
   void end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> places,
            Written velocity) const;
@@ -70,19 +72,32 @@ class BlockMotion {
   template <class Work>
   auto with_motion(const Numbers& d, const Work& work) const;
 
-  const CorotationalShape* shape_ = nullptr;
-  double dt_ = 0, impulse_time_ = 0;
+  /// Arrays of the nodes in the block's frame: X + u; u' before; M u' before + h (omega^2 M (X + u) - K u -
+  /// f0); f0, where there is any. Before them stand the numbers below.
+  enum Array : Index { shape_now, deforming, drive, stress_forces };
+  static constexpr Index n_numbers = 4;
+  template <class Of>
+  auto array(Array k) const {
+    const Index m = shape_.motions().n_nodes();
+    return Eigen::Map<const typename Of::Vectors, Eigen::Aligned16>(start_.arrays[n_numbers + k * m].data(),
+                                                                    2, m);
+  }
+  template <class Of>
+  typename Of::Vectors left_of_shape() const {
+    return left(typename Of::Vectors(array<Of>(shape_now)));
+  }
+  bool has_stress() const {
+    return static_cast<Index>(start_.arrays.size()) > n_numbers + stress_forces * shape_.motions().n_nodes();
+  }
+
+  const CorotationalShape& shape_;
+  const CorotationalStart& start_;
   RayleighDamping damping_;
-  VectorXd start_;
-  Vec2 linear_before_{0, 0};
-  double angular_before_ = 0;
-  Points shape_now_;                   ///< Z = X + u
-  Points deforming_;                   ///< u' before
-  Points drive_;                       ///< M u' before + h (omega^2 M Z - K u - f0)
-  Points centrifugal_;                 ///< omega^2 M Z
-  VectorXd initial_;                   ///< f0; empty: none
-  double inertia_ = 0, leverage_ = 0;  ///< Z M Z, X M Z
-  Mat2 turn_ = Mat2::Identity();
+  double dt_, impulse_time_;
+  Vec2 linear_before_;
+  double angular_before_;
+  double inertia_, leverage_;  ///< Z M Z and X M Z with Z = X + u
+  Mat2 turn_;
 };
 
 }  // namespace ddacontact

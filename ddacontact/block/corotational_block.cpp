@@ -106,24 +106,26 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   if (!start_.matrices || !start_.matrices->are_for(start.rule, start.dt))
     start_.matrices = step_matrices(*shape_, start.rule, start.dt);
   if (start.rule.has_half_steps()) {
-    if (!motion_) motion_ = std::make_unique<BlockMotion>();
     const auto velocity = start.velocity.segment(u.first, u.count);
     const VectorXd initial = initial_force(state);
     if (state.coordinates.size() > 0)
-      motion_->begin(*shape_, start.rule, start.dt,
-                     state.coordinates.segment(coordinates().first, coordinates().count), velocity, initial);
+      BlockMotion::begin(*shape_, state.coordinates.segment(coordinates().first, coordinates().count),
+                         velocity, initial, start_);
     else
-      motion_->begin(*shape_, start.rule, start.dt, shape_->motions().coordinates_of(nodes(state)), velocity,
-                     initial);
+      BlockMotion::begin(*shape_, shape_->motions().coordinates_of(nodes(state)), velocity, initial, start_);
     return;
   }
-  motion_.reset();
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     const auto y = nodes.of_places(state.position.middleCols(p.first, p.count));
     CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(start.velocity.segment(u.first, u.count)),
                                 nodes.to_nodes(start.acceleration.segment(u.first, u.count)),
                                 initial_stress(state), start_);
   });
+}
+
+std::optional<BlockMotion> CorotationalBlock::motion() const {
+  if (!start_.matrices || !start_.matrices->rule.has_half_steps()) return {};
+  return BlockMotion(*shape_, start_);
 }
 
 template <class Work>
@@ -134,24 +136,24 @@ auto CorotationalBlock::with_step(const Work& work) const {
 }
 
 void CorotationalBlock::free_path(Eigen::Ref<VectorXd> path) const {
-  if (motion_) return motion_->free_path(path);
+  if (const auto by_motions = motion()) return by_motions->free_path(path);
   with_step([&](const auto& nodes, const auto& step) { nodes.to_unknowns(step.free_path(), path); });
 }
 
 void CorotationalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const {
-  if (motion_) {
+  if (const auto by_motions = motion()) {
     forces.resize(d.size());
     forces.elastic.setZero();
     forces.damping.setZero();
-    return motion_->forces(d, forces.inertia);
+    return by_motions->forces(d, forces.inertia);
   }
   with_step([&](const auto&, const auto& step) { step.forces(d, forces); });
 }
 
 void CorotationalBlock::tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const {
-  if (motion_) {
+  if (const auto by_motions = motion()) {
     // Of the shape at rest: what deformation changes of it is of the order of the strain.
-    const Mat2 turn = motion_->turn();
+    const Mat2 turn = by_motions->turn();
     for (std::size_t c = 0; c < parts.size(); ++c) {
       polyfem::rotate(start_.matrices->tangents[c], turn, parts[c]);
       const MatrixXd& B = shape_->cells[c].nodes_by_unknowns;
@@ -163,7 +165,7 @@ void CorotationalBlock::tangent(const Eigen::Ref<const VectorXd>& d, std::span<M
 }
 
 void CorotationalBlock::add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
-  if (motion_)
+  if (const auto by_motions = motion())
     d += change;
   else
     with_step([&](const auto&, const auto& step) { step.add_change(change, d); });
@@ -173,17 +175,17 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
                                  const Eigen::Ref<const VectorXd>& external, bool is_free,
                                  BlockState& next) const {
   const Range &u = unknowns(), &p = places();
-  if (motion_) {
+  if (const auto by_motions = motion()) {
     const VectorXd none;
     const BlockMotion::Numbers forces = is_free ? external : BlockMotion::Numbers(none);
     auto places = next.position.middleCols(p.first, p.count);
     auto velocity = next.carried.segment(u.first, u.count);
     if (next.coordinates.size() > 0) {
-      motion_->end(d, forces, next.coordinates.segment(coordinates().first, coordinates().count), places,
-                   velocity);
+      by_motions->end(d, forces, next.coordinates.segment(coordinates().first, coordinates().count), places,
+                      velocity);
     } else {
-      VectorXd of_block(n_coordinates());
-      motion_->end(d, forces, of_block, places, velocity);
+      VectorXd of_block = shape_->motions().coordinates_of(nodes(next));
+      by_motions->end(d, forces, of_block, places, velocity);
     }
     follow_with_origin(next);
     return;
@@ -201,14 +203,14 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
 
 void CorotationalBlock::displacement(const Eigen::Ref<const VectorXd>& d,
                                      Eigen::Ref<VectorXd> displaced) const {
-  if (motion_)
-    motion_->displacement(d, displaced);
+  if (const auto by_motions = motion())
+    by_motions->displacement(d, displaced);
   else
     displaced = d;
 }
 
 double CorotationalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) const {
-  if (motion_) return motion_->stored_energy(d);
+  if (const auto by_motions = motion()) return by_motions->stored_energy(d);
   return with_step(
       [&](const auto& nodes, const auto& step) { return step.stored_energy(nodes.to_nodes(d)); });
 }
@@ -220,7 +222,8 @@ double CorotationalBlock::elastic_loss(const Eigen::Ref<const VectorXd>& d,
   return Block::elastic_loss(d, elastic);
 }
 
-CorotationalBlock::Frame CorotationalBlock::cell_frame(const BlockState& state, const Points& y, int c) const {
+CorotationalBlock::Frame CorotationalBlock::cell_frame(const BlockState& state, const Points& y,
+                                                       int c) const {
   if (state.coordinates.size() == 0)
     return NodalKinematics<polyfem::AnyNodes>(*shape_).frame(y, static_cast<std::size_t>(c));
   // That of the motions, in which forces were balanced.

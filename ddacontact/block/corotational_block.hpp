@@ -1,8 +1,8 @@
 /// \file Blocks in a frame that turns with them: displacements from the reference shape, exact rotations.
 #pragma once
 
-#include <ddacontact/block/corotational_step.hpp>
 #include <ddacontact/block/block_motion.hpp>
+#include <ddacontact/block/corotational_step.hpp>
 
 #include <memory>
 
@@ -39,7 +39,7 @@ class CorotationalBlock final : public Block {
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
   void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const override;
-  const BlockMotion* motion() const override { return motion_.get(); }
+  std::optional<BlockMotion> motion() const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
   double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                       const Eigen::Ref<const VectorXd>& elastic) const override;
@@ -74,7 +74,6 @@ class CorotationalBlock final : public Block {
   std::shared_ptr<const CorotationalShape> shape_;
   std::vector<std::vector<PointMap::Term>> place_maps_;  ///< empty: each place has two unknowns of its own
   CorotationalStart start_;                              ///< of the step last begun
-  std::unique_ptr<BlockMotion> motion_;                  ///< the same, where it is made by motions
 };
 
 }  // namespace ddacontact

@@ -57,6 +57,7 @@ struct CorotationalShape {
     std::call_once(in_own_frame->found, [this] { in_own_frame->motions.emplace(*this); });
     return *in_own_frame->motions;
   }
+  /// See motions.
   struct InOwnFrame {
     std::once_flag found;
     std::optional<MotionShape> motions;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/corotational_motion.hpp>
-#include <ddacontact/block/step_matrices.hpp>
+#include <ddacontact/block/corotational_start.hpp>
 #include <polyfem/element/b_bar.hpp>
 #include <polyfem/element/matrices.hpp>
 
@@ -10,17 +10,9 @@
 
 namespace ddacontact {
 
-/// What a block keeps of the start of its step.
-struct CorotationalStart {
-  std::shared_ptr<const StepMatrices> matrices;
-  /// Of the nodes places, velocities and
-  /// accelerations (Newmark's); of each cell the first axis of its frame,
-  /// (stretch, 0) and the places of its nodes there; and where there is any, the forces on the nodes of each
-  /// cell of the stress that the reference shape has.
-  std::vector<Vec2> arrays;
-};
-
-/// A step that was begun.
+/// A step that was begun. Its arrays are of the nodes places, velocities and accelerations (Newmark's); of
+/// each cell the first axis of its frame, (stretch, 0) and the places of its nodes there; and where there is
+/// any, the forces on the nodes of each cell of the stress that the reference shape has.
 template <class Of>
 class CorotationalStep {
  public:

@@ -46,11 +46,12 @@ struct Flight {
   }
 
   void step(double length) {
-    BlockMotion motion;
     StepRule rule;
     rule.scheme = Scheme::decaying;
     rule.impulse_time = (length + previous) / (2 * length);
-    motion.begin(shape, rule, length, coordinates, velocity, VectorXd());
+    CorotationalStart start{step_matrices(shape, rule, length), {}};
+    BlockMotion::begin(shape, coordinates, velocity, VectorXd(), start);
+    const BlockMotion motion(shape, start);
     // The forces are affine in d: d solves forces(d) = 0.
     const Index n = shape.n_unknowns();
     VectorXd at_zero(n), column(n);
@@ -122,12 +123,13 @@ TEST(BlockMotion, DeformationFollowsByBackwardEuler) {
 
 TEST(BlockMotion, AStraightMotionTurnsOnItsWay) {
   const CorotationalShape shape = polygon(1e10);
-  BlockMotion motion;
   StepRule rule;
   rule.scheme = Scheme::decaying;
   const MotionShape& motions = shape.motions();
-  motion.begin(shape, rule, dt, at_rest(), motions.node_velocities(at_rest(), spinning(100)).reshaped(),
-               VectorXd());
+  CorotationalStart begun{step_matrices(shape, rule, dt), {}};
+  BlockMotion::begin(shape, at_rest(), motions.node_velocities(at_rest(), spinning(100)).reshaped(),
+                     VectorXd(), begun);
+  const BlockMotion motion(shape, begun);
   VectorXd straight(8), displaced(8);
   motion.free_path(straight);
   motion.displacement(straight, displaced);

@@ -148,6 +148,7 @@ TEST(ModelChoice, LeavesWhatIsStatedAndWhatIsHeld) {
   EXPECT_EQ(first(scene).reason, "");
   scene.blocks[0].model = BlockModel::automatic;
   scene.analysis.kinematics = Kinematics::incremental;
+  scene.analysis.scheme = Scheme::dda;
   EXPECT_EQ(first(scene).model, "wachspress") << "meshes need corotational kinematics";
 }
 
