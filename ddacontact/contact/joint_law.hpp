@@ -51,8 +51,8 @@ double normal_force(const JointLaw& law, double gap);
 /// The bound of the shear force: max(0, N) tan(phi), or what the friction law says, plus the cohesion while
 /// bonded.
 double shear_bound(const JointLaw& law, double normal_force, bool bonded);
-/// The derivative by the normal force of the bound without cohesion.
-double friction_rate(const JointLaw& law, double normal_force);
+/// The derivative of the bound by the normal force; where a bond is pulled the bound does not change.
+double friction_rate(const JointLaw& law, double normal_force, bool bonded);
 
 /// The state that agrees with the trial, from the state it was computed with: an open contact closes on
 /// penetration of the edge (not of the line beyond it); a closed one opens when pulled beyond the tensile

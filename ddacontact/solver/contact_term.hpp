@@ -7,14 +7,16 @@
 
 namespace ddacontact {
 
-/// A contact with its friction bound frozen: N = lambda - p g on the gap, kept >= 0 where unilateral, and
-/// T = tau - p_t s on the slip, kept within +-bound. Both are gradients of convex potentials of the unknowns.
+/// A contact with its friction bound frozen: N = lambda - p g on the gap, kept >= -tension where unilateral,
+/// and T = tau - p_t s on the slip, kept within +-bound. Both are gradients of convex potentials of the
+/// unknowns.
 struct ContactTerm {
   AffineForm gap, slip;  ///< over the same unknowns in the same order where `sheared`
   double normal_stiffness = 0, tangential_stiffness = 0;  ///< p, p_t, N/m per m
   double normal_multiplier = 0;                           ///< lambda, N per m
   double tangential_multiplier = 0;                       ///< tau, |tau| <= bound
   double bound = 0;                                       ///< of |T|; infinity: cannot slide
+  double tension = 0;                                     ///< a bond's strength
 
   /// absent: no force at all, neither normal nor shear (the vertex is not on the edge).
   enum class Normal { unilateral, bilateral, absent } normal = Normal::unilateral;
@@ -37,7 +39,7 @@ inline ClippedSpring normal_spring(const ContactTerm& c, const VectorXd& d) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (c.normal == ContactTerm::Normal::absent) return {};
   return {c.normal_multiplier - c.normal_stiffness * c.gap(d), c.normal_stiffness,
-          c.normal == ContactTerm::Normal::unilateral ? 0 : -infinity, infinity};
+          c.normal == ContactTerm::Normal::unilateral ? -c.tension : -infinity, infinity};
 }
 /// The spring on the slip at d.
 inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) {

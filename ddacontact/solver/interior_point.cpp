@@ -66,17 +66,20 @@ struct Pair {
 /// dN = w da + cN and dT = wt dq + mixed rate dN + cT.
 struct Inside {
   bool acts = false;  ///< the vertex is on the edge, or has been
-  bool unilateral = true, sheared = false, bonded = false;
+  bool unilateral = true, sheared = false;
+  bool holds = false;     ///< shear has no bound
+  double tension = 0;     ///< of a bond; 0 where it is not unilateral
   double p = 0, p_t = 0;  ///< its stiffnesses
   double a = 0, q = 0;
-  Pair normal;  ///< N and y; N alone where it is not unilateral
+  Pair normal;  ///< N + tension and y; N alone where it is not unilateral
   double T = 0, dT = 0;
   Pair upper, lower;       ///< u and f, v and k
   double b = 0, rate = 0;  ///< the bound of friction and its derivative by N
   double sense = 0;        ///< of a multiplier that is at the bound, whatever that is
   double w = 0, wt = 0, mixed = 0, cN = 0, cT = 0;
 
-  bool slides() const { return sheared && !bonded; }
+  double N() const { return normal.x - tension; }
+  bool slides() const { return sheared && !holds; }
   /// What u and v lack.
   double upper_error() const { return upper.x - (b - T); }
   double lower_error() const { return lower.x - (b + T); }
@@ -112,10 +115,13 @@ class InteriorPoint {
 
   unsigned char state(std::size_t c) const {
     const Inside& i = inside_[c];
-    if (!i.acts || (i.unilateral && i.normal.x < i.normal.s)) return open;
-    if (!i.sheared) return pressed;
-    if (i.bonded) return pressed | stuck;
-    return pressed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : stuck);
+    if (!i.acts) return open;
+    const bool is_open = i.unilateral && i.normal.x < i.normal.s;
+    if (is_open && !laws_[c].bonded) return open;
+    const unsigned char closed = is_open ? open : pressed;
+    if (!i.sheared) return closed;
+    if (i.holds) return closed | stuck;
+    return closed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : stuck);
   }
 
  private:
@@ -321,7 +327,8 @@ class InteriorPoint {
       i.acts = acted || term.normal != ContactTerm::Normal::absent;
       i.p = term.normal_stiffness;
       i.p_t = term.tangential_stiffness;
-      i.a = term.normal_multiplier - i.p * term.gap(d_);
+      i.tension = term.normal == ContactTerm::Normal::unilateral ? term.tension : 0;
+      i.a = term.normal_multiplier + i.tension - i.p * term.gap(d_);
       if (i.acts && !acted) begin(c, mu);
       look_at_friction(c);
     }
@@ -331,10 +338,9 @@ class InteriorPoint {
     Inside& i = inside_[c];
     if (!i.acts || !i.sheared) return;
     const RelaxedLaw& law = laws_[c];
-    const double N = std::max(0.0, i.normal.x);
-    i.b = shear_bound(*law.joint, N, false);
-    i.rate = follows_normal_ ? friction_rate(*law.joint, N) : 0;
-    i.sense = !i.bonded && (law.sliding || std::abs(law.shear) > i.b) ? std::copysign(1, law.shear) : 0;
+    i.b = shear_bound(*law.joint, i.N(), law.bonded);
+    i.rate = follows_normal_ ? friction_rate(*law.joint, i.N(), law.bonded) : 0;
+    i.sense = !i.holds && (law.sliding || std::abs(law.shear) > i.b) ? std::copysign(1, law.shear) : 0;
     i.q = (i.sense != 0 ? i.sense * i.b : law.shear) - i.p_t * terms_[c].slip(d_);
   }
 
@@ -342,13 +348,13 @@ class InteriorPoint {
     Inside& i = inside_[c];
     const ContactTerm& term = terms_[c];
     i.unilateral = term.normal != ContactTerm::Normal::bilateral;
-    i.bonded = std::isinf(term.bound);
-    i.sheared = term.sheared && (i.bonded || laws_[c].joint->has_friction());
+    i.holds = std::isinf(term.bound);
+    i.sheared = term.sheared && (laws_[c].bonded || i.holds || laws_[c].joint->has_friction());
     const double root = std::sqrt(i.a * i.a + 4 * mu);
     i.normal.begin(i.a > 0 ? (i.a + root) / 2 : 2 * mu / (root - i.a), mu);
     if (!i.unilateral) i.normal.x = i.a;
     look_at_friction(c);
-    if (i.bonded) i.T = i.q;
+    if (i.holds) i.T = i.q;
     if (!i.slides()) return;
     const double size = std::abs(i.q) + i.b, least = least_distance * std::sqrt(mu);
     i.T = i.b == 0 ? 0 : i.b * i.q / size;
@@ -359,7 +365,7 @@ class InteriorPoint {
   void balance() {
     for (std::size_t c = 0; c < inside_.size(); ++c) {
       const Inside& i = inside_[c];
-      forces_[c] = i.acts ? ContactForce{i.normal.x, i.T} : ContactForce{};
+      forces_[c] = i.acts ? ContactForce{i.N(), i.T} : ContactForce{};
     }
     system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
   }
@@ -444,7 +450,7 @@ class InteriorPoint {
       if (!i.sheared) continue;
       const double dq = i.p_t * terms_[c].slip.change(correction_);
       i.dT = i.wt * dq + i.mixed * i.rate * dN + i.cT;
-      if (i.bonded) continue;
+      if (i.holds) continue;
       i.upper.follow(i.rate * dN - i.dT - i.upper_error());
       i.lower.follow(i.rate * dN + i.dT - i.lower_error());
     }

@@ -23,12 +23,7 @@ constexpr double negligible_change = 1e-5;
 
 /// Which of the law's cases a force is.
 int piece(const ContactForce& force, double bound) {
-  return force.normal == 0 ? 0 : force.shear >= bound ? 1 : force.shear <= -bound ? 2 : 3;
-}
-
-/// What friction bears under N.
-double bound_under(const JointLaw& joint, double normal) {
-  return joint.friction_law ? shear_bound(joint, normal, false) : std::max(0.0, normal) * joint.friction;
+  return force.normal == 0 && bound == 0 ? 0 : force.shear >= bound ? 1 : force.shear <= -bound ? 2 : 3;
 }
 
 }  // namespace
@@ -36,27 +31,34 @@ double bound_under(const JointLaw& joint, double normal) {
 /// The force that the law demands while those of the other contacts stay.
 /// \param[in] own  gap and slip without the contact's own forces
 ContactForce ContactRelaxation::solve(const Local& local, const GapSlip& own, const ContactForce& before) {
-  const double an = local.normal_compliance + local.normal, rn = local.reach - own.gap;
-  const ContactForce pressed{local.unilateral ? std::max(0.0, rn / an) : rn / an, 0};
+  const double an = local.normal_compliance + local.normal, rn = local.reach - own.gap,
+               least = local.unilateral ? -local.tension : -infinity;
+  const ContactForce pressed{std::max(least, rn / an), 0};
   if (!local.sheared) return pressed;
-  const double bound_before = local.bonded ? infinity : bound_under(*local.law.joint, before.normal);
-  const double multiplier = local.law.sliding && !local.bonded
+  const auto bound_under = [&](double normal) {
+    return local.slides ? shear_bound(*local.law.joint, normal, local.law.bonded) : infinity;
+  };
+  const double bound_before = bound_under(before.normal);
+  const double multiplier = local.law.sliding && local.slides
                                 ? std::copysign(bound_before, local.law.shear)
                                 : std::clamp(local.law.shear, -bound_before, bound_before);
   const double at = local.tangential_compliance + local.shear,
                rt = multiplier * local.tangential_compliance - own.slip, mixed = local.mixed;
   const double determinant = an * at - mixed * mixed;
   const ContactForce stuck{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
-  if (local.bonded) return local.unilateral && stuck.normal < 0 ? ContactForce{0, rt / at} : stuck;
-  // Where friction that sticks would pull the contact open it slides under what presses without it.
-  const double near = stuck.normal > 0 ? stuck.normal : pressed.normal;
-  if (near <= 0) return pressed;
-  const double bound = bound_under(*local.law.joint, near);
-  if (stuck.normal > 0 && std::abs(stuck.shear) <= bound) return stuck;
+  if (stuck.normal > least && std::abs(stuck.shear) <= bound_under(stuck.normal)) return stuck;
+  // Where friction that sticks would pull the contact open it slides under what presses without it; a bond
+  // that is pulled open bears shear.
+  const double near = stuck.normal > least ? stuck.normal : pressed.normal;
+  if (near <= least || !local.slides) {
+    const double bound = bound_under(least);
+    return {least, std::clamp((rt - mixed * least) / at, -bound, bound)};
+  }
   // N with T = +- bound(N), the bound linear from there.
-  const double sense = stuck.shear > 0 ? 1 : -1, rate = sense * bound / near;
-  const double normal = std::max(0.0, rn / (an + rate * mixed));
-  return {normal, sense * bound_under(*local.law.joint, normal)};
+  const double sense = stuck.shear > 0 ? 1 : -1, bound = bound_under(near),
+               rate = sense * friction_rate(*local.law.joint, near, local.law.bonded);
+  const double normal = std::max(least, (rn - mixed * (sense * bound - rate * near)) / (an + rate * mixed));
+  return {normal, sense * bound_under(normal)};
 }
 
 int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups,
@@ -118,7 +120,8 @@ int ContactRelaxation::relax(FrictionProblem& problem, const BlockGroups& groups
       const ContactTerm& term = terms[static_cast<std::size_t>(local.contact)];
       local.law = laws[static_cast<std::size_t>(local.contact)];
       local.unilateral = term.normal == ContactTerm::Normal::unilateral;
-      local.bonded = std::isinf(term.bound);
+      local.slides = !std::isinf(term.bound);
+      local.tension = term.tension;
       local.sheared = term.sheared && (term.bound > 0 || local.law.joint->has_friction());
       local.normal_compliance = 1 / term.normal_stiffness;
       local.tangential_compliance = 1 / term.tangential_stiffness;
@@ -211,15 +214,15 @@ bool ContactRelaxation::look_at(Local& local, ContactForce& force) {
     now.slip += change.slip;
   }
   const ContactForce before = force;
-  const bool stays_open =
-      local.unilateral && !local.bonded && before.normal == 0 && before.shear == 0 && now.gap >= local.reach;
+  const bool stays_open = local.unilateral && local.slides && !local.law.bonded && before.normal == 0 &&
+                          before.shear == 0 && now.gap >= local.reach;
   const GapSlip own{now.gap - local.normal * before.normal - local.mixed * before.shear,
                     now.slip - local.mixed * before.normal - local.shear * before.shear};
   const ContactForce after = stays_open ? before : solve(local, own, before);
   const double normal = after.normal - before.normal, shear = after.shear - before.shear;
   force = after;
   const auto piece_of = [&](const ContactForce& of) {
-    return piece(of, local.bonded ? infinity : bound_under(*local.law.joint, of.normal));
+    return piece(of, local.slides ? shear_bound(*local.law.joint, of.normal, local.law.bonded) : infinity);
   };
   const bool changed = !stays_open && piece_of(before) != piece_of(after);
   const bool moves = changed || std::abs(normal) + std::abs(shear) >

@@ -15,6 +15,7 @@ struct RelaxedLaw {
   const JointLaw* joint = nullptr;
   double shear = 0;      ///< the shear multiplier as the step began
   bool sliding = false;  ///< it is at the bound, whatever that is
+  bool bonded = false;
 };
 
 /// Nonsmooth Gauss-Seidel iteration in the forces of the contacts (Moreau, Jean): the displacements always
@@ -42,11 +43,12 @@ class ContactRelaxation {
   struct Local {
     int contact;
     std::array<Side, 2> sides;
-    bool unilateral, bonded, sheared;
+    bool unilateral, slides, sheared;
     double normal, mixed, shear;  ///< G A^-1 G^T
     double normal_compliance, tangential_compliance;
-    double reach;   ///< the gap at which the normal force is 0
-    GapSlip start;  ///< at the displacements that relaxation starts from
+    double reach;    ///< the gap at which the normal force is 0
+    double tension;  ///< a bond's strength
+    GapSlip start;   ///< at the displacements that relaxation starts from
     RelaxedLaw law;
   };
 

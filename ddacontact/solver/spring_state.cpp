@@ -26,25 +26,30 @@ unsigned char first_state(const Contact& contact, bool sheared) {
 
 unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs) {
   const auto& [n, t] = springs;
-  if (!n.acts() && term.bound < infinity) return open;
+  if (!n.acts() && term.bound == 0) return open;
   const unsigned char closed = n.acts() ? pressed : open;
   if (!bears_shear(term, law)) return closed;
   return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
 }
 
-unsigned char state_of(const ContactTerm& term, const JointLaw& law, const ContactForce& force) {
+unsigned char state_of(const ContactTerm& term, const JointLaw& law, bool bonded, const ContactForce& force) {
   if (term.normal == ContactTerm::Normal::absent) return open;
-  if (force.normal <= 0 && term.bound < infinity) return open;
-  if (!bears_shear(term, law)) return pressed;
-  const double bound = term.bound < infinity ? shear_bound(law, force.normal, false) : infinity;
-  return pressed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
+  const double bound = term.bound < infinity ? shear_bound(law, force.normal, bonded) : infinity;
+  const bool is_pressed = term.normal == ContactTerm::Normal::bilateral || force.normal > -term.tension;
+  if (!is_pressed && bound == 0) return open;
+  const unsigned char closed = is_pressed ? pressed : open;
+  if (!bears_shear(term, law)) return closed;
+  return closed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
 }
 
-ContactForce force_in_state(const JointLaw& law, unsigned char state, const ContactSprings& springs) {
+ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char state,
+                            const ContactSprings& springs) {
   ContactForce force;
-  if (state & pressed) force.normal = springs.normal.force;
+  const bool follows = (state & pressed) || springs.normal.low == -infinity;
+  force.normal = follows ? springs.normal.force : springs.normal.low;
   if (state & stuck) force.shear = springs.tangential.force;
-  const double bound = force.normal < 0 ? law.friction * force.normal : shear_bound(law, force.normal, false);
+  const double bound =
+      force.normal < 0 && !bonded ? law.friction * force.normal : shear_bound(law, force.normal, bonded);
   if (state & at_upper) force.shear = bound;
   if (state & at_lower) force.shear = -bound;
   return force;

@@ -54,9 +54,6 @@ constexpr int patience = 4;
 constexpr double aim_of_floor = 0.05;
 /// Nothing is solved to less than this part of that.
 constexpr double aim_of_solution = 0.01;
-/// Bonds that exceed their strength by this part of the worst excess break together.
-constexpr double breaking_part = 0.5;
-
 /// What a contact brings along and what it learns by augmentation.
 struct Multiplier {
   double normal = 0, shear = 0;
@@ -96,16 +93,13 @@ class Staged {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
-        if (options_.is_static && release_bonds()) continue;
         if (is_close()) {
+          if (options_.is_static && release_bonds()) continue;
           take_law_where_negligible();
           return settle();
         }
-        if (report_.augmentations == options_.max_augmentations) {
-          if (!release_bonds()) return end(StagedStatus::penetrating);  // no motion holds them
-          report_.augmentations = 0;
-          continue;
-        }
+        if (report_.augmentations - before_front_ == options_.max_augmentations)
+          return end(StagedStatus::penetrating);
         augment();
         continue;
       }
@@ -118,7 +112,7 @@ class Staged {
   void start(Contact& contact, Multiplier& multiplier) const {
     JointLaw& law = contact.law;
     const ContactHistory& history = contact.history;
-    multiplier.on_edge = contact.is_on_edge(contact.first_slip().constant);
+    multiplier.on_edge = contact.meets || contact.is_on_edge(contact.first_slip().constant);
     multiplier.bonded = contact.has_bond();
     contact.was_closed = contact.closed();
     if (options_.penetration_tolerance == 0) return;
@@ -175,7 +169,8 @@ class Staged {
 
   /// The forces of a contact in its state, and how far they are off the law.
   void follow_state(std::size_t c) {
-    const ContactForce force = forces_[c] = force_in_state(contacts_[c].law, states_[c], springs_[c]),
+    const ContactForce force = forces_[c] =
+                           force_in_state(contacts_[c].law, multipliers_[c].bonded, states_[c], springs_[c]),
                        law = law_force(c);
     off_[c] = at_d_[c] == states_[c] ? 0 : std::hypot(force.normal - law.normal, force.shear - law.shear);
   }
@@ -195,7 +190,8 @@ class Staged {
 
   void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
-    const auto [start_gap, g, s, dg, ds] = m.gap_and_slip_at(displaced_, contact.history.lock, options_.directions);
+    const auto [start_gap, g, s, dg, ds] =
+        m.gap_and_slip_at(displaced_, contact.history.lock, options_.directions);
     term.gap = m.linear_form(g, dg, d_);
     term.slip = m.linear_form(s, ds, d_);
     multiplier.gap = term.gap.constant;
@@ -207,11 +203,12 @@ class Staged {
     term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
     const bool possible =
         multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
-    term.normal = !possible                              ? ContactTerm::Normal::absent
-                  : multiplier.bonded && law.tension > 0 ? ContactTerm::Normal::bilateral
-                                                         : ContactTerm::Normal::unilateral;
+    term.tension = multiplier.bonded ? law.tension : 0;
+    term.normal = !possible                 ? ContactTerm::Normal::absent
+                  : term.tension < infinity ? ContactTerm::Normal::unilateral
+                                            : ContactTerm::Normal::bilateral;
     term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
-    term.bound = multiplier.bonded ? infinity : shear_bound(law, normal_spring(term, d_).clipped(), false);
+    term.bound = shear_bound(law, normal_spring(term, d_).clipped(), multiplier.bonded);
     term.tangential_multiplier = term.bound == 0      ? 0
                                  : multiplier.sliding ? std::copysign(term.bound, multiplier.shear)
                                                       : std::clamp(multiplier.shear, -term.bound, term.bound);
@@ -300,7 +297,7 @@ class Staged {
   std::vector<RelaxedLaw> laws() const {
     std::vector<RelaxedLaw> laws(contacts_.size());
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      laws[c] = {&contacts_[c].law, multipliers_[c].shear, multipliers_[c].sliding};
+      laws[c] = {&contacts_[c].law, multipliers_[c].shear, multipliers_[c].sliding, multipliers_[c].bonded};
     return laws;
   }
 
@@ -323,7 +320,7 @@ class Staged {
     report_.sweeps += sweeps;
     system_.move(d - d_, d_);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      states_[c] = state_of(terms_[c], contacts_[c].law, forces_[c]);
+      states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
     best_ = infinity;
     since_best_ = 0;
     look();
@@ -420,7 +417,7 @@ class Staged {
     const Multiplier& m = multipliers_[c];
     const double bound = terms_[c].bound;
     const bool at_bound = m.sliding || std::abs(m.shear) > bound;
-    return (states_[c] & stuck) && at_bound && bound < infinity && forces_[c].normal > 0
+    return (states_[c] & stuck) && at_bound && bound < infinity && forces_[c].normal > -terms_[c].tension
                ? (m.shear > 0 ? 1 : -1)
                : 0;
   }
@@ -430,34 +427,29 @@ class Staged {
     std::vector<Coupling> couplings;
     for (std::size_t c = 0; c < terms_.size(); ++c) {
       const int sense = follows_bound(c);
-      const double rate = friction_rate(contacts_[c].law, forces_[c].normal) * terms_[c].normal_stiffness;
+      const double rate = friction_rate(contacts_[c].law, forces_[c].normal, multipliers_[c].bonded) *
+                          terms_[c].normal_stiffness;
       if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate, c});
     }
     return couplings;
   }
 
-  /// By how much a bond's force exceeds its strength; 0: it holds.
-  double excess_of_bond(std::size_t c) const {
-    if (!multipliers_[c].bonded) return 0;
-    const JointLaw& law = contacts_[c].law;
-    const auto [normal, shear] = forces_[c];
-    const double strength = law.tension + law.cohesion + law.friction * std::max(0.0, normal);
-    const bool is_open = terms_[c].normal == ContactTerm::Normal::unilateral && normal <= 0 &&
-                         terms_[c].gap(d_) > contacts_[c].length_tolerance();
-    const double excess = std::max(
-        {-normal - law.tension, std::abs(shear) - shear_bound(law, normal, true), is_open ? strength : 0});
-    return excess > options_.residual_tolerance * strength ? excess : 0;
+  /// Whether a bond bears its strength and gives way.
+  bool yields(std::size_t c) const {
+    if (!multipliers_[c].bonded) return false;
+    const bool opens = !springs_[c].normal.acts() && terms_[c].gap(d_) > contacts_[c].length_tolerance();
+    return opens || is_sliding(c);
   }
 
-  /// Breaks the bonds that bear more than their strength, the worst first; false: none does.
+  /// Breaks the bonds that yield; false: none does.
   bool break_bonds() {
-    std::vector<double> excess(contacts_.size());
-    for (std::size_t c = 0; c < contacts_.size(); ++c) excess[c] = excess_of_bond(c);
-    const double worst = excess.empty() ? 0 : *std::max_element(excess.begin(), excess.end());
-    if (worst == 0) return false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      if (excess[c] >= breaking_part * worst) contacts_[c].history.bonded = false;
-    return true;
+    bool any = false;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (!yields(c)) continue;
+      contacts_[c].history.bonded = false;
+      any = true;
+    }
+    return any;
   }
 
   /// The same within the step.
@@ -465,6 +457,7 @@ class Staged {
     if (!break_bonds()) return false;
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       multipliers_[c].bonded = multipliers_[c].bonded && contacts_[c].has_bond();
+    before_front_ = report_.augmentations;
     restart();
     return true;
   }
@@ -501,9 +494,9 @@ class Staged {
 
   /// N without the dashpot's part.
   double elastic_normal(std::size_t c) const {
-    return forces_[c].normal == 0
-               ? 0
-               : forces_[c].normal + contacts_[c].damping * (gap_at_d(c) - contacts_[c].motion.start_gap());
+    return springs_[c].normal.acts()
+               ? forces_[c].normal + contacts_[c].damping * (gap_at_d(c) - contacts_[c].motion.start_gap())
+               : forces_[c].normal;
   }
 
   /// Without its offset.
@@ -575,6 +568,7 @@ class Staged {
   std::vector<double> off_;  ///< the force by which the law differs from the springs of the state
   std::vector<Multiplier> multipliers_;
   StagedReport report_;
+  int before_front_ = 0;  ///< augmentations before bonds broke last
   double best_ = infinity;
   int since_best_ = 0;
 

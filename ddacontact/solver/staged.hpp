@@ -13,8 +13,8 @@ struct StagedOptions {
   double residual_aim = 1e-12;                 ///< what is iterated to while that goes on
   double penetration_tolerance = 0;            ///< of the block size; 0: plain penalty
   Directions directions = Directions::of_end;  ///< of contact forces
-  /// Steps without time between them: bonds that exceed their strength break within, not at the end, and gaps of
-  /// closed contacts are taken back whole.
+  /// Steps without time between them: bonds that exceed their strength break within, not at the end, and gaps
+  /// of closed contacts are taken back whole.
   bool is_static = false;
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
   bool again = false;  ///< d and the contacts' forces are those of a solution nearby; local steps start there
@@ -51,9 +51,10 @@ struct StagedReport {
 /// with g and s of the true geometry at the end of the step; forces act along the derivatives of g and s
 /// there, at the start, or along their discrete gradients. lambda and tau start from the forces of the
 /// step before and are replaced by N and T until g = 0 and, sticking, s = 0 within the tolerance: p and p_t
-/// do not matter then. A bonded contact neither opens nor slides; one that bears more than its strength when
-/// all has settled is broken for good: at the end of the step, which releases what it held and nothing else; or
-/// within, and the step is solved again, where there is no time between one bond and the next (static steps).
+/// do not matter then. A bond shifts the law by its strength: N >= -tension, and what shear bears is more by
+/// the cohesion. One that gives way when all has settled is broken for good: at the end of the step, so that
+/// it never bore more than its strength; or within, and the step is solved again, where there is no time
+/// between one bond and the next (static steps).
 ///
 /// Where steps are local, contacts are first relaxed one after the other (ContactRelaxation), which finds
 /// most of their states. Stage 0 follows the active set, as open-close does. When that goes round in circles,

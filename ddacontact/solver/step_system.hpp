@@ -45,8 +45,8 @@ class StepSystem {
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                         const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
                         Residual& residual) const;
-  /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where they
-  /// should be.
+  /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where
+  /// they should be.
   VectorXd displacement(VectorXd& d) const;
   /// The residual without contacts.
   VectorXd smooth_residual(const VectorXd& d) const;
