@@ -101,6 +101,7 @@ struct ContactRecord {
 struct Contact : ContactRecord {
   bool start_bonded = false;  ///< `history.bonded` and `history.state` before a try, which changes them
   ContactState start_state = ContactState::open;
+  bool meets = false;  ///< on the edge in an impact within the step
   JointLaw law;
   MovingVertexEdge motion;
   // At the end of the last try of the step; before one, the gap at its start.

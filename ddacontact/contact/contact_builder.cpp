@@ -383,7 +383,7 @@ void ContactBuilder::restart(Contact& contact) const {
   contact.law.normal_stiffness = properties_.normal_stiffness;
   contact.law.tangential_stiffness = properties_.tangential_stiffness;
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
-  contact.was_closed = false;
+  contact.was_closed = contact.meets = false;
   contact.gap = contact.first_gap().constant;
 }
 

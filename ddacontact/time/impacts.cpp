@@ -2,6 +2,7 @@
 
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/contact_place.hpp>
+#include <ddacontact/time/islands.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
 
@@ -84,119 +85,250 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
   return given || rule.has_half_steps() ? given : 0;
 }
 
-StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const StepRule& rule,
-                          const VectorXd& velocity_before, double dt, const std::vector<char>& also) {
-  VectorXd velocity = velocity_before;
-  StepImpact result;
-  result.hit.assign(contacts.size(), 0);
+namespace {
 
-  std::vector<bool> touches(blocks.n_blocks(), false);
-  for (const Contact& contact : contacts)
-    if (contact.closed()) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = true;
-  VectorXd acceleration = VectorXd::Zero(velocity.size());
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (touches[b] || !blocks.is_free(b)) continue;
-    const Range& u = blocks.block(b).unknowns();
-    acceleration.segment(u.first, u.count) = blocks.block(b).translations() * blocks.gravity;
+/// Blocks on their way within a step, from one impact to the next.
+class Flight {
+ public:
+  Flight(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
+         const std::vector<Contact>& contacts, const StepRule& rule, double dt, const std::vector<char>& also)
+      : blocks_(blocks),
+        properties_(properties),
+        contacts_(contacts),
+        rule_(rule),
+        dt_(dt),
+        also_(also),
+        start_(state),
+        acceleration_(VectorXd::Zero(state.velocity.size())),
+        last_(blocks.n_blocks(), 0),
+        meetings_(contacts.size()) {
+    result_.hit.assign(contacts.size(), 0);
+    std::vector<char> touches(blocks.n_blocks(), 0);
+    for (const Contact& contact : contacts)
+      if (contact.closed()) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
+    for (int b = 0; b < blocks.n_blocks(); ++b) {
+      if (touches[b] || !blocks.is_free(b)) continue;
+      const Range& u = blocks.block(b).unknowns();
+      acceleration_.segment(u.first, u.count) = blocks.block(b).translations() * blocks.gravity;
+    }
   }
 
-  if (rule.has_half_steps()) velocity += state.carried_dt / 2 * acceleration;
+  StepImpact follow() {
+    const std::vector<char> all(blocks_.n_blocks(), 1);
+    look_ahead(all);
+    for (std::size_t round = 0; round < contacts_.size() && collide(); ++round) look_ahead(hit_now_);
+    if (result_.n_hits > 0) result_.start = std::move(start_);
+    return std::move(result_);
+  }
 
-  std::vector<double> times(blocks.n_blocks(), infinity);
-  std::vector<double> approaches(contacts.size(), 0);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = contacts[c];
-    if (!restitution_of(properties, contact.pair, rule)) continue;
-    const VertexEdgeForm gap = contact.first_gap();
-    const double rate = contact.motion.change_along(gap.gradient, velocity),
-                 growth = contact.motion.change_along(gap.gradient, acceleration),
-                 gap_now = gap.constant - contact.history.gap_offset;
-    if (contact.closed() && (rule.has_half_steps() || carries_waves(blocks, contact, dt))) continue;
-    const bool near = contact.closed() || gap_now <= contact.length_tolerance();
+ private:
+  /// When the blocks of a contact meet next, and how fast.
+  struct Meeting {
+    double time = infinity, approach = 0;
+  };
+
+  /// Finds meetings of these blocks.
+  void look_ahead(const std::vector<char>& of_blocks) {
+    velocity_ = start_.going_on();
+    if (rule_.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const VertexEdge& pair = contacts_[c].pair;
+      if (of_blocks[pair.vertex_block] || of_blocks[pair.edge_block]) meetings_[c] = next_meeting(c);
+    }
+  }
+
+  Meeting next_meeting(std::size_t c) const {
+    const Contact& contact = contacts_[c];
+    if (!restitution_of(properties_, contact.pair, rule_)) return {};
+    if (contact.closed() && (rule_.has_half_steps() || carries_waves(blocks_, contact, dt_))) return {};
     const MovingVertexEdge& motion = contact.motion;
+    const RoundedPlace place = place_of(blocks_, start_, contact.pair);
+    const GapAndSlip at_start = motion.rates_at(place, contact.history.lock);
+    // From the last impact of either on.
+    const double since = std::max(last_[contact.pair.vertex_block], last_[contact.pair.edge_block]),
+                 growth = motion.change_along(at_start.by_gap, acceleration_),
+                 rate = motion.change_along(at_start.by_gap, velocity_) + since * growth,
+                 gap = at_start.gap - contact.history.gap_offset + since * (rate - since * growth / 2);
+    const bool near = contact.closed() || gap <= contact.length_tolerance();
     Vec2 apart = Vec2::Zero(), passing = Vec2::Zero();
     if (motion.is_at_corner()) {
-      apart = from_corner(motion.places(), *motion.rounding);
-      passing = from_corner(motion.moved(velocity), *motion.rounding);
+      passing = from_corner(motion.moved(velocity_), *motion.rounding);
+      apart = from_corner(place, *motion.rounding) + since * passing;
     }
-    double time = motion.is_at_corner() && !near ? first_touch(apart, passing, motion.rounding->radius, dt)
-                                                 : first_touch(near ? 0 : gap_now, rate, growth, dt);
-    if (!std::isfinite(time) && !also.empty() && also[c])
-      time = rate < 0 ? std::min(dt, std::max(gap_now, 0.0) / -rate) : infinity;
-    if (!std::isfinite(time)) continue;
-    const VertexEdgeForm slip = contact.first_slip();
-    const double slip_then = slip.constant + time * contact.motion.change_along(slip.gradient, velocity);
-    if (!contact.closed() && !contact.is_on_edge(slip_then)) continue;
-    approaches[c] =
+    double time = motion.is_at_corner() && !near
+                      ? first_touch(apart, passing, motion.rounding->radius, dt_ - since)
+                      : first_touch(near ? 0 : gap, rate, growth, dt_ - since);
+    if (!std::isfinite(time) && !also_.empty() && also_[c] && !result_.hit[c] && rate < 0)
+      time = std::min(dt_ - since, std::max(gap, 0.0) / -rate);
+    if (!std::isfinite(time)) return {};
+    const double slip = at_start.slip + (since + time) * motion.change_along(at_start.by_slip, velocity_);
+    if (!contact.closed() && !contact.is_on_edge(slip)) return {};
+    const double approach =
         motion.is_at_corner() ? -(apart + time * passing).normalized().dot(passing) : -(rate + time * growth);
-    if (approaches[c] <= least_approach(blocks, contact, dt)) continue;
-    result.hit[c] = 1;
-    ++result.n_hits;
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) times[b] = std::min(times[b], time);
+    if (approach <= least_approach(blocks_, contact, dt_)) return {};
+    return {since + time, approach};
   }
-  if (result.n_hits == 0) return result;
 
-  // Everyone collides where he is when he is hit, turned by then.
-  std::vector<RigidVelocity> at_start;
-  for (int b = 0; b < blocks.n_blocks(); ++b) at_start.push_back(rigid_velocity(blocks.block(b), velocity));
-  const BlockState then = carried(blocks, state, velocity, acceleration, times);
-  blocks.prepare(then);
-  VectorXd before = velocity;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
-    const Range& u = blocks.block(b).unknowns();
-    before.segment(u.first, u.count) =
-        as_velocity(blocks.block(b), at_start[b]) + times[b] * acceleration.segment(u.first, u.count);
+  /// Whether a contact joins its blocks at an impact at this place: closed since the start of the step, or
+  /// since an impact in it.
+  bool touches(std::size_t c, const GapAndSlip& then) const {
+    const Contact& contact = contacts_[c];
+    if (contact.closed()) return rule_.has_half_steps() || !carries_waves(blocks_, contact, dt_);
+    return result_.hit[c] && then.gap - contact.history.gap_offset <= contact.end_tolerance();
   }
-  std::vector<ImpactContact> taking_part;
-  double least = infinity;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = contacts[c];
-    if (!result.hit[c] && !contact.closed()) continue;
-    if (!result.hit[c] && !rule.has_half_steps() && carries_waves(blocks, contact, dt)) continue;
-    const GapAndSlip rates =
-        contact.motion.rates_at(place_of(blocks, then, contact.pair), contact.history.lock);
-    const bool bounces = result.hit[c] && approaches[c] > 2 * blocks.gravity.norm() * dt;
-    taking_part.push_back({contact.motion.form(rates.by_gap), contact.motion.form(rates.by_slip),
-                           shear_bound(contact.law, 1, false),
-                           bounces ? *restitution_of(properties, contact.pair, rule) : 0,
-                           contact.has_bond()});
-    if (result.hit[c]) least = std::min(least, least_approach(blocks, contact, dt));
-  }
-  const JumpReport report = impact(blocks, taking_part, before, {.least_approach = least / 2});
-  result.friction_loss = report.friction_loss;
-  result.normal_loss = report.normal_loss;
-  result.limited = report.limited;
-  result.settled = report.settled;
 
-  double earliest = infinity;
-  for (double t : times) earliest = std::min(earliest, t);
-  for (double& time : times)
-    if (!std::isfinite(time)) time = earliest;
-  std::vector<RigidVelocity> jumps;
-  for (int b = 0; b < blocks.n_blocks(); ++b) jumps.push_back(rigid_velocity(blocks.block(b), report.jump));
-  blocks.prepare(state);
-  result.jump = report.jump;
-  result.shift.resize(report.jump.size());
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const Block& block = blocks.block(b);
-    const Range& u = block.unknowns();
-    auto jump = result.jump.segment(u.first, u.count);
-    if (blocks.is_free(b)) jump = as_velocity(block, jumps[b]);
-    result.shift.segment(u.first, u.count) = -times[b] * jump;
+  /// The meetings that come first for all blocks that they concern, those that touch these included. False:
+  /// there are none.
+  bool find_first(std::vector<double>& times, std::vector<char>& first) const {
+    Islands joined(blocks_);
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      if (contacts_[c].closed() || result_.hit[c])
+        joined.join(contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block);
+    std::vector<double> earliest(blocks_.n_blocks(), infinity);
+    const auto for_movable = [&](const VertexEdge& pair, const auto& visit) {
+      for (int b : {pair.vertex_block, pair.edge_block})
+        if (blocks_.is_movable(b)) visit(joined.root(b));
+    };
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      for_movable(contacts_[c].pair,
+                  [&](int root) { earliest[root] = std::min(earliest[root], meetings_[c].time); });
+    times.assign(blocks_.n_blocks(), infinity);
+    first.assign(contacts_.size(), 0);
+    bool any = false;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (!std::isfinite(meetings_[c].time)) continue;
+      double duration = infinity;  // of an impact: blocks pass on what they got when waves have crossed them
+      for (int b : {contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block})
+        if (blocks_.is_movable(b)) duration = std::min(duration, transit_time(blocks_.block(b)));
+      bool is_first = true;
+      for_movable(contacts_[c].pair,
+                  [&](int root) { is_first = is_first && meetings_[c].time <= earliest[root] + duration; });
+      if (!is_first) continue;
+      first[c] = 1;
+      any = true;
+      for_movable(contacts_[c].pair,
+                  [&](int root) { times[root] = std::min(times[root], meetings_[c].time); });
+    }
+    for (int b = 0; b < blocks_.n_blocks(); ++b) times[b] = times[joined.root(b)];
+    return any;
   }
-  for (double& time : times) time = -time;
-  result.start = carried(blocks, state, result.jump, VectorXd::Zero(result.jump.size()), times);
-  VectorXd& going_on = state.carried_dt > 0 ? result.start.carried : result.start.velocity;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (!blocks.is_free(b)) continue;
-    const Mat2 turn = Eigen::Rotation2Dd(times[b] * jumps[b].angular).toRotationMatrix();
-    turn_about_centre(blocks.block(b), turn, going_on);
-    turn_about_centre(blocks.block(b), turn, result.jump);
+
+  /// Everyone collides where he is when he is hit, turned by then. False: nobody meets any more.
+  bool collide() {
+    std::vector<double> times;
+    std::vector<char> first;
+    if (!find_first(times, first)) return false;
+    std::vector<RigidVelocity> at_start;
+    for (int b = 0; b < blocks_.n_blocks(); ++b)
+      at_start.push_back(rigid_velocity(blocks_.block(b), velocity_));
+    const BlockState then = carried(blocks_, start_, velocity_, acceleration_, times);
+    blocks_.prepare(then);
+    VectorXd before = velocity_;
+    for (int b = 0; b < blocks_.n_blocks(); ++b) {
+      if (!std::isfinite(times[b]) || !blocks_.is_free(b)) continue;
+      const Range& u = blocks_.block(b).unknowns();
+      before.segment(u.first, u.count) =
+          as_velocity(blocks_.block(b), at_start[b]) + times[b] * acceleration_.segment(u.first, u.count);
+    }
+    const auto [taking_part, least] = find_participants(then, times, first);
+    const JumpReport report = impact(blocks_, taking_part, before, {.least_approach = least / 2});
+    result_.friction_loss += report.friction_loss;
+    result_.normal_loss += report.normal_loss;
+    result_.limited = result_.limited || report.limited;
+    result_.settled = result_.settled && report.settled;
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      if (first[c]) {
+        result_.hit[c] = 1;
+        ++result_.n_hits;
+        meetings_[c] = {};
+      }
+    jump(report.jump, times);
+    return true;
   }
-  going_on += result.jump;
-  return result;
+
+  struct Participants {
+    std::vector<ImpactContact> contacts;
+    double least_approach = infinity;
+  };
+  Participants find_participants(const BlockState& then, const std::vector<double>& times,
+                                 const std::vector<char>& first) const {
+    Participants found;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const Contact& contact = contacts_[c];
+      const VertexEdge& pair = contact.pair;
+      if (!std::isfinite(std::min(times[pair.vertex_block], times[pair.edge_block]))) continue;
+      const GapAndSlip rates = contact.motion.rates_at(place_of(blocks_, then, pair), contact.history.lock);
+      if (!first[c] && !touches(c, rates)) continue;
+      const bool bounces = first[c] && meetings_[c].approach > 2 * blocks_.gravity.norm() * dt_;
+      ImpactContact& part = found.contacts.emplace_back(ImpactContact{
+          .gap = contact.motion.form(rates.by_gap), .slip = contact.motion.form(rates.by_slip)});
+      part.friction = contact.law.friction;
+      if (contact.law.friction_law)
+        part.friction_law = [&law = *contact.law.friction_law, dt = dt_](double impulse) {
+          return dt * law(impulse / dt);
+        };
+      part.restitution = bounces ? *restitution_of(properties_, pair, rule_) : 0;
+      part.bonded = contact.has_bond();
+      if (first[c])
+        found.least_approach = std::min(found.least_approach, least_approach(blocks_, contact, dt_));
+    }
+    return found;
+  }
+
+  /// Gives the blocks this jump at these times: they start as if they had moved so from the start.
+  void jump(const VectorXd& at_impact, std::vector<double> times) {
+    std::vector<RigidVelocity> jumps;
+    for (int b = 0; b < blocks_.n_blocks(); ++b) jumps.push_back(rigid_velocity(blocks_.block(b), at_impact));
+    blocks_.prepare(start_);
+    VectorXd jump = at_impact;
+    if (!result_.changes()) result_.jump = result_.shift = VectorXd::Zero(jump.size());
+    hit_now_.assign(blocks_.n_blocks(), 0);
+    for (int b = 0; b < blocks_.n_blocks(); ++b) {
+      const Block& block = blocks_.block(b);
+      const Range& u = block.unknowns();
+      auto of_block = jump.segment(u.first, u.count);
+      hit_now_[b] = !of_block.isZero(0);
+      if (!std::isfinite(times[b])) times[b] = 0;  // no jump either
+      if (hit_now_[b]) last_[b] = times[b];
+      if (blocks_.is_free(b)) of_block = as_velocity(block, jumps[b]);
+      result_.shift.segment(u.first, u.count) -= times[b] * of_block;
+      times[b] = -times[b];
+    }
+    start_ = carried(blocks_, start_, jump, VectorXd::Zero(jump.size()), times);
+    VectorXd& going_on = start_.carried_dt > 0 ? start_.carried : start_.velocity;
+    for (int b = 0; b < blocks_.n_blocks(); ++b) {
+      if (!blocks_.is_free(b)) continue;
+      const Mat2 turn = Eigen::Rotation2Dd(times[b] * jumps[b].angular).toRotationMatrix();
+      for (VectorXd* velocity : {&going_on, &jump, &result_.jump})
+        turn_about_centre(blocks_.block(b), turn, *velocity);
+    }
+    going_on += jump;
+    result_.jump += jump;
+    blocks_.prepare(start_);
+  }
+
+  BlockSystem& blocks_;
+  const ContactProperties& properties_;
+  const std::vector<Contact>& contacts_;
+  const StepRule& rule_;
+  double dt_;
+  const std::vector<char>& also_;
+  BlockState start_;  ///< as if the blocks had moved with their present velocities all the time
+  VectorXd velocity_, acceleration_;
+  std::vector<double> last_;  ///< impact of each block, s
+  std::vector<Meeting> meetings_;
+  std::vector<char> hit_now_;
+  StepImpact result_;
+};
+
+}  // namespace
+
+StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
+                          const std::vector<Contact>& contacts, const StepRule& rule, double dt,
+                          const std::vector<char>& also) {
+  StepImpact impact = Flight(blocks, state, properties, contacts, rule, dt, also).follow();
+  if (impact.changes()) blocks.prepare(state);
+  return impact;
 }
 
 }  // namespace ddacontact

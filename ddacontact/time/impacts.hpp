@@ -8,10 +8,10 @@
 
 namespace ddacontact {
 
-/// An impact within a step.
+/// The impacts within a step.
 struct StepImpact {
   VectorXd jump;   ///< of the velocities of all unknowns; empty: none
-  VectorXd shift;  ///< minus the jump times its time within the step
+  VectorXd shift;  ///< minus the sum of the jumps times their times within the step
   /// From where and with what velocities the step ends as if the blocks had moved with their velocities after
   /// the impact all the time: shifted, and jumped.
   BlockState start;
@@ -30,18 +30,21 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
                                      const StepRule& rule);
 
 /// Follows the blocks on their way without forces (with gravity those that touch nothing) and lets those that
-/// meet within the step collide as rigid bodies: the approach of a hitting contact becomes `restitution`
-/// times itself away. Closed contacts take part, without restitution. A contact hits when its approach is
-/// faster than what gravity makes in a tenth of the step; its restitution counts when it is faster than what
-/// gravity makes in two steps: bounces that short are not resolved.
+/// meet within the step collide as rigid bodies, one impact after another; meetings within the time that a
+/// pressure wave takes through a block are one impact: the approach of a hitting contact becomes
+/// `restitution` times itself away. Of a row of blocks that touch without force each passes on to the next
+/// what it got. Contacts that are closed, or have met in the step and touch since, take part, without
+/// restitution. A contact hits when its approach is faster than what gravity makes in a tenth of the step;
+/// its restitution counts when it is faster than what gravity makes in two steps: bounces that short are not
+/// resolved. After as many impacts as there are contacts the step's own contact forces take what still
+/// approaches.
 ///
-/// \param[in] velocity     at the start of the step; with half steps that in the middle of the step before
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] properties   of the contacts of these blocks
 /// \param[in] also         contacts that are known to close within the step; empty: none
 StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const StepRule& rule,
-                          const VectorXd& velocity, double dt, const std::vector<char>& also);
+                          const std::vector<Contact>& contacts, const StepRule& rule, double dt,
+                          const std::vector<char>& also);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

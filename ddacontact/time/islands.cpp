@@ -19,6 +19,10 @@ int Islands::root(int b) const {
   return b;
 }
 
+void Islands::join(int a, int b) {
+  if (blocks_->is_movable(a) && blocks_->is_movable(b)) parent_[root(a)] = root(b);
+}
+
 void Islands::join(const AffineForm& form) {
   const int first = first_movable(form);
   for (int u : form.unknowns())

@@ -15,6 +15,10 @@ class Islands {
 
   const BlockSystem& blocks() const { return *blocks_; }
 
+  /// Both are of one island, if both are movable.
+  void join(int a, int b);
+  /// The block that stands for a block's island.
+  int root(int b) const;
   /// The movable blocks on which a contact's form depends are of one island.
   void join(const AffineForm& form);
   /// Once all are joined: the form's island takes part.
@@ -25,7 +29,6 @@ class Islands {
 
  private:
   int first_movable(const AffineForm& form) const;  ///< -1: none
-  int root(int b) const;
 
   const BlockSystem* blocks_;
   mutable std::vector<int>

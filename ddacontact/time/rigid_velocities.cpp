@@ -112,13 +112,24 @@ struct Participants {
   Islands islands;
   std::vector<std::size_t> contacts;  ///< indices
   std::vector<ContactTerm> terms;
-  VectorXd friction, restitution;
+  std::vector<const ImpactContact*> laws;  ///< of friction; null: bonded
+  VectorXd restitution;
   double approach = 0;  ///< the largest, m/s
+
+  /// Of |P_T| under these normal impulses.
+  VectorXd bounds(const VectorXd& normal) const {
+    VectorXd bounds(normal.size());
+    for (Index k = 0; k < normal.size(); ++k) {
+      const ImpactContact* law = laws[static_cast<std::size_t>(k)];
+      bounds[k] = law ? law->bound(std::max(0.0, normal[k])) : 0;
+    }
+    return bounds;
+  }
 };
 
 ContactTerm impact_term(const ImpactContact& contact) {
   ContactTerm term{.gap = contact.gap, .slip = contact.slip};
-  term.sheared = contact.bonded || contact.friction > 0;
+  term.sheared = contact.bonded || contact.friction > 0 || contact.friction_law;
   if (contact.bonded) {
     term.normal = ContactTerm::Normal::bilateral;
     term.bound = infinity;
@@ -140,29 +151,28 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (islands.is_hit(contacts[c].gap)) found.contacts.push_back(c);
   const auto n = static_cast<Index>(found.contacts.size());
-  found.friction = found.restitution = VectorXd::Zero(n);
+  found.restitution = VectorXd::Zero(n);
   for (Index k = 0; k < n; ++k) {
     const ImpactContact& contact = contacts[found.contacts[static_cast<std::size_t>(k)]];
     found.terms.push_back(impact_term(contact));
-    if (contact.bonded) continue;
-    found.friction[k] = contact.friction;
-    found.restitution[k] = contact.restitution;
+    found.laws.push_back(contact.bonded ? nullptr : &contact);
+    if (!contact.bonded) found.restitution[k] = contact.restitution;
   }
   return found;
 }
 
-/// Solves with Coulomb friction, |P_T| <= friction * (P_N + given), from impulses of zero. False: friction
+/// Solves with friction, |P_T| <= bound(P_N + given), from impulses of zero. False: friction
 /// and normal impulses do not agree, or rates do not vanish to the tolerance.
-bool solve_with_friction(const NormalAndShear& rates, const VectorXd& friction, const VectorXd& given,
+bool solve_with_friction(const NormalAndShear& rates, const Participants& of, const VectorXd& given,
                          double tolerance, ImpulseProblem& problem, int& solves) {
   bool vanish = false;
   const auto solve = [&](const VectorXd& bounds, VectorXd& wanted) {
     problem.set_bounds(bounds);
     vanish = problem.solve(rates, tolerance);
-    wanted = friction.cwiseProduct(problem.impulses().normal.cwiseMax(0) + given);
+    wanted = of.bounds(problem.impulses().normal.cwiseMax(0) + given);
   };
   problem.set_impulses(zeros(given.size()));
-  VectorXd bounds = friction.cwiseProduct(given);
+  VectorXd bounds = of.bounds(given);
   const BoundsReport agreement = iterate_bounds(solve, {}, bounds);
   solves += agreement.solves;
   return vanish && agreement.settled;
@@ -186,9 +196,8 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   Setting setting(blocks, of.islands, of.terms, v);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = options.tolerance * of.approach;
-  const NormalAndShear none = zeros(of.friction.size());
-  report.settled =
-      solve_with_friction(setting.rates, of.friction, none.normal, tolerance, problem, report.solves);
+  const NormalAndShear none = zeros(of.restitution.size());
+  report.settled = solve_with_friction(setting.rates, of, none.normal, tolerance, problem, report.solves);
   report.largest_rate = problem.largest_rate();
   const NormalAndShear compression = problem.impulses();
   const double compressed = setting.largest_part(none, compression);
@@ -201,18 +210,17 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
     const NormalAndShear change = problem.change_of_rates(problem.change(restored));
     const NormalAndShear rates{setting.rates.normal + change.normal, setting.rates.shear + change.shear};
     report.settled =
-        solve_with_friction(rates, of.friction, given, tolerance, problem, report.solves) && report.settled;
+        solve_with_friction(rates, of, given, tolerance, problem, report.solves) && report.settled;
     const NormalAndShear second = problem.impulses();
     restored = {restored.normal + second.normal, restored.shear + second.shear};
     const double part = setting.largest_part(compression, restored);
     report.limited = part < 1;
     total = between(compression, restored, part);
   }
-  for (Index c = 0; c < given.size(); ++c) {  // bounds agree to a tolerance: now exactly
-    if (std::isinf(of.terms[static_cast<std::size_t>(c)].bound)) continue;
-    const double bound = of.friction[c] * total.normal[c];
-    total.shear[c] = std::clamp(total.shear[c], -bound, bound);
-  }
+  const VectorXd bounds = of.bounds(total.normal);
+  for (Index c = 0; c < given.size(); ++c)  // bounds agree to a tolerance: now exactly
+    if (!std::isinf(of.terms[static_cast<std::size_t>(c)].bound))
+      total.shear[c] = std::clamp(total.shear[c], -bounds[c], bounds[c]);
   if (!report.settled) {
     const double part = setting.largest_part(none, total);
     report.limited = report.limited || part < 1;

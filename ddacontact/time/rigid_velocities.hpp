@@ -3,16 +3,20 @@
 
 #include <ddacontact/block/block_system.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace ddacontact {
 
 /// A contact that may take part in an impact; of its forms only the coefficients matter.
 struct ImpactContact {
-  AffineForm gap, slip;    ///< over the same unknowns in the same order
-  double friction = 0;     ///< |P_T| <= friction P_N
+  AffineForm gap, slip;                                  ///< over the same unknowns in the same order
+  double friction = 0;                                   ///< |P_T| <= friction P_N
+  std::function<double(double)> friction_law = nullptr;  ///< in its place: the bound of |P_T| under P_N >= 0
   double restitution = 0;  ///< 0 .. 1, of the normal impulse; 0 where blocks merely touch
   bool bonded = false;     ///< no relative motion at all; takes no restitution
+
+  double bound(double normal) const { return friction_law ? friction_law(normal) : friction * normal; }
 };
 
 /// What passes through a contact, N s per m of thickness: on the gap and on the slip.

@@ -137,7 +137,8 @@ void Stepper::look_ahead(double dt) {
   if (state_.carried_dt > 0) {
     try {
       ahead_ = Ahead{dt, find_solution(dt), counts_};
-    } catch (const std::bad_alloc&) {  // the step itself will say so
+      ahead_->solution.start.resize(0);  // has served
+    } catch (const std::bad_alloc&) {    // the step itself will say so
       forget_tries();
     }
     counts_ = accepted_.counts;

@@ -59,8 +59,7 @@ Stepper::Solution Stepper::solve(double dt) {
       const polyfem::Stopwatch watch(times_.solver);
       if (round > 0) solution.forces = forces_of(tried_);
       restart_contacts();
-      impact = foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, rule,
-                              state_.going_on(), dt, also);
+      impact = foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, rule, dt, also);
     }
     solution = solve_with(dt, std::move(impact), round > 0 ? &solution : nullptr);
     if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
@@ -74,7 +73,8 @@ bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<c
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     const Contact& start = tried_[c];
     if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
-    if (!restitution_of(contact_builder_->properties(), start.pair, step_rule(analysis_, dt, state_.carried_dt)))
+    if (!restitution_of(contact_builder_->properties(), start.pair,
+                        step_rule(analysis_, dt, state_.carried_dt)))
       continue;
     const double rate = start.motion.change_along(start.first_gap().gradient, state_.going_on());
     if (-rate > least_approach(blocks_, start, dt)) also[c] = 1;
@@ -98,7 +98,10 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     Contact& contact = tried_[c];
     contact.damping = contact_builder_->dashpot(contact.pair) / dt;
-    if (impact.changes()) contact_builder_->start_from(state_, contact);
+    if (impact.changes()) {
+      contact_builder_->start_from(state_, contact);
+      contact.meets = impact.hit[c];
+    }
     if (!nearby) continue;
     contact.normal = nearby->forces[c].normal;
     contact.shear = nearby->forces[c].shear;

@@ -1,6 +1,7 @@
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace support;
 
@@ -67,4 +68,65 @@ TEST(HeadOnCollision, OfEqualBlocksIsSymmetric) {
   EXPECT_LT(momentum(stepper, 0).x(), -100);
   EXPECT_NEAR(travel(stepper, 0).x(), -travel(stepper, 1).x(), 1e-7);
   EXPECT_NEAR(travel(stepper, 0).y(), 0, 1e-9);
+}
+
+namespace {
+
+/// A square thrown at a row of squares, without gravity.
+Scene row_of_squares(int n, double gap, double restitution, double time_step) {
+  Scene scene;
+  scene.analysis.gravity.setZero();
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = static_cast<int>(std::lround(1 / time_step));
+  scene.analysis.max_displacement_ratio = 1;
+  scene.materials = {{"rock", 2500, 35e9, 0.3}};
+  scene.joints = {{"joint", 0, 0, 0, std::nullopt, restitution, 0}};
+  scene.contact.normal_stiffness = 1.4e12;
+  scene.contact.tangential_stiffness = 5.6e11;
+  scene.blocks = {block(rectangle(-1.5, 0, 1, 1))};
+  scene.blocks[0].velocity = {5, 0};
+  for (int k = 0; k < n; ++k) scene.blocks.push_back(block(rectangle(k * (1 + gap), 0, 1, 1)));
+  return scene;
+}
+
+}  // namespace
+
+TEST(RowOfSquares, EachPassesOnWhatItGot) {
+  for (int n : {2, 4})
+    for (double gap : {0., 0.01})
+      for (double restitution : {1., 0.6})
+        for (double time_step : {5e-3, 1e-3}) {
+          const BuiltScene built = build(row_of_squares(n, gap, restitution, time_step));
+          Stepper& stepper = *built.stepper;
+          const double start = stepper.energy().now.kinetic;
+          double most = start;
+          for (int step = 0; step < std::lround(1 / time_step); ++step) {
+            run(stepper, 1);
+            most = std::max(most, stepper.energy().now.kinetic + stepper.energy().now.elastic);
+          }
+          EXPECT_LE(most, start * (1 + 1e-9)) << n << ' ' << gap << ' ' << restitution << ' ' << time_step;
+          EXPECT_NEAR(
+              momentum(stepper, n).x() / momentum(*build(row_of_squares(n, gap, 0, 1)).stepper, 0).x(),
+              std::pow((1 + restitution) / 2, n), 1e-6)
+              << gap << ' ' << time_step;
+          if (restitution == 1) {
+            EXPECT_NEAR(stepper.energy().now.kinetic, start, 1e-9 * start);
+          }
+          EXPECT_EQ(stepper.counts().limited_impacts, 0);
+        }
+}
+
+TEST(RowOfSquares, NeverGainsEnergyByMidpoint) {
+  for (double gap : {0., 0.01}) {
+    Scene scene = row_of_squares(4, gap, 1, 5e-3);
+    scene.analysis.scheme = Scheme::midpoint;
+    const BuiltScene built = build(scene);
+    const double start = built.stepper->energy().now.kinetic;
+    double most = start;
+    for (int step = 0; step < scene.analysis.steps; ++step) {
+      run(*built.stepper, 1);
+      most = std::max(most, built.stepper->energy().now.kinetic + built.stepper->energy().now.elastic);
+    }
+    EXPECT_LE(most, start * (1 + 1e-3)) << gap;
+  }
 }

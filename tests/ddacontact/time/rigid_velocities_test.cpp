@@ -66,6 +66,22 @@ TEST_P(Restitution, SlidesOrSticksUnderFriction) {
   }
 }
 
+/// The bound of a law of one's own, here one that friction does not exceed.
+TEST_P(Restitution, SlidesUnderAFrictionLawOfOnesOwn) {
+  const double e = GetParam(), h = std::sqrt(0.5), m = 2000, most = 700;
+  TouchingBlocks hit({floor_block, block(turned(rectangle(0, 0, 1, 1), radians(45)))}, 0, e);
+  ASSERT_EQ(hit.contacts.size(), 1u);
+  hit.contacts[0].friction_law = [&](double normal) { return std::min(0.3 * normal, most); };
+  hit.set_velocity(1, {2, -3, 0});
+  const JumpReport report = hit.jump();
+  ASSERT_TRUE(report.settled);
+  EXPECT_LE(hit.energy(hit.v + report.jump), hit.energy(hit.v));
+  const RigidVelocity after = hit.velocity(1, hit.v + report.jump);
+  EXPECT_NEAR(after.linear.y(), 3 * e, 1e-9);
+  EXPECT_NEAR(after.linear.x(), 2 - most / m, 1e-9);
+  EXPECT_NEAR(after.angular, -h * most / hit.inertia(1), 1e-9);
+}
+
 TEST_P(Restitution, OfTwoBlocksKeepsTheirMomentum) {
   const double e = GetParam();
   for (double offset : {0., 0.3, -0.6})
