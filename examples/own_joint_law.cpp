@@ -10,7 +10,7 @@
 //        N0             beyond N0, slides with a = g (sin a - cos a tan(phi)) - 2 N0 (tan(phi + i) -
 //        tan(phi)) / m.
 #include <ddacontact/block/rigid_velocity.hpp>
-#include <ddacontact/block/vertex_block.hpp>
+#include <ddacontact/classic/vertex_block.hpp>
 #include <ddacontact/time/stepper.hpp>
 
 #include <cmath>

@@ -6,7 +6,7 @@
 //   |   \/       It holds for blocks of hard rock (E = 35 GPa). Contact springs are 40 E along the normal
 //   |____\ a     and 16 E along the edge, as scenes have them by default.
 #include <ddacontact/block/rigid_velocity.hpp>
-#include <ddacontact/block/vertex_block.hpp>
+#include <ddacontact/classic/vertex_block.hpp>
 #include <ddacontact/time/stepper.hpp>
 
 #include <cmath>

@@ -1,11 +1,12 @@
 /// \file What congruent corotational blocks share: nodes, matrices and maps of the reference shape.
 #pragma once
 
-#include <ddacontact/block/affine_block.hpp>
+#include <ddacontact/block/block.hpp>
 #include <ddacontact/block/block_mesh.hpp>
+#include <ddacontact/block/control_vertices.hpp>
+#include <ddacontact/block/integration.hpp>
 #include <ddacontact/block/motion_shape.hpp>
 #include <ddacontact/block/step_matrices.hpp>
-#include <ddacontact/block/vertex_block.hpp>
 #include <polyfem/element/corotation.hpp>
 
 #include <Eigen/SparseCore>

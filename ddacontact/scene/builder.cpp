@@ -1,6 +1,8 @@
 #include <ddacontact/scene/builder.hpp>
 
 #include <ddacontact/block/corotational_block.hpp>
+#include <ddacontact/classic/affine_block.hpp>
+#include <ddacontact/classic/vertex_block.hpp>
 #include <ddacontact/scene/congruent_shapes.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <polyfem/basis/mean_value.hpp>

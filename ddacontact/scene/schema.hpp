@@ -28,8 +28,9 @@ inline constexpr Key max_displacement_ratio{
     .bounds = positive};
 inline constexpr Key gravity{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"};
 inline constexpr Key scheme{.name = "scheme",
-                            .what = "Time scheme; static steps of \"decaying\" and \"midpoint\" are made by "
-                                    "\"backward_euler\"."};
+                            .what =
+                                "Time scheme; static steps of \"midpoint\" are made by "
+                                "\"backward_euler\"."};
 inline constexpr Key beta{.name = "beta",
                           .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
                           .bounds = positive,
@@ -130,8 +131,9 @@ void describe(ContactRecord& r, Visit&& visit) {
             .default_text = "`normal_stiffness` / 2.5"},
         r.tangential_stiffness);
   visit(Key{.name = "penetration_tolerance",
-            .what = "Deepest penetration, of the block size; closed contacts keep gaps of up to a thousandth of "
-                    "it. 0 is the plain penalty method.",
+            .what =
+                "Deepest penetration, of the block size; closed contacts keep gaps of up to a thousandth of "
+                "it. 0 is the plain penalty method.",
             .bounds = not_negative,
             .default_text = "`1e-06`; method \"classic\": `0.0`"},
         r.penetration_tolerance);

@@ -5,7 +5,7 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/solver/islands_apart.hpp>
-#include <ddacontact/solver/open_close.hpp>
+#include <ddacontact/classic/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>

@@ -1,7 +1,6 @@
 // The solutions of a try: with the impacts of its step, by either contact method.
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
-#include <ddacontact/time/borne_blocks.hpp>
 #include <ddacontact/time/step_from.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <ddacontact/time/waves.hpp>
@@ -165,7 +164,6 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   solution.d = solution.start = system_->free_path();
   staged_.again = staged_.local && nearby;
   if (staged_.again) solution.d += nearby->straight - nearby->start;
-  if (!is_static() && !staged_.local) start_borne_blocks(blocks_, tried_, start, solution.d);
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, tried_);
   StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)

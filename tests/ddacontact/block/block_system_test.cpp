@@ -1,6 +1,6 @@
 #include <ddacontact/block/block_system.hpp>
 
-#include <ddacontact/block/affine_block.hpp>
+#include <ddacontact/classic/affine_block.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 #include <tests/support/random_polygon.hpp>
 

@@ -1,4 +1,4 @@
-#include <ddacontact/block/incremental_block.hpp>
+#include <ddacontact/classic/incremental_block.hpp>
 #include <ddacontact/solver/step_system.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 

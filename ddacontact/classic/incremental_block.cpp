@@ -1,4 +1,4 @@
-#include <ddacontact/block/incremental_block.hpp>
+#include <ddacontact/classic/incremental_block.hpp>
 
 namespace ddacontact {
 

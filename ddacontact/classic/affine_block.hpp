@@ -1,17 +1,12 @@
 /// \file Shi's block: six unknowns, constant strain, Eq. (1)-(3).
 #pragma once
 
-#include <ddacontact/block/incremental_block.hpp>
+#include <ddacontact/block/control_vertices.hpp>
+#include <ddacontact/classic/incremental_block.hpp>
 
 #include <optional>
 
 namespace ddacontact {
-
-/// Three vertices by whose displacements in x, and three (often the same) by whose displacements in y, an
-/// affine field can be told. With held vertices among them, holding is leaving out their unknowns.
-struct ControlVertices {
-  std::array<int, 3> x, y;
-};
 
 /// Unknowns: (u0 v0 r0 eps_x eps_y gamma_xy) about the centroid (1); or, given control vertices, their
 /// displacements (u v u v u v), which span the same affine fields.
@@ -39,9 +34,5 @@ class AffineBlock final : public IncrementalBlock {
   Mat6 basis_;                                              ///< (1) = basis_ * unknowns
   std::vector<std::array<PointMap::Term, 6>> vertex_maps_;  ///< T (3) * basis_ at each outline vertex
 };
-
-/// Control vertices that include as many of the held ones (`held_x[v]`, `held_y[v]`) as three can be.
-ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
-                                        const std::vector<bool>& held_y);
 
 }  // namespace ddacontact

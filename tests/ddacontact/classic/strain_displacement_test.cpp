@@ -1,8 +1,8 @@
 // Stress inside a block as the strain of vertex displacements.
 
-#include <ddacontact/block/affine_block.hpp>
 #include <ddacontact/block/block_system.hpp>
-#include <ddacontact/block/vertex_block.hpp>
+#include <ddacontact/classic/affine_block.hpp>
+#include <ddacontact/classic/vertex_block.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>

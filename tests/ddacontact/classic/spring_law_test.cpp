@@ -1,4 +1,4 @@
-#include <ddacontact/contact/joint_law.hpp>
+#include <ddacontact/classic/spring_law.hpp>
 
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ const std::vector<Row> table{
 
 }  // namespace
 
-TEST(JointLaw, NextStateFollowsTheTable) {
+TEST(SpringLaw, NextStateFollowsTheTable) {
   for (const Row& row : table) {
     const Trial trial{.gap = row.gap,
                       .slip = row.slip,
@@ -105,7 +105,7 @@ TEST(JointLaw, NextStateFollowsTheTable) {
 }
 
 /// Rough joints: steep at small normal forces, flat at large ones.
-TEST(JointLaw, AFrictionLawOfOnesOwnTakesThePlaceOfCoulombs) {
+TEST(SpringLaw, AFrictionLawOfOnesOwnTakesThePlaceOfCoulombs) {
   const FrictionLaw rough = [](double N) { return N < 10 ? N : 10 + 0.25 * (N - 10); };
   JointLaw law = glued;
   law.friction_law = &rough;
@@ -120,7 +120,7 @@ TEST(JointLaw, AFrictionLawOfOnesOwnTakesThePlaceOfCoulombs) {
 }
 
 /// Looking at a joint from behind turns the senses of slip around and changes nothing else.
-TEST(JointLaw, SensesOfSlipAreMirrorImages) {
+TEST(SpringLaw, SensesOfSlipAreMirrorImages) {
   const auto mirrored = [](ContactState s) {
     return s == slip_forward ? slip_backward : s == slip_backward ? slip_forward : s;
   };
@@ -147,13 +147,13 @@ TEST(JointLaw, SensesOfSlipAreMirrorImages) {
 }
 
 /// A vertex beyond the ends of its edge is not behind it; one that has come in stays until it comes out.
-TEST(JointLaw, ClosesOnlyOnTheEdge) {
+TEST(SpringLaw, ClosesOnlyOnTheEdge) {
   const Trial beyond{.gap = -0.01, .tolerance = tolerance, .on_edge = false};
   EXPECT_EQ(next_state(open, frictional, beyond), open);
   EXPECT_EQ(next_state(stick, frictional, beyond), stick);
 }
 
-TEST(JointLaw, ForcesAreInsideTheCone) {
+TEST(SpringLaw, ForcesAreInsideTheCone) {
   EXPECT_DOUBLE_EQ(normal_force(frictional, -0.01), 10);
   EXPECT_DOUBLE_EQ(normal_force(frictional, 0.01), -10);
   EXPECT_DOUBLE_EQ(shear_bound(glued, 10, true), 8);

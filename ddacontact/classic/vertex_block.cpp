@@ -1,19 +1,12 @@
-#include <ddacontact/block/vertex_block.hpp>
+#include <ddacontact/classic/vertex_block.hpp>
 
 #include <ddacontact/block/stress_projection.hpp>
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/geometry/triangulation.hpp>
 #include <polyfem/geometry/validity.hpp>
-#include <polyfem/material/linear_elastic.hpp>
-
-#include <array>
 
 namespace ddacontact {
-
-using polyfem::GradientCorrection;
-using polyfem::TriangleRule;
 
 VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline,
                          const Integration& integration, const polyfem::Basis& basis)
@@ -86,23 +79,6 @@ Points VertexBlock::strain_displacement(const BlockState& state) const {
                            state.position.middleCols(vertices().first, vertices().count),
                            state.stress.middleCols(stress_points().first, stress_points().count),
                            usable_basis(state.position.middleCols(vertices().first, vertices().count)));
-}
-
-Integration choose_integration(const PointsRef& outline, GradientCorrection correction,
-                               const polyfem::Basis& basis) {
-  static const TriangleRule fine = polyfem::collapsed_gauss_rule(12, 12, 2);
-  const std::array rules{&polyfem::hammer_rule(3), &polyfem::hammer_rule(5), &fine};
-  const Mat3 elasticity = polyfem::elasticity_matrix(1, 0.3, polyfem::Plane::strain);
-  polyfem::TabulatedElement element;
-  MatrixXd K, M;
-  for (const TriangleRule* rule : rules) {
-    tabulate(outline, *rule, basis, correction, element);
-    polyfem::stiffness(element, elasticity, K);
-    polyfem::mass(element, M);
-    const bool sound = polyfem::judge(K, M).sound();
-    if (sound || correction == GradientCorrection::off) return {rule, correction, sound};
-  }
-  return {rules.back(), correction, false};
 }
 
 }  // namespace ddacontact

@@ -1,5 +1,6 @@
-#include <ddacontact/solver/open_close.hpp>
+#include <ddacontact/classic/open_close.hpp>
 
+#include <ddacontact/classic/spring_law.hpp>
 #include <ddacontact/solver/anderson.hpp>
 
 #include <algorithm>

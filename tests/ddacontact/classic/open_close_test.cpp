@@ -1,4 +1,5 @@
-#include <ddacontact/solver/open_close.hpp>
+#include <ddacontact/classic/open_close.hpp>
+#include <ddacontact/classic/spring_law.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <gtest/gtest.h>

@@ -1,23 +1,12 @@
 /// \file The paper's block: its unknowns are the displacements of its vertices, Eq. (4)-(8).
 #pragma once
 
-#include <ddacontact/block/incremental_block.hpp>
+#include <ddacontact/block/integration.hpp>
+#include <ddacontact/classic/incremental_block.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/tabulated_element.hpp>
 
 namespace ddacontact {
-
-/// How the integrals over a vertex block are taken.
-struct Integration {
-  const polyfem::TriangleRule* triangle_rule;  ///< of each triangle of the fan; not owned
-  polyfem::GradientCorrection correction;
-  bool sound = true;  ///< whether it gives the block a stiffness of full rank and a definite mass
-};
-
-/// The paper's integration, or, with the correction on, the cheapest rule from there that is sound for this
-/// outline and basis.
-Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction,
-                               const polyfem::Basis& basis = polyfem::wachspress);
 
 /// A block interpolated by (6), or by mean value functions, on its current shape, as stiff and as heavy as
 /// its integration makes it. Where Wachspress functions cease to exist, as a corner has turned concave, mean

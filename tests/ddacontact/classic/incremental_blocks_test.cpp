@@ -1,6 +1,6 @@
-#include <ddacontact/block/affine_block.hpp>
 #include <ddacontact/block/block_system.hpp>
-#include <ddacontact/block/vertex_block.hpp>
+#include <ddacontact/classic/affine_block.hpp>
+#include <ddacontact/classic/vertex_block.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
 #include <tests/support/random_polygon.hpp>

@@ -1,0 +1,37 @@
+#include <ddacontact/block/control_vertices.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace ddacontact {
+
+namespace {
+
+/// Three vertices, held ones first, spread as widely as a greedy choice makes them.
+std::array<int, 3> choose_three(const PointsRef& outline, const std::vector<bool>& held) {
+  const int n = static_cast<int>(outline.cols());
+  const auto best = [&](const auto& score) {
+    int chosen = 0;
+    for (int v = 1; v < n; ++v)
+      if (std::pair(held[v] && score(v) > 0, score(v)) >
+          std::pair(held[chosen] && score(chosen) > 0, score(chosen)))
+        chosen = v;
+    return chosen;
+  };
+  const int a = best([](int) { return 1.0; });
+  const Vec2 p = outline.col(a);
+  const int b = best([&](int v) { return (outline.col(v) - p).norm(); });
+  const Vec2 edge = outline.col(b) - p;
+  const int c =
+      best([&](int v) { return v == a || v == b ? 0.0 : std::abs(cross(edge, outline.col(v) - p)); });
+  return {a, b, c};
+}
+
+}  // namespace
+
+ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
+                                        const std::vector<bool>& held_y) {
+  return {choose_three(outline, held_x), choose_three(outline, held_y)};
+}
+
+}  // namespace ddacontact

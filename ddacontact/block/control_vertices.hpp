@@ -1,0 +1,21 @@
+/// \file Vertices by whose displacements an affine field is told.
+#pragma once
+
+#include <ddacontact/core/types.hpp>
+
+#include <array>
+#include <vector>
+
+namespace ddacontact {
+
+/// Three vertices by whose displacements in x, and three (often the same) by whose displacements in y, an
+/// affine field can be told. With held vertices among them, holding is leaving out their unknowns.
+struct ControlVertices {
+  std::array<int, 3> x, y;
+};
+
+/// Control vertices that include as many of the held ones (`held_x[v]`, `held_y[v]`) as three can be.
+ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
+                                        const std::vector<bool>& held_y);
+
+}  // namespace ddacontact
