@@ -140,8 +140,8 @@ class BlockSystem {
   void begin_step(const BlockState& state, const StepStart& start);
   /// Ends it: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
-  /// See Block::displacement. Prescribed places are led to where they should be: d is changed so that they are.
-  /// \param[in] prescribed  displacements of the held unknowns
+  /// See Block::displacement. Prescribed places are led to where they should be: d is changed so that they
+  /// are. \param[in] prescribed  displacements of the held unknowns
   VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
 
  private:

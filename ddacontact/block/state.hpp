@@ -12,10 +12,10 @@ namespace ddacontact {
 /// their differences are exact, and so is moving one after its block.
 struct BlockState {
   double time = 0;
-  Points origin;      ///< of each block, relative to the model's origin
-  Points position;    ///< the places of all blocks, relative to their block's origin
-  /// Of blocks that are carried on by their motions, what places follow from: centre of mass from the origin, angle,
-  /// deformation of the nodes (MotionShape). Empty: places themselves are the state.
+  Points origin;    ///< of each block, relative to the model's origin
+  Points position;  ///< the places of all blocks, relative to their block's origin
+  /// Of blocks that are carried on by their motions, what places follow from: centre of mass from the origin,
+  /// angle, deformation of the nodes (MotionShape). Empty: places themselves are the state.
   VectorXd coordinates;
   VectorXd velocity;  ///< of every unknown
   /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end

@@ -38,16 +38,15 @@ struct StepRule {
 
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
-           impulse_time == other.impulse_time && starts_at_rest == other.starts_at_rest && damping.mass == other.damping.mass &&
-           damping.stiffness == other.damping.stiffness;
+           impulse_time == other.impulse_time && starts_at_rest == other.starts_at_rest &&
+           damping.mass == other.damping.mass && damping.stiffness == other.damping.stiffness;
   }
 };
 
-/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium: impulses of
-/// the decaying scheme act over their whole length, and the scheme whose forces act at the middle makes them by backward
-/// Euler.
-/// \param[in] dt           of the step, s
-/// \param[in] previous_dt  of the step before, s; 0: there is none to go on from
+/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium:
+/// impulses of the decaying scheme act over their whole length, and the scheme whose forces act at the middle
+/// makes them by backward Euler. \param[in] dt           of the step, s \param[in] previous_dt  of the step
+/// before, s; 0: there is none to go on from
 inline StepRule step_rule(const AnalysisOptions& analysis, double dt, double previous_dt) {
   StepRule rule{.scheme = analysis.scheme, .damping = analysis.damping};
   rule.starts_at_rest = analysis.mode == Mode::statics;

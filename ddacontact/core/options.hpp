@@ -35,6 +35,42 @@ enum class Scheme {
 /// How contact states are found: the staged method | Shi's open-close iteration.
 enum class ContactMethod { staged, classic };
 
+/// Schemes whose forces belong to a frame that turns with its block.
+constexpr bool needs_corotational(Scheme scheme) {
+  return scheme == Scheme::midpoint || scheme == Scheme::decaying;
+}
+
+/// What a preset chooses where nothing is said: for scenes and for the library alike.
+struct Defaults {
+  Kinematics kinematics;
+  Scheme scheme;
+  GradientCorrection gradient_correction;
+  double cutting_factor;
+  BlockModel block_model;
+  ContactMethod method;
+  double penetration_tolerance;
+};
+/// Of Preset::standard.
+inline constexpr Defaults standard_defaults{.kinematics = Kinematics::corotational,
+                                            .scheme = Scheme::decaying,
+                                            .gradient_correction = GradientCorrection::on,
+                                            .cutting_factor = 0.5,
+                                            .block_model = BlockModel::automatic,
+                                            .method = ContactMethod::staged,
+                                            .penetration_tolerance = 1e-6};
+/// Of Preset::paper.
+inline constexpr Defaults paper_defaults{.kinematics = Kinematics::incremental,
+                                         .scheme = Scheme::dda,
+                                         .gradient_correction = GradientCorrection::off,
+                                         .cutting_factor = 0.3,
+                                         .block_model = BlockModel::wachspress,
+                                         .method = ContactMethod::classic,
+                                         .penetration_tolerance = 0};
+/// Of a preset.
+constexpr const Defaults& defaults_of(Preset preset) {
+  return preset == Preset::paper ? paper_defaults : standard_defaults;
+}
+
 /// Rayleigh damping: forces mass * M v and stiffness * K times the rate of deformation.
 struct RayleighDamping {
   double mass = 0;       ///< 1/s
@@ -60,24 +96,26 @@ struct AnalysisOptions {
   double max_displacement_ratio = 0.1;
   Vec2 gravity{0.0, -9.8};  ///< m/s2
   Plane plane = Plane::strain;
-  BlockModel block_model = BlockModel::automatic;  ///< wachspress in the paper preset
-  MeshOptions mesh;                                ///< of blocks that state none
-  Kinematics kinematics = Kinematics::corotational;
-  Scheme scheme = Scheme::decaying;
+  BlockModel block_model = standard_defaults.block_model;
+  MeshOptions mesh;  ///< of blocks that state none
+  Kinematics kinematics = standard_defaults.kinematics;
+  Scheme scheme = standard_defaults.scheme;
   double beta = 0.25, gamma = 0.5;  ///< of Scheme::newmark
   RayleighDamping damping;
-  GradientCorrection gradient_correction = GradientCorrection::on;  ///< off in the paper preset
-  double cutting_factor = 0.5;  ///< a rejected step is tried again with this times its length
-  Skips skip;                   ///< the same in all stages
+  GradientCorrection gradient_correction = standard_defaults.gradient_correction;
+  /// A rejected step is tried again with this times its length.
+  double cutting_factor = standard_defaults.cutting_factor;
+  Skips skip;  ///< the same in all stages
 };
 
 /// Springs of the contacts.
 struct ContactOptions {
-  ContactMethod method = ContactMethod::staged;
-  double normal_stiffness = 0;          ///< N/m per m; > 0 once resolved; staged: where it starts
-  double tangential_stiffness = 0;      ///< N/m per m; > 0 once resolved
-  double penetration_tolerance = 1e-6;  ///< of the block size; 0 = plain penalty
-  double corner_rounding = 0;           ///< radius of corners over the block's size; 0: sharp
+  ContactMethod method = standard_defaults.method;
+  double normal_stiffness = 0;      ///< N/m per m; > 0 once resolved; staged: where it starts
+  double tangential_stiffness = 0;  ///< N/m per m; > 0 once resolved
+  /// Of the block size; 0 = plain penalty.
+  double penetration_tolerance = standard_defaults.penetration_tolerance;
+  double corner_rounding = 0;  ///< radius of corners over the block's size; 0: sharp
 };
 
 }  // namespace ddacontact

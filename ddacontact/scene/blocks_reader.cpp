@@ -70,8 +70,8 @@ std::optional<Document> scene_document(const std::string& path, bool& unreadable
 
 /// With every block checked as one of any shape.
 Scene resolve_any_shape(Document& document, ProblemList& problems) {
-  const BlockModel usual = document.analysis.block_model.value_or(
-      scene_format::defaults_of(document.analysis.options.preset).block_model);
+  const BlockModel usual =
+      document.analysis.block_model.value_or(defaults_of(document.analysis.options.preset).block_model);
   std::vector<BlockModel> models;
   for (BlockRecord& block : document.blocks) {
     models.push_back(block.model.value_or(usual));

@@ -12,14 +12,6 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-/// Of the block size, with the staged method.
-constexpr double default_penetration_tolerance = 1e-6;
-
-/// Schemes that take the elastic forces from both ends of a step: these are known in a turning frame only.
-bool needs_corotational(Scheme scheme) {
-  return scheme == Scheme::midpoint || scheme == Scheme::decaying;
-}
-
 /// Keys of [analysis] or, where a stage has them, of that.
 class OwnKeys {
  public:
@@ -37,7 +29,7 @@ class OwnKeys {
 
 void resolve_scheme(const AnalysisRecord& record, const OwnKeys& own, AnalysisOptions& options,
                     ProblemList& problems) {
-  const PresetDefaults& preset = defaults_of(options.preset);
+  const Defaults& preset = defaults_of(options.preset);
   options.kinematics = record.kinematics.value_or(preset.kinematics);
   const bool turning = options.kinematics == Kinematics::corotational;
   options.scheme =
@@ -76,7 +68,7 @@ void resolve_newmark(const AnalysisRecord& record, const OwnKeys& own, AnalysisO
 /// `own`: who asks, [analysis] or a stage that changed some keys of `record`.
 AnalysisOptions resolve(const AnalysisRecord& record, const OwnKeys& own, ProblemList& problems) {
   AnalysisOptions options = record.options;
-  const PresetDefaults& preset = defaults_of(options.preset);
+  const Defaults& preset = defaults_of(options.preset);
   options.block_model = record.block_model.value_or(preset.block_model);
   options.mesh = with_record({}, record.mesh);
   resolve_scheme(record, own, options, problems);
@@ -98,7 +90,8 @@ double default_stiffness(double value, const char* key, const Places& places, Pr
 double resolve_tolerance(const ContactRecord& record, ContactMethod method, ProblemList& problems) {
   const Places& places = record.places;
   const bool classic = method == ContactMethod::classic;
-  const double tolerance = record.penetration_tolerance.value_or(classic ? 0 : default_penetration_tolerance);
+  const Defaults& of_method = classic ? paper_defaults : standard_defaults;
+  const double tolerance = record.penetration_tolerance.value_or(of_method.penetration_tolerance);
   if (classic && tolerance != 0 && places.good("penetration_tolerance") && places.usable("method"))
     problems.error(
         places.of("penetration_tolerance"),

@@ -64,12 +64,12 @@ constexpr Key in_stage(Key key) {
 
 template <class Visit>
 void describe(AnalysisRecord& r, Visit&& visit) {
-  static const std::string kinematics = preset_text(&PresetDefaults::kinematics),
-                           scheme = preset_text(&PresetDefaults::scheme) +
+  static const std::string kinematics = preset_text(&Defaults::kinematics),
+                           scheme = preset_text(&Defaults::scheme) +
                                     "; where that needs other `kinematics`: `\"dda\"`",
-                           correction = preset_text(&PresetDefaults::gradient_correction),
-                           cutting = preset_text(&PresetDefaults::cutting_factor),
-                           model = preset_text(&PresetDefaults::block_model);
+                           correction = preset_text(&Defaults::gradient_correction),
+                           cutting = preset_text(&Defaults::cutting_factor),
+                           model = preset_text(&Defaults::block_model);
   AnalysisOptions& o = r.options;
   visit(Key{.name = "preset", .what = "Chooses the defaults of keys left out."}, o.preset);
   visit(analysis_keys::mode, o.mode);
@@ -111,7 +111,7 @@ void describe(AnalysisRecord& r, Visit&& visit) {
 
 template <class Visit>
 void describe(ContactRecord& r, Visit&& visit) {
-  static const std::string method = preset_text(&PresetDefaults::method);
+  static const std::string method = preset_text(&Defaults::method);
   visit(Key{.name = "method",
             .what = "How contact states and forces are found: in stages, or by Shi's open-close iteration.",
             .default_text = method.c_str()},

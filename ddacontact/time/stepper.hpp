@@ -2,10 +2,10 @@
 #pragma once
 
 #include <ddacontact/block/system_part.hpp>
+#include <ddacontact/classic/open_close.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/solver/islands_apart.hpp>
-#include <ddacontact/classic/open_close.hpp>
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
@@ -156,8 +156,8 @@ class Stepper {
   void before_impact(const VectorXd& jump);
   /// What weight and loads work where an impact shifts the start of the step.
   void book_shift(const VectorXd& shift);
-  /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts' forces.
-  /// \param[in] from  where the step was computed from
+  /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
+  /// forces. \param[in] from  where the step was computed from
   void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion);
   bool is_interrupted();
   /// As if the tries since the last accepted substep had not been made.

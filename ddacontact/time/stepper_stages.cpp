@@ -91,7 +91,8 @@ void Stepper::find_motions() {
     blocks_.find_coordinates(state_);
   for (int b = 0; has_motions() && b < blocks_.n_blocks(); ++b)
     if (!blocks_.block(b).shape() && !blocks_.is_unchanging(b))
-      throw Error("block " + quoted(blocks_.names[b]) + " has no motions that the decaying scheme could carry on");
+      throw Error("block " + quoted(blocks_.names[b]) +
+                  " has no motions that the decaying scheme could carry on");
 }
 
 void Stepper::make_system() {

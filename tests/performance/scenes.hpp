@@ -16,8 +16,8 @@ using namespace ddacontact;
 
 /// Running bond upon a slab, as many rows as bricks in a row, half bricks at both ends of every second row.
 Scene brick_wall(int n);
-/// The same on a floor that dips by 20 degrees, with 10 degrees of friction there: once settled it glides down
-/// as a whole.
+/// The same on a floor that dips by 20 degrees, with 10 degrees of friction there: once settled it glides
+/// down as a whole.
 Scene gliding_wall(int n);
 /// A semicircle of n voussoirs upon two fixed springers, a fifth of its radius thick.
 Scene arch(int n);

@@ -130,3 +130,38 @@ TEST(RowOfSquares, NeverGainsEnergyByMidpoint) {
     EXPECT_LE(most, start * (1 + 1e-3)) << gap;
   }
 }
+
+/// A bar of squares, held sideways, flies against a wall: behind the wave that runs through it all is at
+/// rest.
+TEST(BarAgainstAWall, StopsBehindItsWave) {
+  constexpr int n = 48;
+  constexpr double young = 35e9, density = 2500, length = 0.5, speed = 0.1;
+  const double stiffness = 1.2 * young,  // lambda + 2 mu at nu = .25
+      transit = length / std::sqrt(stiffness / density);
+  for (double part : {1., 0.5, 0.25}) {
+    Scene scene;
+    scene.analysis.gravity.setZero();
+    scene.analysis.time_step = part * transit;
+    scene.analysis.block_model = BlockModel::wachspress;
+    scene.materials = {{"rock", density, young, 0.25}};
+    scene.joints = {{"joint", 0, 0, 0, std::nullopt}};
+    scene.contact.normal_stiffness = 40 * young;
+    scene.contact.tangential_stiffness = 16 * young;
+    scene.blocks = {block(rectangle(-1, -1, 1, 2), true)};
+    for (int k = 0; k < n; ++k) {
+      scene.blocks.push_back(block(rectangle(k * length, 0, length, length)));
+      scene.blocks.back().velocity = {-speed, 0};
+      scene.supports.push_back({k + 1, {0, 1, 2, 3}, false, true, {}});
+    }
+    const BuiltScene built = build(scene);
+    run(*built.stepper, static_cast<int>(std::lround(n / (2 * part))));
+    const auto velocity = [&](int k) {
+      return momentum(*built.stepper, k + 1).x() / (density * length * length);
+    };
+    int front = 0;
+    while (velocity(front) > -speed / 2) ++front;
+    EXPECT_NEAR(front, n / 2, 1) << part;
+    EXPECT_NEAR(velocity(0), 0, 1e-3 * speed) << part;
+    EXPECT_NEAR(velocity(n - 1), -speed, 1e-3 * speed) << part;
+  }
+}
