@@ -6,13 +6,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace stability {
 
 namespace {
 
-double bond(double strength, const ContactRecord& contact) {
-  return contact.history.bonded ? strength : 0;
+/// The contacts that are bonded: one whose bond breaks in a step has it to the end of the step.
+template <class Contacts>
+std::set<VertexEdge> bonded(const Contacts& contacts) {
+  std::set<VertexEdge> pairs;
+  for (const ContactRecord& contact : contacts)
+    if (contact.history.bonded) pairs.insert(contact.pair);
+  return pairs;
 }
 
 /// \param[in] positions  of all places
@@ -31,6 +37,7 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
   const Energy& energy = stepper.energy().now;
   ContactCheck check;
   double friction = 0, impacts = 0, largest_energy = 0;
+  std::set<VertexEdge> bonds = bonded(stepper.contacts_to_begin_with());
   for (int k = 0; k < steps; ++k) {
     const Points before = stepper.blocks().positions(stepper.state());
     if (!stepper.step()) {
@@ -45,9 +52,10 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
       if (!contact.closed() || largest == 0) continue;
       ++check.contacts;
       const JointLaw law = stepper.contact_properties().law(contact);
-      const double bound = shear_bound(law, contact.normal, contact.history.bonded);
+      const bool was_bonded = bonds.contains(contact.pair);
+      const double bound = shear_bound(law, contact.normal, was_bonded);
       check.outside = std::max({check.outside, (std::abs(contact.shear) - bound) / largest,
-                                (-contact.normal - bond(law.tension, contact)) / largest});
+                                (-contact.normal - (was_bonded ? law.tension : 0)) / largest});
       if (!is_slipping(contact.history.state) || contact.shear == 0) continue;
       const double slipped =
           contact.end_slip - slip(place_of(contact.pair, stepper.blocks(), before), contact.history.lock);
@@ -55,6 +63,7 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
                                             support::pair_size(stepper.blocks(), contact.pair));
       check.work_over_energy = std::max(check.work_over_energy, contact.shear * slipped / largest_energy);
     }
+    bonds = bonded(stepper.contacts());
     const double fall = std::max(friction - energy.friction_dissipated, impacts - energy.damping_dissipated);
     if (fall > 0) check.dissipation_falls = std::max(check.dissipation_falls, fall / largest_energy);
     friction = energy.friction_dissipated;
