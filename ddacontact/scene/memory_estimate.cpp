@@ -1,7 +1,7 @@
 #include <ddacontact/scene/memory_estimate.hpp>
 
 #include <ddacontact/scene/model_choice.hpp>
-#include <ddacontact/solver/block_groups.hpp>
+#include <ddacontact/solver/contact_sweeps.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
@@ -17,7 +17,7 @@ constexpr double program = 16e6;
 constexpr double of_scene_block = 900, of_scene_vertex = 60;
 constexpr double of_block = 700, of_vertex = 400, of_cell = 2500, of_unknown_pair = 24;
 constexpr double of_contact = 900, contacts_of_vertex = 1.5;
-constexpr double of_matrix_entry = 36, of_relaxed_entry = 8, of_relaxed_contact = 600;
+constexpr double of_matrix_entry = 36, of_swept_entry = 8, of_swept_contact = 600;
 /// Entries of the factor: so many n log2 n of n rows; bytes of each with what CHOLMOD works in.
 constexpr double fill = 7, of_factor_entry = 12;
 
@@ -66,7 +66,7 @@ bool needs_factor(const Scene& scene) {
                                 scene.analysis.kinematics == Kinematics::corotational &&
                                 may_bend_in_motion(block.vertices);
     return may_be_divided || block.model == BlockModel::mesh ||
-           size_of(block).unknowns > BlockGroups::largest_block ||
+           size_of(block).unknowns > ContactSweeps::largest_block ||
            !is_crossed_later(block, scene.materials[block.material], scene.analysis.plane, longest);
   });
 }
@@ -84,7 +84,7 @@ MemoryEstimate estimate_memory(const Scene& scene) {
     e.contacts += of_contact * contacts_of_vertex * n;
     const double of_a_contact = block.model == BlockModel::affine ? 36 : 8;
     e.matrix += e.has_factor ? of_matrix_entry * (pairs / 2 + contacts_of_vertex * n * of_a_contact)
-                             : of_relaxed_entry * pairs + of_relaxed_contact * contacts_of_vertex * n;
+                             : of_swept_entry * pairs + of_swept_contact * contacts_of_vertex * n;
     if (!block.fixed) e.n_rows += size.unknowns;
   }
   if (e.has_factor) e.factor = factor_bytes(e.n_rows);

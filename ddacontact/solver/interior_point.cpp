@@ -96,7 +96,7 @@ struct Inside {
 
 class InteriorPoint {
  public:
-  InteriorPoint(StepSystem& system, const std::vector<Contact>& contacts, const std::vector<RelaxedLaw>& laws,
+  InteriorPoint(StepSystem& system, const std::vector<Contact>& contacts, const std::vector<SweptLaw>& laws,
                 const std::function<void()>& look, std::vector<ContactTerm>& terms, VectorXd& d)
       : system_(system),
         contacts_(contacts),
@@ -337,7 +337,7 @@ class InteriorPoint {
   void look_at_friction(std::size_t c) {
     Inside& i = inside_[c];
     if (!i.acts || !i.sheared) return;
-    const RelaxedLaw& law = laws_[c];
+    const SweptLaw& law = laws_[c];
     i.b = shear_bound(*law.joint, i.N(), law.bonded);
     i.rate = follows_normal_ ? friction_rate(*law.joint, i.N(), law.bonded) : 0;
     i.sense = !i.holds && (law.sliding || std::abs(law.shear) > i.b) ? std::copysign(1, law.shear) : 0;
@@ -485,7 +485,7 @@ class InteriorPoint {
 
   StepSystem& system_;
   const std::vector<Contact>& contacts_;
-  const std::vector<RelaxedLaw>& laws_;
+  const std::vector<SweptLaw>& laws_;
   const std::function<void()>& look_;
   std::vector<ContactTerm>& terms_;
   VectorXd& d_;
@@ -504,7 +504,7 @@ class InteriorPoint {
 }  // namespace
 
 InteriorReport find_states_from_inside(StepSystem& system, const std::vector<Contact>& contacts,
-                                       const std::vector<RelaxedLaw>& laws, const std::function<void()>& look,
+                                       const std::vector<SweptLaw>& laws, const std::function<void()>& look,
                                        std::vector<ContactTerm>& terms, VectorXd& d,
                                        std::vector<unsigned char>& states) {
   InteriorPoint point(system, contacts, laws, look, terms, d);

@@ -1,8 +1,8 @@
 /// \file Contacts kept strictly inside their laws: the way to the states of a violent step.
 #pragma once
 
-#include <ddacontact/solver/relaxation.hpp>
 #include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/solver/swept_law.hpp>
 
 #include <functional>
 #include <vector>
@@ -27,12 +27,12 @@ struct InteriorReport {
 /// (Keller 1977), in some hundred solutions or more: between several solutions it turns round, and mu rises
 /// for a while.
 ///
-/// \param[in] laws    what relaxation takes, too
+/// \param[in] laws    beside their terms
 /// \param[in] look    makes the contacts' forms and `terms` anew at d, geometry included
 /// \param[in,out] d   where to start; then the last displacements. Blocks move as by StepSystem::move
 /// \param[out] states of the springs, see spring_state.hpp
 InteriorReport find_states_from_inside(StepSystem& system, const std::vector<Contact>& contacts,
-                                       const std::vector<RelaxedLaw>& laws, const std::function<void()>& look,
+                                       const std::vector<SweptLaw>& laws, const std::function<void()>& look,
                                        std::vector<ContactTerm>& terms, VectorXd& d,
                                        std::vector<unsigned char>& states);
 

@@ -2,6 +2,7 @@
 
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/solver/anderson.hpp>
+#include <ddacontact/solver/contact_sweeps.hpp>
 #include <ddacontact/solver/interior_point.hpp>
 #include <ddacontact/solver/spring_state.hpp>
 
@@ -31,7 +32,7 @@ constexpr double negligible_force = 1e-9;
 struct Patience {
   int changes, losses;
 };
-constexpr Patience at_first{12, 2}, before_relaxation{25, 1}, near_solution{25, 4};
+constexpr Patience at_first{12, 2}, near_solution{25, 4};
 /// A step is violent when after the first change of states more than this part of the contacts, and more than
 /// a few, are in a state that is not theirs, or when so much of the forces on a block is left with more than
 /// a few: stage 0 then leads nowhere.
@@ -39,21 +40,18 @@ constexpr double violent_part = 0.08, violent_residual = 0.5;
 constexpr int few_contacts = 100;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
-/// Solutions for the same states before these are looked at again, and how far the residual has to fall then;
-/// where steps are local, states that are wrong are so whatever is left of it.
+/// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
 constexpr int most_solutions_of_states = 6;
-constexpr double sufficient_decrease = 1e-2, sufficient_local_decrease = 0.5;
+constexpr double sufficient_decrease = 1e-2;
 /// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
 /// that have turned since leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
-/// Relaxation is begun so often in a step.
-constexpr int most_relaxations = 6;
+/// Sweeps on the same geometry, and how often that is looked at again.
+constexpr int most_sweeps = 1000, most_rounds = 12;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
 constexpr double aim_of_floor = 0.05;
-/// Nothing is solved to less than this part of that.
-constexpr double aim_of_solution = 0.01;
 /// What a contact brings along and what it learns by augmentation.
 struct Multiplier {
   double normal = 0, shear = 0;
@@ -77,7 +75,7 @@ class Staged {
         off_(contacts.size()),
         multipliers_(contacts.size()),
         states_(contacts.size()),
-        tangent_(system.problem(), options.skip, options.local),
+        tangent_(system.problem(), options.skip),
         acceleration_(anderson_depth) {}
 
   StagedReport solve() {
@@ -86,9 +84,15 @@ class Staged {
       start(contacts_[c], multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     });
+    if (options_.local && options_.skip.cg) {
+      look_at_contacts();
+      if (settle_by_sweeps()) return settle();
+      if (report_.sweeps > 0) ++report_.tangent.fallbacks;
+      for (std::size_t c = 0; c < contacts_.size(); ++c)
+        states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
+    }
     look();
     system_.problem().contacts_changed();
-    if (options_.local) relax();
     while (true) {
       if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
         return end(StagedStatus::not_finite);
@@ -294,51 +298,92 @@ class Staged {
     if (states_ != at_d_) take_law(options_.residual_tolerance);
   }
 
-  std::vector<RelaxedLaw> laws() const {
-    std::vector<RelaxedLaw> laws(contacts_.size());
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      laws[c] = {&contacts_[c].law, multipliers_[c].shear, multipliers_[c].sliding, multipliers_[c].bonded};
+  std::vector<SweptLaw> laws() const {
+    std::vector<SweptLaw> laws(contacts_.size());
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const Multiplier& m = multipliers_[c];
+      const VertexEdge& pair = contacts_[c].pair;
+      laws[c] = {&contacts_[c].law, m.shear, m.sliding, m.bonded,
+                 std::min(system_.sum_of_forces(pair.vertex_block), system_.sum_of_forces(pair.edge_block))};
+    }
     return laws;
   }
 
-  /// Moves d and the states to where relaxation of the forces of the step before finds them.
-  /// False: it does not serve these blocks.
-  bool relax() {
-    system_.linearize(d_);
-    const BlockGroups* const groups = tangent_.groups(terms_);
-    if (!groups) return false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      forces_[c] = n_relaxations_ > 0 ? law_force(c)
-                   : options_.again   ? ContactForce{contacts_[c].normal, contacts_[c].shear}
-                                      : ContactForce{multipliers_[c].normal, multipliers_[c].shear};
-    ++n_relaxations_;
-    system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
-    VectorXd d = d_;
-    const int sweeps =
-        relaxation_.relax(system_.problem(), *groups, terms_, laws(), report_.residual.force, d, forces_);
-    if (sweeps < 0) return false;
-    report_.sweeps += sweeps;
-    system_.move(d - d_, d_);
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
-    best_ = infinity;
-    since_best_ = 0;
-    look();
+  /// Sweeps over the contacts from the forces of the step before until they change no force any more, on the
+  /// geometry to which that leads. False: they do not serve these blocks, or do not come to rest.
+  bool settle_by_sweeps() {
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const Contact& contact = contacts_[c];
+      if (options_.again)
+        forces_[c] = {contact.normal, contact.shear};
+      else if (contact.closed())
+        forces_[c] = {contact.history.normal, contact.history.shear};
+    }
+    const double tolerance = options_.sweep_tolerance;
+    for (int round = 0; round < most_rounds; ++round) {
+      system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
+      if (round == 0 || !options_.keeps_gradients()) {
+        if (round > 0) system_.linearize(d_);
+        if (!sweeps_.set(system_.problem(), terms_)) return false;
+      }
+      VectorXd d = d_;
+      const std::vector<SweptLaw> laws = this->laws();
+      const ContactSweeps::Report swept =
+          sweeps_.sweep(terms_, laws, report_.residual.force, tolerance, most_sweeps, d, forces_);
+      report_.sweeps += swept.sweeps;
+      if (!(swept.change <= tolerance)) return false;
+      const VectorXd change = d - d_;
+      system_.move(change, d_);
+      const bool is_straight = options_.keeps_gradients() && stays_straight(change, laws, tolerance);
+      if (!is_straight) look_at_contacts();
+      if (!is_straight && (round == 0 || swept.sweeps > 1)) continue;
+      for (std::size_t c = 0; c < contacts_.size(); ++c) {
+        springs_[c] = springs_at(terms_[c], d_);
+        at_d_[c] = states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
+      }
+      if (is_close()) {
+        system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
+        return report_.residual.own <= tolerance;
+      }
+      raise_multipliers();
+      look_at_contacts();
+    }
+    return false;
+  }
+
+  /// Whether gaps follow their gradients on this way as far as forces can tell: what turns by it bends the
+  /// way of a point by no more than the square of the way over the block's size.
+  bool stays_straight(const VectorXd& change, const std::vector<SweptLaw>& laws, double tolerance) const {
+    std::vector<double> bends(static_cast<std::size_t>(system_.n_blocks()));
+    for (int b = 0; b < system_.n_blocks(); ++b) {
+      const double way = system_.largest_motion(b, change);
+      bends[static_cast<std::size_t>(b)] = way * way / system_.size_of(b);
+    }
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const VertexEdge& pair = contacts_[c].pair;
+      const double bend = bends[static_cast<std::size_t>(pair.vertex_block)] +
+                          bends[static_cast<std::size_t>(pair.edge_block)];
+      if (terms_[c].normal_stiffness * bend > tolerance * laws[c].scale) return false;
+    }
     return true;
+  }
+
+  void look_at_contacts() {
+    displaced_ = system_.displacement(d_);
+    for_contacts(contacts_.size(), [&](std::size_t c) { look_at(contacts_[c], multipliers_[c], terms_[c]); });
   }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
-    const double sufficient = options_.local ? sufficient_local_decrease : sufficient_decrease;
-    const bool solved = report_.residual.own <= sufficient * first_of_states_ || is_balanced() ||
+    const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
                         solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
       const int disagreeing = count_disagreeing();
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      const Patience& most = inside_ ? near_solution : options_.local ? before_relaxation : at_first;
+      const Patience& most = inside_ ? near_solution : at_first;
       const bool violent =
-          !options_.local && !inside_ && disagreeing > few_contacts &&
+          !inside_ && disagreeing > few_contacts &&
           (report_.residual.own > violent_residual ||
            (changes_ == 1 && disagreeing > violent_part * static_cast<double>(terms_.size())));
       if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
@@ -356,8 +401,7 @@ class Staged {
     last_own_ = report_.residual.own;
     std::vector<unsigned char> active(states_.size());
     for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
-    const double enough = aim_of_solution * aim_of_floor / report_.residual.over_floor;
-    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, enough, correction_))
+    if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
       return leave_states();
     VectorXd next = d_;
     if (solutions_of_states_ >= first_accelerated)
@@ -374,13 +418,7 @@ class Staged {
 
   /// Goes on from what relaxation finds from here, where that serves; else from what is found from inside,
   /// once. False: there is nothing left to try.
-  bool leave_states() {
-    if (options_.local && n_relaxations_ < most_relaxations && relax()) {
-      begin_states();
-      return true;
-    }
-    return !inside_ && options_.inside && find_from_inside();
-  }
+  bool leave_states() { return !inside_ && options_.inside && find_from_inside(); }
 
   void begin_states() {
     changes_ = solutions_of_states_ = lost_ = 0;
@@ -400,6 +438,7 @@ class Staged {
     const InteriorReport found =
         find_states_from_inside(system_, contacts_, laws(), look_at_contacts, terms_, d_, states_);
     report_.iterations += found.solutions;
+    report_.interior_solutions += found.solutions;
     report_.tangent.fallbacks += found.fallbacks;
     begin_states();
     best_ = infinity;
@@ -437,7 +476,7 @@ class Staged {
   /// Whether a bond bears its strength and gives way.
   bool yields(std::size_t c) const {
     if (!multipliers_[c].bonded) return false;
-    const bool opens = !springs_[c].normal.acts() && terms_[c].gap(d_) > contacts_[c].length_tolerance();
+    const bool opens = !(at_d_[c] & pressed) && terms_[c].gap(d_) > contacts_[c].length_tolerance();
     return opens || is_sliding(c);
   }
 
@@ -482,6 +521,11 @@ class Staged {
   }
 
   void augment() {
+    raise_multipliers();
+    restart();
+  }
+
+  void raise_multipliers() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Multiplier& multiplier = multipliers_[c];
       multiplier.normal = elastic_normal(c);
@@ -489,7 +533,6 @@ class Staged {
       multiplier.sliding = is_sliding(c);
     }
     ++report_.augmentations;
-    restart();
   }
 
   /// N without the dashpot's part.
@@ -502,9 +545,7 @@ class Staged {
   /// Without its offset.
   double gap_at_d(std::size_t c) const { return multipliers_[c].gap + terms_[c].gap.change(d_); }
 
-  bool is_sliding(std::size_t c) const {
-    return terms_[c].sheared && terms_[c].bound > 0 && !springs_[c].tangential.acts();
-  }
+  bool is_sliding(std::size_t c) const { return at_d_[c] & (at_upper | at_lower); }
 
   StagedReport settle() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -577,11 +618,10 @@ class Staged {
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
-  int n_relaxations_ = 0;
   bool inside_ = false;  ///< the states were found from inside
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
-  ContactRelaxation relaxation_;
+  ContactSweeps sweeps_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 };

@@ -17,7 +17,10 @@ struct StagedOptions {
   /// of closed contacts are taken back whole.
   bool is_static = false;
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
-  bool again = false;  ///< d and the contacts' forces are those of a solution nearby; local steps start there
+  double sweep_tolerance = 1e-8;  ///< of sweeps: see ContactSweeps
+  bool again = false;  ///< d and the contacts' forces are those of a solution nearby; sweeps start there
+  /// Contact forces act along directions that the step does not change.
+  bool keeps_gradients() const { return directions == Directions::of_start; }
   int max_solutions = 600;
   bool inside = true;  ///< false: stage 0 alone
   int max_augmentations = 10;
@@ -38,8 +41,9 @@ struct StagedReport {
   StagedStatus status = StagedStatus::unsettled;
   int iterations = 0;  ///< solutions of (13)
   int augmentations = 0;
-  int sweeps = 0;          ///< of relaxation
-  int interior_paths = 0;  ///< searches for the states from inside the contacts' laws
+  int sweeps = 0;              ///< over the contacts
+  int interior_paths = 0;      ///< searches for the states from inside the contacts' laws
+  int interior_solutions = 0;  ///< of `iterations`, those of these
   TangentCounts tangent;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none
@@ -56,9 +60,9 @@ struct StagedReport {
 /// it never bore more than its strength; or within, and the step is solved again, where there is no time
 /// between one bond and the next (static steps).
 ///
-/// Where steps are local, contacts are first relaxed one after the other (ContactRelaxation), which finds
-/// most of their states. Stage 0 follows the active set, as open-close does. When that goes round in circles,
-/// stage 1 finds the states from inside the contacts' laws (find_states_from_inside), and stage 0 goes on.
+/// Where steps are local, sweeps over the contacts find their forces (ContactSweeps). Where they do not
+/// serve, stage 0 follows the active set, as open-close does. When that goes round in circles, stage 1 finds
+/// the states from inside the contacts' laws (find_states_from_inside), and stage 0 goes on.
 StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
                           VectorXd& d);
 

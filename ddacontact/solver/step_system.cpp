@@ -129,7 +129,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
 
   find_own_forces(d);
   residual.force = -residual.external;
-  sums_.resize(active_.size());
+  sums_.assign(static_cast<std::size_t>(blocks_.n_blocks()), {0, std::numeric_limits<double>::infinity(), 0});
   for_blocks(static_cast<int>(active_.size()), [&](int a) {
     const int b = active_[a];
     const Block& block = blocks_.block(b);
@@ -151,12 +151,12 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
       const double size = std::abs(r[k]) / lengths[k];
       if (!(size <= largest)) largest = size;  // lets a NaN through
     }
-    sums_[a] = {largest, sum, floor};
+    sums_[b] = {largest, sum, floor};
   });
   residual.worst_block = -1;
   residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
   for (std::size_t a = 0; a < active_.size(); ++a) {
-    const auto [largest, sum, floor] = sums_[a];
+    const auto [largest, sum, floor] = sums_[active_[a]];
     residual.scale = std::max(residual.scale, sum);
     residual.floor = std::max(residual.floor, floor);
     if (!(largest <= residual.largest)) residual.largest = largest;

@@ -45,6 +45,9 @@ class StepSystem {
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                         const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
                         Residual& residual) const;
+  /// The sum of the magnitudes of the forces on a block when the residual was computed last, N per m;
+  /// infinity where it does not change.
+  double sum_of_forces(int block) const { return sums_[static_cast<std::size_t>(block)].sum; }
   /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where
   /// they should be.
   VectorXd displacement(VectorXd& d) const;
@@ -63,6 +66,7 @@ class StepSystem {
   int n_blocks() const { return blocks_.n_blocks(); }
   /// How far d moves the block at most, m.
   double largest_motion(int block, const VectorXd& d) const;
+  double size_of(int block) const { return blocks_.block(block).size(); }
   int n_vertices(int block) const { return blocks_.block(block).n_vertices(); }
   /// The stiffness of a vertex against displacements along a unit normal, with the inertia of the step: how
   /// much force moves it while the rest of its block is held; infinity when it is held itself.
@@ -106,7 +110,7 @@ class StepSystem {
     double largest, sum, floor;
   };
   mutable BlockForces forces_;
-  mutable std::vector<Sums> sums_;  ///< of the active blocks
+  mutable std::vector<Sums> sums_;  ///< of all blocks
   /// Of the active blocks: the sum of the magnitudes of all forces but those of contacts and holding springs,
   /// and the furthest that an unknown moves.
   struct OwnSums {

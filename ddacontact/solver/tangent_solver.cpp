@@ -4,7 +4,6 @@
 #include <ddacontact/solver/tangent_operator.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace ddacontact {
 
@@ -12,21 +11,14 @@ namespace {
 
 /// Of |b|: Newton's method repairs what is left.
 constexpr double tolerance = 1e-4;
-constexpr int most_iterations = 60, most_stale_iterations = 12;
-/// Of so few equations a factor is cheaper than so many iterations.
-constexpr int few_equations = 2000, many_iterations = 8;
+constexpr int most_stale_iterations = 12;
 /// A factor serves as preconditioner as long as no more than this part of the springs has changed.
 constexpr double most_changed = 0.02;
 
 }  // namespace
 
-TangentSolver::TangentSolver(FrictionProblem& problem, const Skips& skip, bool local)
-    : problem_(problem), stale_(skip.stale_factor), local_(skip.cg && local) {}
-
 bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
-                          const std::vector<Coupling>& couplings, const VectorXd& b, double enough,
-                          VectorXd& x) {
-  if (local_ && solve_without_factor(terms, active, couplings, b, enough, x)) return true;
+                          const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
   if (stale_ && has_factor_ && solve_with_stale_factor(terms, active, couplings, b, x)) return true;
   has_factor_ = false;
   if (!problem_.factorize(terms, active)) return false;
@@ -35,39 +27,6 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   const auto solution = [&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); };
   if (!solve_coupled(solution, solution, couplings, b, tolerance, x)) ++counts_.fallbacks;
   return true;
-}
-
-const BlockGroups* TangentSolver::groups(const std::vector<ContactTerm>& terms) {
-  if (groups_.n_blocks() == 0 && !groups_.set(problem_, terms)) return nullptr;
-  return &groups_;
-}
-
-bool TangentSolver::solve_without_factor(const std::vector<ContactTerm>& terms,
-                                         const std::vector<unsigned char>& active,
-                                         const std::vector<Coupling>& couplings, const VectorXd& b,
-                                         double enough, VectorXd& x) {
-  if (!groups(terms)) return local_ = false;
-  if (!sweeps_.set(problem_, groups_, terms, active, couplings)) return local_ = false;
-  using Vector = TangentSweeps::Vector;
-  VectorXd packed;
-  groups_.pack(b, packed);
-  const double scale = std::max(packed.lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
-  const Vector right = (packed / scale).cast<float>();
-  Vector solution;
-  const KrylovReport report =
-      bicgstab([&](const Vector& in, Vector& out, Vector& product) { sweeps_.apply(in, out, product); },
-               right, std::max(tolerance, enough), most_iterations, solution);
-  packed = scale * solution.cast<double>();
-  groups_.unpack(packed, x);
-  counts_.iterations += report.iterations;
-  if (report.converged) {
-    ++counts_.without_factor;
-    local_ = problem_.n_equations() > few_equations || report.iterations <= many_iterations;
-  } else {
-    ++counts_.fallbacks;
-    local_ = false;
-  }
-  return report.converged;
 }
 
 bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& terms,

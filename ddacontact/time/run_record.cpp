@@ -52,7 +52,7 @@ void visit_counts(Archive& visit, Counts& c) {
                       &c.asleep,
                       &c.equations,
                       &c.sweeps,
-                      &c.solutions_without_factor,
+                      &c.interior_solutions,
                       &c.solutions_with_stale_factor,
                       &c.krylov_iterations,
                       &c.solver_fallbacks,
@@ -62,6 +62,7 @@ void visit_counts(Archive& visit, Counts& c) {
     visit(*count);
   visit(c.max_penetration);
   visit(c.max_residual);
+  visit(c.largest_tolerance);
 }
 
 template <class Archive, class SomeEquilibrium>

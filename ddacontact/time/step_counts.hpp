@@ -16,10 +16,11 @@ struct StepCounts {
   long linear_solves = 0, factorizations = 0;
   long interior_paths = 0;  ///< searches for contact states from inside the laws, see find_states_from_inside
   long augmentations = 0;
-  long sweeps = 0;  ///< of relaxation, see ContactRelaxation
-  long solutions_without_factor = 0, solutions_with_stale_factor = 0;  ///< see TangentSolver
-  long krylov_iterations = 0;                                          ///< in both
-  long solver_fallbacks = 0;  ///< of both and of factors: iterations did not converge
+  long sweeps = 0;                                              ///< over the contacts, see ContactSweeps
+  long solutions_with_stale_factor = 0, krylov_iterations = 0;  ///< see TangentSolver
+  long interior_solutions = 0;                                  ///< of open_close_iterations, those of paths
+  long solver_fallbacks = 0;     ///< sweeps, stale factors and friction by factors that did not converge
+  double largest_tolerance = 0;  ///< that contacts were solved to in any accepted substep
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose

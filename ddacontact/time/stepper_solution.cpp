@@ -181,7 +181,7 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   counts_.interior_paths += report.interior_paths;
   counts_.augmentations += report.augmentations;
   counts_.sweeps += report.sweeps;
-  counts_.solutions_without_factor += report.tangent.without_factor;
+  counts_.interior_solutions += report.interior_solutions;
   counts_.solutions_with_stale_factor += report.tangent.with_stale_factor;
   counts_.krylov_iterations += report.tangent.iterations;
   counts_.solver_fallbacks += report.tangent.fallbacks;

@@ -184,5 +184,5 @@ TEST_P(SkipWithinTolerance, ARunOfAWall) {
 INSTANTIATE_TEST_SUITE_P(OfTheEquations, SkipWithinTolerance,
                          testing::Values(Case{&Skips::stale_factor, &StepCounts::solutions_with_stale_factor,
                                               1, "StaleFactor"},
-                                         Case{&Skips::cg, &StepCounts::solutions_without_factor, 1e-5, "Cg"}),
+                                         Case{&Skips::cg, &StepCounts::sweeps, 1e-5, "Cg"}),
                          [](const auto& of) { return of.param.name; });

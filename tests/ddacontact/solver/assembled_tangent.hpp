@@ -1,7 +1,6 @@
 /// \file The matrix of a tangent, summed up term by term.
 #pragma once
 
-#include <ddacontact/solver/block_groups.hpp>
 #include <tests/ddacontact/solver/random_blocks.hpp>
 
 #include <Eigen/SparseCore>

@@ -29,7 +29,7 @@ struct Found {
   BuiltScene built;
   StepSystem system;
   std::vector<Contact> contacts;
-  std::vector<RelaxedLaw> laws;
+  std::vector<SweptLaw> laws;
   std::vector<ContactTerm> terms;
   std::vector<unsigned char> states;
   VectorXd d;

@@ -1,4 +1,4 @@
-#include <ddacontact/solver/relaxation.hpp>
+#include <ddacontact/solver/contact_sweeps.hpp>
 #include <polyfem/core/parallel.hpp>
 #include <tests/ddacontact/solver/random_blocks.hpp>
 
@@ -13,19 +13,19 @@ using Normal = ContactTerm::Normal;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double tight = 1e-12;
 
 /// Contacts of all kinds that begin with any forces, and loads.
-struct Relaxed {
+struct Swept {
   RandomBlocks blocks;
   FrictionProblem problem;
-  BlockGroups groups;
-  ContactRelaxation relaxation;
+  ContactSweeps sweeps;
   std::vector<JointLaw> joints;
-  std::vector<RelaxedLaw> laws;
+  std::vector<SweptLaw> laws;
   std::vector<ContactForce> forces;
   VectorXd load, d;
 
-  Relaxed(unsigned seed, int n_blocks, int n_contacts)
+  Swept(unsigned seed, int n_blocks, int n_contacts)
       : blocks(seed, n_blocks, n_contacts),
         problem(blocks.problem()),
         joints(blocks.contacts.size()),
@@ -45,7 +45,6 @@ struct Relaxed {
       forces[c].normal = blocks.uniform(0, 3);
       if (term.sheared) forces[c].shear = blocks.uniform(-0.9, 0.9);
     }
-    EXPECT_TRUE(groups.set(problem, blocks.contacts));
   }
 
   /// What is left of the forces on the blocks, those of contacts not clipped.
@@ -59,8 +58,15 @@ struct Relaxed {
     }
     return problem.free_part(r);
   }
-  int relax() { return relaxation.relax(problem, groups, blocks.contacts, laws, residual(), d, forces); }
+  ContactSweeps::Report sweep(double tolerance, int most) {
+    EXPECT_TRUE(sweeps.set(problem, blocks.contacts));
+    return sweeps.sweep(blocks.contacts, laws, residual(), tolerance, most, d, forces);
+  }
   bool is_bonded(std::size_t c) const { return blocks.contacts[c].bound == infinity; }
+  bool moves(std::size_t c) const {
+    const auto u = blocks.contacts[c].gap.unknowns();
+    return std::any_of(u.begin(), u.end(), [&](int k) { return !blocks.is_held(k); });
+  }
   /// What the law demands at d.
   ContactForce law_at_d(std::size_t c) const {
     const ContactTerm& term = blocks.contacts[c];
@@ -99,97 +105,103 @@ struct OnFloor {
     term.tangential_stiffness = p_t;
     term.bound = cohesive_bound;
     joint.friction = friction;
-    BlockGroups groups;
-    EXPECT_TRUE(groups.set(problem, {term}));
-    ContactRelaxation relaxation;
-    EXPECT_GT(relaxation.relax(problem, groups, {term}, {{&joint, 0, false}}, -load, d, forces), 0);
+    ContactSweeps sweeps;
+    EXPECT_TRUE(sweeps.set(problem, {term}));
+    EXPECT_LE(sweeps.sweep({term}, {{&joint}}, -load, tight, 50, d, forces).change, tight);
   }
 };
 
 }  // namespace
 
-TEST(ContactRelaxation, ABlockOnAFloorSticksSlidesOrLiftsOffAsTheLawSays) {
+TEST(ContactSweeps, ABlockOnAFloorSticksSlidesOrLiftsOffAsTheLawSays) {
   const double softer = OnFloor::inertia + OnFloor::p, softer_t = OnFloor::inertia + OnFloor::p_t;
   for (double push : {-40., -5., 0., 3., 60.})
     for (double weight : {-7., 1., 20.}) {
       const OnFloor block({push, -weight});
       const double N = std::max(0.0, OnFloor::p * weight / softer), bound = OnFloor::friction * N,
                    T = std::clamp(-OnFloor::p_t * push / softer_t, -bound, bound);
-      EXPECT_NEAR(block.forces[0].normal, N, 1e-12);
-      EXPECT_NEAR(block.forces[0].shear, T, 1e-12);
-      EXPECT_NEAR(block.d[0], (push + T) / OnFloor::inertia, 1e-14);
-      EXPECT_NEAR(block.d[1], (N - weight) / OnFloor::inertia, 1e-14);
+      EXPECT_NEAR(block.forces[0].normal, N, 1e-11);
+      EXPECT_NEAR(block.forces[0].shear, T, 1e-11);
+      EXPECT_NEAR(block.d[0], (push + T) / OnFloor::inertia, 1e-13);
+      EXPECT_NEAR(block.d[1], (N - weight) / OnFloor::inertia, 1e-13);
     }
 }
 
 /// A bond of cohesion alone, which nothing keeps from opening.
-TEST(ContactRelaxation, ABondBearsShearWhereNothingPressesIt) {
+TEST(ContactSweeps, ABondBearsShearWhereNothingPressesIt) {
   for (double weight : {-7., 20.}) {
     const OnFloor block({60, -weight}, infinity);
     EXPECT_NEAR(block.forces[0].normal, std::max(0.0, OnFloor::p * weight / (OnFloor::inertia + OnFloor::p)),
-                1e-12);
-    EXPECT_NEAR(block.forces[0].shear, -OnFloor::p_t * 60 / (OnFloor::inertia + OnFloor::p_t), 1e-12);
+                1e-11);
+    EXPECT_NEAR(block.forces[0].shear, -OnFloor::p_t * 60 / (OnFloor::inertia + OnFloor::p_t), 1e-11);
   }
 }
 
-TEST(ContactRelaxation, DisplacementsBalanceForcesThatFrictionBears) {
+TEST(ContactSweeps, DisplacementsBalanceForcesThatFrictionBearsAfterAnyNumberOfSweeps) {
   for (unsigned seed = 0; seed < 60; ++seed) {
-    Relaxed r(seed, 2 + static_cast<int>(seed) / 2, 2 * static_cast<int>(seed));
-    const VectorXd before = r.d;
-    EXPECT_GT(r.relax(), 0);
-    EXPECT_LE(r.residual().norm(), 1e-12 * r.load.norm()) << seed;
-    for (int u = 0; u < r.blocks.n_unknowns(); ++u) EXPECT_TRUE(r.d[u] == before[u] || !r.blocks.is_held(u));
-    for (std::size_t c = 0; c < r.forces.size(); ++c) {
-      const auto [normal, shear] = r.forces[c];
-      const bool is_free = r.groups.place(r.blocks.contacts[c].gap.unknowns()[0]) >= 0;
-      if (!is_free || r.blocks.contacts[c].normal == Normal::bilateral) continue;
-      EXPECT_GE(normal, 0);
-      EXPECT_TRUE(r.is_bonded(c) || std::abs(shear) <= r.joints[c].friction * normal * (1 + 1e-14))
-          << seed << " contact " << c;
+    Swept s(seed, 2 + static_cast<int>(seed) / 2, 2 * static_cast<int>(seed));
+    const VectorXd before = s.d;
+    s.sweep(0, 1 + 2 * static_cast<int>(seed % 5));
+    EXPECT_LE(s.residual().norm(), 1e-11 * s.load.norm()) << seed;
+    for (int u = 0; u < s.blocks.n_unknowns(); ++u) EXPECT_TRUE(s.d[u] == before[u] || !s.blocks.is_held(u));
+  }
+}
+
+TEST(ContactSweeps, FindTheForcesOfTheLaw) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    Swept s(seed, 2 + static_cast<int>(seed) / 2, 2 * static_cast<int>(seed));
+    const ContactSweeps::Report report = s.sweep(tight, 2000);
+    EXPECT_LE(report.change, tight) << seed;
+    for (std::size_t c = 0; c < s.forces.size(); ++c) {
+      if (!s.moves(c)) continue;
+      const ContactForce law = s.law_at_d(c);
+      EXPECT_NEAR(s.forces[c].normal, law.normal, 1e-8) << seed << " contact " << c;
+      EXPECT_NEAR(s.forces[c].shear, law.shear, 1e-8) << seed << " contact " << c;
     }
   }
 }
 
-TEST(ContactRelaxation, RepeatedItFindsTheForcesOfTheLaw) {
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    Relaxed r(seed, 2 + static_cast<int>(seed) / 2, static_cast<int>(seed));
-    for (int times = 0; times < 40; ++times) r.relax();
-    for (std::size_t c = 0; c < r.forces.size(); ++c) {
-      bool moves = false;
-      for (int u : r.blocks.contacts[c].gap.unknowns()) moves = moves || !r.blocks.is_held(u);
-      if (!moves) continue;
-      const ContactForce law = r.law_at_d(c);
-      EXPECT_NEAR(r.forces[c].normal, law.normal, 1e-3) << seed << " contact " << c;
-      EXPECT_NEAR(r.forces[c].shear, law.shear, 1e-3) << seed << " contact " << c;
-    }
-  }
+/// From the solution one sweep is enough; and in the next step, whose load differs a little, few are.
+TEST(ContactSweeps, BeginWithTheForcesThatTheyAreGiven) {
+  Swept s(7, 20, 40);
+  const int cold = s.sweep(1e-8, 2000).sweeps;
+  EXPECT_EQ(s.sweep(1e-7, 2000).sweeps, 1);
+  s.load *= 1 + 1e-6;
+  const int warm = s.sweep(1e-8, 2000).sweeps;
+  EXPECT_LT(warm, cold);
 }
 
-TEST(ContactRelaxation, GivesTheSameBytesForAnyNumberOfThreads) {
+TEST(ContactSweeps, GiveTheSameBytesForAnyNumberOfThreads) {
   std::vector<VectorXd> found;
-  for (int threads : {1, 2, 3}) {
+  for (int threads : {1, 2, 4}) {
     polyfem::set_threads(threads);
-    Relaxed r(1, 2 * BlockGroups::group_size + 900, 40000);
-    ASSERT_EQ(r.groups.n_groups(), 3);
-    const std::vector<ContactForce> before = r.forces;
-    EXPECT_GT(r.relax(), 0);
-    for (int k = 0; k < r.groups.n_neighbours(); ++k) {
-      const auto c = static_cast<std::size_t>(r.groups.neighbour(k).contact);
-      if (r.blocks.contacts[c].normal == Normal::absent) continue;
-      EXPECT_NE(r.forces[c].normal, before[c].normal) << "also of contacts between groups";
-    }
-    EXPECT_LE(r.residual().norm(), 1e-12 * r.load.norm());
-    found.push_back(r.d);
+    Swept s(1, 2 * ContactSweeps::group_size + 900, 40000);
+    const std::vector<ContactForce> before = s.forces;
+    s.sweep(0, 7);
+    ASSERT_EQ(s.sweeps.n_groups(), 3);
+    for (std::size_t c = 0; c < s.forces.size(); ++c)
+      EXPECT_TRUE(!s.moves(c) || s.blocks.contacts[c].normal == Normal::absent ||
+                  s.forces[c].normal != before[c].normal)
+          << "also of contacts between groups";
+    found.push_back(s.d);
   }
   polyfem::set_threads(1);
   EXPECT_EQ(found[1], found[0]);
   EXPECT_EQ(found[2], found[0]);
 }
 
-TEST(ContactRelaxation, RefusesABlockWithoutInverse) {
-  Relaxed r(3, 6, 4);
-  for (MatrixXd& matrix : r.problem.elements()) matrix.setZero();
-  const VectorXd before = r.d;
-  EXPECT_EQ(r.relax(), -1);
-  EXPECT_EQ(r.d, before);
+TEST(ContactSweeps, RefuseABlockWithoutInverseOrTooLargeOrOdd) {
+  Swept s(3, 6, 4);
+  for (MatrixXd& matrix : s.problem.elements()) matrix.setZero();
+  EXPECT_FALSE(s.sweeps.set(s.problem, s.blocks.contacts));
+  for (int n : {3, ContactSweeps::largest_block, ContactSweeps::largest_block + 2}) {
+    std::vector<int> unknowns(static_cast<std::size_t>(n));
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    FrictionProblem problem(unknowns, n);
+    polyfem::Connectivity rows;
+    rows.append(unknowns);
+    problem.set_matrices(rows);
+    problem.elements()[0] = MatrixXd::Identity(n, n);
+    EXPECT_EQ(s.sweeps.set(problem, {}), n == ContactSweeps::largest_block) << n;
+  }
 }

@@ -1,0 +1,374 @@
+#include <ddacontact/solver/contact_sweeps.hpp>
+
+#include <polyfem/core/parallel.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Index grain = 256;
+
+/// The n x n matrix of these values becomes its inverse, by elimination in place without exchanging rows: the
+/// matrices are positive definite. False: it has none that is finite.
+template <int N>
+bool invert(double* values, Index n) {
+  Eigen::Map<Eigen::Matrix<double, N, N>> A(values, n, n);
+  using Column =
+      Eigen::Matrix<double, N, 1, Eigen::ColMajor, N == Eigen::Dynamic ? ContactSweeps::largest_block : N, 1>;
+  for (Index p = 0; p < n; ++p) {
+    const double inverse = 1 / A(p, p);
+    if (!std::isfinite(inverse)) return false;
+    Column column = A.col(p);
+    column[p] = 0;
+    for (Index k = 0; k < n; ++k) {
+      if (k == p) continue;
+      const double factor = A(p, k) * inverse;
+      A.col(k) -= factor * column;
+      A(p, k) = factor;
+    }
+    A.col(p) = -inverse * column;
+    A(p, p) = inverse;
+  }
+  return true;
+}
+
+double bound_under(const SweptLaw& law, double normal) {
+  if (law.joint->friction_law) return shear_bound(*law.joint, normal, law.bonded);
+  return std::max(0.0, normal) * law.joint->friction + (law.bonded ? law.joint->cohesion : 0);
+}
+
+}  // namespace
+
+bool ContactSweeps::set(FrictionProblem& problem, const std::vector<ContactTerm>& terms) {
+  if (!take_blocks(problem)) return false;
+  take_contacts(terms);
+  return true;
+}
+
+bool ContactSweeps::take_blocks(FrictionProblem& problem) {
+  const std::vector<int>& equation = problem.equation();
+  const polyfem::Connectivity& unknowns = problem.unknowns();
+  place_.assign(equation.size(), -1);
+  unknown_.clear();
+  block_of_.clear();
+  blocks_.clear();
+  std::size_t n_values = 0;
+  for (int e = 0; e < unknowns.n_elements(); ++e) {
+    const std::span<const int> of_block = unknowns.rows_of(e);
+    const auto n = static_cast<int>(of_block.size());
+    const auto is_held = [&](int u) { return equation[static_cast<std::size_t>(u)] < 0; };
+    if (std::ranges::all_of(of_block, is_held)) continue;
+    if (n > largest_block || n % 2 != 0) return false;
+    for (int u : of_block) {
+      if (place_[static_cast<std::size_t>(u)] >= 0) return false;
+      if (!is_held(u)) place_[static_cast<std::size_t>(u)] = static_cast<int>(unknown_.size());
+      unknown_.push_back(is_held(u) ? -1 : u);
+      block_of_.push_back(static_cast<int>(blocks_.size()));
+    }
+    blocks_.push_back({e, static_cast<int>(unknown_.size()) - n, n, n_values});
+    n_values += static_cast<std::size_t>(n * n);
+  }
+  inverses_.resize(n_values);
+  std::atomic<bool> finite = true;
+  polyfem::for_ranges(static_cast<Index>(blocks_.size()), grain, [&](Index begin, Index end) {
+    for (Index b = begin; b < end; ++b) {
+      const auto [matrix, first, n, inverse] = blocks_[static_cast<std::size_t>(b)];
+      double* const values = inverses_.data() + inverse;
+      Eigen::Map<MatrixXd> A(values, n, n);
+      A = problem.elements()[static_cast<std::size_t>(matrix)];
+      for (int k = 0; k < n; ++k) {
+        if (unknown_[static_cast<std::size_t>(first + k)] >= 0) continue;
+        A.row(k).setZero();
+        A.col(k).setZero();
+        A(k, k) = 1;
+      }
+      if (!(n == 8 ? invert<8>(values, n) : invert<Eigen::Dynamic>(values, n))) finite = false;
+    }
+  });
+  return finite;
+}
+
+void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
+  rows_.clear();
+  rows_.reserve(terms.size());
+  int n_entries = 0;
+  std::vector<std::array<int, 2>> blocks_of_rows;  // the earlier one first, then -1 where the other is held
+  blocks_of_rows.reserve(terms.size());
+  for (std::size_t c = 0; c < terms.size(); ++c) {
+    Row row{static_cast<int>(c), n_entries};
+    std::array<int, AffineForm::capacity> seen;
+    std::array<int, 2> blocks{-1, -1};
+    for (int u : terms[c].gap.unknowns()) {
+      const int place = place_[static_cast<std::size_t>(u)];
+      if (place < 0) continue;
+      const int first = place & ~1, block = block_of_[static_cast<std::size_t>(place)];
+      const auto end = seen.begin() + row.n_entries;
+      if (std::find(seen.begin(), end, first) != end) continue;
+      seen[static_cast<std::size_t>(row.n_entries++)] = first;
+      if (block != blocks[0]) (blocks[0] < 0 ? blocks[0] : blocks[1]) = block;
+    }
+    if (row.n_entries == 0) continue;
+    n_entries += row.n_entries;
+    if (blocks[1] >= 0 && blocks[1] < blocks[0]) std::swap(blocks[0], blocks[1]);
+    blocks_of_rows.push_back(blocks);
+    rows_.push_back(row);
+  }
+  order_rows(blocks_of_rows);
+  entries_.resize(static_cast<std::size_t>(n_entries));
+  polyfem::for_ranges(static_cast<Index>(rows_.size()), grain, [&](Index begin, Index end) {
+    for (Index r = begin; r < end; ++r) {
+      Row& row = rows_[static_cast<std::size_t>(r)];
+      set_entries(terms[static_cast<std::size_t>(row.contact)], row);
+    }
+  });
+}
+
+/// Groups are as many blocks as follow one another when the contacts are walked along from a first one.
+void ContactSweeps::order_rows(const std::vector<std::array<int, 2>>& blocks_of_rows) {
+  const std::size_t n_blocks = blocks_.size();
+  if (n_blocks <= group_size) {
+    const auto end = static_cast<int>(rows_.size());
+    first_of_group_ = {0, end, end};
+    return;
+  }
+  std::vector<std::vector<int>> neighbours(n_blocks);
+  for (const auto& [a, b] : blocks_of_rows)
+    if (b >= 0) {
+      neighbours[static_cast<std::size_t>(a)].push_back(b);
+      neighbours[static_cast<std::size_t>(b)].push_back(a);
+    }
+  std::vector<int> group(n_blocks, -1), walk;
+  walk.reserve(n_blocks);
+  const auto meet = [&](int block) {
+    int& of_block = group[static_cast<std::size_t>(block)];
+    if (of_block >= 0) return;
+    of_block = static_cast<int>(walk.size()) / group_size;
+    walk.push_back(block);
+  };
+  std::size_t next = 0;
+  for (std::size_t start = 0; start < n_blocks; ++start) {
+    meet(static_cast<int>(start));
+    for (; next < walk.size(); ++next)
+      for (int other : neighbours[static_cast<std::size_t>(walk[next])]) meet(other);
+  }
+  const int n_groups = group[static_cast<std::size_t>(walk.back())] + 1;
+  std::vector<std::array<int, 2>> keys(rows_.size());
+  first_of_group_.assign(static_cast<std::size_t>(n_groups) + 2, 0);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto [a, b] = blocks_of_rows[r];
+    const int of_a = group[static_cast<std::size_t>(a)];
+    const bool within = b < 0 || group[static_cast<std::size_t>(b)] == of_a;
+    keys[r] = {within ? of_a : n_groups, static_cast<int>(r)};
+    ++first_of_group_[static_cast<std::size_t>(keys[r][0]) + 1];
+  }
+  std::partial_sum(first_of_group_.begin(), first_of_group_.end(), first_of_group_.begin());
+  std::ranges::sort(keys);
+  std::vector<Row> ordered;
+  ordered.reserve(rows_.size());
+  for (const auto& [of_group, r] : keys) ordered.push_back(rows_[static_cast<std::size_t>(r)]);
+  rows_ = std::move(ordered);
+}
+
+void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
+  const std::span<const int> u = term.gap.unknowns();
+  const bool sheared = term.slip.unknowns().size() == u.size();
+  Entry* const entries = entries_.data() + row.first_entry;
+  int n = 0;
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const int place = place_[static_cast<std::size_t>(u[k])];
+    if (place < 0) continue;
+    const int first = place & ~1;
+    Entry* entry = std::find_if(entries, entries + n, [&](const Entry& e) { return e.place == first; });
+    if (entry == entries + n) {
+      *entry = {block_of_[static_cast<std::size_t>(place)], first, Vec2::Zero(), Vec2::Zero()};
+      ++n;
+    }
+    entry->gap[place & 1] = term.gap.coefficients()[k];
+    if (sheared) entry->slip[place & 1] = term.slip.coefficients()[k];
+  }
+  row.normal = row.mixed = row.shear = 0;
+  for (const Entry* a = entries; a < entries + n; ++a)
+    for (const Entry* b = entries; b < entries + n; ++b) {
+      if (a->block != b->block) continue;
+      const Block& block = blocks_[static_cast<std::size_t>(a->block)];
+      const Eigen::Map<const MatrixXd> inverse(inverses_.data() + block.inverse, block.n, block.n);
+      const Mat2 answer = inverse.block<2, 2>(a->place - block.first, b->place - block.first);
+      row.normal += a->gap.dot(answer * b->gap);
+      row.mixed += a->gap.dot(answer * b->slip);
+      row.shear += a->slip.dot(answer * b->slip);
+    }
+}
+
+void ContactSweeps::set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row) {
+  row.law = law;
+  row.acts = term.normal != ContactTerm::Normal::absent;
+  row.unilateral = term.normal == ContactTerm::Normal::unilateral;
+  row.slides = !std::isinf(term.bound);
+  row.tension = term.tension;
+  row.sheared = term.sheared && (term.bound > 0 || law.joint->has_friction());
+  row.normal_compliance = 1 / term.normal_stiffness;
+  row.tangential_compliance = 1 / term.tangential_stiffness;
+  row.gap = term.gap(d) - term.normal_multiplier * row.normal_compliance;
+  row.slip = term.sheared ? term.slip(d) : 0;
+}
+
+/// The force that the law demands while those of the other contacts stay.
+/// \param[in] gap, slip  without the contact's own forces
+ContactForce ContactSweeps::solve(const Row& row, double gap, double slip) {
+  const SweptLaw& law = row.law;
+  const double an = row.normal_compliance + row.normal, rn = -gap,
+               least = row.unilateral ? -row.tension : -infinity;
+  const ContactForce pressed{std::max(least, rn / an), 0};
+  if (!row.sheared) return pressed;
+  const auto bound = [&](double normal) { return row.slides ? bound_under(law, normal) : infinity; };
+  const double bound_before = bound(row.force.normal);
+  const double multiplier = law.sliding && row.slides ? std::copysign(bound_before, law.shear)
+                                                      : std::clamp(law.shear, -bound_before, bound_before);
+  const double at = row.tangential_compliance + row.shear, rt = multiplier * row.tangential_compliance - slip,
+               mixed = row.mixed;
+  const double determinant = an * at - mixed * mixed;
+  const ContactForce stuck{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
+  if (stuck.normal > least && std::abs(stuck.shear) <= bound(stuck.normal)) return stuck;
+  // Where friction that sticks would pull the contact open it slides under what presses without it; a bond
+  // that is pulled open bears shear.
+  const double near = stuck.normal > least ? stuck.normal : pressed.normal;
+  if (near <= least || !row.slides) {
+    const double most = bound(least);
+    return {least, std::clamp((rt - mixed * least) / at, -most, most)};
+  }
+  // N with T = +- bound(N), the bound linear from there.
+  const double sense = stuck.shear > 0 ? 1 : -1, most = bound(near),
+               rate = sense * friction_rate(*law.joint, near, law.bonded);
+  const double normal = std::max(least, (rn - mixed * (sense * most - rate * near)) / (an + rate * mixed));
+  return {normal, sense * bound(normal)};
+}
+
+/// The block's displacements by a force along two of its unknowns.
+void ContactSweeps::move(const Entry& entry, const Vec2& force) {
+  const Block& block = blocks_[static_cast<std::size_t>(entry.block)];
+  const double* const columns =
+      inverses_.data() + block.inverse + static_cast<std::size_t>((entry.place - block.first) * block.n);
+  double* const x = change_.data() + block.first;
+  const auto add = [&]<int N>(std::integral_constant<int, N>) {
+    using Column = Eigen::Matrix<double, N, 1>;
+    Eigen::Map<Column>(x, block.n) += force.x() * Eigen::Map<const Column>(columns, block.n) +
+                                      force.y() * Eigen::Map<const Column>(columns + block.n, block.n);
+  };
+  if (block.n == 8)
+    add(std::integral_constant<int, 8>{});
+  else
+    add(std::integral_constant<int, Eigen::Dynamic>{});
+}
+
+/// Gives a contact the force that its law demands. Returns by how much that changed.
+double ContactSweeps::visit(Row& row) {
+  if (!row.acts) return 0;
+  const Entry *const first = entries_.data() + row.first_entry, *const end = first + row.n_entries;
+  double gap = row.gap, slip = row.slip;
+  for (const Entry* entry = first; entry < end; ++entry) {
+    const Eigen::Map<const Vec2> x(change_.data() + entry->place);
+    gap += entry->gap.dot(x);
+    slip += entry->slip.dot(x);
+  }
+  const ContactForce before = row.force;
+  if (row.unilateral && row.slides && !row.law.bonded && before.normal == 0 && before.shear == 0 && gap >= 0)
+    return 0;
+  row.force = solve(row, gap - row.normal * before.normal - row.mixed * before.shear,
+                    slip - row.mixed * before.normal - row.shear * before.shear);
+  const double normal = row.force.normal - before.normal, shear = row.force.shear - before.shear;
+  if (normal == 0 && shear == 0) return 0;
+  for (const Entry* entry = first; entry < end; ++entry)
+    move(*entry, normal * entry->gap + shear * entry->slip);
+  return (std::abs(normal) + std::abs(shear)) / row.law.scale;
+}
+
+/// Returns the largest change.
+double ContactSweeps::visit_all(bool forth) {
+  const auto visit_group = [&](Index group) {
+    const auto g = static_cast<std::size_t>(group);
+    double largest = 0;
+    const int first = first_of_group_[g], end = first_of_group_[g + 1];
+    for (int k = 0; k < end - first; ++k)
+      largest = std::max(largest, visit(rows_[static_cast<std::size_t>(forth ? first + k : end - 1 - k)]));
+    return largest;
+  };
+  VectorXd largest(n_groups() + 1);
+  polyfem::for_ranges(n_groups(), 1, [&](Index begin, Index end) {
+    for (Index g = begin; g < end; ++g) largest[g] = visit_group(g);
+  });
+  largest[n_groups()] = visit_group(n_groups());
+  return largest.maxCoeff();
+}
+
+VectorXd ContactSweeps::forces() const {
+  VectorXd all(2 * static_cast<Index>(rows_.size()));
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    all.segment<2>(2 * static_cast<Index>(r)) << rows_[r].force.normal, rows_[r].force.shear;
+  return all;
+}
+
+ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms,
+                                           const std::vector<SweptLaw>& laws, const VectorXd& residual,
+                                           double tolerance, int most_sweeps, VectorXd& d,
+                                           std::vector<ContactForce>& forces_of_all) {
+  change_.resize(static_cast<Index>(unknown_.size()));
+  polyfem::for_ranges(static_cast<Index>(blocks_.size()), grain, [&](Index begin, Index end) {
+    for (Index b = begin; b < end; ++b) {
+      const auto [matrix, first, n, inverse] = blocks_[static_cast<std::size_t>(b)];
+      auto change = change_.segment(first, n);
+      for (int k = 0; k < n; ++k) {
+        const int u = unknown_[static_cast<std::size_t>(first + k)];
+        change[k] = u < 0 ? 0 : -residual[u];
+      }
+      change = (Eigen::Map<const MatrixXd>(inverses_.data() + inverse, n, n) * change).eval();
+    }
+  });
+  polyfem::for_ranges(static_cast<Index>(rows_.size()), grain, [&](Index begin, Index end) {
+    for (Index r = begin; r < end; ++r) {
+      Row& row = rows_[static_cast<std::size_t>(r)];
+      const auto c = static_cast<std::size_t>(row.contact);
+      set_law(terms[c], laws[c], d, row);
+      row.force = forces_of_all[c];
+    }
+  });
+
+  Report report;
+  VectorXd along_force, along;  // the direction of conjugate gradients
+  for (double before = 0; report.sweeps < most_sweeps;) {
+    const VectorXd force = forces(), change = change_;
+    for (bool forth : {true, false}) {
+      ++report.sweeps;
+      report.change = visit_all(forth);
+      if (report.change <= tolerance) break;
+    }
+    if (report.change <= tolerance) break;
+    const VectorXd by_force = forces() - force, by = change_ - change;
+    const double now = by_force.squaredNorm(), further = now / before;
+    before = now;
+    if (!(further <= 1)) {
+      along_force = by_force;
+      along = by;
+      continue;
+    }
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      rows_[r].force.normal += further * along_force[2 * static_cast<Index>(r)];
+      rows_[r].force.shear += further * along_force[2 * static_cast<Index>(r) + 1];
+    }
+    change_ += further * along;
+    along_force = further * along_force + by_force;
+    along = further * along + by;
+  }
+  for (const Row& row : rows_) forces_of_all[static_cast<std::size_t>(row.contact)] = row.force;
+  for (std::size_t k = 0; k < unknown_.size(); ++k)
+    if (unknown_[k] >= 0) d[unknown_[k]] += change_[static_cast<Index>(k)];
+  return report;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,87 @@
+/// \file A step's contact forces by sweeps over the contacts: each in turn is given what its law demands.
+#pragma once
+
+#include <ddacontact/solver/friction_problem.hpp>
+#include <ddacontact/solver/swept_law.hpp>
+
+#include <array>
+#include <vector>
+
+namespace ddacontact {
+
+/// Nonsmooth Gauss-Seidel iteration in the forces of the contacts (Moreau, Jean): displacements always
+/// balance the forces, d = A^-1 (Q + sum of G_c^T f_c), and each contact in turn is given the forces that its
+/// law demands while the others stay. A sweep forth and back is a step of nonlinear conjugate gradients
+/// (Silcowitz-Hansen, Niebe and Erleben 2010). Where inertia keeps what happens in a step near where it
+/// happens a few sweeps do.
+///
+/// Threads share groups of blocks with the contacts within each; those between groups come after them. What
+/// is found does not depend on the number of threads.
+class ContactSweeps {
+ public:
+  static constexpr int largest_block = 64;  ///< unknowns
+  static constexpr int group_size = 12000;  ///< blocks
+
+  /// Takes the blocks' matrices and the contacts' gradients. False: matrices share unknowns, are larger than
+  /// `largest_block`, of an odd number of unknowns, or without an inverse.
+  [[nodiscard]] bool set(FrictionProblem& problem, const std::vector<ContactTerm>& terms);
+
+  /// How sweeps ended.
+  struct Report {
+    int sweeps = 0;
+    double change = 0;  ///< of a contact's force in the last sweep, the largest over the scale of its law
+  };
+  /// Moves d, where the contacts exert these forces and leave this residual, and the forces, until in a sweep
+  /// no contact's force changes by more than `tolerance`. Gradients are those of `set`.
+  Report sweep(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
+               const VectorXd& residual, double tolerance, int most_sweeps, VectorXd& d,
+               std::vector<ContactForce>& forces);
+
+  int n_groups() const { return static_cast<int>(first_of_group_.size()) - 2; }
+
+ private:
+  /// The unknowns of a block that moves, in packed vectors, and where the columns of its inverse begin.
+  struct Block {
+    int matrix, first, n;
+    std::size_t inverse;
+  };
+  /// How a contact follows two unknowns of a block, one after the other: coefficients of its gap and slip.
+  struct Entry {
+    int block, place;
+    Vec2 gap, slip;
+  };
+  /// A contact, with what its blocks answer to its own forces: G A^-1 G^T.
+  struct Row {
+    int contact, first_entry, n_entries = 0;
+    bool acts = false, unilateral = true, slides = false, sheared = false;
+    double normal = 0, mixed = 0, shear = 0;
+    double normal_compliance = 0, tangential_compliance = 0;
+    double gap = 0, slip = 0;  ///< where the sweeps begin, the gap from where nothing presses
+    double tension = 0;
+    SweptLaw law = {};
+    ContactForce force = {};
+  };
+
+  bool take_blocks(FrictionProblem& problem);
+  void take_contacts(const std::vector<ContactTerm>& terms);
+  void order_rows(const std::vector<std::array<int, 2>>& blocks_of_rows);
+  void set_entries(const ContactTerm& term, Row& row);
+  static void set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row);
+  static ContactForce solve(const Row& row, double gap, double slip);
+  void move(const Entry& entry, const Vec2& force);
+  double visit(Row& row);
+  double visit_all(bool forth);
+  VectorXd forces() const;
+
+  std::vector<int> place_;     ///< of every unknown in packed vectors, -1: held
+  std::vector<int> unknown_;   ///< at every place, -1: held
+  std::vector<int> block_of_;  ///< at every place
+  std::vector<Block> blocks_;
+  std::vector<double> inverses_;
+  std::vector<Row> rows_;            ///< group by group, then those between groups
+  std::vector<int> first_of_group_;  ///< and of those between groups, and their end
+  std::vector<Entry> entries_;
+  VectorXd change_;  ///< of d so far, packed
+};
+
+}  // namespace ddacontact
