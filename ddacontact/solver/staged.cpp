@@ -351,13 +351,14 @@ class Staged {
     return false;
   }
 
-  /// Whether gaps follow their gradients on this way as far as forces can tell: what turns by it bends the
-  /// way of a point by no more than the square of the way over the block's size.
+  /// Whether gaps follow their gradients of the start on the last part of the way to d as far as forces can
+  /// tell: a block that has turned on its way leads its points off them by no more than its way over its
+  /// size.
   bool stays_straight(const VectorXd& change, const std::vector<SweptLaw>& laws, double tolerance) const {
     std::vector<double> bends(static_cast<std::size_t>(system_.n_blocks()));
     for (int b = 0; b < system_.n_blocks(); ++b) {
-      const double way = system_.largest_motion(b, change);
-      bends[static_cast<std::size_t>(b)] = way * way / system_.size_of(b);
+      const double last = system_.largest_motion(b, change), way = system_.largest_motion(b, d_) + last;
+      bends[static_cast<std::size_t>(b)] = last * way / system_.size_of(b);
     }
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const VertexEdge& pair = contacts_[c].pair;

@@ -17,7 +17,8 @@ struct StagedOptions {
   /// of closed contacts are taken back whole.
   bool is_static = false;
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
-  double sweep_tolerance = 1e-8;  ///< of sweeps: see ContactSweeps
+  /// Of what a sweep changes of a contact's force: a part of what is left to change.
+  double sweep_tolerance = 1e-9;
   bool again = false;  ///< d and the contacts' forces are those of a solution nearby; sweeps start there
   /// Contact forces act along directions that the step does not change.
   bool keeps_gradients() const { return directions == Directions::of_start; }

@@ -142,6 +142,9 @@ struct Case {
   bool Skips::*skip;
   Solutions solutions;
   double longest_step;  ///< s
+  /// Of joints, degrees: blocks that wedge each other at more may have several solutions, of which other ways
+  /// of solving find others.
+  double largest_friction_angle;
   std::string name;
 };
 
@@ -149,6 +152,8 @@ class SkipWithinTolerance : public testing::TestWithParam<Case> {
  protected:
   long steps_of(Scene scene, int steps, const std::string& name) const {
     scene.analysis.time_step = std::min(scene.analysis.time_step, GetParam().longest_step);
+    for (auto& joint : scene.joints)
+      joint.friction_angle = std::min(joint.friction_angle, GetParam().largest_friction_angle);
     return compare_steps(GetParam().skip, GetParam().solutions, scene, steps, name);
   }
   long run_of(Scene (*make)(double, int), int steps, const std::string& name) const {
@@ -183,6 +188,6 @@ TEST_P(SkipWithinTolerance, ARunOfAWall) {
 /// Inertia dominates where no wave crosses a block within a step.
 INSTANTIATE_TEST_SUITE_P(OfTheEquations, SkipWithinTolerance,
                          testing::Values(Case{&Skips::stale_factor, &StepCounts::solutions_with_stale_factor,
-                                              1, "StaleFactor"},
-                                         Case{&Skips::cg, &StepCounts::sweeps, 1e-5, "Cg"}),
+                                              1, 90, "StaleFactor"},
+                                         Case{&Skips::cg, &StepCounts::sweeps, 1e-5, 30, "Cg"}),
                          [](const auto& of) { return of.param.name; });
