@@ -6,6 +6,8 @@
 #include <polyfem/element/tabulated_element.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
+#include <optional>
+
 namespace ddacontact {
 
 using polyfem::GradientCorrection;
@@ -116,6 +118,8 @@ struct ContactOptions {
   /// Of the block size; 0 = plain penalty.
   double penetration_tolerance = standard_defaults.penetration_tolerance;
   double corner_rounding = 0;  ///< radius of corners over the block's size; 0: sharp
+  /// Of the forces on each block: what contacts are solved to; none: see StagedOptions.
+  std::optional<double> tolerance;
 };
 
 }  // namespace ddacontact

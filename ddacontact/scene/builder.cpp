@@ -411,7 +411,8 @@ class Builder {
             scene_.contact.method,
             scene_.contact.penetration_tolerance,
             scene_.analysis.preset == Preset::paper ? ContactProperties::lip_of_paper
-                                                    : ContactProperties::default_lip};
+                                                    : ContactProperties::default_lip,
+            scene_.contact.tolerance};
   }
 
   StageDescription first_stage() const {

@@ -144,6 +144,9 @@ ContactOptions resolve_contact(const ContactRecord& record, Preset preset,
                    "'corner_rounding' = '" + short_number(options.corner_rounding) +
                        "' needs the contact method 'staged'",
                    "write 0 or leave it out, or write method = \"staged\"");
+  if (options.method == ContactMethod::classic && options.tolerance && places.usable("method"))
+    problems.error(places.of("tolerance"), "'tolerance' needs the contact method 'staged'",
+                   "leave it out, or write method = \"staged\"");
   return options;
 }
 

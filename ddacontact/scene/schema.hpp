@@ -142,6 +142,11 @@ void describe(ContactRecord& r, Visit&& visit) {
             .bounds = not_negative,
             .default_text = "`0.0`"},
         r.options.corner_rounding);
+  visit(Key{.name = "tolerance",
+            .what = "Part of the forces on each block that contacts are solved to; method \"staged\" alone.",
+            .bounds = {.low = 1e-12, .high = 1e-2},
+            .default_text = "`1e-08`; `0.001` where many contacts change their states at once"},
+        r.options.tolerance);
 }
 
 template <class Visit>

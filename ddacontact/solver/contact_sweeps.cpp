@@ -44,6 +44,12 @@ double bound_under(const SweptLaw& law, double normal) {
   return std::max(0.0, normal) * law.joint->friction + (law.bonded ? law.joint->cohesion : 0);
 }
 
+/// Open, at the bound of friction in either sense, or within it.
+int state_of(const SweptLaw& law, const ContactForce& force) {
+  const double bound = bound_under(law, force.normal);
+  return force.normal <= 0 && force.shear == 0 ? 0 : force.shear >= bound ? 1 : force.shear <= -bound ? 2 : 3;
+}
+
 }  // namespace
 
 bool ContactSweeps::set(FrictionProblem& problem, const std::vector<ContactTerm>& terms) {
@@ -267,8 +273,8 @@ void ContactSweeps::move(const Entry& entry, const Vec2& force) {
     add(std::integral_constant<int, Eigen::Dynamic>{});
 }
 
-/// Gives a contact the force that its law demands. Returns by how much that changed.
-double ContactSweeps::visit(Row& row) {
+/// Gives a contact the force that its law demands. Returns how much that changed over the tolerance.
+double ContactSweeps::visit(Row& row, const Tolerance& tolerance) {
   if (!row.acts) return 0;
   const Entry *const first = entries_.data() + row.first_entry, *const end = first + row.n_entries;
   double gap = row.gap, slip = row.slip;
@@ -286,17 +292,21 @@ double ContactSweeps::visit(Row& row) {
   if (normal == 0 && shear == 0) return 0;
   for (const Entry* entry = first; entry < end; ++entry)
     move(*entry, normal * entry->gap + shear * entry->slip);
-  return (std::abs(normal) + std::abs(shear)) / row.law.scale;
+  const double change = std::abs(normal) + std::abs(shear),
+               of_gap =
+                   row.law.gap > 0 ? (row.normal + row.normal_compliance) / (tolerance.gap * row.law.gap) : 0;
+  return change * std::max(1 / (tolerance.force * row.law.scale), of_gap);
 }
 
 /// Returns the largest change.
-double ContactSweeps::visit_all(bool forth) {
+double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
   const auto visit_group = [&](Index group) {
     const auto g = static_cast<std::size_t>(group);
     double largest = 0;
     const int first = first_of_group_[g], end = first_of_group_[g + 1];
     for (int k = 0; k < end - first; ++k)
-      largest = std::max(largest, visit(rows_[static_cast<std::size_t>(forth ? first + k : end - 1 - k)]));
+      largest = std::max(largest,
+                         visit(rows_[static_cast<std::size_t>(forth ? first + k : end - 1 - k)], tolerance));
     return largest;
   };
   VectorXd largest(n_groups() + 1);
@@ -305,6 +315,18 @@ double ContactSweeps::visit_all(bool forth) {
   });
   largest[n_groups()] = visit_group(n_groups());
   return largest.maxCoeff();
+}
+
+/// Whether many of the contacts that are or were closed have changed their states.
+bool ContactSweeps::is_violent(const Stop& stop) const {
+  int n_closed = 0, n_changed = 0;
+  for (const Row& row : rows_) {
+    const int now = state_of(row.law, row.force);
+    if (now == 0 && row.state_before == 0) continue;
+    ++n_closed;
+    if (now != row.state_before) ++n_changed;
+  }
+  return n_changed > stop.few && n_changed > stop.many * n_closed;
 }
 
 VectorXd ContactSweeps::forces() const {
@@ -316,7 +338,7 @@ VectorXd ContactSweeps::forces() const {
 
 ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms,
                                            const std::vector<SweptLaw>& laws, const VectorXd& residual,
-                                           double tolerance, int most_sweeps, VectorXd& d,
+                                           const Stop& stop, VectorXd& d,
                                            std::vector<ContactForce>& forces_of_all) {
   change_.resize(static_cast<Index>(unknown_.size()));
   polyfem::for_ranges(static_cast<Index>(blocks_.size()), grain, [&](Index begin, Index end) {
@@ -336,19 +358,22 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
       const auto c = static_cast<std::size_t>(row.contact);
       set_law(terms[c], laws[c], d, row);
       row.force = forces_of_all[c];
+      row.state_before = state_of(row.law, row.force);
     }
   });
 
   Report report;
   VectorXd along_force, along;  // the direction of conjugate gradients
-  for (double before = 0; report.sweeps < most_sweeps;) {
+  for (double before = 0; report.sweeps < stop.most_sweeps;) {
     const VectorXd force = forces(), change = change_;
+    const Tolerance& tolerance = report.violent ? stop.violent : stop.quiet;
     for (bool forth : {true, false}) {
       ++report.sweeps;
-      report.change = visit_all(forth);
-      if (report.change <= tolerance) break;
+      report.settled = visit_all(forth, tolerance) <= 1;
+      if (report.settled) break;
     }
-    if (report.change <= tolerance) break;
+    if (before == 0) report.violent = is_violent(stop);
+    if (report.settled) break;
     const VectorXd by_force = forces() - force, by = change_ - change;
     const double now = by_force.squaredNorm(), further = now / before;
     before = now;

@@ -26,16 +26,27 @@ class ContactSweeps {
   /// `largest_block`, of an odd number of unknowns, or without an inverse.
   [[nodiscard]] bool set(FrictionProblem& problem, const std::vector<ContactTerm>& terms);
 
+  /// By what a contact's force may change in the last sweep: over the scale of its law, and what that moves
+  /// the contact by over the gap of its law.
+  struct Tolerance {
+    double force, gap = 1;
+  };
+  /// When sweeps end.
+  struct Stop {
+    Tolerance quiet, violent;  ///< the latter where many contacts change their states
+    double many = 1;           ///< as a part of the contacts, in the first two sweeps
+    int few = 0;               ///< so many never are
+    int most_sweeps = 1;
+  };
   /// How sweeps ended.
   struct Report {
     int sweeps = 0;
-    double change = 0;  ///< of a contact's force in the last sweep, the largest over the scale of its law
+    bool settled = false, violent = false;
   };
-  /// Moves d, where the contacts exert these forces and leave this residual, and the forces, until in a sweep
-  /// no contact's force changes by more than `tolerance`. Gradients are those of `set`.
+  /// Moves d, where the contacts exert these forces and leave this residual, and the forces, until no
+  /// contact's force changes by more than the tolerance. Gradients are those of `set`.
   Report sweep(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
-               const VectorXd& residual, double tolerance, int most_sweeps, VectorXd& d,
-               std::vector<ContactForce>& forces);
+               const VectorXd& residual, const Stop& stop, VectorXd& d, std::vector<ContactForce>& forces);
 
   int n_groups() const { return static_cast<int>(first_of_group_.size()) - 2; }
 
@@ -58,6 +69,7 @@ class ContactSweeps {
     double normal_compliance = 0, tangential_compliance = 0;
     double gap = 0, slip = 0;  ///< where the sweeps begin, the gap from where nothing presses
     double tension = 0;
+    int state_before = 0;
     SweptLaw law = {};
     ContactForce force = {};
   };
@@ -69,8 +81,9 @@ class ContactSweeps {
   static void set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row);
   static ContactForce solve(const Row& row, double gap, double slip);
   void move(const Entry& entry, const Vec2& force);
-  double visit(Row& row);
-  double visit_all(bool forth);
+  double visit(Row& row, const Tolerance& tolerance);
+  double visit_all(bool forth, const Tolerance& tolerance);
+  bool is_violent(const Stop& stop) const;
   VectorXd forces() const;
 
   std::vector<int> place_;     ///< of every unknown in packed vectors, -1: held

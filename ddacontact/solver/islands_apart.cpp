@@ -176,6 +176,7 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     report.interior_paths += own_report.interior_paths;
     report.augmentations = std::max(report.augmentations, own_report.augmentations);
     report.sweeps += own_report.sweeps;
+    report.tolerance = std::max(report.tolerance, own_report.tolerance);
     report.interior_solutions += own_report.interior_solutions;
     report.tangent += own_report.tangent;
     for (double Residual::*measure :

@@ -37,7 +37,7 @@ constexpr Patience at_first{12, 2}, near_solution{25, 4};
 /// a few, are in a state that is not theirs, or when so much of the forces on a block is left with more than
 /// a few: stage 0 then leads nowhere.
 constexpr double violent_part = 0.08, violent_residual = 0.5;
-constexpr int few_contacts = 100;
+constexpr int few_contacts = 10;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
@@ -48,6 +48,9 @@ constexpr double sufficient_decrease = 1e-2;
 constexpr double stale_factor_gain = 0.1;
 /// Sweeps on the same geometry, and how often that is looked at again.
 constexpr int most_sweeps = 1000, most_rounds = 12;
+/// The tolerance of the last sweep over that of the step: what is left to change is more than what it
+/// changes.
+constexpr double part_of_last_sweep = 0.1;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
@@ -84,13 +87,11 @@ class Staged {
       start(contacts_[c], multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     });
-    if (options_.local && options_.skip.cg) {
+    if (options_.skip.cg && !options_.is_static) {
       look_at_contacts();
-      if (settle_by_sweeps()) return settle();
-      if (report_.sweeps > 0) ++report_.tangent.fallbacks;
-      for (std::size_t c = 0; c < contacts_.size(); ++c)
-        states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
+      if (sweep()) return settle();
     }
+    report_.tolerance = options_.residual_tolerance;
     look();
     system_.problem().contacts_changed();
     while (true) {
@@ -303,15 +304,20 @@ class Staged {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Multiplier& m = multipliers_[c];
       const VertexEdge& pair = contacts_[c].pair;
-      laws[c] = {&contacts_[c].law, m.shear, m.sliding, m.bonded,
-                 std::min(system_.sum_of_forces(pair.vertex_block), system_.sum_of_forces(pair.edge_block))};
+      laws[c] = {&contacts_[c].law,
+                 m.shear,
+                 m.sliding,
+                 m.bonded,
+                 std::min(system_.sum_of_forces(pair.vertex_block), system_.sum_of_forces(pair.edge_block)),
+                 options_.penetration_tolerance * contacts_[c].size};
     }
     return laws;
   }
 
   /// Sweeps over the contacts from the forces of the step before until they change no force any more, on the
-  /// geometry to which that leads. False: they do not serve these blocks, or do not come to rest.
-  bool settle_by_sweeps() {
+  /// geometry to which that leads: d and the states are what they find. False: they are left to stage 0, d as
+  /// it was in quiet steps.
+  bool sweep() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Contact& contact = contacts_[c];
       if (options_.again)
@@ -319,7 +325,9 @@ class Staged {
       else if (contact.closed())
         forces_[c] = {contact.history.normal, contact.history.shear};
     }
-    const double tolerance = options_.sweep_tolerance;
+    const ContactSweeps::Tolerance tight{part_of_last_sweep * options_.residual_tolerance},
+        loose{options_.violent_tolerance, options_.violent_penetration()}, any{infinity, infinity};
+    ContactSweeps::Stop stop{options_.local ? tight : any, loose, violent_part, few_contacts, most_sweeps};
     for (int round = 0; round < most_rounds; ++round) {
       system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
       if (round == 0 || !options_.keeps_gradients()) {
@@ -329,26 +337,46 @@ class Staged {
       VectorXd d = d_;
       const std::vector<SweptLaw> laws = this->laws();
       const ContactSweeps::Report swept =
-          sweeps_.sweep(terms_, laws, report_.residual.force, tolerance, most_sweeps, d, forces_);
+          sweeps_.sweep(terms_, laws, report_.residual.force, stop, d, forces_);
       report_.sweeps += swept.sweeps;
-      if (!(swept.change <= tolerance)) return false;
+      if (swept.violent) {
+        violent_ = true;
+        stop.quiet = loose;
+      }
+      if (!options_.local && !violent_) return false;
       const VectorXd change = d - d_;
       system_.move(change, d_);
-      const bool is_straight = options_.keeps_gradients() && stays_straight(change, laws, tolerance);
+      const bool is_straight = options_.keeps_gradients() && stays_straight(change, laws, stop.quiet.force);
       if (!is_straight) look_at_contacts();
-      if (!is_straight && (round == 0 || swept.sweeps > 1)) continue;
       for (std::size_t c = 0; c < contacts_.size(); ++c) {
         springs_[c] = springs_at(terms_[c], d_);
         at_d_[c] = states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
       }
+      if (!swept.settled) break;
+      if (drop_forces_beyond_edges() || (!is_straight && (round == 0 || swept.sweeps > 2))) continue;
       if (is_close()) {
         system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
-        return report_.residual.own <= tolerance;
+        report_.tolerance = violent_ ? options_.violent_tolerance : options_.residual_tolerance;
+        if (report_.residual.own <= report_.tolerance) return true;
+        break;
       }
       raise_multipliers();
       look_at_contacts();
     }
+    violent_ = false;
+    ++report_.tangent.fallbacks;
     return false;
+  }
+
+  /// Of vertices that d leads off their edges. False: there are none.
+  bool drop_forces_beyond_edges() {
+    bool any = false;
+    for (std::size_t c = 0; c < terms_.size(); ++c) {
+      if (terms_[c].normal != ContactTerm::Normal::absent || forces_[c].normal == 0) continue;
+      forces_[c] = {};
+      any = true;
+    }
+    return any;
   }
 
   /// Whether gaps follow their gradients of the start on the last part of the way to d as far as forces can
@@ -417,8 +445,7 @@ class Staged {
     return true;
   }
 
-  /// Goes on from what relaxation finds from here, where that serves; else from what is found from inside,
-  /// once. False: there is nothing left to try.
+  /// Goes on from what is found from inside, once. False: there is nothing left to try.
   bool leave_states() { return !inside_ && options_.inside && find_from_inside(); }
 
   void begin_states() {
@@ -508,7 +535,8 @@ class Staged {
     double worst = 1;
     report_.worst_contact = -1;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const double tolerance = options_.penetration_tolerance * contacts_[c].size;
+      const double tolerance = (violent_ ? options_.violent_penetration() : 1) *
+                               options_.penetration_tolerance * contacts_[c].size;
       double error = 0;
       if (springs_[c].normal.acts()) error = std::abs(terms_[c].gap(d_));
       if (springs_[c].tangential.acts() && forces_[c].shear != 0)
@@ -619,7 +647,8 @@ class Staged {
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
-  bool inside_ = false;  ///< the states were found from inside
+  bool violent_ = false;  ///< many contacts change their states, and sweeps find the forces
+  bool inside_ = false;   ///< the states were found from inside
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
   ContactSweeps sweeps_;

@@ -5,10 +5,21 @@
 #include <ddacontact/solver/step_system.hpp>
 #include <ddacontact/solver/tangent_solver.hpp>
 
+#include <optional>
+
 namespace ddacontact {
 
 /// When the staged method ends.
 struct StagedOptions {
+  StagedOptions() = default;
+  /// \param[in] tolerance  of the residual in all steps; none: the defaults
+  StagedOptions(const std::optional<double>& tolerance, double of_penetration)
+      : penetration_tolerance(of_penetration) {
+    if (!tolerance) return;
+    if (*tolerance > residual_tolerance) residual_aim = *tolerance;
+    residual_tolerance = violent_tolerance = *tolerance;
+  }
+
   double residual_tolerance = 1e-8;            ///< of the forces on each block: what is accepted
   double residual_aim = 1e-12;                 ///< what is iterated to while that goes on
   double penetration_tolerance = 0;            ///< of the block size; 0: plain penalty
@@ -17,8 +28,9 @@ struct StagedOptions {
   /// of closed contacts are taken back whole.
   bool is_static = false;
   bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
-  /// Of what a sweep changes of a contact's force: a part of what is left to change.
-  double sweep_tolerance = 1e-9;
+  double violent_tolerance = 1e-3;  ///< of contact forces in violent steps, see solve_staged
+  /// How much deeper contacts may be in steps of that tolerance.
+  double violent_penetration() const { return violent_tolerance > residual_tolerance ? 10 : 1; }
   bool again = false;  ///< d and the contacts' forces are those of a solution nearby; sweeps start there
   /// Contact forces act along directions that the step does not change.
   bool keeps_gradients() const { return directions == Directions::of_start; }
@@ -45,6 +57,7 @@ struct StagedReport {
   int sweeps = 0;              ///< over the contacts
   int interior_paths = 0;      ///< searches for the states from inside the contacts' laws
   int interior_solutions = 0;  ///< of `iterations`, those of these
+  double tolerance = 0;        ///< that contact forces were solved to
   TangentCounts tangent;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none
@@ -61,9 +74,11 @@ struct StagedReport {
 /// it never bore more than its strength; or within, and the step is solved again, where there is no time
 /// between one bond and the next (static steps).
 ///
-/// Where steps are local, sweeps over the contacts find their forces (ContactSweeps). Where they do not
-/// serve, stage 0 follows the active set, as open-close does. When that goes round in circles, stage 1 finds
-/// the states from inside the contacts' laws (find_states_from_inside), and stage 0 goes on.
+/// Dynamic steps begin with sweeps over the contacts (ContactSweeps), which go on to the tolerance where the
+/// step is local, and to that of violent steps where in the first two many contacts change their states. In
+/// other steps, or where sweeps do not come to rest, stage 0 follows the active set, as open-close does. When
+/// that goes round in circles, stage 1 finds the states from inside the contacts' laws
+/// (find_states_from_inside), and stage 0 goes on.
 StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
                           VectorXd& d);
 

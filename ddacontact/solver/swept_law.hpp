@@ -12,6 +12,7 @@ struct SweptLaw {
   bool sliding = false;  ///< it is at the bound, whatever that is
   bool bonded = false;
   double scale = 1;  ///< what changes of the contact's force are relative to, N per m
+  double gap = 0;    ///< and what the way is that they move it by, m; 0: any way
 };
 
 }  // namespace ddacontact

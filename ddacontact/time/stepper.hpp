@@ -173,6 +173,7 @@ class Stepper {
     VectorXd d;         ///< of all unknowns
     VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
     Residual residual;
+    double tolerance = 0;  ///< that contact forces were solved to
     std::string objection;
     bool friction_unsettled = false;  ///< and nothing else
     StepImpact impact;

@@ -122,6 +122,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
     tolerated_work_ += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
   ++counts_.substeps;
   counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
+  counts_.largest_tolerance = std::max(counts_.largest_tolerance, solution.tolerance);
   begun_ = true;
   last_dt_ = dt;
   detected_ = false;

@@ -185,6 +185,7 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   counts_.solutions_with_stale_factor += report.tangent.with_stale_factor;
   counts_.krylov_iterations += report.tangent.iterations;
   counts_.solver_fallbacks += report.tangent.fallbacks;
+  solution.tolerance = report.tolerance;
   solution.residual = std::move(report.residual);
   switch (report.status) {
     case StagedStatus::settled:

@@ -47,7 +47,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       limits_(blocks_, stages_.front().analysis),
       properties_(contacts),
       method_(contacts.method),
-      staged_{.penetration_tolerance = contacts.penetration_tolerance},
+      staged_(contacts.tolerance, contacts.penetration_tolerance),
       held_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
       reactions_(Points::Zero(2, state_.position.cols())),
