@@ -26,7 +26,7 @@ struct ContactProperties {
   /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
   /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
   double lip = default_lip;
-  std::optional<double> tolerance;  ///< of the forces on each block; none: see StagedOptions
+  std::optional<double> tolerance = {};  ///< of the forces on each block; none: see StagedOptions
   static constexpr double default_lip = 1e-4, lip_of_paper = std::numeric_limits<double>::infinity();
 
   /// Whether forces of contacts are multipliers: their springs store no energy.

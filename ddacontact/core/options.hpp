@@ -119,7 +119,7 @@ struct ContactOptions {
   double penetration_tolerance = standard_defaults.penetration_tolerance;
   double corner_rounding = 0;  ///< radius of corners over the block's size; 0: sharp
   /// Of the forces on each block: what contacts are solved to; none: see StagedOptions.
-  std::optional<double> tolerance;
+  std::optional<double> tolerance = {};
 };
 
 }  // namespace ddacontact

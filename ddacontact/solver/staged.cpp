@@ -37,7 +37,7 @@ constexpr Patience at_first{12, 2}, near_solution{25, 4};
 /// a few, are in a state that is not theirs, or when so much of the forces on a block is left with more than
 /// a few: stage 0 then leads nowhere.
 constexpr double violent_part = 0.08, violent_residual = 0.5;
-constexpr int few_contacts = 10;
+constexpr int few_contacts = 100;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
 /// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
@@ -51,6 +51,10 @@ constexpr int most_sweeps = 1000, most_rounds = 12;
 /// The tolerance of the last sweep over that of the step: what is left to change is more than what it
 /// changes.
 constexpr double part_of_last_sweep = 0.1;
+/// A coarse step is violent when more than the same part of the contacts, and more than so few, change their
+/// states in its first two sweeps; contacts may be so much deeper in it.
+constexpr int few_changes = 10;
+constexpr double coarse_penetration = 10;
 /// Solutions without a better residual after which one that passes is taken as it is.
 constexpr int patience = 4;
 /// What is iterated to of the residual that round-off may leave, while that goes on.
@@ -87,7 +91,7 @@ class Staged {
       start(contacts_[c], multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     });
-    if (options_.skip.cg && !options_.is_static) {
+    if (options_.skip.cg && !options_.is_static && (options_.local || options_.coarse)) {
       look_at_contacts();
       if (sweep()) return settle();
     }
@@ -326,8 +330,9 @@ class Staged {
         forces_[c] = {contact.history.normal, contact.history.shear};
     }
     const ContactSweeps::Tolerance tight{part_of_last_sweep * options_.residual_tolerance},
-        loose{options_.violent_tolerance, options_.violent_penetration()}, any{infinity, infinity};
-    ContactSweeps::Stop stop{options_.local ? tight : any, loose, violent_part, few_contacts, most_sweeps};
+        coarse{options_.residual_tolerance, coarse_penetration}, any{infinity, infinity};
+    ContactSweeps::Stop stop{options_.local ? tight : any, coarse, options_.coarse ? violent_part : infinity,
+                             few_changes, most_sweeps};
     for (int round = 0; round < most_rounds; ++round) {
       system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
       if (round == 0 || !options_.keeps_gradients()) {
@@ -341,7 +346,7 @@ class Staged {
       report_.sweeps += swept.sweeps;
       if (swept.violent) {
         violent_ = true;
-        stop.quiet = loose;
+        stop.quiet = coarse;
       }
       if (!options_.local && !violent_) return false;
       const VectorXd change = d - d_;
@@ -356,7 +361,7 @@ class Staged {
       if (drop_forces_beyond_edges() || (!is_straight && (round == 0 || swept.sweeps > 2))) continue;
       if (is_close()) {
         system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
-        report_.tolerance = violent_ ? options_.violent_tolerance : options_.residual_tolerance;
+        report_.tolerance = options_.residual_tolerance;
         if (report_.residual.own <= report_.tolerance) return true;
         break;
       }
@@ -535,8 +540,8 @@ class Staged {
     double worst = 1;
     report_.worst_contact = -1;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const double tolerance = (violent_ ? options_.violent_penetration() : 1) *
-                               options_.penetration_tolerance * contacts_[c].size;
+      const double tolerance =
+          (violent_ ? coarse_penetration : 1) * options_.penetration_tolerance * contacts_[c].size;
       double error = 0;
       if (springs_[c].normal.acts()) error = std::abs(terms_[c].gap(d_));
       if (springs_[c].tangential.acts() && forces_[c].shear != 0)

@@ -16,8 +16,9 @@ struct StagedOptions {
   StagedOptions(const std::optional<double>& tolerance, double of_penetration)
       : penetration_tolerance(of_penetration) {
     if (!tolerance) return;
-    if (*tolerance > residual_tolerance) residual_aim = *tolerance;
-    residual_tolerance = violent_tolerance = *tolerance;
+    coarse = *tolerance > residual_tolerance;
+    if (coarse) residual_aim = *tolerance;
+    residual_tolerance = *tolerance;
   }
 
   double residual_tolerance = 1e-8;            ///< of the forces on each block: what is accepted
@@ -27,11 +28,9 @@ struct StagedOptions {
   /// Steps without time between them: bonds that exceed their strength break within, not at the end, and gaps
   /// of closed contacts are taken back whole.
   bool is_static = false;
-  bool local = false;  ///< what happens in the step stays within a few blocks: waves are slow for it
-  double violent_tolerance = 1e-3;  ///< of contact forces in violent steps, see solve_staged
-  /// How much deeper contacts may be in steps of that tolerance.
-  double violent_penetration() const { return violent_tolerance > residual_tolerance ? 10 : 1; }
-  bool again = false;  ///< d and the contacts' forces are those of a solution nearby; sweeps start there
+  bool local = false;   ///< what happens in the step stays within a few blocks: waves are slow for it
+  bool coarse = false;  ///< violent steps are left to sweeps, and contacts may be ten times as deep there
+  bool again = false;   ///< d and the contacts' forces are those of a solution nearby; sweeps start there
   /// Contact forces act along directions that the step does not change.
   bool keeps_gradients() const { return directions == Directions::of_start; }
   int max_solutions = 600;
