@@ -358,12 +358,15 @@ class Staged {
         at_d_[c] = states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
       }
       if (!swept.settled) break;
-      if (drop_forces_beyond_edges() || (!is_straight && (round == 0 || swept.sweeps > 2))) continue;
+      if (drop_forces_beyond_edges() || (!is_straight && (round == 0 || swept.sweeps > (violent_ ? 2 : 1))))
+        continue;
       if (is_close()) {
         system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
         report_.tolerance = options_.residual_tolerance;
-        if (report_.residual.own <= report_.tolerance) return true;
-        break;
+        // Where forces of blocks are not linear sweeps are Newton's steps.
+        if (report_.residual.own <= (options_.keeps_gradients() ? report_.tolerance : options_.residual_aim))
+          return true;
+        continue;
       }
       raise_multipliers();
       look_at_contacts();

@@ -73,11 +73,11 @@ struct StagedReport {
 /// it never bore more than its strength; or within, and the step is solved again, where there is no time
 /// between one bond and the next (static steps).
 ///
-/// Dynamic steps begin with sweeps over the contacts (ContactSweeps), which go on to the tolerance where the
-/// step is local, and to that of violent steps where in the first two many contacts change their states. In
-/// other steps, or where sweeps do not come to rest, stage 0 follows the active set, as open-close does. When
-/// that goes round in circles, stage 1 finds the states from inside the contacts' laws
-/// (find_states_from_inside), and stage 0 goes on.
+/// Local steps are solved by sweeps over the contacts (ContactSweeps). Where the tolerance is coarse all
+/// dynamic steps begin with two sweeps, and go on with them where many contacts change their states in these:
+/// such steps are violent. In other steps, or where sweeps do not come to rest, stage 0 follows the active
+/// set, as open-close does. When that goes round in circles, stage 1 finds the states from inside the
+/// contacts' laws (find_states_from_inside), and stage 0 goes on.
 StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
                           VectorXd& d);
 
