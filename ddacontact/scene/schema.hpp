@@ -377,7 +377,7 @@ void describe(Skips& s, Visit&& visit) {
   visit(Key{.name = "stale_factor",
             .what = "Factorizing while few springs changed: an older factor is the preconditioner."},
         s.stale_factor);
-  visit(Key{.name = "cg", .what = "Factorizing where inertia dominates: conjugate gradients do without."},
+  visit(Key{.name = "cg", .what = "Factorizing where inertia dominates: sweeps over the contacts do without."},
         s.cg);
   visit(Key{.name = "islands", .what = "Solving blocks together that do not touch."}, s.islands);
   visit(Key{.name = "sleep", .what = "Islands at rest, until something reaches them."}, s.sleep);

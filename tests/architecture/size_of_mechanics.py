@@ -10,8 +10,8 @@ import re
 import sys
 
 FOLDERS = ("block", "classic", "contact", "detection", "solver", "time")
-MOST_LINES = 12500
-MOST_NUMBERS = 275
+MOST_LINES = 12150
+MOST_NUMBERS = 256
 
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)(?![\w.])")
 USUAL = (0, 1, 2, 0.5)

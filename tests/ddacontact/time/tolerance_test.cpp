@@ -1,0 +1,48 @@
+#include <ddacontact/scene/builder.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+using namespace ddacontact;
+
+namespace {
+
+/// Bricks in running bond that gravity finds at once, for a tenth of a second.
+BuiltScene wall_after(const std::optional<double>& tolerance) {
+  Scene scene;
+  scene.analysis.time_step = 0.01;
+  scene.analysis.steps = 10;
+  scene.materials = {{"rock", 2500, 1e10, 0.2}};
+  scene.joints = {{"joint", 35, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 4e11;
+  scene.contact.tangential_stiffness = 1.6e11;
+  scene.contact.tolerance = tolerance;
+  scene.blocks = {support::block(support::rectangle(-1, -1, 20, 1), true)};
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 15; ++column)
+      scene.blocks.push_back(support::block(support::rectangle(column + 0.5 * (row % 2), 0.5 * row, 1, 0.5)));
+  BuiltScene built = build(scene);
+  for (int k = 0; k < scene.analysis.steps; ++k) EXPECT_TRUE(built.stepper->step());
+  return built;
+}
+
+}  // namespace
+
+TEST(Tolerance, IsOneToTheEighthUnlessACoarserOneIsAskedForAndStated) {
+  const BuiltScene exact = wall_after(std::nullopt), coarse = wall_after(1e-3);
+  EXPECT_EQ(exact.stepper->counts().largest_tolerance, 1e-8);
+  EXPECT_LE(exact.stepper->counts().max_residual, 1e-8);
+  EXPECT_EQ(coarse.stepper->counts().largest_tolerance, 1e-3);
+  EXPECT_GT(coarse.stepper->counts().max_residual, 1e-8);
+  EXPECT_LE(coarse.stepper->counts().max_residual, 1e-3);
+}
+
+TEST(Tolerance, OneForcedIsHeldInEveryStep) {
+  for (double tolerance : {1e-10, 1e-5}) {
+    const BuiltScene wall = wall_after(tolerance);
+    EXPECT_EQ(wall.stepper->counts().largest_tolerance, tolerance);
+    EXPECT_LE(wall.stepper->counts().max_residual, tolerance);
+  }
+}
