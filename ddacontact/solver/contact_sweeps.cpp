@@ -372,7 +372,10 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
       report.settled = visit_all(forth, tolerance) <= 1;
       if (report.settled) break;
     }
-    if (before == 0) report.violent = is_violent(stop);
+    if (before == 0 && is_violent(stop)) {
+      report.violent = true;
+      report.settled = report.settled && stop.quiet.force <= stop.violent.force;
+    }
     if (report.settled) break;
     const VectorXd by_force = forces() - force, by = change_ - change;
     const double now = by_force.squaredNorm(), further = now / before;

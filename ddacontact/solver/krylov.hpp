@@ -3,8 +3,6 @@
 
 #include <ddacontact/core/types.hpp>
 
-#include <polyfem/core/parallel.hpp>
-
 #include <cmath>
 #include <vector>
 

@@ -372,6 +372,7 @@ class Staged {
       look_at_contacts();
     }
     violent_ = false;
+    before_front_ = report_.augmentations;
     ++report_.tangent.fallbacks;
     return false;
   }
@@ -467,12 +468,8 @@ class Staged {
     inside_ = true;
     ++report_.interior_paths;
     d_ = system_.prescribed();
-    const auto look_at_contacts = [&] {
-      displaced_ = system_.displacement(d_);
-      for (std::size_t c = 0; c < contacts_.size(); ++c) look_at(contacts_[c], multipliers_[c], terms_[c]);
-    };
-    const InteriorReport found =
-        find_states_from_inside(system_, contacts_, laws(), look_at_contacts, terms_, d_, states_);
+    const InteriorReport found = find_states_from_inside(
+        system_, contacts_, laws(), [this] { look_at_contacts(); }, terms_, d_, states_);
     report_.iterations += found.solutions;
     report_.interior_solutions += found.solutions;
     report_.tangent.fallbacks += found.fallbacks;
@@ -646,7 +643,7 @@ class Staged {
   std::vector<double> off_;  ///< the force by which the law differs from the springs of the state
   std::vector<Multiplier> multipliers_;
   StagedReport report_;
-  int before_front_ = 0;  ///< augmentations before bonds broke last
+  int before_front_ = 0;  ///< augmentations by sweeps, and before bonds broke last
   double best_ = infinity;
   int since_best_ = 0;
 
