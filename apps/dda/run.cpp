@@ -16,6 +16,7 @@
 #include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/resumption.hpp>
+#include <ddacontact/scene/words.hpp>
 #include <ddacontact/scene/writer.hpp>
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/core/parallel.hpp>
@@ -135,6 +136,13 @@ void run_steps(Stepper& stepper, const std::optional<int>& steps, const std::vec
   }
 }
 
+/// As scenes write it.
+std::string word_of(Scheme scheme) {
+  for (const auto& [text, choice] : scene_format::words_of(scheme))
+    if (choice == scheme) return text;
+  return {};
+}
+
 /// Everything that a run ends with: what can be written is, then the first failure is thrown. Where memory
 /// does not suffice for results the run counts as stopped, unless there is no checkpoint either.
 void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& checkpoints,
@@ -158,6 +166,7 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
     attempt([&] { results.write_last_frame(stepper); });
   }
   summary.warnings = warnings_of(stepper);
+  summary.scheme = word_of(stepper.stages()[stepper.stage()].analysis.scheme);
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);
   attempt([&] { results.finish(stepper, summary); });

@@ -40,6 +40,7 @@ BlockMotion::BlockMotion(const CorotationalShape& shape, const CorotationalStart
     : shape_(shape),
       start_(start),
       damping_(start.matrices->rule.damping),
+      is_explicit_(start.matrices->rule.is_explicit()),
       dt_(start.matrices->dt),
       impulse_time_(start.matrices->rule.impulse_time * dt_),
       linear_before_(start.arrays[0]),
@@ -76,6 +77,8 @@ void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinat
       put(stress_forces, initial.reshaped(2, m));
       force -= initial.reshaped(2, m);
     }
+    if (motion.is_explicit_ && motion.damping_.stiffness != 0)
+      force -= motion.damping_.stiffness * motion.times_stiffness<Of>(rates);
     put(drive, nodes.weighted(rates) + motion.impulse_time_ * force);
   });
 }
@@ -85,9 +88,8 @@ void BlockMotion::forces(const Numbers& d, Written resisting) const {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
     const double h = impulse_time_, damped = 1 + h * damping_.mass;
-    Vectors f = damped / dt_ * nodes.weighted(way.deformation) +
-                h * (1 + damping_.stiffness / dt_) * times_stiffness<Of>(way.deformation);
-    f -= array<Of>(drive);
+    Vectors f = damped / dt_ * nodes.weighted(way.deformation) - array<Of>(drive);
+    if (!is_explicit_) f += h * (1 + damping_.stiffness / dt_) * times_stiffness<Of>(way.deformation);
     f /= h;
     const Vec2 linear = motions.mass / h * (damped / dt_ * way.linear - linear_before_),
                of_deformation = f.lazyProduct(motions.translation);
@@ -137,7 +139,8 @@ BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     const double mass = shape_.motions().mass;
-    const double stretched = times_stiffness<Of>(way.deformation).cwiseProduct(way.deformation).sum();
+    const Vectors elastic = times_stiffness<Of>(way.deformation);
+    const double stretched = elastic.cwiseProduct(way.deformation).sum();
     const Vectors momentum = nodes.weighted(way.deformation);
     const double quadratic = mass * way.linear.squaredNorm() + inertia_ * way.angular * way.angular +
                              momentum.cwiseProduct(way.deformation).sum();
@@ -145,9 +148,11 @@ BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
                                inertia_ * way.angular * angular_before_ +
                                momentum.cwiseProduct(array<Of>(deforming)).sum();
     Losses losses;
-    losses.damping = (damping_.mass * quadratic + damping_.stiffness * stretched) / dt_;
-    // Backward Euler takes K (d u)^2 / 2 of what a change of the deformation stores.
-    losses.scheme = stretched / 2 + (quadratic / dt_ - with_before) / impulse_time_ -
+    const double damped = is_explicit_ ? elastic.cwiseProduct(array<Of>(deforming)).sum() : stretched / dt_;
+    losses.damping = damping_.mass / dt_ * quadratic + damping_.stiffness * damped;
+    // Backward Euler takes K (d u)^2 / 2 of what a change of the deformation stores; forces of the start give
+    // as much.
+    losses.scheme = (is_explicit_ ? -stretched : stretched) / 2 + (quadratic / dt_ - with_before) / impulse_time_ -
                     angular_before_ * angular_before_ * momentum.cwiseProduct(array<Of>(shape_now)).sum();
     return losses;
   });

@@ -5,8 +5,9 @@
 ///     (1 + alpha h) m vc = m vc_before + h f,        (1 + alpha h) I omega = I omega_before + h torque,
 ///     ((1 + alpha h) M + h (dt + beta) K) u' = M u'_before + h (omega_before^2 M (X + u) - K u - f0 + f),
 /// with Rayleigh's alpha and beta: leapfrog for the motion as a rigid body, backward Euler for the
-/// deformation. Unknowns are displacements d = dt v of the straight motion that the velocities v of the shape
-/// at the start make; where it leads to is `displacement`.
+/// deformation. By central differences -h beta K u'_before on the right stands for h (dt + beta) K u' on the
+/// left. Unknowns are displacements d = dt v of the straight motion that the velocities v of the shape at the
+/// start make; where it leads to is `displacement`.
 #pragma once
 
 #include <ddacontact/block/corotational_shape.hpp>
@@ -72,8 +73,8 @@ class BlockMotion {
   template <class Work>
   auto with_motion(const Numbers& d, const Work& work) const;
 
-  /// Arrays of the nodes in the block's frame: X + u; u' before; M u' before + h (omega^2 M (X + u) - K u -
-  /// f0); f0, where there is any. Before them stand the numbers below.
+  /// Arrays of the nodes in the block's frame: X + u; u' before; the right side without f; f0, where there is
+  /// any. Before them stand the numbers below.
   enum Array : Index { shape_now, deforming, drive, stress_forces };
   static constexpr Index n_numbers = 4;
   template <class Of>
@@ -93,6 +94,7 @@ class BlockMotion {
   const CorotationalShape& shape_;
   const CorotationalStart& start_;
   RayleighDamping damping_;
+  bool is_explicit_;
   double dt_, impulse_time_;
   Vec2 linear_before_;
   double angular_before_;

@@ -7,6 +7,7 @@
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/tolerance.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -121,15 +122,33 @@ MatrixXd both_axes(const MatrixXd& M) {
 }
 
 std::vector<MatrixXd> tangents(const CorotationalShape& shape, const StepRule& rule, double dt) {
-  const double end_share = rule.mean_forces() ? 0.5 : 1;
+  const double end_share = rule.mean_forces() ? 0.5 : 1,
+               stiff = rule.is_explicit() ? 0 : end_share + rule.damping.stiffness / dt;
   std::vector<MatrixXd> tangents;
   for (const ShapeCell& cell : shape.cells)
-    tangents.push_back((end_share + rule.damping.stiffness / dt) * cell.elastic.stiffness() +
+    tangents.push_back(stiff * cell.elastic.stiffness() +
                        (rule.inertia() / (dt * dt) + rule.damping.mass / dt) * both_axes(cell.mass));
   return tangents;
 }
 
 }  // namespace
+
+double CorotationalShape::highest_frequency() const {
+  std::call_once(in_own_frame->vibrates, [this] {
+    double& highest = in_own_frame->highest_frequency;
+    for (const ShapeCell& cell : cells) {
+      const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
+          cell.elastic.stiffness(), both_axes(cell.mass), Eigen::EigenvaluesOnly);
+      highest = std::max(highest, std::sqrt(modes.eigenvalues().maxCoeff()));
+    }
+  });
+  return in_own_frame->highest_frequency;
+}
+
+double critical_step(const CorotationalShape& shape, const RayleighDamping& damping) {
+  const double w = shape.highest_frequency(), ratio = damping.stiffness * w / 2;
+  return 2 / w / (std::hypot(1, ratio) + ratio);
+}
 
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,
                                                   double dt) {

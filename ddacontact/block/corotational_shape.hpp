@@ -58,10 +58,14 @@ struct CorotationalShape {
     std::call_once(in_own_frame->found, [this] { in_own_frame->motions.emplace(*this); });
     return *in_own_frame->motions;
   }
-  /// See motions.
+  /// A bound of the angular frequencies at which the free shape vibrates, the highest of its cells by
+  /// themselves, 1/s; found when it is first asked for. Any thread may ask.
+  double highest_frequency() const;
+  /// See both.
   struct InOwnFrame {
-    std::once_flag found;
+    std::once_flag found, vibrates;
     std::optional<MotionShape> motions;
+    double highest_frequency = 0;
   };
   std::unique_ptr<InOwnFrame> in_own_frame = std::make_unique<InOwnFrame>();
 
@@ -70,6 +74,11 @@ struct CorotationalShape {
   bool has_basis() const { return basis.size() > 0; }
   Index n_unknowns() const { return has_basis() ? basis.cols() : 2 * nodes.cols(); }
 };
+
+/// The step below which central differences are stable for the shape: with damping, whose forces are those of
+/// velocities half a step before, (2 / w) (sqrt(1 + z^2) - z) with the damping ratio z at the highest
+/// frequency w; s.
+double critical_step(const CorotationalShape& shape, const RayleighDamping& damping);
 
 /// By its last step matrices, or made now.
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,

@@ -14,14 +14,16 @@ struct StepRule {
   Scheme scheme = Scheme::dda;
   double beta = 0.5, gamma = 1;  ///< of the Newmark family; midpoint has an inertia of (1/2, 1)
   RayleighDamping damping;
-  /// Of the decaying scheme: the time h in which impulses act, from the middle of the step before to that of
+  /// With half steps: the time h in which impulses act, from the middle of the step before to that of
   /// this one, over dt.
   double impulse_time = 1;
   bool starts_at_rest = false;  ///< a static step
 
   /// Velocities that go on are those in the middle of the steps (leapfrog); forces act at the start of a
   /// step.
-  bool has_half_steps() const { return scheme == Scheme::decaying; }
+  bool has_half_steps() const { return scheme == Scheme::decaying || is_explicit(); }
+  /// Elastic forces are those of the start of the step.
+  bool is_explicit() const { return scheme == Scheme::central_difference; }
   /// Elastic forces come from both ends of the step and act at its middle, as contact forces do.
   bool mean_forces() const { return scheme == Scheme::midpoint; }
   Directions directions() const {
@@ -44,13 +46,15 @@ struct StepRule {
 };
 
 /// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium:
-/// impulses of the decaying scheme act over their whole length, and the scheme whose forces act at the middle
-/// makes them by backward Euler. \param[in] dt           of the step, s \param[in] previous_dt  of the step
-/// before, s; 0: there is none to go on from
+/// impulses of the decaying scheme, which makes those of the explicit one too, act over their whole length,
+/// and the scheme whose forces act at the middle makes them by backward Euler.
+/// \param[in] dt           of the step, s
+/// \param[in] previous_dt  of the step before, s; 0: there is none to go on from
 inline StepRule step_rule(const AnalysisOptions& analysis, double dt, double previous_dt) {
   StepRule rule{.scheme = analysis.scheme, .damping = analysis.damping};
   rule.starts_at_rest = analysis.mode == Mode::statics;
   if (rule.starts_at_rest && rule.mean_forces()) rule.scheme = Scheme::backward_euler;
+  if (rule.starts_at_rest && rule.is_explicit()) rule.scheme = Scheme::decaying;
   if (rule.scheme == Scheme::newmark) {
     rule.beta = analysis.beta;
     rule.gamma = analysis.gamma;

@@ -29,7 +29,9 @@ enum class Kinematics { corotational, incremental };
 enum class Scheme {
   decaying,  ///< momenta kept exactly, motion of rigid blocks of second order, deformation and contact
              ///< as backward Euler has them: what vibrates decays
-  midpoint,  ///< momenta and energy kept exactly
+  central_difference,  ///< written "explicit": the decaying one with elastic forces of the start of a step,
+                       ///< stable below a critical step: what vibrates goes on
+  midpoint,            ///< momenta and energy kept exactly
   dda,       ///< Newmark (1/2, 1), Eq. (24)-(27)
   newmark,   ///< Newmark (beta, gamma)
   backward_euler
@@ -39,7 +41,7 @@ enum class ContactMethod { staged, classic };
 
 /// Schemes whose forces belong to a frame that turns with its block.
 constexpr bool needs_corotational(Scheme scheme) {
-  return scheme == Scheme::midpoint || scheme == Scheme::decaying;
+  return scheme == Scheme::midpoint || scheme == Scheme::decaying || scheme == Scheme::central_difference;
 }
 
 /// What a preset chooses where nothing is said: for scenes and for the library alike.

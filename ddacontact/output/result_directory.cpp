@@ -249,6 +249,12 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
   };
   for (const StageEnd& end : stepper.stage_ends()) add_stage(end);
   add_stage(stepper.stage_end());
+  nlohmann::ordered_json stable;  // null without
+  if (const std::optional<StableStep>& step = stepper.stable_step())
+    stable = {{"critical_step", step->critical},
+              {"block", name_of(step->block)},
+              {"longest_substep", step->dt},
+              {"decaying_blocks", step->n_decaying}};
   const nlohmann::ordered_json json = {{"status", summary.status},
                                        {"reason", summary.reason},
                                        {"steps_completed", counts.steps},
@@ -270,6 +276,8 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"newton_iterations", counts.open_close_iterations},
                                        {"interior_point_solves", counts.interior_solutions},
                                        {"tolerance_largest", counts.largest_tolerance},
+                                       {"scheme", summary.scheme},
+                                       {"explicit", stable},
                                        {"solutions_with_stale_factor", counts.solutions_with_stale_factor},
                                        {"krylov_iterations", counts.krylov_iterations},
                                        {"solver_fallbacks", counts.solver_fallbacks},

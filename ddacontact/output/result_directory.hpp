@@ -18,6 +18,7 @@ namespace ddacontact {
 struct RunSummary {
   std::string status;      ///< "completed", "stopped", "interrupted"
   std::string reason;      ///< empty when completed
+  std::string scheme;      ///< of the last stage that was entered
   long resumed_after = 0;  ///< the step of the checkpoint
   double seconds_total = 0, seconds_setup = 0, seconds_steps = 0, seconds_output = 0;
   double peak_memory_mb = 0;

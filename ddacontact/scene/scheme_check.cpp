@@ -15,6 +15,11 @@ constexpr double least_gamma = 0.6;
 /// turns, 16 multiply the kinetic energy by 6e4 in twenty.
 constexpr double most_crossings = 10;
 
+/// Stiffness-proportional damping may make critical steps so many times shorter.
+constexpr double most_shortened = 10;
+/// The stiffest vibration of a square block, over the time in which a wave runs through it.
+const double frequency_of_square = 2 * std::sqrt(3.);
+
 /// How many sizes of the block a pressure wave runs in a second, 1/s.
 double crossings_per_second(const Material& material, double area, Plane plane) {
   const double stiffness = polyfem::elasticity_matrix(material.young, material.poisson, plane)(0, 0);
@@ -61,9 +66,30 @@ void check_scheme(const Document& document, const Scene& scene, const NameTable&
                      "write gamma = 0.6, or scheme = \"decaying\" or \"midpoint\"");
     return true;
   };
-  if (scene.stages.empty()) check(scene.analysis, document.analysis.places);
+  // By damping the explicit scheme's critical step becomes 2/w (sqrt(1 + z^2) - z), see critical_step.
+  const auto check_explicit = [&](const AnalysisOptions& analysis, const Places& own) {
+    const double w = frequency_of_square * stiffest.crossings, z = analysis.damping.stiffness * w / 2,
+                 shortened = std::hypot(1, z) + z;
+    if (analysis.mode != Mode::dynamic || analysis.scheme != Scheme::central_difference ||
+        shortened <= most_shortened)
+      return false;
+    const Place& place =
+        own.written("damping") ? own.of("damping") : document.analysis.places.of("damping");
+    problems.error(place,
+                   "scheme \"explicit\" with a damping stiffness of '" +
+                       short_number(analysis.damping.stiffness) + "' s is stable in steps below about " +
+                       rounded(2 / w / shortened) + " s alone: without it below " +
+                       rounded(2 / w) + " s, by " + blocks.title(stiffest.block),
+                   "write a stiffness of at most " + rounded((most_shortened - 1) / w) +
+                       " s, or scheme = \"decaying\"");
+    return true;
+  };
+  const auto check_both = [&](const AnalysisOptions& analysis, const Places& own) {
+    return check(analysis, own) || check_explicit(analysis, own);
+  };
+  if (scene.stages.empty()) check_both(scene.analysis, document.analysis.places);
   for (std::size_t s = 0; s < scene.stages.size(); ++s)
-    if (check(scene.stages[s].analysis, document.stages[s].places)) return;
+    if (check_both(scene.stages[s].analysis, document.stages[s].places)) return;
 }
 
 }  // namespace ddacontact::scene_format

@@ -40,6 +40,7 @@ const std::vector<Word<Kinematics>>& words_of(Kinematics) {
 
 const std::vector<Word<Scheme>>& words_of(Scheme) {
   static const std::vector<Word<Scheme>> words{{"decaying", Scheme::decaying},
+                                               {"explicit", Scheme::central_difference},
                                                {"midpoint", Scheme::midpoint},
                                                {"dda", Scheme::dda},
                                                {"newmark", Scheme::newmark},

@@ -1,5 +1,6 @@
 #include <ddacontact/solver/contact_sweeps.hpp>
 
+#include <ddacontact/core/bytes_of.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
@@ -39,14 +40,8 @@ bool invert(double* values, Index n) {
   return true;
 }
 
-double bound_under(const SweptLaw& law, double normal) {
-  if (law.joint->friction_law) return shear_bound(*law.joint, normal, law.bonded);
-  return std::max(0.0, normal) * law.joint->friction + (law.bonded ? law.joint->cohesion : 0);
-}
-
 /// Open, at the bound of friction in either sense, or within it.
-int state_of(const SweptLaw& law, const ContactForce& force) {
-  const double bound = bound_under(law, force.normal);
+int state_of(const ContactForce& force, double bound) {
   return force.normal <= 0 && force.shear == 0 ? 0 : force.shear >= bound ? 1 : force.shear <= -bound ? 2 : 3;
 }
 
@@ -105,12 +100,11 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
   rows_.clear();
   rows_.reserve(terms.size());
   int n_entries = 0;
-  std::vector<std::array<int, 2>> blocks_of_rows;  // the earlier one first, then -1 where the other is held
-  blocks_of_rows.reserve(terms.size());
+  std::size_t n_columns = 0;
   for (std::size_t c = 0; c < terms.size(); ++c) {
     Row row{static_cast<int>(c), n_entries};
     std::array<int, AffineForm::capacity> seen;
-    std::array<int, 2> blocks{-1, -1};
+    auto& [one, other] = row.sides;
     for (int u : terms[c].gap.unknowns()) {
       const int place = place_[static_cast<std::size_t>(u)];
       if (place < 0) continue;
@@ -118,16 +112,22 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
       const auto end = seen.begin() + row.n_entries;
       if (std::find(seen.begin(), end, first) != end) continue;
       seen[static_cast<std::size_t>(row.n_entries++)] = first;
-      if (block != blocks[0]) (blocks[0] < 0 ? blocks[0] : blocks[1]) = block;
+      if (block != one.block) (one.block < 0 ? one : other).block = block;
     }
     if (row.n_entries == 0) continue;
     n_entries += row.n_entries;
-    if (blocks[1] >= 0 && blocks[1] < blocks[0]) std::swap(blocks[0], blocks[1]);
-    blocks_of_rows.push_back(blocks);
+    if (other.block >= 0 && other.block < one.block) std::swap(one, other);
+    for (Side& side : row.sides) {
+      if (side.block < 0) continue;
+      const Block& block = blocks_[static_cast<std::size_t>(side.block)];
+      side = {side.block, block.first, block.n, n_columns};
+      n_columns += static_cast<std::size_t>(2 * block.n);
+    }
     rows_.push_back(row);
   }
-  order_rows(blocks_of_rows);
+  order_rows();
   entries_.resize(static_cast<std::size_t>(n_entries));
+  columns_.resize(n_columns);
   polyfem::for_ranges(static_cast<Index>(rows_.size()), grain, [&](Index begin, Index end) {
     for (Index r = begin; r < end; ++r) {
       Row& row = rows_[static_cast<std::size_t>(r)];
@@ -137,7 +137,7 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
 }
 
 /// Groups are as many blocks as follow one another when the contacts are walked along from a first one.
-void ContactSweeps::order_rows(const std::vector<std::array<int, 2>>& blocks_of_rows) {
+void ContactSweeps::order_rows() {
   const std::size_t n_blocks = blocks_.size();
   if (n_blocks <= group_size) {
     const auto end = static_cast<int>(rows_.size());
@@ -145,11 +145,12 @@ void ContactSweeps::order_rows(const std::vector<std::array<int, 2>>& blocks_of_
     return;
   }
   std::vector<std::vector<int>> neighbours(n_blocks);
-  for (const auto& [a, b] : blocks_of_rows)
-    if (b >= 0) {
-      neighbours[static_cast<std::size_t>(a)].push_back(b);
-      neighbours[static_cast<std::size_t>(b)].push_back(a);
-    }
+  for (const Row& row : rows_) {
+    const int a = row.sides[0].block, b = row.sides[1].block;
+    if (b < 0) continue;
+    neighbours[static_cast<std::size_t>(a)].push_back(b);
+    neighbours[static_cast<std::size_t>(b)].push_back(a);
+  }
   std::vector<int> group(n_blocks, -1), walk;
   walk.reserve(n_blocks);
   const auto meet = [&](int block) {
@@ -168,7 +169,7 @@ void ContactSweeps::order_rows(const std::vector<std::array<int, 2>>& blocks_of_
   std::vector<std::array<int, 2>> keys(rows_.size());
   first_of_group_.assign(static_cast<std::size_t>(n_groups) + 2, 0);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const auto [a, b] = blocks_of_rows[r];
+    const int a = rows_[r].sides[0].block, b = rows_[r].sides[1].block;
     const int of_a = group[static_cast<std::size_t>(a)];
     const bool within = b < 0 || group[static_cast<std::size_t>(b)] == of_a;
     keys[r] = {within ? of_a : n_groups, static_cast<int>(r)};
@@ -193,23 +194,36 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
     const int first = place & ~1;
     Entry* entry = std::find_if(entries, entries + n, [&](const Entry& e) { return e.place == first; });
     if (entry == entries + n) {
-      *entry = {block_of_[static_cast<std::size_t>(place)], first, Vec2::Zero(), Vec2::Zero()};
+      *entry = {first, Vec2::Zero(), Vec2::Zero()};
       ++n;
     }
     entry->gap[place & 1] = term.gap.coefficients()[k];
     if (sheared) entry->slip[place & 1] = term.slip.coefficients()[k];
   }
   row.normal = row.mixed = row.shear = 0;
-  for (const Entry* a = entries; a < entries + n; ++a)
-    for (const Entry* b = entries; b < entries + n; ++b) {
-      if (a->block != b->block) continue;
-      const Block& block = blocks_[static_cast<std::size_t>(a->block)];
-      const Eigen::Map<const MatrixXd> inverse(inverses_.data() + block.inverse, block.n, block.n);
-      const Mat2 answer = inverse.block<2, 2>(a->place - block.first, b->place - block.first);
-      row.normal += a->gap.dot(answer * b->gap);
-      row.mixed += a->gap.dot(answer * b->slip);
-      row.shear += a->slip.dot(answer * b->slip);
-    }
+  for (const Side& side : row.sides) {
+    if (side.block < 0) continue;
+    const double* const inverse =
+        inverses_.data() + blocks_[static_cast<std::size_t>(side.block)].inverse;
+    double *const normal = columns_.data() + side.columns, *const shear = normal + side.n;
+    std::fill(normal, shear + side.n, 0);
+    const auto for_own_entries = [&](const auto& work) {
+      for (const Entry* entry = entries; entry < entries + n; ++entry)
+        if (const int at = entry->place - side.first; at >= 0 && at < side.n) work(*entry, at);
+    };
+    for_own_entries([&](const Entry& entry, int at) {
+      const double *const by_first = inverse + at * side.n, *const by_second = by_first + side.n;
+      for (int k = 0; k < side.n; ++k) {
+        normal[k] += entry.gap[0] * by_first[k] + entry.gap[1] * by_second[k];
+        shear[k] += entry.slip[0] * by_first[k] + entry.slip[1] * by_second[k];
+      }
+    });
+    for_own_entries([&](const Entry& entry, int at) {
+      row.normal += entry.gap[0] * normal[at] + entry.gap[1] * normal[at + 1];
+      row.mixed += entry.gap[0] * shear[at] + entry.gap[1] * shear[at + 1];
+      row.shear += entry.slip[0] * shear[at] + entry.slip[1] * shear[at + 1];
+    });
+  }
 }
 
 void ContactSweeps::set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row) {
@@ -217,12 +231,22 @@ void ContactSweeps::set_law(const ContactTerm& term, const SweptLaw& law, const 
   row.acts = term.normal != ContactTerm::Normal::absent;
   row.unilateral = term.normal == ContactTerm::Normal::unilateral;
   row.slides = !std::isinf(term.bound);
+  row.friction = law.joint->friction;
+  row.cohesion = law.bonded ? law.joint->cohesion : 0;
   row.tension = term.tension;
   row.sheared = term.sheared && (term.bound > 0 || law.joint->has_friction());
   row.normal_compliance = 1 / term.normal_stiffness;
   row.tangential_compliance = 1 / term.tangential_stiffness;
   row.gap = term.gap(d) - term.normal_multiplier * row.normal_compliance;
   row.slip = term.sheared ? term.slip(d) : 0;
+}
+
+/// What friction bears.
+double ContactSweeps::bound_under(const Row& row, double normal) {
+  if (!row.slides) return infinity;
+  if (row.law.joint->friction_law) [[unlikely]]
+    return shear_bound(*row.law.joint, normal, row.law.bonded);
+  return std::max(0.0, normal) * row.friction + row.cohesion;
 }
 
 /// The force that the law demands while those of the other contacts stay.
@@ -233,7 +257,7 @@ ContactForce ContactSweeps::solve(const Row& row, double gap, double slip) {
                least = row.unilateral ? -row.tension : -infinity;
   const ContactForce pressed{std::max(least, rn / an), 0};
   if (!row.sheared) return pressed;
-  const auto bound = [&](double normal) { return row.slides ? bound_under(law, normal) : infinity; };
+  const auto bound = [&](double normal) { return bound_under(row, normal); };
   const double bound_before = bound(row.force.normal);
   const double multiplier = law.sliding && row.slides ? std::copysign(bound_before, law.shear)
                                                       : std::clamp(law.shear, -bound_before, bound_before);
@@ -256,18 +280,16 @@ ContactForce ContactSweeps::solve(const Row& row, double gap, double slip) {
   return {normal, sense * bound(normal)};
 }
 
-/// The block's displacements by a force along two of its unknowns.
-void ContactSweeps::move(const Entry& entry, const Vec2& force) {
-  const Block& block = blocks_[static_cast<std::size_t>(entry.block)];
-  const double* const columns =
-      inverses_.data() + block.inverse + static_cast<std::size_t>((entry.place - block.first) * block.n);
-  double* const x = change_.data() + block.first;
+/// What a contact's forces change of a block's displacements.
+void ContactSweeps::move(const Side& side, double normal, double shear) {
+  const double* const columns = columns_.data() + side.columns;
+  double* const x = change_.data() + side.first;
   const auto add = [&]<int N>(std::integral_constant<int, N>) {
     using Column = Eigen::Matrix<double, N, 1>;
-    Eigen::Map<Column>(x, block.n) += force.x() * Eigen::Map<const Column>(columns, block.n) +
-                                      force.y() * Eigen::Map<const Column>(columns + block.n, block.n);
+    Eigen::Map<Column>(x, side.n) += normal * Eigen::Map<const Column>(columns, side.n) +
+                                     shear * Eigen::Map<const Column>(columns + side.n, side.n);
   };
-  if (block.n == 8)
+  if (side.n == 8)
     add(std::integral_constant<int, 8>{});
   else
     add(std::integral_constant<int, Eigen::Dynamic>{});
@@ -290,8 +312,8 @@ double ContactSweeps::visit(Row& row, const Tolerance& tolerance) {
                     slip - row.mixed * before.normal - row.shear * before.shear);
   const double normal = row.force.normal - before.normal, shear = row.force.shear - before.shear;
   if (normal == 0 && shear == 0) return 0;
-  for (const Entry* entry = first; entry < end; ++entry)
-    move(*entry, normal * entry->gap + shear * entry->slip);
+  for (const Side& side : row.sides)
+    if (side.block >= 0) move(side, normal, shear);
   const double change = std::abs(normal) + std::abs(shear),
                of_gap =
                    row.law.gap > 0 ? (row.normal + row.normal_compliance) / (tolerance.gap * row.law.gap) : 0;
@@ -321,12 +343,18 @@ double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
 bool ContactSweeps::is_violent(const Stop& stop) const {
   int n_closed = 0, n_changed = 0;
   for (const Row& row : rows_) {
-    const int now = state_of(row.law, row.force);
+    const int now = state_of(row.force, bound_under(row, row.force.normal));
     if (now == 0 && row.state_before == 0) continue;
     ++n_closed;
     if (now != row.state_before) ++n_changed;
   }
   return n_changed > stop.few && n_changed > stop.many * n_closed;
+}
+
+double ContactSweeps::memory() const {
+  return bytes_of(place_) + bytes_of(unknown_) + bytes_of(block_of_) + bytes_of(blocks_) +
+         bytes_of(inverses_) + bytes_of(rows_) + bytes_of(first_of_group_) + bytes_of(entries_) +
+         bytes_of(columns_) + bytes_of(change_);
 }
 
 VectorXd ContactSweeps::forces() const {
@@ -358,7 +386,7 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
       const auto c = static_cast<std::size_t>(row.contact);
       set_law(terms[c], laws[c], d, row);
       row.force = forces_of_all[c];
-      row.state_before = state_of(row.law, row.force);
+      row.state_before = state_of(row.force, bound_under(row, row.force.normal));
     }
   });
 

@@ -48,6 +48,8 @@ class ContactSweeps {
   Report sweep(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
                const VectorXd& residual, const Stop& stop, VectorXd& d, std::vector<ContactForce>& forces);
 
+  /// Bytes of the heap.
+  double memory() const;
   int n_groups() const { return static_cast<int>(first_of_group_.size()) - 2; }
 
  private:
@@ -58,17 +60,24 @@ class ContactSweeps {
   };
   /// How a contact follows two unknowns of a block, one after the other: coefficients of its gap and slip.
   struct Entry {
-    int block, place;
+    int place;
     Vec2 gap, slip;
+  };
+  /// One of the blocks of a contact: where its unknowns and the columns of A^-1 G^T begin, its displacements
+  /// by a unit normal force and by a unit shear force.
+  struct Side {
+    int block = -1, first = 0, n = 0;
+    std::size_t columns = 0;
   };
   /// A contact, with what its blocks answer to its own forces: G A^-1 G^T.
   struct Row {
     int contact, first_entry, n_entries = 0;
+    std::array<Side, 2> sides = {};  ///< of blocks that move, the earlier one first
     bool acts = false, unilateral = true, slides = false, sheared = false;
     double normal = 0, mixed = 0, shear = 0;
     double normal_compliance = 0, tangential_compliance = 0;
     double gap = 0, slip = 0;  ///< where the sweeps begin, the gap from where nothing presses
-    double tension = 0;
+    double friction = 0, cohesion = 0, tension = 0;
     int state_before = 0;
     SweptLaw law = {};
     ContactForce force = {};
@@ -76,11 +85,12 @@ class ContactSweeps {
 
   bool take_blocks(FrictionProblem& problem);
   void take_contacts(const std::vector<ContactTerm>& terms);
-  void order_rows(const std::vector<std::array<int, 2>>& blocks_of_rows);
+  void order_rows();
   void set_entries(const ContactTerm& term, Row& row);
   static void set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row);
+  static double bound_under(const Row& row, double normal);
   static ContactForce solve(const Row& row, double gap, double slip);
-  void move(const Entry& entry, const Vec2& force);
+  void move(const Side& side, double normal, double shear);
   double visit(Row& row, const Tolerance& tolerance);
   double visit_all(bool forth, const Tolerance& tolerance);
   bool is_violent(const Stop& stop) const;
@@ -94,6 +104,7 @@ class ContactSweeps {
   std::vector<Row> rows_;            ///< group by group, then those between groups
   std::vector<int> first_of_group_;  ///< and of those between groups, and their end
   std::vector<Entry> entries_;
+  std::vector<double> columns_;
   VectorXd change_;  ///< of d so far, packed
 };
 

@@ -15,10 +15,13 @@ struct StagedOptions {
   /// \param[in] tolerance  of the residual in all steps; none: the defaults
   StagedOptions(const std::optional<double>& tolerance, double of_penetration)
       : penetration_tolerance(of_penetration) {
-    if (!tolerance) return;
-    coarse = *tolerance > residual_tolerance;
-    if (coarse) residual_aim = *tolerance;
-    residual_tolerance = *tolerance;
+    solve_to(tolerance);
+  }
+  void solve_to(const std::optional<double>& tolerance) {
+    const StagedOptions defaults;
+    residual_tolerance = tolerance.value_or(defaults.residual_tolerance);
+    coarse = residual_tolerance > defaults.residual_tolerance;
+    residual_aim = coarse ? residual_tolerance : defaults.residual_aim;
   }
 
   double residual_tolerance = 1e-8;            ///< of the forces on each block: what is accepted

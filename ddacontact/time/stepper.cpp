@@ -14,9 +14,9 @@ namespace ddacontact {
 
 namespace {
 
-/// A substep shorter than this times time_step is not tried.
+/// A substep shorter than this times the longest one is not tried.
 constexpr double shortest_substep = 1e-3;
-/// From this times time_step on, a substep is accepted with unsettled stick and slip, and counted.
+/// From this times the longest one on, a substep is accepted with unsettled stick and slip, and counted.
 constexpr double tolerant_substep = 1e-2;
 /// A block that moved further than its contacts were looked for has them looked for this much further.
 constexpr double reach_growth = 4;
@@ -71,10 +71,14 @@ Stepper::Substep Stepper::next_substep(long steps_made) {
   const double end = progress_.start_time + static_cast<double>(steps_made + 1) * analysis_.time_step;
   const double remaining = end - state_.time;
   const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
-  const double shortest = shortest_substep * analysis_.time_step;
+  const double shortest = shortest_substep * longest_substep();
   const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
   const double dt = without_round_off(remaining / pieces, analysis_.time_step, end);
   return {dt, end, pieces <= 1, dt * analysis_.cutting_factor < shortest};
+}
+
+double Stepper::longest_substep() const {
+  return stable_ ? std::min(analysis_.time_step, stable_->dt) : analysis_.time_step;
 }
 
 bool Stepper::carry_on() {
@@ -84,7 +88,7 @@ bool Stepper::carry_on() {
     try {
       result = try_step(dt);
       if (result == Try::accepted) {
-        substep_ = std::min(analysis_.time_step, std::max(substep_, 2 * dt));
+        substep_ = std::min(longest_substep(), std::max(substep_, 2 * dt));
         if (is_last) {
           state_.time = end;
           ++counts_.steps;
@@ -170,7 +174,7 @@ Stepper::Try Stepper::try_step(double dt) {
   const polyfem::Stopwatch watch(times_.update);
   if (wake_hit(solution)) return Try::woke_blocks;
   rejection_ = solution.objection;
-  const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * analysis_.time_step;
+  const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * longest_substep();
   if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Try::rejected;
 
   bool outran = false;

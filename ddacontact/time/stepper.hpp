@@ -15,6 +15,7 @@
 #include <ddacontact/time/run_record.hpp>
 #include <ddacontact/time/run_warnings.hpp>
 #include <ddacontact/time/sleeping.hpp>
+#include <ddacontact/time/stable_step.hpp>
 #include <ddacontact/time/stage.hpp>
 
 #include <functional>
@@ -121,6 +122,8 @@ class Stepper {
   const std::vector<std::string>& notes() const { return notes_; }
   /// The length of the last accepted substep, s.
   double last_dt() const { return last_dt_; }
+  /// How long substeps may be, where the present stage is dynamic by central differences.
+  const std::optional<StableStep>& stable_step() const { return stable_; }
 
  private:
   enum class Try { accepted, rejected, outran_detection, missed_contacts, woke_blocks };
@@ -136,6 +139,8 @@ class Stepper {
   /// The steps of one time_step; false when it has to stop.
   bool carry_on();
   void enter_stage(int stage);
+  /// The longest substep of the present stage, s.
+  double longest_substep() const;
   /// What changes of the blocks and of the way of stepping, but not the state.
   void apply(const Stage& stage);
   /// (13) anew, for the blocks that take part now.
@@ -197,7 +202,9 @@ class Stepper {
   /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
   bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
   /// Whether blocks are carried on by their motions (BlockMotion).
-  bool has_motions() const { return analysis_.scheme == Scheme::decaying; }
+  bool has_motions() const {
+    return analysis_.scheme == Scheme::decaying || analysis_.scheme == Scheme::central_difference;
+  }
   /// Of the blocks in the present state, where they are carried on by them.
   void find_motions();
   void solve_by_open_close(Solution& solution);
@@ -281,7 +288,8 @@ class Stepper {
   bool detected_ = false;   ///< tried_ are those of state_
   bool has_tried_ = false;  ///< tried_ are no longer what they were before
 
-  double substep_ = 0;  ///< the length to try next, s
+  std::optional<StableStep> stable_;  ///< of the present stage, by central differences
+  double substep_ = 0;                ///< the length to try next, s
   /// The solution of the next substep, when it was looked for already, and the counts with it.
   struct Ahead {
     double dt;

@@ -155,9 +155,11 @@ void Stepper::solve_by_open_close(Solution& solution) {
 }
 
 void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution) {
-  staged_.local = !is_static() && std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
-    return carries_waves(blocks_, contact, system_->dt());
-  });
+  staged_.local =
+      !is_static() && (start.rule.is_explicit() ||
+                       std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
+                         return carries_waves(blocks_, contact, system_->dt());
+                       }));
   staged_.skip = analysis_.skip;
   staged_.directions = start.rule.directions();
   staged_.is_static = is_static();

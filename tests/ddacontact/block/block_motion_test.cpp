@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -33,6 +34,8 @@ struct Flight {
   CorotationalShape shape;
   VectorXd coordinates, velocity;
   double previous = 0;
+  Scheme scheme = Scheme::decaying;
+  RayleighDamping damping{};
 
   /// \param[in] stretch  the deformation at the start; that of the first node, others so that it has no
   /// momenta
@@ -46,8 +49,7 @@ struct Flight {
   }
 
   void step(double length) {
-    StepRule rule;
-    rule.scheme = Scheme::decaying;
+    StepRule rule{.scheme = scheme, .damping = damping};
     rule.impulse_time = (length + previous) / (2 * length);
     CorotationalStart start{step_matrices(shape, rule, length), {}};
     BlockMotion::begin(shape, coordinates, velocity, VectorXd(), start);
@@ -64,6 +66,8 @@ struct Flight {
     EXPECT_LE((A - A.transpose()).norm(), 1e-9 * A.norm());
     Points places(2, 4);
     const VectorXd d = -A.ldlt().solve(at_zero);
+    lost = motion.losses(d);
+    stored = motion.stored_energy(d);
     motion.end(d, VectorXd(), coordinates, places, velocity);
     previous = length;
   }
@@ -73,7 +77,18 @@ struct Flight {
     return (Z * shape.cells[0].mass).cwiseProduct(Z).sum() * rates()[2];
   }
   VectorXd deformation() const { return coordinates.tail(8); }
+
+  BlockMotion::Losses lost{};
+  double stored = 0;
 };
+
+MatrixXd mass_of(const CorotationalShape& shape) {
+  MatrixXd M = MatrixXd::Zero(8, 8);
+  for (Index a = 0; a < 4; ++a)
+    for (Index b = 0; b < 4; ++b)
+      M.block<2, 2>(2 * a, 2 * b) = shape.cells[0].mass(a, b) * Mat2::Identity();
+  return M;
+}
 
 VectorXd at_rest() {
   return VectorXd::Zero(11);
@@ -107,10 +122,7 @@ TEST(BlockMotion, AStiffBlockTurnsByItsAngle) {
 TEST(BlockMotion, DeformationFollowsByBackwardEuler) {
   Flight flight(1e8, at_rest(), 1e-2);
   const MatrixXd& K = flight.shape.cells[0].elastic.stiffness();
-  MatrixXd M = MatrixXd::Zero(8, 8);
-  for (Index a = 0; a < 4; ++a)
-    for (Index b = 0; b < 4; ++b)
-      M.block<2, 2>(2 * a, 2 * b) = flight.shape.cells[0].mass(a, b) * Mat2::Identity();
+  const MatrixXd M = mass_of(flight.shape);
   VectorXd u = flight.deformation(), rate = VectorXd::Zero(8);
   for (int k = 0; k < 5; ++k) {
     const double h = k == 0 ? dt / 2 : dt;
@@ -118,6 +130,62 @@ TEST(BlockMotion, DeformationFollowsByBackwardEuler) {
     u += dt * rate;
     flight.step(dt);
     EXPECT_LE((flight.deformation() - u).norm(), 1e-10 * u.norm()) << k;
+  }
+}
+
+/// A mode of frequency w has u_n = u_0 cos(n angle) with sin(angle / 2) = w dt / 2.
+TEST(BlockMotion, CentralDifferencesVibrateAtTheirOwnFrequency) {
+  Flight flight(1e8, at_rest());
+  flight.scheme = Scheme::central_difference;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(flight.shape.cells[0].elastic.stiffness(),
+                                                                 mass_of(flight.shape));
+  for (Index k = 3; k < 8; ++k) {
+    const double w = std::sqrt(modes.eigenvalues()[k]), step = 1.2 / flight.shape.highest_frequency(),
+                 angle = 2 * std::asin(w * step / 2);
+    const VectorXd mode = 1e-6 * modes.eigenvectors().col(k).normalized();
+    flight.coordinates << at_rest().head<3>(), mode;
+    flight.velocity.setZero();
+    flight.previous = 0;
+    for (int n = 1; n <= 100; ++n) {
+      flight.step(step);
+      EXPECT_LE((flight.deformation() - std::cos(n * angle) * mode).norm(), 1e-5 * mode.norm());
+    }
+  }
+}
+
+TEST(BlockMotion, CentralDifferencesAreStableToTheCriticalStep) {
+  for (double stiffness : {0., 2e-4, 2e-2})
+    for (double part : {0.99, 1.01}) {
+      VectorXd rates = at_rest();
+      rates.tail<8>() << 1, -2, 3, 1, -1, 2, -3, 1;
+      Flight flight(1e8, 1e-4 * rates, 1e-6);
+      flight.scheme = Scheme::central_difference;
+      flight.damping.stiffness = stiffness;
+      const double step = part * critical_step(flight.shape, flight.damping);
+      double early = 0;
+      bool grows = false;
+      for (int n = 0; n < 1000 && !grows; ++n) {
+        flight.step(step);
+        const double now = flight.deformation().norm();
+        if (n < 20) early = std::max(early, now);
+        grows = now > 20 * early;
+      }
+      EXPECT_EQ(grows, part > 1) << stiffness;
+    }
+}
+
+/// Without external forces what is stored, lost and left of inertia's work adds up to nothing: the change of
+/// kinetic energy is taken off the scheme's part afterwards.
+TEST(BlockMotion, LossesAddUp) {
+  for (Scheme scheme : {Scheme::decaying, Scheme::central_difference}) {
+    Flight flight(1e8, spinning(5), 1e-2);
+    flight.scheme = scheme;
+    flight.damping = {3, 1e-5};
+    for (int k = 0; k < 20; ++k) {
+      flight.step(1e-4);
+      const double sum = flight.stored + flight.lost.damping + flight.lost.scheme;
+      EXPECT_LE(std::abs(sum), 1e-9 * (std::abs(flight.stored) + std::abs(flight.lost.scheme))) << k;
+    }
   }
 }
 

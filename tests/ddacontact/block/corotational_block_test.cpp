@@ -131,7 +131,7 @@ struct OneBlock {
 };
 
 constexpr Scheme all_schemes[] = {Scheme::decaying, Scheme::midpoint, Scheme::dda, Scheme::newmark,
-                                  Scheme::backward_euler};
+                                  Scheme::backward_euler, Scheme::central_difference};
 
 StepRule rule_of(Scheme scheme) {
   AnalysisOptions options;

@@ -111,7 +111,7 @@ TEST(Reading, NewmarkMayBeAnyThatIsStableAtEveryTimeStep) {
 }
 
 TEST(Reading, EverySchemeGoesWithTheTurningFrame) {
-  for (const char* scheme : {"decaying", "midpoint", "dda", "newmark", "backward_euler"})
+  for (const char* scheme : {"decaying", "explicit", "midpoint", "dda", "newmark", "backward_euler"})
     EXPECT_TRUE(read(minimal, {std::string("analysis.scheme=") + scheme}).scene) << scheme;
   for (const char* scheme : {"dda", "newmark", "backward_euler"})
     EXPECT_TRUE(

@@ -1,4 +1,4 @@
-// Newmark's scheme for stiff blocks that may turn.
+// Newmark's scheme for stiff blocks that may turn, the explicit one with damping.
 #include "example_scenes.hpp"
 
 namespace {
@@ -33,6 +33,23 @@ TEST(SchemeCheck, IsSilentWhereItIsStable) {
            {"analysis.scheme=midpoint"},
            {}})
     EXPECT_EQ(said(settings), "");
+}
+
+/// The block's critical step is about 2.6e-4 s: a damping stiffness of 2.6e-3 s makes it ten times shorter.
+TEST(SchemeCheck, RefusesDampingThatLeavesNoExplicitStep) {
+  const std::vector<std::string> settings{"material.rock.young=1e10", "analysis.scheme=explicit"};
+  const auto with = [&](const char* stiffness) {
+    std::vector<std::string> all = settings;
+    all.push_back(std::string("analysis.damping={stiffness=") + stiffness + "}");
+    return read(minimal, all);
+  };
+  EXPECT_TRUE(with("1e-4").scene);
+  const SceneReading refused = with("0.1");
+  EXPECT_FALSE(refused.scene);
+  const std::string text = all_text(refused.problems);
+  for (const char* words : {"error: ", "'0.1' s is stable in steps below about", "by block 0",
+                            "(write a stiffness of at most", "or scheme = \"decaying\")"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << " in " << text;
 }
 
 TEST(SchemeCheck, LooksAtEveryStage) {

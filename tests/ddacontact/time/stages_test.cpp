@@ -177,7 +177,8 @@ TEST(Stages, AStaticStageTakesTheVelocitiesOut) {
 
 TEST(Stages, EverySchemeSettlesInStaticSteps) {
   for (const Scheme scheme :
-       {Scheme::decaying, Scheme::midpoint, Scheme::dda, Scheme::newmark, Scheme::backward_euler}) {
+       {Scheme::decaying, Scheme::central_difference, Scheme::midpoint, Scheme::dda, Scheme::newmark,
+        Scheme::backward_euler}) {
     Scene scene = slope_scene(20, 30);
     scene.analysis.scheme = scheme;
     scene.stages = {settling(scene, 10)};

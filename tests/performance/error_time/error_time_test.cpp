@@ -26,7 +26,8 @@ TEST_P(EveryMethod, AnalysesTheCheapestOfEveryQuickProblem) {
 }
 INSTANTIATE_TEST_SUITE_P(ErrorTime, EveryMethod,
                          testing::Values("default", "classic", "paper", "midpoint", "dda", "backward_euler",
-                                         "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8"));
+                                         "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8", "explicit",
+                                         "contacts to 1e-3"));
 
 /// The reference takes long.
 TEST(ErrorTime, TheSlopeIsAnalysedByTheMethodsThatMatterMost) {

@@ -30,6 +30,10 @@ const std::vector<Method>& all_methods() {
        .model = BlockModel::wachspress,
        .scheme = Scheme::dda,
        .paper = true},
+      {.name = "explicit",
+       .description = "the scheme of central differences, in substeps of at most the critical step; contacts to "
+                      "1e-3 of a block's forces",
+       .scheme = Scheme::central_difference},
       {.name = "midpoint", .description = "the scheme that keeps energy", .scheme = Scheme::midpoint},
       {.name = "dda", .description = "the scheme Newmark (1/2, 1)", .scheme = Scheme::dda},
       {.name = "backward_euler", .description = "that scheme", .scheme = Scheme::backward_euler},
@@ -39,7 +43,10 @@ const std::vector<Method>& all_methods() {
       {.name = "tolerance 1e-4",
        .description = "`penetration_tolerance` of 1e-4 of a block instead of 1e-6",
        .penetration_tolerance = 1e-4},
-      {.name = "tolerance 1e-8", .description = "of 1e-8", .penetration_tolerance = 1e-8}};
+      {.name = "tolerance 1e-8", .description = "of 1e-8", .penetration_tolerance = 1e-8},
+      {.name = "contacts to 1e-3",
+       .description = "`contact.tolerance` of 1e-3 of a block's forces instead of 1e-8",
+       .contact_tolerance = 1e-3}};
   return methods;
 }
 
@@ -54,6 +61,7 @@ void apply(const Method& method, Scene& scene) {
   AnalysisOptions& analysis = scene.analysis;
   analysis.scheme = method.scheme;
   scene.contact.penetration_tolerance = method.penetration_tolerance;
+  scene.contact.tolerance = method.contact_tolerance;
   for (BlockDescription& block : scene.blocks)
     if (!block.fixed) {
       block.model = method.model;

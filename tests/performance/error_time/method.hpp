@@ -3,6 +3,7 @@
 
 #include <ddacontact/scene/scene.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct Method {
   ddacontact::BlockModel model = ddacontact::BlockModel::automatic;
   ddacontact::Scheme scheme = ddacontact::Scheme::decaying;
   double penetration_tolerance = 1e-6;  ///< of the block size
-  bool paper = false;                   ///< the preset of that name
+  std::optional<double> contact_tolerance = {};  ///< see ContactOptions::tolerance
+  bool paper = false;                            ///< the preset of that name
 };
 
 /// The first is the default.

@@ -56,8 +56,8 @@ constexpr const char* what_to_choose =
 
 /// What differs in the two charts of a picture.
 const std::vector<std::vector<std::string>> panels{
-    {"default", "classic", "paper", "midpoint", "dda", "backward_euler"},
-    {"default", "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8"}};
+    {"default", "classic", "paper", "explicit", "midpoint", "dda", "backward_euler"},
+    {"default", "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8", "contacts to 1e-3"}};
 
 std::vector<Measurement> runs_of(const std::vector<Measurement>& all, const std::string& quantity,
                                  const std::string& method) {

@@ -1,0 +1,112 @@
+#include <ddacontact/block/corotational_shape.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace support;
+
+namespace {
+
+Scene explicit_scene(double time_step, int steps) {
+  Scene scene;
+  scene.analysis.scheme = Scheme::central_difference;
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = steps;
+  scene.analysis.gravity = Vec2(0, -10);
+  scene.materials = {{"rock", 2500, 1e9, 0.2}};
+  scene.joints = {{"joint", 30, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 4e10;
+  scene.contact.tangential_stiffness = 1.6e10;
+  return scene;
+}
+
+/// A block whose lower side is held, when gravity finds it: the largest part of the elastic energy that the
+/// scheme has given or taken at any time.
+double largest_loss(double time_step) {
+  Scene scene = explicit_scene(time_step, static_cast<int>(0.02 / time_step));
+  scene.blocks = {block(rectangle(0, 0, 1, 1))};
+  scene.supports = {{0, {0, 1}, true, true, constant(Vec2::Zero())}};
+  const BuiltScene built = build(scene);
+  double loss = 0, elastic = 0;
+  for (int k = 0; k < scene.analysis.steps; ++k) {
+    run(*built.stepper, 1);
+    loss = std::max(loss, std::abs(built.stepper->energy().now.numerical_dissipated));
+    elastic = std::max(elastic, built.stepper->energy().now.elastic);
+    EXPECT_LE(built.stepper->energy().balance_error(), 1e-10);
+  }
+  return loss / elastic;
+}
+
+}  // namespace
+
+TEST(Explicit, SubstepsAreNoLongerThanTheStiffestBlockAllows) {
+  Scene scene = explicit_scene(1e-2, 1);
+  scene.blocks = {block(rectangle(0, 0, 1, 1)), block(rectangle(3, 0, 0.5, 0.5))};
+  const BuiltScene built = run(scene);
+  const StableStep stable = *built.stepper->stable_step();
+  EXPECT_EQ(stable.block, 1) << "the smaller one";
+  EXPECT_EQ(stable.n_decaying, 0);
+  EXPECT_NEAR(stable.critical, critical_step(*built.stepper->blocks().block(1).shape(), {}), 1e-15);
+  EXPECT_EQ(built.stepper->counts().substeps, std::ceil(1e-2 / stable.dt));
+  Scene decaying = scene;
+  decaying.analysis.scheme = Scheme::decaying;
+  EXPECT_FALSE(run(decaying).stepper->stable_step());
+}
+
+TEST(Explicit, VibrationsKeepTheirEnergyToSecondOrder) {
+  const double coarse = largest_loss(1e-4), fine = largest_loss(0.5e-4);
+  EXPECT_LE(coarse, 1e-2);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
+}
+
+/// A plate of a hundredth of the others' height does not make their steps shorter.
+TEST(Explicit, SliversDecay) {
+  Scene scene = explicit_scene(1e-3, 400);
+  scene.analysis.damping.mass = 50;
+  scene.blocks = {block(rectangle(-1, -1, 7, 1), true), block(rectangle(0, 0, 1, 1)),
+                  block(rectangle(2, 0, 1, 1)), block(rectangle(4, 0, 1, 1)),
+                  block(rectangle(0, 1, 1, 0.01))};
+  const BuiltScene built = run(scene);
+  const StableStep stable = *built.stepper->stable_step();
+  EXPECT_NE(stable.block, 4);
+  EXPECT_EQ(stable.n_decaying, 1);
+  EXPECT_LT(critical_step(*built.stepper->blocks().block(4).shape(), scene.analysis.damping),
+            0.1 * stable.dt);
+  EXPECT_LE(travel(*built.stepper, 4).norm(), 1e-4);
+  EXPECT_LE(built.stepper->equilibrium().fastest, 1e-4);
+  double weight = 0;
+  for (const ContactRecord& contact : built.stepper->contacts())
+    if (contact.pair.edge_block == 0 || contact.pair.vertex_block == 0) weight += contact.normal;
+  EXPECT_NEAR(weight, 3.01 * 2500 * 10, 1e-2 * 3 * 2500 * 10);
+}
+
+/// Without damping its own vibrations lift it now and then: it squeals.
+TEST(Explicit, ABlockSlidesAsCoulombSays) {
+  Scene scene = explicit_scene(1e-3, 300);
+  scene.analysis.damping.stiffness = 3e-4;
+  const double slope = radians(40);
+  scene.blocks = {block(turned(rectangle(-1, -1, 12, 1), -slope), true),
+                  block(turned(rectangle(0, 0, 1, 0.5), -slope))};
+  const BuiltScene built = run(scene);
+  const double t = 0.3, a = 10 * (std::sin(slope) - std::tan(radians(30)) * std::cos(slope));
+  EXPECT_NEAR(travel(*built.stepper, 1).norm(), a * t * t / 2, 3e-3 * a * t * t / 2);
+  EXPECT_LE(built.stepper->counts().max_penetration, 1e-5);
+}
+
+/// Two blocks meet askew, with friction: no force but theirs.
+TEST(Explicit, CollisionsKeepMomenta) {
+  Scene scene = explicit_scene(1e-3, 100);
+  scene.analysis.gravity.setZero();
+  scene.blocks = {block(rectangle(0, 0, 1, 1)), block(turned(rectangle(1.2, 0.3, 1, 0.7), 0.1))};
+  scene.blocks[0].velocity = {2, 0.5};
+  const BuiltScene built = build(scene);
+  const double mass = built.stepper->blocks().block(0).mass_total();
+  run(*built.stepper, scene.analysis.steps);
+  EXPECT_GT(momentum(*built.stepper, 1).norm(), 0.1 * mass);
+  EXPECT_LE((momentum(*built.stepper, 0) + momentum(*built.stepper, 1) - mass * Vec2(2, 0.5)).norm(),
+            1e-11 * mass);
+  EXPECT_LE(built.stepper->energy().now.kinetic + built.stepper->energy().now.elastic,
+            mass * Vec2(2, 0.5).squaredNorm() / 2);
+  EXPECT_EQ(built.stepper->energy().created(), 0);
+}
