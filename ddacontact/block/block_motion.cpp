@@ -88,8 +88,9 @@ void BlockMotion::forces(const Numbers& d, Written resisting) const {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
     const double h = impulse_time_, damped = 1 + h * damping_.mass;
-    Vectors f = damped / dt_ * nodes.weighted(way.deformation) - array<Of>(drive);
+    Vectors f = damped / dt_ * nodes.weighted(way.deformation);
     if (!is_explicit_) f += h * (1 + damping_.stiffness / dt_) * times_stiffness<Of>(way.deformation);
+    f -= array<Of>(drive);
     f /= h;
     const Vec2 linear = motions.mass / h * (damped / dt_ * way.linear - linear_before_),
                of_deformation = f.lazyProduct(motions.translation);

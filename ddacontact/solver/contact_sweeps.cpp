@@ -1,6 +1,5 @@
 #include <ddacontact/solver/contact_sweeps.hpp>
 
-#include <ddacontact/core/bytes_of.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
@@ -15,6 +14,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Index grain = 256;
+constexpr int quadrilateral = 8;  ///< unknowns of the block that most scenes are made of
 
 /// The n x n matrix of these values becomes its inverse, by elimination in place without exchanging rows: the
 /// matrices are positive definite. False: it has none that is finite.
@@ -90,7 +90,7 @@ bool ContactSweeps::take_blocks(FrictionProblem& problem) {
         A.col(k).setZero();
         A(k, k) = 1;
       }
-      if (!(n == 8 ? invert<8>(values, n) : invert<Eigen::Dynamic>(values, n))) finite = false;
+      if (!(n == quadrilateral ? invert<quadrilateral>(values, n) : invert<Eigen::Dynamic>(values, n))) finite = false;
     }
   });
   return finite;
@@ -289,8 +289,8 @@ void ContactSweeps::move(const Side& side, double normal, double shear) {
     Eigen::Map<Column>(x, side.n) += normal * Eigen::Map<const Column>(columns, side.n) +
                                      shear * Eigen::Map<const Column>(columns + side.n, side.n);
   };
-  if (side.n == 8)
-    add(std::integral_constant<int, 8>{});
+  if (side.n == quadrilateral)
+    add(std::integral_constant<int, quadrilateral>{});
   else
     add(std::integral_constant<int, Eigen::Dynamic>{});
 }
@@ -349,12 +349,6 @@ bool ContactSweeps::is_violent(const Stop& stop) const {
     if (now != row.state_before) ++n_changed;
   }
   return n_changed > stop.few && n_changed > stop.many * n_closed;
-}
-
-double ContactSweeps::memory() const {
-  return bytes_of(place_) + bytes_of(unknown_) + bytes_of(block_of_) + bytes_of(blocks_) +
-         bytes_of(inverses_) + bytes_of(rows_) + bytes_of(first_of_group_) + bytes_of(entries_) +
-         bytes_of(columns_) + bytes_of(change_);
 }
 
 VectorXd ContactSweeps::forces() const {

@@ -48,8 +48,6 @@ class ContactSweeps {
   Report sweep(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
                const VectorXd& residual, const Stop& stop, VectorXd& d, std::vector<ContactForce>& forces);
 
-  /// Bytes of the heap.
-  double memory() const;
   int n_groups() const { return static_cast<int>(first_of_group_.size()) - 2; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/solver/anderson.hpp>
+#include <ddacontact/solver/contact_sweeps.hpp>
 #include <ddacontact/solver/interior_point.hpp>
 #include <ddacontact/solver/spring_state.hpp>
 
@@ -336,12 +337,12 @@ class Staged {
       system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
       if (round == 0 || !options_.keeps_gradients()) {
         if (round > 0) system_.linearize(d_);
-        if (!system_.sweeps().set(system_.problem(), terms_)) return false;
+        if (!sweeps_.set(system_.problem(), terms_)) return false;
       }
       VectorXd d = d_;
       const std::vector<SweptLaw> laws = this->laws();
       const ContactSweeps::Report swept =
-          system_.sweeps().sweep(terms_, laws, report_.residual.force, stop, d, forces_);
+          sweeps_.sweep(terms_, laws, report_.residual.force, stop, d, forces_);
       report_.sweeps += swept.sweeps;
       if (swept.violent) {
         violent_ = true;
@@ -655,6 +656,7 @@ class Staged {
   bool inside_ = false;   ///< the states were found from inside
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
+  ContactSweeps sweeps_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;
 };

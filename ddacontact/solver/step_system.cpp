@@ -254,7 +254,7 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
 }
 
 double StepSystem::memory() const {
-  return problem_.memory() + sweeps_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
+  return problem_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
          bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
          bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) + bytes_of(magnitude_) +
          bytes_of(stiffest_) + bytes_of(own_at_) + bytes_of(own_forces_) + bytes_of(own_sums_);

@@ -3,7 +3,6 @@
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
-#include <ddacontact/solver/contact_sweeps.hpp>
 #include <ddacontact/solver/friction_problem.hpp>
 
 #include <vector>
@@ -62,8 +61,6 @@ class StepSystem {
   /// The matrix, its factor and what is solved with it.
   FrictionProblem& problem() { return problem_; }
   const FrictionProblem& problem() const { return problem_; }
-  /// Sweeps over the contacts of its blocks.
-  ContactSweeps& sweeps() { return sweeps_; }
   /// Of every unknown, see Block::unknown_lengths.
   const VectorXd& unknown_lengths() const { return unknown_lengths_; }
   int n_blocks() const { return blocks_.n_blocks(); }
@@ -102,7 +99,6 @@ class StepSystem {
   std::vector<int> first_element_;  ///< of the matrix, of each of those
   VectorXd unknown_lengths_;
   FrictionProblem problem_;
-  ContactSweeps sweeps_;
   VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
   double held_stiffness_ = 0;

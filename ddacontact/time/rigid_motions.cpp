@@ -68,11 +68,6 @@ double RigidMotions::largest_mass() const {
   return largest;
 }
 
-double RigidMotions::smallest_mass() const {
-  double smallest = parts_.empty() ? 0 : parts_.front().block->mass_total();
-  for (const Part& part : parts_) smallest = std::min(smallest, part.block->mass_total());
-  return smallest;
-}
 
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {
   constexpr double round_off = 1e-13;

@@ -16,7 +16,6 @@ class RigidMotions {
   int n_coefficients() const { return n_coefficients_; }
   /// Of the blocks that move, kg per m; 0: none does.
   double largest_mass() const;
-  double smallest_mass() const;
   /// The rigid part of velocities of all unknowns: what is left over is orthogonal to it in kinetic energy.
   VectorXd coefficients(const VectorXd& velocity) const;
   /// velocity += the motion q, on all unknowns; 0 on held ones.
