@@ -59,7 +59,8 @@ struct Candidate {
   double gap, overshoot;
   Vec2 normal;
   double offset;        ///< of the gap
-  bool kept;            ///< closed before
+  bool known;           ///< a contact before
+  bool kept;            ///< and closed
   bool strict = false;  ///< admissible as it stands, without turning within the step
   bool dropped = false;
 
@@ -112,9 +113,10 @@ struct Workspace {
   std::vector<Candidate> at_vertex, in_b, in_a;
 };
 
-EarlierContact find_earlier(std::span<const EarlierContact> earlier, const VertexEdge& contact) {
+/// Null: there is none.
+const EarlierContact* find_earlier(std::span<const EarlierContact> earlier, const VertexEdge& contact) {
   const auto same = std::ranges::find(earlier, contact, &EarlierContact::pair);
-  return same == earlier.end() ? EarlierContact{contact, 0, false} : *same;
+  return same == earlier.end() ? nullptr : &*same;
 }
 
 bool is_within(double distance, const Vec2& x) {
@@ -172,15 +174,15 @@ class Entrances {
     bool behind = false;
     for (const auto& [e, edge] : edges_) {
       const VertexEdge contact{a_.block, i, b_.block, e};
-      const EarlierContact earlier = find_earlier(earlier_, contact);
-      const double gap = edge.gap(x) - earlier.gap_offset;
+      const EarlierContact* const earlier = find_earlier(earlier_, contact);
+      const double offset = earlier ? earlier->gap_offset : 0, gap = edge.gap(x) - offset;
       if (gap < -limits_.max_depth || gap > limits_.reach) continue;
       const double overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
       if (!is_within(limits_.reach, {off, aside})) continue;
       if (!corner.admissible(edge.normal, limits_.reach)) continue;
-      const bool stays = overshoot <= limits_.coincidence && earlier.closed;
-      near_.push_back({contact, gap, overshoot, edge.normal, earlier.gap_offset, stays});
+      const bool stays = overshoot <= limits_.coincidence && earlier && earlier->closed;
+      near_.push_back({contact, gap, overshoot, edge.normal, offset, earlier != nullptr, stays});
       behind = behind || is_behind(near_.back());
     }
     if (near_.empty()) return;
@@ -331,6 +333,8 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     const bool p_over = p.inside() || of_p.end_overshoot <= 0, q_over = q.inside() || of_q.end_overshoot <= 0;
     if (p.kept != q.kept && (one_place || !(p.kept ? q_over : p_over)))
       drop(p.kept ? q : p);
+    else if (one_place && !p.kept && p.known != q.known)
+      drop(p.known ? q : p);
     else if (p.kept == q.kept && p_over != q_over)
       drop(p_over ? q : p);
     else if (p.kept == q.kept && (!p_over || (one_place && !p.kept)))

@@ -44,7 +44,7 @@ struct PairLimits {
   double round_off() const { return 1e-3 * coincidence; }
 };
 
-/// A contact of the step before that still counts.
+/// A contact of the step before.
 struct EarlierContact {
   VertexEdge pair;
   double gap_offset = 0;  ///< <= 0: the gap from which the contact's own gap counts, m
@@ -69,7 +69,8 @@ struct Choice {
 ///
 /// Two touching edges come out as the two ends of their overlap; where vertex meets vertex the lines of both
 /// corners are compared, and the one passed last stays. Where that leaves a tie, an earlier contact wins, so
-/// that a resting contact keeps its lock point. `choices`: the lines that a contact was preferred to, none of
+/// that a resting contact keeps its lock point; an open one too, so that faces that only lie at each other do
+/// not change contacts by their last digits. `choices`: the lines that a contact was preferred to, none of
 /// them passed at the start. Where one is open the step's forces have to tell.
 void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                    std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
