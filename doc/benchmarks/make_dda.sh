@@ -41,12 +41,14 @@ if wants walls; then
   measure walls --sizes 200 1000 10000 --starts sudden --no-cholmod --warm 0 --steps 20
   seconds=$settled_seconds measure walls --sizes 200 "${settled[@]}" --starts settled --without none sleep --no-cholmod \
     --warm 40 --steps 20
-  seconds=20 measure walls --sizes 200 1000 --starts sudden settled --classic --no-cholmod --warm 0 --steps 20
+  seconds=20 measure walls --sizes 200 1000 --starts sudden settled --methods classic --no-cholmod --warm 0 --steps 20
 fi
 if wants growth; then
   rm -f "$measured/growth.csv"
   measure growth --time-steps 1e-4 --sizes 1000 10000 100000 "${million[@]}" --warm 2 --steps 5
+  measure growth --methods explicit --time-steps 1e-4 --sizes 1000 10000 100000 "${million[@]}" --warm 2 --steps 5
   measure growth --sizes 1000 10000 --warm 2 --steps 5
+  measure growth --methods coarse explicit --sizes 1000 10000 --warm 2 --steps 5
   measure growth --scenes slide --sizes 1000 --warm 2 --steps 5
   seconds=$settled_seconds measure growth --scenes wall glide --starts settled --without sleep --sizes "${settled[@]}" --warm 5 --steps 10
   if [ -n "$long" ]; then
@@ -72,7 +74,7 @@ if wants skips; then
 fi
 if wants threads; then
   rm -f "$measured/threads.csv"
-  measure threads --time-steps 1e-4 --sizes 100000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
+  measure threads --methods default explicit --time-steps 1e-4 --sizes 100000 --threads 1 2 --warm 1 --steps 3 --no-cholmod
   [ -z "$long" ] || measure threads --sizes "${large[@]}" --threads 1 2 --warm 0 --steps 1 --no-cholmod
 fi
 if wants field; then

@@ -15,18 +15,19 @@ using benchmark_page::Table;
 
 namespace {
 
-/// Which rows of a table: those of the default method.
+/// Which rows of a table.
 struct Which {
   std::string scene = "wall", start = "sudden";
   double time_step = 1e-2;
   std::string without{};
   double threads = 1;
+  std::string method = "default";
 };
 
 std::optional<Measurement> find(const std::vector<Measurement>& table, const Which& which, double size) {
   for (const Measurement& m : table)
     if (m.scene == which.scene && m.start == which.start && m.time_step == which.time_step &&
-        m.without == which.without && m.threads == which.threads && m.size == size && m.method == "default" &&
+        m.without == which.without && m.threads == which.threads && m.size == size && m.method == which.method &&
         m.steps > 0)
       return m;
   return std::nullopt;
@@ -51,7 +52,8 @@ std::string three_digits(double value) {
   return fmt::format("{:.3g}", value);
 }
 
-const Which dynamic{.time_step = 1e-4};
+const Which dynamic{.time_step = 1e-4}, explicitly{.time_step = 1e-4, .method = "explicit"};
+const Which violent{.method = "coarse"}, explicit_substeps{.method = "explicit"};
 const Which settling{};
 const Which settled{.start = "settled", .without = "sleep"};
 const Which gliding{.scene = "glide", .start = "settled", .without = "sleep"};
@@ -89,22 +91,29 @@ Table bars_table(const Tables& tables) {
         0.3, m ? std::optional(m->outside() / m->linear()) : std::nullopt,
         [](double ratio) { return fmt::format("{:.0f} %", 100 * ratio); });
   }
+  add_times(tables.growth, explicitly, "explicit steps (1e-4 s, 10 GPa)",
+            {{1e3, 0.004}, {1e4, 0.04}, {1e5, 0.4}, {1e6, 4.}}, bars);
   add_times(tables.growth, dynamic, "small steps (1e-4 s, 10 GPa)",
             {{1e3, 0.01}, {1e4, 0.1}, {1e5, 1.}, {1e6, 15.}}, bars);
+  add_times(tables.growth, violent, "stiff steps (1e-2 s), sudden, contacts to 1e-3", {{1e3, 0.25}, {1e4, 3}},
+            bars);
+  add_times(tables.growth, explicit_substeps, "explicit substeps of 1e-2 s, sudden", {{1e3, 0.3}, {1e4, 2.5}},
+            bars);
   add_times(tables.walls, {.start = "settled"}, "stiff steps (1e-2 s), settled, asleep",
             {{1e3, 0.03}, {1e4, 0.5}}, bars);
   add_times(tables.growth, settled, "stiff steps (1e-2 s), settled, awake",
-            {{1e3, 0.03}, {1e4, 0.5}, {1e5, 8.}}, bars);
-  add_times(tables.growth, gliding, "stiff steps (1e-2 s), sliding", {{1e3, 0.03}, {1e4, 0.5}}, bars);
+            {{1e3, 0.015}, {1e4, 0.25}, {1e5, 8.}}, bars);
+  add_times(tables.growth, gliding, "stiff steps (1e-2 s), sliding", {{1e3, 0.03}, {1e4, 0.6}}, bars);
   const auto rest = find(tables.walls, {.start = "settled"}, 200), falls = find(tables.walls, settling, 200);
   bars.add("wall of 200, at rest: at most 0.3 ms a step", 0.3e-3,
            rest ? std::optional(rest->mean) : std::nullopt, time_text);
   bars.add("wall of 200, settling: at most 3 ms a step", 3e-3,
            falls ? std::optional(falls->mean) : std::nullopt, time_text);
+  add_exponent(tables.growth, explicitly, "explicit steps", 1.05, bars);
   add_exponent(tables.growth, dynamic, "small steps", 1.1, bars);
   add_exponent(tables.growth, settled, "stiff steps, settled", 1.25, bars);
   const auto large = find(tables.growth, settling, 1e4);
-  bars.add("memory without the factor at most 6 kB a block (stiff wall, 1e4 blocks)", 6,
+  bars.add("memory without the factor at most 5 kB a block (stiff wall, 1e4 blocks)", 5,
            large ? std::optional(kilobytes(*large)) : std::nullopt,
            [](double kb) { return fmt::format("{:.2f} kB", kb); });
   const Which field{.scene = "field"};

@@ -44,7 +44,9 @@ void switch_off(Skips& skips, const std::string& name) {
 Scene scene_of(const Case& what) {
   Scene scene = performance::make_scene(what.scene, what.size);
   performance::set_time_step(scene, what.time_step);
-  if (what.classic) performance::make_classic(scene);
+  if (what.method == "classic") performance::make_classic(scene);
+  if (what.method == "explicit") scene.analysis.scheme = Scheme::central_difference;
+  if (what.method == "coarse") scene.contact.tolerance = 1e-3;
   for (const std::string& name : what.without) switch_off(scene.analysis.skip, name);
   if (what.settled) performance::settle_first(scene);
   return scene;
@@ -117,7 +119,7 @@ Measurement row_of(const Case& what) {
   Measurement row;
   row.scene = what.scene;
   row.start = what.settled ? "settled" : "sudden";
-  row.method = what.classic ? "classic" : "default";
+  row.method = what.method;
   row.without = fmt::format("{}", fmt::join(what.without, " "));
   row.time_step = what.time_step;
   row.threads = what.threads;

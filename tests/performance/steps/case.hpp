@@ -14,7 +14,7 @@ struct Case {
   int size = 1000;
   double time_step = 1e-2;             ///< s
   bool settled = false;                ///< from equilibrium instead of sudden gravity
-  bool classic = false;                ///< see performance::make_classic
+  std::string method = "default";      ///< see Measurement
   std::vector<std::string> without{};  ///< skips switched off, by their names in scene files
   int threads = 1;
 };

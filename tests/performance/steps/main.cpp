@@ -35,18 +35,19 @@ struct Arguments {
   std::vector<std::string> scenes{"wall"}, starts{"sudden"}, without{"none"};
   std::vector<int> sizes{1000}, threads{1};
   std::vector<double> time_steps{1e-2};
-  bool classic = false, append = false;
+  std::vector<std::string> methods{"default"};
+  bool append = false;
   Effort effort;
 };
 
 void print(const Measurement& m) {
   const auto ms = [](double seconds) { return 1e3 * seconds; };
   fmt::print(
-      "{:<10} {:<8} {:>7} s {:>8} blocks {:<10} {:>9.3g} ms: detection {:.3g}, assembly {:.3g}, analysis "
+      "{:<10} {:<8} {:<8} {:>7} s {:>8} blocks {:<10} {:>9.3g} ms: detection {:.3g}, assembly {:.3g}, analysis "
       "{:.3g}, factorization {:.3g}, solution {:.3g}, solver {:.3g}, update {:.3g}, rest {:.3g}; limit "
       "{:.3g}; "
       "{:.3g} iterations, {:.3g} factorizations; {:.0f} MB; {}\n",
-      m.scene, m.start, m.time_step, m.blocks, m.without, ms(m.total), ms(m.detection), ms(m.assembly),
+      m.scene, m.start, m.method, m.time_step, m.blocks, m.without, ms(m.total), ms(m.detection), ms(m.assembly),
       ms(m.analysis), ms(m.factorization), ms(m.solution), ms(m.solver), ms(m.update), ms(m.rest),
       ms(m.limit()), m.iterations, m.factorizations, m.peak, m.status);
   std::fflush(stdout);
@@ -79,19 +80,21 @@ void run(const Arguments& arguments) {
   std::vector<Measurement> table;
   if (arguments.append && std::filesystem::exists(arguments.output)) table = read_table(arguments.output);
   Case what;
-  what.classic = arguments.classic;
-  for (const std::string& scene : arguments.scenes)
-    for (const double time_step : arguments.time_steps)
-      for (const std::string& start : arguments.starts)
-        for (const std::string& without : arguments.without)
-          for (const int threads : arguments.threads) {
-            what.scene = scene;
-            what.time_step = time_step;
-            what.settled = start == "settled";
-            what.without = without == "none" ? std::vector<std::string>{} : CLI::detail::split(without, '+');
-            what.threads = threads;
-            measure_sizes(arguments, what, table);
-          }
+  for (const std::string& method : arguments.methods)
+    for (const std::string& scene : arguments.scenes)
+      for (const double time_step : arguments.time_steps)
+        for (const std::string& start : arguments.starts)
+          for (const std::string& without : arguments.without)
+            for (const int threads : arguments.threads) {
+              what.method = method;
+              what.scene = scene;
+              what.time_step = time_step;
+              what.settled = start == "settled";
+              what.without =
+                  without == "none" ? std::vector<std::string>{} : CLI::detail::split(without, '+');
+              what.threads = threads;
+              measure_sizes(arguments, what, table);
+            }
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
@@ -147,7 +150,8 @@ int main(int argc, char** argv) {
   measuring->add_option("--without", arguments.without,
                         "Skips switched off, joined by +: a case for each word; none: all on");
   measuring->add_option("--threads", arguments.threads, "Numbers of threads");
-  measuring->add_flag("--classic", arguments.classic, "Classical DDA instead of the default");
+  measuring->add_option("--methods", arguments.methods, "Classical DDA, the explicit scheme, contacts to 1e-3")
+      ->check(CLI::IsMember({"default", "classic", "explicit", "coarse"}));
   measuring->add_option("--warm", arguments.effort.warm_steps, "Steps before those measured");
   measuring->add_option("--steps", arguments.effort.steps, "Steps measured");
   measuring->add_option("--seconds", arguments.effort.seconds, "No step is begun after these");

@@ -15,7 +15,8 @@ namespace step_performance {
 struct Measurement {
   std::string scene;            ///< see performance::scene_kinds, or the directory of a result
   std::string start;            ///< "sudden": unstressed under sudden gravity | "settled": in equilibrium
-  std::string method;           ///< "default" | "classic"
+  std::string method;           ///< "default" | "classic" (performance::make_classic), "explicit" (that
+                                ///< scheme), "coarse" (contacts to 1e-3)
   std::string without;          ///< skips that were switched off, with spaces between
   std::string status = "done";  ///< or why there is no more
   double time_step = 0;         ///< s

@@ -40,6 +40,8 @@ std::vector<RigidWall> read_box2d(const std::filesystem::path& path) {
 
 std::string way_of(const Measurement& m) {
   std::string way = fmt::format("{}, {}, {} s", m.scene, m.start, m.time_step);
+  if (m.method == "coarse") way += ", contacts to 1e-3";
+  if (m.method == "explicit" || m.method == "classic") way += ", " + m.method;
   if (!m.without.empty()) way += fmt::format(", without {}", m.without);
   return way;
 }
@@ -179,7 +181,10 @@ Table peer_table(const Tables& tables) {
   // Of what was settled and what was not, a row each way and size.
   std::map<std::pair<std::string, double>, std::array<const Measurement*, 2>> ways;
   for (const Measurement& m : tables.walls) {
-    std::string way = m.method == "classic" ? "classic DDA, six unknowns" : "polydda";
+    std::string way = m.method == "classic"    ? "classic DDA, six unknowns"
+                      : m.method == "explicit" ? "polydda, explicit"
+                      : m.method == "coarse"   ? "polydda, contacts to 1e-3"
+                                               : "polydda";
     if (!m.without.empty()) way += fmt::format(", without {}", m.without);
     ways[{way, m.size}][m.start == "settled"] = &m;
   }
