@@ -153,7 +153,8 @@ BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
     losses.damping = damping_.mass / dt_ * quadratic + damping_.stiffness * damped;
     // Backward Euler takes K (d u)^2 / 2 of what a change of the deformation stores; forces of the start give
     // as much.
-    losses.scheme = (is_explicit_ ? -stretched : stretched) / 2 + (quadratic / dt_ - with_before) / impulse_time_ -
+    losses.scheme = (is_explicit_ ? -stretched : stretched) / 2 +
+                    (quadratic / dt_ - with_before) / impulse_time_ -
                     angular_before_ * angular_before_ * momentum.cwiseProduct(array<Of>(shape_now)).sum();
     return losses;
   });

@@ -104,7 +104,8 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {
 void CorotationalBlock::begin_step(const BlockState& state, const StepStart& start) {
   const Range &u = unknowns(), &p = places();
   StepRule rule = start.rule;
-  if (rule.is_explicit() && start.dt > critical_step(*shape_, rule.damping)) rule.scheme = Scheme::decaying;
+  if (rule.is_explicit() && start.dt > longest_explicit_step(*shape_, rule.damping))
+    rule.scheme = Scheme::decaying;
   if (!start_.matrices || !start_.matrices->are_for(rule, start.dt))
     start_.matrices = step_matrices(*shape_, rule, start.dt);
   if (start.rule.has_half_steps()) {

@@ -134,20 +134,25 @@ std::vector<MatrixXd> tangents(const CorotationalShape& shape, const StepRule& r
 }  // namespace
 
 double CorotationalShape::highest_frequency() const {
-  std::call_once(in_own_frame->vibrates, [this] {
-    double& highest = in_own_frame->highest_frequency;
+  std::call_once(on_demand->vibrates, [this] {
+    double& highest = on_demand->highest_frequency;
     for (const ShapeCell& cell : cells) {
       const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
           cell.elastic.stiffness(), both_axes(cell.mass), Eigen::EigenvaluesOnly);
       highest = std::max(highest, std::sqrt(modes.eigenvalues().maxCoeff()));
     }
   });
-  return in_own_frame->highest_frequency;
+  return on_demand->highest_frequency;
 }
 
 double critical_step(const CorotationalShape& shape, const RayleighDamping& damping) {
   const double w = shape.highest_frequency(), ratio = damping.stiffness * w / 2;
   return 2 / w / (std::hypot(1, ratio) + ratio);
+}
+
+double longest_explicit_step(const CorotationalShape& shape, const RayleighDamping& damping) {
+  constexpr double margin = 0.9;
+  return margin * critical_step(shape, damping);
 }
 
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,

@@ -55,19 +55,19 @@ struct CorotationalShape {
 
   /// The shape in its own frame, found when it is first asked for. Any thread may ask.
   const MotionShape& motions() const {
-    std::call_once(in_own_frame->found, [this] { in_own_frame->motions.emplace(*this); });
-    return *in_own_frame->motions;
+    std::call_once(on_demand->found, [this] { on_demand->motions.emplace(*this); });
+    return *on_demand->motions;
   }
   /// A bound of the angular frequencies at which the free shape vibrates, the highest of its cells by
   /// themselves, 1/s; found when it is first asked for. Any thread may ask.
   double highest_frequency() const;
-  /// See both.
-  struct InOwnFrame {
+  /// What is found when it is first asked for.
+  struct OnDemand {
     std::once_flag found, vibrates;
     std::optional<MotionShape> motions;
     double highest_frequency = 0;
   };
-  std::unique_ptr<InOwnFrame> in_own_frame = std::make_unique<InOwnFrame>();
+  std::unique_ptr<OnDemand> on_demand = std::make_unique<OnDemand>();
 
   /// Whether the only cell has all nodes in their order.
   bool is_one_cell() const { return cells[0].nodes.empty(); }
@@ -79,6 +79,8 @@ struct CorotationalShape {
 /// velocities half a step before, (2 / w) (sqrt(1 + z^2) - z) with the damping ratio z at the highest
 /// frequency w; s.
 double critical_step(const CorotationalShape& shape, const RayleighDamping& damping);
+/// That with a margin, as blocks turn and lengths of substeps change, s.
+double longest_explicit_step(const CorotationalShape& shape, const RayleighDamping& damping);
 
 /// By its last step matrices, or made now.
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,

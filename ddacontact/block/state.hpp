@@ -19,9 +19,9 @@ struct BlockState {
   VectorXd coordinates;
   VectorXd velocity;  ///< of every unknown
   /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end
-  /// of the last step; the decaying one the velocity in the middle of that step, on the present shape.
+  /// of the last step; with half steps the velocity in the middle of that step, on the present shape.
   VectorXd carried;
-  /// The length of that step, s; 0: none, the decaying scheme begins with the velocity itself.
+  /// The length of that step, s; 0: none, the next step begins with the velocity itself.
   double carried_dt = 0;
   /// The velocity that a dynamic step goes on with.
   const VectorXd& going_on() const { return carried_dt > 0 ? carried : velocity; }

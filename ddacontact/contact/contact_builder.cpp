@@ -143,7 +143,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                           .lip = properties_.lip * size};
   earlier.clear();
   for (const ContactRecord& contact : previous)
-    earlier.push_back({contact.pair, contact.lasts() ? contact.history.gap_offset : 0, ties && contact.closed()});
+    earlier.push_back(
+        {contact.pair, contact.lasts() ? contact.history.gap_offset : 0, ties && contact.closed(), ties});
   const auto move = [&](int block, const PointsRef& outline, Points& moved) {
     if (moved.cols() < outline.cols()) moved.resize(2, outline.cols());
     for (Index v = 0; v < outline.cols(); ++v)

@@ -101,13 +101,13 @@ class ContactBuilder {
 
  private:
   /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
-  /// ordered by the pairs of blocks; of `previous` those that are closed win ties. How many there are.
+  /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
   std::size_t detect(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
                      const std::vector<ContactRecord>& previous, bool ties);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state, const std::vector<double>& reach);
   /// Appends the contacts of a pair, and where they were preferred to others.
-  /// \param[in] ties  contacts that were closed win ties
+  /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;

@@ -182,7 +182,7 @@ class Entrances {
       if (!is_within(limits_.reach, {off, aside})) continue;
       if (!corner.admissible(edge.normal, limits_.reach)) continue;
       const bool stays = overshoot <= limits_.coincidence && earlier && earlier->closed;
-      near_.push_back({contact, gap, overshoot, edge.normal, offset, earlier != nullptr, stays});
+      near_.push_back({contact, gap, overshoot, edge.normal, offset, earlier && earlier->wins_ties, stays});
       behind = behind || is_behind(near_.back());
     }
     if (near_.empty()) return;

@@ -49,6 +49,7 @@ struct EarlierContact {
   VertexEdge pair;
   double gap_offset = 0;  ///< <= 0: the gap from which the contact's own gap counts, m
   bool closed = true;
+  bool wins_ties = true;  ///< where it is open
 };
 
 /// Where a corner may meet either of two edges' lines, the one that became its contact and the other.

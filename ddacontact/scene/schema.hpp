@@ -30,7 +30,7 @@ inline constexpr Key gravity{.name = "gravity", .what = "Acceleration of every b
 inline constexpr Key scheme{.name = "scheme",
                             .what =
                                 "Time scheme; static steps of \"midpoint\" are made by "
-                                "\"backward_euler\"."};
+                                "\"backward_euler\", those of \"explicit\" by \"decaying\"."};
 inline constexpr Key beta{.name = "beta",
                           .what = "Of the scheme \"newmark\"; at least half of `gamma`.",
                           .bounds = positive,
@@ -146,7 +146,7 @@ void describe(ContactRecord& r, Visit&& visit) {
             .what = "Part of the forces on each block that contacts are solved to. Above the default violent "
                     "steps are quicker, and contacts ten times as deep in them; method \"staged\" alone.",
             .bounds = {.low = 1e-12, .high = 1e-2},
-            .default_text = "`1e-08`"},
+            .default_text = "`1e-08`; in explicit steps `0.001`"},
         r.options.tolerance);
 }
 
@@ -377,8 +377,9 @@ void describe(Skips& s, Visit&& visit) {
   visit(Key{.name = "stale_factor",
             .what = "Factorizing while few springs changed: an older factor is the preconditioner."},
         s.stale_factor);
-  visit(Key{.name = "cg", .what = "Factorizing where inertia dominates: sweeps over the contacts do without."},
-        s.cg);
+  visit(
+      Key{.name = "cg", .what = "Factorizing where inertia dominates: sweeps over the contacts do without."},
+      s.cg);
   visit(Key{.name = "islands", .what = "Solving blocks together that do not touch."}, s.islands);
   visit(Key{.name = "sleep", .what = "Islands at rest, until something reaches them."}, s.sleep);
   visit(Key{.name = "skin", .what = "Looking for pairs of blocks anew before they moved beyond a margin."},

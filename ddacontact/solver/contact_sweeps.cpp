@@ -90,7 +90,8 @@ bool ContactSweeps::take_blocks(FrictionProblem& problem) {
         A.col(k).setZero();
         A(k, k) = 1;
       }
-      if (!(n == quadrilateral ? invert<quadrilateral>(values, n) : invert<Eigen::Dynamic>(values, n))) finite = false;
+      if (!(n == quadrilateral ? invert<quadrilateral>(values, n) : invert<Eigen::Dynamic>(values, n)))
+        finite = false;
     }
   });
   return finite;
@@ -203,8 +204,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
   row.normal = row.mixed = row.shear = 0;
   for (const Side& side : row.sides) {
     if (side.block < 0) continue;
-    const double* const inverse =
-        inverses_.data() + blocks_[static_cast<std::size_t>(side.block)].inverse;
+    const double* const inverse = inverses_.data() + blocks_[static_cast<std::size_t>(side.block)].inverse;
     double *const normal = columns_.data() + side.columns, *const shear = normal + side.n;
     std::fill(normal, shear + side.n, 0);
     const auto for_own_entries = [&](const auto& work) {

@@ -25,7 +25,7 @@ struct StepImpact {
 };
 
 /// The restitution of a contact, nothing where blocks part as their elasticity has it. Schemes other than the
-/// decaying one reverse the approach of contacts that close: they have impacts everywhere.
+/// decaying and the explicit one reverse the approach of contacts that close: they have impacts everywhere.
 std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
                                      const StepRule& rule);
 

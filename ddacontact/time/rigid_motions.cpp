@@ -68,7 +68,6 @@ double RigidMotions::largest_mass() const {
   return largest;
 }
 
-
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {
   constexpr double round_off = 1e-13;
   struct Rate {

@@ -106,8 +106,9 @@ std::vector<std::string> RunWarnings::texts(const BlockSystem& blocks, long subs
         "block " + quoted(blocks.names[b]) + " vibrates by friction: its contacts changed their state in " +
         std::to_string(*worst) + " of the " + std::to_string(slid_[b]) +
         " substeps in which it slid: it does not slide as a rigid block does (damping = { stiffness = " +
-        figure(damping_of_transit * transit_time(blocks.block(b))) + " }, or a 'time_step' longer than " +
-        figure(transit_time(blocks.block(b))) + " s)");
+        figure(damping_of_transit * transit_time(blocks.block(b))) +
+        " }, or an implicit scheme and a 'time_step' longer than " + figure(transit_time(blocks.block(b))) +
+        " s)");
   if (energy.created() > large_rise)
     texts.push_back("energy rose by " + figure(energy.created()) +
                     " of the largest exchanged above what loads and supports put in (scheme = \"decaying\" "

@@ -1,6 +1,7 @@
 #include <ddacontact/time/stable_step.hpp>
 
 #include <ddacontact/block/corotational_shape.hpp>
+#include <ddacontact/core/quoted.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -9,33 +10,42 @@ namespace ddacontact {
 
 namespace {
 
-/// What is linear is stable up to the critical step; blocks turn and lengths of substeps change.
-constexpr double margin = 0.9;
-/// A sliver's critical step is below this part of the median.
+/// A sliver's critical step is below this part of that below which one block in so many is.
 constexpr double sliver_part = 0.25;
+constexpr std::size_t one_in = 20;
+/// Damping may make a critical step so many times shorter.
+constexpr double most_shortened = 10;
 
 }  // namespace
 
 std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const AnalysisOptions& analysis) {
   if (analysis.scheme != Scheme::central_difference || analysis.mode != Mode::dynamic) return {};
-  struct Critical {
-    double step;
+  struct Limit {
+    double dt;
     int block;
-    bool operator<(const Critical& other) const { return step < other.step; }
+    bool operator<(const Limit& other) const { return dt < other.dt; }
   };
-  std::vector<Critical> steps;
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    if (const CorotationalShape* shape = blocks.block(b).shape(); shape && blocks.is_movable(b))
-      steps.push_back({critical_step(*shape, analysis.damping), b});
-  if (steps.empty()) return {};
-  std::sort(steps.begin(), steps.end());
-  const double sliver = sliver_part * steps[steps.size() / 2].step;
-  const auto limit = std::find_if(steps.begin(), steps.end(),
-                                  [&](const Critical& critical) { return critical.step >= sliver; });
-  const double dt = margin * limit->step;
+  std::vector<Limit> limits;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const CorotationalShape* const shape = blocks.block(b).shape();
+    if (!shape || !blocks.is_movable(b)) continue;
+    const double critical = critical_step(*shape, analysis.damping), undamped = critical_step(*shape, {});
+    if (most_shortened * critical < undamped)
+      throw Error("damping lets explicit steps of block " + quoted(blocks.names[b]) + " be " +
+                  std::to_string(undamped / critical) +
+                  " times shorter (a smaller stiffness of 'damping', or scheme = \"decaying\")");
+    limits.push_back({longest_explicit_step(*shape, analysis.damping), b});
+  }
+  if (limits.empty()) return {};
+  std::sort(limits.begin(), limits.end());
+  const double sliver = sliver_part * limits[limits.size() / one_in].dt;
+  const auto limit =
+      std::find_if(limits.begin(), limits.end(), [&](const Limit& of) { return of.dt >= sliver; });
+  const double dt = std::min(limit->dt, analysis.time_step);
   const auto n_decaying =
-      std::count_if(steps.begin(), steps.end(), [&](const Critical& critical) { return critical.step < dt; });
-  return StableStep{dt, limit->step, limit->block, static_cast<int>(n_decaying)};
+      std::count_if(limits.begin(), limits.end(), [&](const Limit& of) { return of.dt < dt; });
+  return StableStep{dt, critical_step(*blocks.block(limit->block).shape(), analysis.damping), limit->block,
+                    static_cast<int>(n_decaying)};
 }
 
 }  // namespace ddacontact

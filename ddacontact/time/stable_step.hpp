@@ -10,14 +10,16 @@ namespace ddacontact {
 
 /// The longest substep by central differences, and what limits it.
 struct StableStep {
-  double dt;        ///< s
-  double critical;  ///< the critical step that it follows from, with a margin, s
+  double dt;        ///< s; time_step where that is shorter
+  double critical;  ///< the critical step that limits it otherwise, s
   int block;        ///< whose that is
-  int n_decaying;   ///< slivers: blocks of a critical step below dt, that decay as in Scheme::decaying
+  int n_decaying;   ///< slivers: blocks of a shorter critical step, that decay as in Scheme::decaying
 };
 
-/// For the blocks that may move, see critical_step. A few slivers do not make all others slow: the limit is
-/// the smallest critical step that is no sliver's. None: the steps of the analysis are not explicit.
+/// For the blocks that may move, see longest_explicit_step. A few slivers do not make all others slow: they
+/// are blocks whose critical step is below a quarter of that which a twentieth of the blocks is below. None:
+/// the steps of the analysis are not explicit. Throws Error where damping leaves a block less than a tenth of
+/// its step.
 std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const AnalysisOptions& analysis);
 
 }  // namespace ddacontact

@@ -78,7 +78,7 @@ Stepper::Substep Stepper::next_substep(long steps_made) {
 }
 
 double Stepper::longest_substep() const {
-  return stable_ ? std::min(analysis_.time_step, stable_->dt) : analysis_.time_step;
+  return stable_ ? stable_->dt : analysis_.time_step;
 }
 
 bool Stepper::carry_on() {

@@ -73,7 +73,7 @@ class Stepper {
   RunRecord run_record() const;
   void restore(RunRecord record);
 
-  /// How hard the staged method tries, for those who measure it.
+  /// How hard the staged method tries, for those who measure it. Every stage sets its tolerance anew.
   StagedOptions& staged_options() { return staged_; }
 
   const BlockSystem& blocks() const { return blocks_; }

@@ -117,8 +117,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
   const bool some_fell_asleep = fall_asleep(dt);
-  // What central differences keep is the energy less (dt a)^2 M / 8, which is less than what is elastic in it.
-  tolerated_work_ = stable_ ? energy_.now.elastic : 0;
+  tolerated_work_ = 0;
   for (const Contact& contact : tried_)
     tolerated_work_ += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
   ++counts_.substeps;
@@ -149,6 +148,8 @@ void Stepper::look_ahead(double dt) {
       // An impact is yet to come.
       const double before = state_.carried_dt;
       state_.velocity = (dt * state_.carried + before * (solution.straight / dt)) / (dt + before);
+      // Central differences keep the energy less (v - v_before) M (v - v_before) / 8.
+      if (stable_) tolerated_work_ += kinetic_energy(blocks_, solution.straight / dt - state_.carried) / 4;
       if (solution.impact.changes()) before_impact(solution.impact.jump);
       book_kinetic(kinetic_energy(blocks_, state_.velocity));
     } else {

@@ -87,6 +87,9 @@ void Stepper::apply(const Stage& stage) {
   find_motions();
   stable_ = find_stable_step(blocks_, analysis_);
   substep_ = longest_substep();
+  if (stable_ && stable_->n_decaying > 0)
+    notes_.push_back("by the explicit scheme " + std::to_string(stable_->n_decaying) +
+                     " slivers do not vibrate: their deformation decays");
   staged_.solve_to(properties_.tolerance || !stable_ ? properties_.tolerance : tolerance_of_explicit_steps);
 }
 
@@ -97,8 +100,7 @@ void Stepper::find_motions() {
     blocks_.find_coordinates(state_);
   for (int b = 0; has_motions() && b < blocks_.n_blocks(); ++b)
     if (!blocks_.block(b).shape() && !blocks_.is_unchanging(b))
-      throw Error("block " + quoted(blocks_.names[b]) +
-                  " has no motions that half steps could carry on");
+      throw Error("block " + quoted(blocks_.names[b]) + " has no motions that half steps could carry on");
 }
 
 void Stepper::make_system() {

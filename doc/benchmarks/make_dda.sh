@@ -40,7 +40,7 @@ if wants walls; then
   [ -x "$steps/box2d_performance" ] && "$steps/box2d_performance" "$measured/box2d.csv"
   measure walls --sizes 200 1000 10000 --starts sudden --no-cholmod --warm 0 --steps 20
   seconds=$settled_seconds measure walls --sizes 200 "${settled[@]}" --starts settled --without none sleep --no-cholmod \
-    --warm 40 --steps 20
+    --warm 100 --steps 20
   seconds=20 measure walls --sizes 200 1000 --starts sudden settled --methods classic --no-cholmod --warm 0 --steps 20
 fi
 if wants growth; then

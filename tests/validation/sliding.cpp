@@ -164,6 +164,7 @@ BuiltScene sliding_steadily(const Slider& slider, const Tolerances& tolerances) 
   constexpr int steps = 60;
   Scene scene = slider_scene(slider);
   scene.contact.penetration_tolerance = tolerances.penetration;
+  scene.contact.tolerance = tolerances.residual;
   StageDescription settling = scene.stage("settling");
   settling.analysis.mode = Mode::statics;
   settling.analysis.scheme =
@@ -175,7 +176,6 @@ BuiltScene sliding_steadily(const Slider& slider, const Tolerances& tolerances) 
   settling.joints[0].friction_angle = std::atan(slider.friction * (1 + 1e-6)) * 360 / turn;
   scene.stages = {settling, scene.stage("sliding")};
   BuiltScene built = build(scene);
-  built.stepper->staged_options().residual_tolerance = tolerances.residual;
   run(*built.stepper, steps);
   return built;
 }
@@ -285,8 +285,8 @@ void vibration_by_friction(Report& report) {
   const auto excess = [&](const Tolerances& tolerances) {
     Scene scene = slider_scene(slider);
     scene.contact.penetration_tolerance = tolerances.penetration;
+    scene.contact.tolerance = tolerances.residual;
     const BuiltScene built = settled(scene);
-    built.stepper->staged_options().residual_tolerance = tolerances.residual;
     return run_slider(slider, *built.stepper).way / (slider.acceleration() / 2) - 1;
   };
   for (const NamedScheme& scheme : {schemes[0], schemes[1], schemes[4]}) {

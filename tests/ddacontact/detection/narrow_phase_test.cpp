@@ -243,3 +243,23 @@ TEST(NarrowPhase, ContactLengthsOfAnOverlapAddUpToIt) {
       0, 1, 1;
   EXPECT_EQ(contact_length(wedge, 0, box(0, -1, 2, 1), 2), 0);
 }
+
+/// Flush faces of two squares that only lie at each other, shifted by what round-off may leave: each corner
+/// is met from the side that it was met from before, open or not; else from that where it lies over the
+/// other.
+TEST(NarrowPhase, AnOpenContactStaysWhereTwoCornersLieAtOnePlace) {
+  const PolygonPair squares{box(0, 0, 1, 1), box(1, 1e-9, 1, 1)};
+  const VertexEdge over{1, 0, 0, 1}, beside{0, 1, 1, 3};
+  const auto lower_corner = [&](const std::vector<EarlierContact>& earlier) {
+    std::vector<VertexEdge> found;
+    std::vector<Choice> choices;
+    const PairLimits limits{0.01, 0.5, coincidence, lip};
+    find_contacts(Outline(0, squares.a), Outline(1, squares.b), limits, earlier, found, choices);
+    EXPECT_EQ(found.size(), 2u) << "one a corner";
+    return std::ranges::find(found, over) != found.end() ? over : beside;
+  };
+  EXPECT_EQ(lower_corner({}), over);
+  EXPECT_EQ(lower_corner({{over, 0, false}}), over);
+  EXPECT_EQ(lower_corner({{beside, 0, false}}), beside);
+  EXPECT_EQ(lower_corner({{beside, 0, false, false}}), over) << "ties are not to be won";
+}

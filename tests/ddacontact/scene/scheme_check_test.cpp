@@ -35,7 +35,7 @@ TEST(SchemeCheck, IsSilentWhereItIsStable) {
     EXPECT_EQ(said(settings), "");
 }
 
-/// The block's critical step is about 2.6e-4 s: a damping stiffness of 2.6e-3 s makes it ten times shorter.
+/// The block's critical step is about 2.6e-4 s: a damping stiffness of 1.3e-3 s makes it ten times shorter.
 TEST(SchemeCheck, RefusesDampingThatLeavesNoExplicitStep) {
   const std::vector<std::string> settings{"material.rock.young=1e10", "analysis.scheme=explicit"};
   const auto with = [&](const char* stiffness) {
@@ -43,7 +43,8 @@ TEST(SchemeCheck, RefusesDampingThatLeavesNoExplicitStep) {
     all.push_back(std::string("analysis.damping={stiffness=") + stiffness + "}");
     return read(minimal, all);
   };
-  EXPECT_TRUE(with("1e-4").scene);
+  EXPECT_TRUE(with("1.2e-3").scene);
+  EXPECT_FALSE(with("1.4e-3").scene);
   const SceneReading refused = with("0.1");
   EXPECT_FALSE(refused.scene);
   const std::string text = all_text(refused.problems);
