@@ -1,5 +1,6 @@
 #include <ddacontact/solver/contact_sweeps.hpp>
 
+#include <ddacontact/solver/small_product.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Index grain = 256;
-constexpr int quadrilateral = 8;  ///< unknowns of the block that most scenes are made of
 
 /// The n x n matrix of these values becomes its inverse, by elimination in place without exchanging rows: the
 /// matrices are positive definite. False: it has none that is finite.

@@ -7,6 +7,9 @@
 
 namespace ddacontact {
 
+/// Unknowns of a block of four vertices, which most scenes are made of.
+inline constexpr int quadrilateral = 8;
+
 /// y(unknowns) += A x(unknowns). Blocks whose unknowns are consecutive, of four vertices above all, are
 /// quick.
 inline void add_product(const Eigen::Ref<const MatrixXd>& A, std::span<const int> unknowns, const VectorXd& x,
@@ -19,11 +22,11 @@ inline void add_product(const Eigen::Ref<const MatrixXd>& A, std::span<const int
   if (!consecutive) {
     for (Index l = 0; l < n; ++l)
       for (Index k = 0; k < n; ++k) y[unknowns[k]] += A(k, l) * x[unknowns[l]];
-  } else if (n == 8 && A.outerStride() == 8) {
-    const Eigen::Map<const Eigen::Matrix<double, 8, 8>> A8(A.data());
-    Eigen::Matrix<double, 8, 1> sum = A8.col(0) * x[first];
-    for (Index l = 1; l < 8; ++l) sum += A8.col(l) * x[first + l];
-    y.segment<8>(first) += sum;
+  } else if (n == quadrilateral && A.outerStride() == n) {
+    const Eigen::Map<const Eigen::Matrix<double, quadrilateral, quadrilateral>> known(A.data());
+    Eigen::Matrix<double, quadrilateral, 1> sum = known.col(0) * x[first];
+    for (Index l = 1; l < quadrilateral; ++l) sum += known.col(l) * x[first + l];
+    y.segment<quadrilateral>(first) += sum;
   } else {
     y.segment(first, n).noalias() += A * x.segment(first, n);
   }
