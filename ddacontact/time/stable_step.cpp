@@ -29,11 +29,6 @@ std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const Anal
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const CorotationalShape* const shape = blocks.block(b).shape();
     if (!shape || !blocks.is_movable(b)) continue;
-    const double critical = critical_step(*shape, analysis.damping), undamped = critical_step(*shape, {});
-    if (most_shortened * critical < undamped)
-      throw Error("damping lets explicit steps of block " + quoted(blocks.names[b]) + " be " +
-                  std::to_string(undamped / critical) +
-                  " times shorter (a smaller stiffness of 'damping', or scheme = \"decaying\")");
     limits.push_back({longest_explicit_step(*shape, analysis.damping), b});
   }
   if (limits.empty()) return {};
@@ -41,11 +36,16 @@ std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const Anal
   const double sliver = sliver_part * limits[limits.size() / one_in].dt;
   const auto limit =
       std::find_if(limits.begin(), limits.end(), [&](const Limit& of) { return of.dt >= sliver; });
+  const CorotationalShape& shape = *blocks.block(limit->block).shape();
+  const double critical = critical_step(shape, analysis.damping), undamped = critical_step(shape, {});
+  if (most_shortened * critical < undamped)
+    throw Error("damping makes explicit steps of block " + quoted(blocks.names[limit->block]) + " " +
+                std::to_string(undamped / critical) +
+                " times shorter (a smaller stiffness of 'damping', or scheme = \"decaying\")");
   const double dt = std::min(limit->dt, analysis.time_step);
   const auto n_decaying =
       std::count_if(limits.begin(), limits.end(), [&](const Limit& of) { return of.dt < dt; });
-  return StableStep{dt, critical_step(*blocks.block(limit->block).shape(), analysis.damping), limit->block,
-                    static_cast<int>(n_decaying)};
+  return StableStep{dt, critical, limit->block, static_cast<int>(n_decaying)};
 }
 
 }  // namespace ddacontact

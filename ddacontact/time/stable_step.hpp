@@ -18,8 +18,8 @@ struct StableStep {
 
 /// For the blocks that may move, see longest_explicit_step. A few slivers do not make all others slow: they
 /// are blocks whose critical step is below a quarter of that which a twentieth of the blocks is below. None:
-/// the steps of the analysis are not explicit. Throws Error where damping leaves a block less than a tenth of
-/// its step.
+/// the steps of the analysis are not explicit. Throws Error where damping leaves the block that limits
+/// them less than a tenth of its step.
 std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const AnalysisOptions& analysis);
 
 }  // namespace ddacontact
