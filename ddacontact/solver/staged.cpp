@@ -96,6 +96,7 @@ class Staged {
       if (sweep()) return settle();
     }
     report_.tolerance = options_.residual_tolerance;
+    if (options_.again) start_from_forces();
     look();
     system_.problem().contacts_changed();
     while (true) {
@@ -148,6 +149,15 @@ class Staged {
         law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset, contact.size);
     if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
       multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, contact.size);
+  }
+
+  /// The states of the forces of a solution nearby.
+  void start_from_forces() {
+    near_ = true;
+    look_at_contacts();
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded,
+                            {contacts_[c].normal, contacts_[c].shear});
   }
 
   /// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
@@ -256,7 +266,7 @@ class Staged {
   /// it may be its own friction that pulls.
   unsigned char next(std::size_t c) const {
     const unsigned char now = states_[c], at_d = at_d_[c];
-    if (inside_ && now == (pressed | stuck) && at_d == open)
+    if (near_ && now == (pressed | stuck) && at_d == open)
       return pressed | (forces_[c].shear > 0 ? at_upper : at_lower);
     return next_state(now, at_d);
   }
@@ -419,9 +429,9 @@ class Staged {
       const int disagreeing = count_disagreeing();
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
-      const Patience& most = inside_ ? near_solution : at_first;
+      const Patience& most = near_ ? near_solution : at_first;
       const bool violent =
-          !inside_ && disagreeing > few_contacts &&
+          !near_ && disagreeing > few_contacts &&
           (report_.residual.own > violent_residual ||
            (changes_ == 1 && disagreeing > violent_part * static_cast<double>(terms_.size())));
       if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
@@ -465,7 +475,7 @@ class Staged {
 
   /// Stage 1: moves d and the states near to a solution. False: there is no way there.
   bool find_from_inside() {
-    inside_ = true;
+    inside_ = near_ = true;
     ++report_.interior_paths;
     d_ = system_.prescribed();
     const InteriorReport found = find_states_from_inside(
@@ -654,6 +664,7 @@ class Staged {
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
   bool violent_ = false;  ///< many contacts change their states, and sweeps find the forces
   bool inside_ = false;   ///< the states were found from inside
+  bool near_ = false;     ///< these, or those of a solution nearby
   double last_own_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
   ContactSweeps sweeps_;

@@ -33,7 +33,7 @@ struct StagedOptions {
   bool is_static = false;
   bool local = false;   ///< what happens in the step stays within a few blocks: waves are slow for it
   bool coarse = false;  ///< violent steps are left to sweeps, and contacts may be ten times as deep there
-  bool again = false;   ///< d and the contacts' forces are those of a solution nearby; sweeps start there
+  bool again = false;   ///< d and the contacts' forces are those of a solution nearby, to start from
   /// Contact forces act along directions that the step does not change.
   bool keeps_gradients() const { return directions == Directions::of_start; }
   int max_solutions = 600;

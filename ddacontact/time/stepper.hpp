@@ -183,17 +183,21 @@ class Stepper {
     bool friction_unsettled = false;  ///< and nothing else
     StepImpact impact;
     VectorXd start;                    ///< where d was looked for from, without an earlier solution
-    std::vector<ContactForce> forces;  ///< of the contacts, when it is solved again
+    std::vector<ContactForce> forces;  ///< of the contacts that it is solved again with
   };
   /// Of a substep that begins now, with blocks woken and contacts looked for.
   Solution find_solution(double dt);
-  Solution solve(double dt);
+  /// \param[in] nearby  what was found with contacts that differ little; may be null
+  Solution solve(double dt, const Solution* nearby = nullptr);
+  /// Of the contacts of the last try.
+  std::vector<ContactForce> tried_forces() const;
   /// From where the blocks are at the start of the step.
   static VectorXd motion_of(const Solution& solution);
   /// The same, with the lines that corners meet chosen by the motion that is found.
   Solution solve_with_corners(double dt);
   /// The motion of a step without the contacts at corners that are in doubt.
-  Solution solve_without(const std::vector<int>& doubtful, double dt);
+  /// \param[in,out] with  what was found with them; its forces are used up
+  Solution solve_without(const std::vector<int>& doubtful, double dt, Solution& with);
   /// Of all unknowns in a step, as velocities and supports have it.
   VectorXd predicted_motion(double dt) const;
   /// One try with an impact foreseen.

@@ -11,6 +11,23 @@ namespace {
 /// A step is solved so often for lines that turn out to be others.
 constexpr int most_corner_rounds = 4;
 
+/// Those that contacts had, by the pairs that are still among them; both lists are in the order of the pairs
+/// of blocks.
+std::vector<ContactForce> forces_still_there(const std::vector<Contact>& had,
+                                             const std::vector<Contact>& now) {
+  std::vector<ContactForce> forces(now.size());
+  const auto blocks_of = [](const VertexEdge& pair) {
+    return std::minmax(pair.vertex_block, pair.edge_block);
+  };
+  std::size_t from = 0;
+  for (std::size_t c = 0; c < now.size(); ++c) {
+    while (from < had.size() && blocks_of(had[from].pair) < blocks_of(now[c].pair)) ++from;
+    for (std::size_t k = from; k < had.size() && blocks_of(had[k].pair) == blocks_of(now[c].pair); ++k)
+      if (had[k].pair == now[c].pair) forces[c] = {had[k].normal, had[k].shear};
+  }
+  return forces;
+}
+
 }  // namespace
 
 VectorXd Stepper::predicted_motion(double dt) const {
@@ -26,11 +43,15 @@ VectorXd Stepper::motion_of(const Solution& solution) {
   return solution.impact.changes() ? VectorXd(solution.d + solution.impact.shift) : solution.d;
 }
 
-Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, double dt) {
+Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, double dt, Solution& with) {
+  with.forces = tried_forces();
   restart_contacts();
   const std::vector<Contact> all = tried_;
-  for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) tried_.erase(tried_.begin() + *c);
-  Solution without = solve(dt);
+  for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) {
+    tried_.erase(tried_.begin() + *c);
+    with.forces.erase(with.forces.begin() + *c);
+  }
+  Solution without = solve(dt, &with);
   tried_ = all;
   has_tried_ = false;
   return without;
@@ -48,7 +69,7 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
       restart_contacts();
       changed = contact_builder_->choose_again(state_, motion_of(solution), contacts_, tried_);
     } else {
-      const Solution without = solve_without(doubtful, dt);
+      const Solution without = solve_without(doubtful, dt, solution);
       if (without.objection.empty()) {
         ++counts_.corner_solutions;
         changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, tried_);
@@ -68,7 +89,8 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
       break;
     }
     keep_start();
-    solution = solve(dt);
+    solution.forces = forces_still_there(solved, tried_);
+    solution = solve(dt, &solution);
     ++counts_.corner_solutions;
   }
   return solution;

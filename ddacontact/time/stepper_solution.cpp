@@ -21,13 +21,6 @@ constexpr const char* cure_of_unsettled =
 /// A step is solved again so often for contacts that closed fast without having been foreseen.
 constexpr int most_impact_rounds = 4;
 
-std::vector<ContactForce> forces_of(const std::vector<Contact>& contacts) {
-  std::vector<ContactForce> forces;
-  forces.reserve(contacts.size());
-  for (const Contact& contact : contacts) forces.push_back({contact.normal, contact.shear});
-  return forces;
-}
-
 /// Two states are in each other's place while it lives.
 class Swapped {
  public:
@@ -42,28 +35,35 @@ class Swapped {
 
 }  // namespace
 
-Stepper::Solution Stepper::solve(double dt) {
+Stepper::Solution Stepper::solve(double dt, const Solution* nearby) {
   const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
   const bool has_impacts =
       method_ != ContactMethod::classic && !is_static() &&
       std::ranges::any_of(tried_, [&](const Contact& contact) {
         return restitution_of(contact_builder_->properties(), contact.pair, rule).has_value();
       });
-  if (!has_impacts) return solve_with(dt, {}, nullptr);
+  if (!has_impacts) return solve_with(dt, {}, nearby);
   std::vector<char> also;
   Solution solution;
   for (int round = 0; round < most_impact_rounds; ++round) {
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
-      if (round > 0) solution.forces = forces_of(tried_);
+      if (round > 0) solution.forces = tried_forces();
       restart_contacts();
       impact = foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, rule, dt, also);
     }
-    solution = solve_with(dt, std::move(impact), round > 0 ? &solution : nullptr);
+    solution = solve_with(dt, std::move(impact), round > 0 ? &solution : nearby);
     if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
   }
   return solution;
+}
+
+std::vector<ContactForce> Stepper::tried_forces() const {
+  std::vector<ContactForce> forces;
+  forces.reserve(tried_.size());
+  for (const Contact& contact : tried_) forces.push_back({contact.normal, contact.shear});
+  return forces;
 }
 
 bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const {
@@ -155,17 +155,16 @@ void Stepper::solve_by_open_close(Solution& solution) {
 }
 
 void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution) {
-  staged_.local =
-      !is_static() && (start.rule.is_explicit() ||
-                       std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
-                         return carries_waves(blocks_, contact, system_->dt());
-                       }));
+  staged_.local = !is_static() && (start.rule.is_explicit() ||
+                                   std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
+                                     return carries_waves(blocks_, contact, system_->dt());
+                                   }));
   staged_.skip = analysis_.skip;
   staged_.directions = start.rule.directions();
   staged_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
-  staged_.again = staged_.local && nearby;
-  if (staged_.again) solution.d += nearby->straight - nearby->start;
+  staged_.again = nearby;
+  if (nearby) solution.d += nearby->straight - nearby->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, tried_);
   StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)
