@@ -217,6 +217,58 @@ Scene sliding_slope(int n) {
   return slope_with(n, 15);
 }
 
+Scene falling_polygons(int n) {
+  constexpr double shrunk = 0.15, height_of_fall = 1;
+  Scene scene = voronoi_heap(n, shrunk);
+  const double wall = 2 * whole_root(n);
+  for (int side : {1, 2}) scene.blocks[side].vertices.row(1).tail(2).setConstant(wall);
+  for (std::size_t b = 3; b < scene.blocks.size(); ++b)
+    scene.blocks[b].vertices.row(1).array() += height_of_fall;
+  return scene;
+}
+
+Scene tunnel(int n) {
+  constexpr double part_of_side = 0.15;
+  Scene scene = voronoi_heap(n);
+  const double side = std::sqrt(n);
+  std::erase_if(scene.blocks, [&](const BlockDescription& block) {
+    const Vec2 from_axis = polyfem::area_moments(block.vertices).centroid - 0.5 * Vec2(side, side);
+    return !block.fixed && from_axis.norm() < part_of_side * side;
+  });
+  return scene;
+}
+
+Scene filled_arch(int n) {
+  constexpr double springing = 30 * degree, thickness = 0.15;
+  const int n_voussoirs = std::max(2, n / 2);
+  const double radius = n_voussoirs / (std::numbers::pi - 2 * springing), outer = (1 + thickness) * radius,
+               crown = outer + 0.1 * radius;
+  const auto at = [&](int joint) {
+    const double angle = springing + (std::numbers::pi - 2 * springing) * joint / n_voussoirs;
+    return Vec2(std::cos(angle), std::sin(angle));
+  };
+  Scene scene = rock_scene();
+  for (int end : {0, n_voussoirs}) {
+    const Vec2 inside = radius * at(end), outside = outer * at(end);
+    const double far = end == 0 ? 2 * radius : -2 * radius, foot = inside.y() - 0.5 * radius;
+    Points springer(2, 5);
+    springer << inside.x(), inside.x(), far, far, outside.x(),  //
+        inside.y(), foot, foot, outside.y(), outside.y();
+    if (end != 0) springer = springer.rowwise().reverse().eval();
+    add_block(scene, springer, true);
+    add_block(scene, box(std::min(far, outside.x()), outside.y(), std::max(far, outside.x()), crown), true);
+  }
+  for (int k = 0; k < n_voussoirs; ++k) {
+    Points voussoir(2, 4), fill(2, 4);
+    const Vec2 right = outer * at(k), left = outer * at(k + 1);
+    voussoir << radius * at(k), right, left, radius * at(k + 1);
+    fill << left, right, Vec2(right.x(), crown), Vec2(left.x(), crown);
+    add_block(scene, voussoir);
+    add_block(scene, fill);
+  }
+  return scene;
+}
+
 Scene rain(int n) {
   constexpr double spacing = 2, size = 0.6;
   Scene scene = rock_scene();
@@ -275,6 +327,9 @@ std::span<const SceneKind> scene_kinds() {
                                     SceneKind{"smooth_heap", smooth_heap},
                                     SceneKind{"slope", jointed_slope},
                                     SceneKind{"slide", sliding_slope},
+                                    SceneKind{"bin", falling_polygons},
+                                    SceneKind{"tunnel", tunnel},
+                                    SceneKind{"filled_arch", filled_arch},
                                     SceneKind{"rain", rain},
                                     SceneKind{"field", field_with_mover},
                                     SceneKind{"columns", long_polygons}};

@@ -30,6 +30,12 @@ Scene smooth_heap(int n);
 Scene jointed_slope(int n);
 /// The same with 15 degrees of friction: the layers slide out.
 Scene sliding_slope(int n);
+/// Convex blocks that fall into a bin by a metre and more, with gaps of 15 % between them.
+Scene falling_polygons(int n);
+/// Convex blocks in a box with a hole in the middle, three tenths of the box wide.
+Scene tunnel(int n);
+/// A segmental arch of 120 degrees between fixed springers, with a block of fill upon each voussoir.
+Scene filled_arch(int n);
 /// Pentagons that fall apart from each other, turned and thrown at random: no contacts.
 Scene rain(int n);
 /// n bricks that rest apart from each other on shelves, and one that slides over a shelf of its own at 1 m/s
@@ -43,8 +49,8 @@ struct SceneKind {
   const char* name;
   Scene (*make)(int n);
 };
-/// All of them: "wall", "glide", "arch", "heap", "loose_heap", "smooth_heap", "slope", "slide", "rain",
-/// "field", "columns".
+/// All of them: "wall", "glide", "arch", "heap", "loose_heap", "smooth_heap", "slope", "slide", "bin",
+/// "tunnel", "filled_arch", "rain", "field", "columns".
 std::span<const SceneKind> scene_kinds();
 /// Throws Error for an unknown name.
 Scene make_scene(const std::string& kind, int n);

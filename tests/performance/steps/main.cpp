@@ -43,13 +43,14 @@ struct Arguments {
 void print(const Measurement& m) {
   const auto ms = [](double seconds) { return 1e3 * seconds; };
   fmt::print(
-      "{:<10} {:<8} {:<8} {:>7} s {:>8} blocks {:<10} {:>9.3g} ms: detection {:.3g}, assembly {:.3g}, analysis "
+      "{:<10} {:<8} {:<8} {:>7} s {:>8} blocks {:<10} {:>9.3g} ms: detection {:.3g}, assembly {:.3g}, "
+      "analysis "
       "{:.3g}, factorization {:.3g}, solution {:.3g}, solver {:.3g}, update {:.3g}, rest {:.3g}; limit "
       "{:.3g}; "
       "{:.3g} iterations, {:.3g} factorizations; {:.0f} MB; {}\n",
-      m.scene, m.start, m.method, m.time_step, m.blocks, m.without, ms(m.total), ms(m.detection), ms(m.assembly),
-      ms(m.analysis), ms(m.factorization), ms(m.solution), ms(m.solver), ms(m.update), ms(m.rest),
-      ms(m.limit()), m.iterations, m.factorizations, m.peak, m.status);
+      m.scene, m.start, m.method, m.time_step, m.blocks, m.without, ms(m.total), ms(m.detection),
+      ms(m.assembly), ms(m.analysis), ms(m.factorization), ms(m.solution), ms(m.solver), ms(m.update),
+      ms(m.rest), ms(m.limit()), m.iterations, m.factorizations, m.peak, m.status);
   std::fflush(stdout);
 }
 
@@ -141,8 +142,9 @@ int main(int argc, char** argv) {
   CLI::App* const measuring = app.add_subcommand("run", "Measure steps of scenes");
   measuring->add_option("-o,--output", arguments.output, "The table to write")->required();
   measuring->add_flag("--append", arguments.append, "Keep what the table holds already");
-  measuring->add_option("--scenes", arguments.scenes,
-                        "wall glide arch heap loose_heap smooth_heap slope slide rain field columns");
+  measuring->add_option(
+      "--scenes", arguments.scenes,
+      "wall glide arch heap loose_heap smooth_heap slope slide bin tunnel filled_arch rain field columns");
   measuring->add_option("--sizes", arguments.sizes, "Numbers of blocks, ascending");
   measuring->add_option("--time-steps", arguments.time_steps, "Lengths of steps, s");
   measuring->add_option("--starts", arguments.starts, "From what")
@@ -150,7 +152,8 @@ int main(int argc, char** argv) {
   measuring->add_option("--without", arguments.without,
                         "Skips switched off, joined by +: a case for each word; none: all on");
   measuring->add_option("--threads", arguments.threads, "Numbers of threads");
-  measuring->add_option("--methods", arguments.methods, "Classical DDA, the explicit scheme, contacts to 1e-3")
+  measuring
+      ->add_option("--methods", arguments.methods, "Classical DDA, the explicit scheme, contacts to 1e-3")
       ->check(CLI::IsMember({"default", "classic", "explicit", "coarse"}));
   measuring->add_option("--warm", arguments.effort.warm_steps, "Steps before those measured");
   measuring->add_option("--steps", arguments.effort.steps, "Steps measured");
