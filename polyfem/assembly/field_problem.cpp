@@ -83,6 +83,15 @@ std::string words(const FreeMotion& motion, const PolygonMesh& mesh) {
   return text.str();
 }
 
+/// The functions of an edge's two or three nodes at t in (0, 1).
+template <std::size_t n>
+std::array<double, n> edge_shapes(double t) {
+  if constexpr (n == 2)
+    return {1 - t, t};
+  else
+    return {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
+}
+
 }  // namespace
 
 FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components)
@@ -143,18 +152,31 @@ void FieldProblem::require_edge(int first, int second) const {
 }
 
 void FieldProblem::add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load) {
+  add_loads_on(edges, load);
+}
+
+void FieldProblem::add_edge_loads(std::span<const std::array<int, 3>> edges, const EdgeLoad& load) {
+  add_loads_on(edges, load);
+}
+
+template <std::size_t n>
+void FieldProblem::add_loads_on(std::span<const std::array<int, n>> edges, const EdgeLoad& load) {
   const GaussRule& rule = gauss_rule(3);
   VectorXd added = VectorXd::Zero(loads_.size());
-  for (const auto& [first, second] : edges) {
-    const int i = unknown(first, 0), j = unknown(second, 0);
-    require_edge(first, second);
-    const Vec2 a = mesh_->vertices.col(first), edge = mesh_->vertices.col(second) - a;
+  for (const std::array<int, n>& nodes : edges) {
+    for (const int v : nodes) unknown(v, 0);
+    for (std::size_t k = 0; k + 1 < n; ++k) require_edge(nodes[k], nodes[k + 1]);
+    const Vec2 a = mesh_->vertices.col(nodes.front()), edge = mesh_->vertices.col(nodes.back()) - a;
     const double length = edge.norm();
-    const auto refuse = [&, first = first, second = second](const std::string& reason) {
-      throw Error("the load on the edge from " + mesh_->vertex_name(first) + " to " +
-                  mesh_->vertex_name(second) + " " + reason);
+    const auto refuse = [&](const std::string& reason) {
+      throw Error("the load on the edge from " + mesh_->vertex_name(nodes.front()) + " to " +
+                  mesh_->vertex_name(nodes.back()) + " " + reason);
     };
     if (!(length > 0)) refuse("has no direction: give it two vertices at different places");
+    if constexpr (n == 3)
+      if ((mesh_->vertices.col(nodes[1]) - (a + edge / 2)).norm() > 1e-8 * length)
+        refuse("is of second order, but " + mesh_->vertex_name(nodes[1]) +
+               " is not in the middle: give edges as quadratic_boundary_edges does");
     for (Index q = 0; q < rule.points.size(); ++q) {
       const double t = rule.points[q];
       const VectorXd value = load(a + t * edge, Vec2(edge.y(), -edge.x()) / length);
@@ -162,8 +184,9 @@ void FieldProblem::add_edge_loads(std::span<const std::array<int, 2>> edges, con
         refuse("has " + std::to_string(value.size()) + " entries: give it one for each of " +
                std::to_string(n_components_) + " components");
       if (!value.allFinite()) refuse("is not finite");
-      added.segment(i, n_components_) += rule.weights[q] * length * (1 - t) * value;
-      added.segment(j, n_components_) += rule.weights[q] * length * t * value;
+      const std::array<double, n> shape = edge_shapes<n>(t);
+      for (std::size_t k = 0; k < n; ++k)
+        added.segment(unknown(nodes[k], 0), n_components_) += rule.weights[q] * length * shape[k] * value;
     }
   }
   loads_ += added;

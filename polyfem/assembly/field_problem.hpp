@@ -52,6 +52,10 @@ class FieldProblem {
   /// that runs against its cell, for one without length, and for loads of the wrong size or not finite; then
   /// nothing is added.
   void add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load);
+  /// The same for edges (first, middle, last) of quadratic cells, as `quadratic_boundary_edges` gives them:
+  /// exact for loads up to degree 3 along an edge. On such meshes the other one would take its halves for
+  /// linear edges. Throws Error also when `middle` is not in the middle.
+  void add_edge_loads(std::span<const std::array<int, 3>> edges, const EdgeLoad& load);
   /// Drops all loads, those of the cells included, to begin another right hand side.
   void clear_loads();
 
@@ -79,6 +83,8 @@ class FieldProblem {
  private:
   int unknown(int vertex, int component) const;
   void require_edge(int first, int second) const;
+  template <std::size_t n>
+  void add_loads_on(std::span<const std::array<int, n>> edges, const EdgeLoad& load);
   void factorize();
 
   const PolygonMesh* mesh_;
