@@ -16,6 +16,13 @@ MatrixXd in_space(const Eigen::Ref<const Points>& vectors) {
   return result;
 }
 
+/// "cells:NAME", for a name that XML takes as it is.
+std::string array_name(const std::string& kind, const std::string& name) {
+  if (name.empty() || name.find_first_of("<>&\"") != std::string::npos)
+    throw Error("the group \"" + name + "\" cannot be written: give it a name without <, >, & and quotes");
+  return kind + ":" + name;
+}
+
 }  // namespace
 
 MeshFile::MeshFile(const PolygonMesh& mesh) : n_vertices_(mesh.vertices.cols()), n_cells_(mesh.n_cells()) {
@@ -23,6 +30,19 @@ MeshFile::MeshFile(const PolygonMesh& mesh) : n_vertices_(mesh.vertices.cols()),
   const std::vector<std::int64_t> connectivity(mesh.indices.begin(), mesh.indices.end());
   const std::vector<std::int64_t> ends(mesh.offsets.begin() + 1, mesh.offsets.end());
   file_.set_cells(connectivity, ends, std::vector(ends.size(), VtkCell::polygon));
+}
+
+MeshFile::MeshFile(const NamedMesh& named) : MeshFile(named.mesh) {
+  for (const auto& [name, cells] : named.cell_groups) {
+    std::vector<std::uint8_t> members(static_cast<std::size_t>(n_cells_), 0);
+    for (const int c : cells) members.at(static_cast<std::size_t>(c)) = 1;
+    file_.add(VtuSection::cell_data, array_name("cells", name), members);
+  }
+  for (const auto& [name, edges] : named.edge_groups) {
+    std::vector<std::int32_t> ends;
+    for (const auto& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
+    file_.add(VtuSection::field_data, array_name("edges", name), ends, 2);
+  }
 }
 
 void MeshFile::add(VtuSection section, std::string_view name, const Eigen::Ref<const MatrixXd>& values,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <polyfem/io/vtu_file.hpp>
-#include <polyfem/mesh/polygon_mesh.hpp>
+#include <polyfem/mesh/named_mesh.hpp>
 
 namespace polyfem {
 
@@ -14,6 +14,9 @@ namespace polyfem {
 class MeshFile {
  public:
   explicit MeshFile(const PolygonMesh& mesh);
+  /// With its groups, for `read_vtu_mesh`: as cell fields "cells:NAME" of 0 and 1, and as lists "edges:NAME"
+  /// of two vertices an edge. Throws Error for names that are empty or not plain in XML.
+  explicit MeshFile(const NamedMesh& named);
 
   /// Values in the order of vertices: as many of each as there are times more values than vertices, column by
   /// column, so that a VectorXd of interleaved unknowns, Points and Tensors all fit. Two of each are a vector
