@@ -241,7 +241,7 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
 const VectorXd& FieldProblem::solve() {
   if (!assembled_) throw Error("a field is asked for before its problem is assembled: call assemble first");
   if (!factorized_) factorize();
-  const VectorXd loads = loads_ + cell_loads_;
+  const VectorXd loads = this->loads();
   VectorXd f = loads;
   held_.move_to_right_hand_side(f);
   cholesky_.solve(f, u_);
@@ -250,6 +250,25 @@ const VectorXd& FieldProblem::solve() {
   for (int k = 0; k < n_unknowns(); ++k)
     if (held_.is_held(k)) reactions_[k] -= loads[k];
   return u_;
+}
+
+VectorXd FieldProblem::cell_solution(int cell) const {
+  if (cell < 0 || cell >= mesh_->n_cells())
+    throw Error("there is no cell " + std::to_string(cell) + ": cells are numbered 0 to " +
+                std::to_string(mesh_->n_cells() - 1));
+  const std::span<const int> corners = mesh_->cell(cell);
+  VectorXd values(n_components_ * static_cast<Index>(corners.size()));
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    values.segment(n_components_ * static_cast<Index>(k), n_components_) =
+        u_.segment(n_components_ * corners[k], n_components_);
+  return values;
+}
+
+const SparseMatrix& FieldProblem::matrix() {
+  if (!assembled_) throw Error("a matrix is asked for before its problem is assembled: call assemble first");
+  held_.put_back(matrix_.lower());
+  factorized_ = false;
+  return matrix_.lower();
 }
 
 void FieldProblem::factorize() {
@@ -275,6 +294,10 @@ void FieldProblem::factorize() {
   throw Error(indefinite +
               "look for cells with deformations that cost no energy, by a rule of too few points or "
               "a material without stiffness");
+}
+
+FieldProblem::EdgeLoad pressure(double p) {
+  return [p](const Vec2&, const Vec2& outward_normal) { return -p * outward_normal; };
 }
 
 }  // namespace polyfem

@@ -75,13 +75,24 @@ class FieldProblem {
   /// whatever was changed since; zero before.
   const VectorXd& reactions() const { return reactions_; }
 
+  /// The number of an unknown: its row in the matrix and in all vectors. Throws Error when there is none.
+  int unknown(int vertex, int component) const;
+  /// The last solution at the vertices of a cell, in the order of its element's unknowns.
+  VectorXd cell_solution(int cell) const;
+  /// The lower triangle of the matrix as assembled, with no unknown held, without a copy:
+  /// `matrix().selfadjointView<Eigen::Lower>()` is all of it. Good until the next call that is not const; the
+  /// next solution makes a factor anew. Throws Error before `assemble`.
+  const SparseMatrix& matrix();
+  /// The right hand side: loads of vertices, edges and cells, with no unknown held.
+  VectorXd loads() const { return loads_ + cell_loads_; }
+  bool is_held(int unknown) const { return held_.is_held(unknown); }
+
   int n_unknowns() const { return static_cast<int>(u_.size()); }
   int n_analyses() const { return cholesky_.n_analyses(); }
   int n_factorizations() const { return cholesky_.n_factorizations(); }
   int n_solves() const { return cholesky_.n_solves(); }
 
  private:
-  int unknown(int vertex, int component) const;
   void require_edge(int first, int second) const;
   template <std::size_t n>
   void add_loads_on(std::span<const std::array<int, n>> edges, const EdgeLoad& load);
@@ -97,5 +108,8 @@ class FieldProblem {
   bool assembled_ = false, factorized_ = false;
   int first_negative_cell_ = -1, n_negative_cells_ = 0;  ///< cells whose matrices have a negative energy
 };
+
+/// A pressure p, N/m^2, on displacements: the load -p n on edges with the outward normal n.
+FieldProblem::EdgeLoad pressure(double p);
 
 }  // namespace polyfem

@@ -6,6 +6,23 @@
 #include <map>
 
 namespace polyfem {
+namespace {
+
+/// All edges (first, middle, last) of quadratic cells, in the order of cells.
+std::vector<std::array<int, 3>> all_edges(const PolygonMesh& quadratic) {
+  std::vector<std::array<int, 3>> edges;
+  for (int c = 0; c < quadratic.n_cells(); ++c) {
+    const std::span<const int> nodes = quadratic.cell(c);
+    if (nodes.size() % 2 != 0)
+      throw Error("cell " + std::to_string(c) + " has " + std::to_string(nodes.size()) +
+                  " vertices: quadratic cells have a corner and a midpoint in turn, see with_edge_midpoints");
+    for (std::size_t k = 0; k < nodes.size(); k += 2)
+      edges.push_back({nodes[k], nodes[k + 1], nodes[(k + 2) % nodes.size()]});
+  }
+  return edges;
+}
+
+}  // namespace
 
 PolygonMesh with_edge_midpoints(const PolygonMesh& mesh) {
   require_numbering(mesh);
@@ -40,20 +57,27 @@ std::vector<std::array<int, 3>> quadratic_boundary_edges(const PolygonMesh& quad
   std::vector<std::array<int, 2>> halves = boundary_edges(quadratic);
   std::sort(halves.begin(), halves.end());
   const auto inside = [&](int v) { return region(quadratic.vertices.col(v)); };
-  std::vector<std::array<int, 3>> edges;
-  for (int c = 0; c < quadratic.n_cells(); ++c) {
-    const std::span<const int> nodes = quadratic.cell(c);
-    if (nodes.size() % 2 != 0)
-      throw Error("cell " + std::to_string(c) + " has " + std::to_string(nodes.size()) +
-                  " vertices: quadratic cells have a corner and a midpoint in turn, see with_edge_midpoints");
-    for (std::size_t k = 0; k < nodes.size(); k += 2) {
-      const std::array edge{nodes[k], nodes[k + 1], nodes[(k + 2) % nodes.size()]};
-      if (std::binary_search(halves.begin(), halves.end(), std::array{edge[0], edge[1]}) &&
-          std::all_of(edge.begin(), edge.end(), inside))
-        edges.push_back(edge);
-    }
-  }
+  std::vector<std::array<int, 3>> edges = all_edges(quadratic);
+  std::erase_if(edges, [&](const std::array<int, 3>& edge) {
+    return !std::binary_search(halves.begin(), halves.end(), std::array{edge[0], edge[1]}) ||
+           !std::all_of(edge.begin(), edge.end(), inside);
+  });
   return edges;
+}
+
+std::vector<std::array<int, 3>> quadratic_edges(const PolygonMesh& quadratic,
+                                                std::span<const std::array<int, 2>> edges) {
+  std::map<std::array<int, 2>, int> middle_of;
+  for (const auto& [first, middle, last] : all_edges(quadratic)) middle_of[{first, last}] = middle;
+  std::vector<std::array<int, 3>> result;
+  for (const std::array<int, 2>& edge : edges) {
+    const auto found = middle_of.find(edge);
+    if (found == middle_of.end())
+      throw Error("no quadratic cell has an edge from vertex " + std::to_string(edge[0]) + " to vertex " +
+                  std::to_string(edge[1]) + ": give edges of the mesh before with_edge_midpoints");
+    result.push_back({edge[0], found->second, edge[1]});
+  }
+  return result;
 }
 
 }  // namespace polyfem

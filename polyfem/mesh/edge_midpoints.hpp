@@ -16,4 +16,10 @@ PolygonMesh with_edge_midpoints(const PolygonMesh& mesh);
 /// for a cell with an odd number of vertices.
 std::vector<std::array<int, 3>> quadratic_boundary_edges(const PolygonMesh& quadratic, const Region& region);
 
+/// The edges (first, middle, last) of a mesh of quadratic cells for edges (first, last) between its corners,
+/// as the groups of a NamedMesh have them. Throws Error for a pair that is no edge of a cell in that
+/// direction.
+std::vector<std::array<int, 3>> quadratic_edges(const PolygonMesh& quadratic,
+                                                std::span<const std::array<int, 2>> edges);
+
 }  // namespace polyfem

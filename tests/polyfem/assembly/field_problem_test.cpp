@@ -503,4 +503,21 @@ TEST(FieldProblem, NamesTheCellWhoseMatrixCannotBeMade) {
   }
 }
 
+TEST(FieldProblem, ShowsItsMatrixLoadsAndUnknowns) {
+  FieldProblem problem(mesh, 2);
+  EXPECT_THROW(problem.matrix(), Error);
+  problem.assemble(elastic);
+  clamp_left(problem);
+  problem.add_edge_loads(boundary_edges(mesh, at_right), pressure(3));
+  const VectorXd u = problem.solve(), reactions = problem.reactions();
+  const VectorXd forces = problem.matrix().selfadjointView<Eigen::Lower>() * u;
+  EXPECT_LT((forces - problem.loads() - reactions).norm(), 1e-12) << "held rows are there as well";
+  EXPECT_NEAR(problem.loads().reshaped(2, mesh.vertices.cols()).row(0).sum(), -3, 1e-13);
+  const int corner = mesh.cell(4)[2];
+  EXPECT_EQ(problem.cell_solution(4)[5], u[problem.unknown(corner, 1)]);
+  EXPECT_TRUE(problem.is_held(problem.unknown(boundary_vertices(mesh, at_left)[0], 1)));
+  EXPECT_THROW(problem.cell_solution(mesh.n_cells()), Error);
+  EXPECT_EQ(problem.solve(), u) << "the matrix taken out is put back";
+}
+
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace polyfem;
 
 namespace {
@@ -41,6 +43,18 @@ TEST(EdgeMidpoints, OfTheBoundaryComeWithTheirEdges) {
   EXPECT_EQ(quadratic_boundary_edges(quadratic, [](const Vec2&) { return true; }).size(), 10u);
   EXPECT_THROW(quadratic_boundary_edges(triangles({0, 0}, {1, 1}, 1, 1), [](const Vec2&) { return true; }),
                Error);
+}
+
+TEST(EdgeMidpoints, AreFoundForEdgesOfTheCoarseMesh) {
+  const PolygonMesh mesh = rectangles({0, 0}, {3, 1}, 3, 2), quadratic = with_edge_midpoints(mesh);
+  const auto on_top = [](const Vec2& x) { return x.y() == 1; };
+  auto found = quadratic_edges(quadratic, boundary_edges(mesh, on_top));
+  auto expected = quadratic_boundary_edges(quadratic, on_top);
+  std::sort(found.begin(), found.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(found, expected);
+  const std::array turned{expected[0][2], expected[0][0]};
+  EXPECT_THROW(quadratic_edges(quadratic, std::span(&turned, 1)), Error);
 }
 
 }  // namespace
