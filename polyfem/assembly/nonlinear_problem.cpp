@@ -1,0 +1,125 @@
+#include <polyfem/assembly/nonlinear_problem.hpp>
+
+#include <polyfem/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace polyfem {
+namespace {
+
+constexpr int most_iterations = 25;
+constexpr int most_halvings = 8;
+
+/// What the next step must be below: the largest of the last three residuals, as of slender parts each second
+/// one may rise (non-monotone line search, Grippo, Lampariello and Lucidi 1986). The first step is free: it
+/// brings load and held unknowns on, and the residual before it is that of the load's increment alone.
+double residual_bound(const std::vector<double>& residuals) {
+  if (residuals.size() < 2) return std::numeric_limits<double>::infinity();
+  const auto first = residuals.end() - std::min<std::ptrdiff_t>(3, std::ssize(residuals) - 1);
+  return *std::max_element(first, residuals.end());
+}
+
+}  // namespace
+
+NonlinearProblem::NonlinearProblem(const PolygonMesh& mesh, int n_components, CellForces cell_forces)
+    : mesh_(&mesh),
+      n_components_(n_components),
+      cell_forces_(std::move(cell_forces)),
+      linear_(mesh, n_components),
+      loads_(VectorXd::Zero(linear_.n_unknowns())),
+      held_values_(loads_),
+      u_(loads_) {}
+
+void NonlinearProblem::hold(int vertex, int component, double value) {
+  linear_.hold(vertex, component, value);
+  held_values_[linear_.unknown(vertex, component)] = value;
+}
+
+void NonlinearProblem::add_load(int vertex, int component, double value) {
+  linear_.clear_loads();
+  linear_.add_load(vertex, component, value);
+  loads_ += linear_.loads();
+}
+
+/// Tangent at u, and the forces out of balance as loads of the linear problem.
+NonlinearProblem::Residual NonlinearProblem::assemble(const VectorXd& u, double t) {
+  double largest_force = (t * loads_).lpNorm<Eigen::Infinity>();
+  VectorXd of_cell;
+  linear_.clear_loads();
+  linear_.assemble([&](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
+    of_cell.resize(f.size());
+    for (Index k = 0; k < polygon.cols(); ++k)
+      of_cell.segment(n_components_ * k, n_components_) =
+          u.segment(n_components_ * mesh_->cell(cell)[static_cast<std::size_t>(k)], n_components_);
+    cell_forces_(cell, polygon, of_cell, K, f);
+    largest_force = std::max(largest_force, f.lpNorm<Eigen::Infinity>());
+    f = -f;
+  });
+  for (int k = 0; k < linear_.n_unknowns(); ++k)
+    if (loads_[k] != 0) linear_.add_load(k / n_components_, k % n_components_, t * loads_[k]);
+  const VectorXd residual = linear_.loads();
+  Residual worst{0, 0};
+  for (int k = 0; k < linear_.n_unknowns(); ++k)
+    if (!linear_.is_held(k) && std::abs(residual[k]) > worst.relative) worst = {std::abs(residual[k]), k};
+  if (largest_force > 0) worst.relative /= largest_force;
+  return worst;
+}
+
+NewtonReport NonlinearProblem::solve(double t, double tolerance) {
+  NewtonReport report;
+  VectorXd u = u_;
+  try {
+    // Held unknowns move in the first step; what is out of balance before says nothing about the end.
+    Residual residual = assemble(u, t);
+    report.residuals.push_back(residual.relative);
+    bool moves = false;
+    for (int k = 0; k < linear_.n_unknowns(); ++k)
+      if (linear_.is_held(k)) {
+        const double way = t * held_values_[k] - u[k];
+        moves = moves || way != 0;
+        linear_.hold(k / n_components_, k % n_components_, way);
+      }
+    for (int iteration = 0; moves || residual.relative > tolerance; ++iteration) {
+      if (iteration == most_iterations) {
+        report.reason = "Newton's method has not converged in " + std::to_string(most_iterations) +
+                        " iterations: the largest residual, " + std::to_string(residual.relative) +
+                        " of the largest force, is at " +
+                        mesh_->vertex_name(residual.worst_unknown / n_components_) +
+                        "; take smaller load steps, and see that the tangent is the derivative of the forces";
+        return report;
+      }
+      const VectorXd step = linear_.solve(), start = u;
+      const double bound = moves ? std::numeric_limits<double>::infinity() : residual_bound(report.residuals);
+      double length = 1;
+      for (int halvings = 0;; ++halvings, length /= 2) {
+        u = start + length * step;
+        std::optional<Residual> there;
+        try {
+          there = assemble(u, t);
+        } catch (const Error&) {  // a cell turned inside out, say
+          if (halvings == most_halvings) throw;
+        }
+        if (there && (there->relative < bound || halvings == most_halvings)) {
+          residual = *there;
+          break;
+        }
+      }
+      report.residuals.push_back(residual.relative);
+      moves = moves && length < 1;
+      for (int k = 0; k < linear_.n_unknowns(); ++k)
+        if (linear_.is_held(k))
+          linear_.hold(k / n_components_, k % n_components_, moves ? t * held_values_[k] - u[k] : 0);
+    }
+    u_ = u;
+    report.converged = true;
+  } catch (const Error& error) {
+    report.reason = error.what();
+  }
+  return report;
+}
+
+}  // namespace polyfem

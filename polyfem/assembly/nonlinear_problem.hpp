@@ -1,0 +1,71 @@
+/// \file Nonlinear equilibrium on a mesh by Newton's method, in load steps.
+#pragma once
+
+#include <polyfem/assembly/field_problem.hpp>
+
+#include <string>
+#include <vector>
+
+namespace polyfem {
+
+/// How Newton's method ended.
+struct NewtonReport {
+  bool converged = false;
+  /// Largest force out of balance over the largest force of any cell or load, at the start of each iteration
+  /// and at the end.
+  std::vector<double> residuals;
+  std::string reason;  ///< of not converging: where, and the cure
+};
+
+/// Newton's method for forces(u) = t loads, with a load factor t and held unknowns at t times their values.
+///
+///     NonlinearProblem problem(mesh, 2, forces_of_cell);
+///     for (double t : {0.25, 0.5, 0.75, 1.})
+///       if (const NewtonReport report = problem.solve(t); !report.converged) ...
+///
+/// Each solution starts from the last one that converged, u = 0 at first. Steps are halved while they turn
+/// a cell inside out or leave more residual than the last three (line search). Tangents must be symmetric,
+/// and positive definite near a solution: stable equilibria, and materials that are derived from an energy.
+class NonlinearProblem {
+ public:
+  /// Fills the tangent K = d forces / d u (square, symmetric) and the forces of a cell at displacements u of
+  /// its vertices. What it throws (a cell turned inside out) makes a step too long.
+  using CellForces = std::function<void(int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K,
+                                        VectorXd& forces)>;
+
+  /// \param[in] mesh  kept by reference, as by `FieldProblem`, which throws for what is wrong with it
+  NonlinearProblem(const PolygonMesh& mesh, int n_components, CellForces cell_forces);
+  NonlinearProblem(PolygonMesh&&, int, CellForces) = delete;
+
+  /// As those of `FieldProblem`, at t = 1. Loads are dead: they keep direction and size.
+  void hold(int vertex, int component, double value = 0);
+  void add_load(int vertex, int component, double value);
+  template <std::size_t n>
+  void add_edge_loads(const std::vector<std::array<int, n>>& edges, const FieldProblem::EdgeLoad& load) {
+    linear_.clear_loads();
+    linear_.add_edge_loads(edges, load);
+    loads_ += linear_.loads();
+  }
+
+  /// Solves at load factor t until the residual is below `tolerance`. Not converged, within 25 iterations or
+  /// as the tangent is not positive definite, is reported; the solution is the last converged one then.
+  NewtonReport solve(double t, double tolerance = 1e-10);
+
+  /// The last converged solution.
+  const VectorXd& solution() const { return u_; }
+
+ private:
+  struct Residual {
+    double relative;
+    int worst_unknown;
+  };
+  Residual assemble(const VectorXd& u, double t);
+
+  const PolygonMesh* mesh_;
+  int n_components_;
+  CellForces cell_forces_;
+  FieldProblem linear_;
+  VectorXd loads_, held_values_, u_;
+};
+
+}  // namespace polyfem
