@@ -1,62 +1,17 @@
 #include <polyfem/mesh/clipped_diagram.hpp>
 
-#include <geos_c.h>
-#include <polyfem/core/error.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/mesh/geos_context.hpp>
 
 #include <algorithm>
-#include <memory>
-#include <string>
 
 namespace polyfem {
 
 namespace {
 
-void keep_message(const char* message, void* text) {
-  *static_cast<std::string*>(text) = message;
-}
+using Prepared = std::unique_ptr<const GEOSPreparedGeometry, DestroyGeometry>;
 
-/// A GEOS context; makes errors of its functions exceptions.
-class Geos {
- public:
-  Geos() : handle_(GEOS_init_r()) { GEOSContext_setErrorMessageHandler_r(handle_, keep_message, &message_); }
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-  ~Geos() { GEOS_finish_r(handle_); }
-
-  GEOSContextHandle_t handle() const { return handle_; }
-  template <class T>
-  T* checked(T* result) const {
-    if (!result) fail();
-    return result;
-  }
-  [[noreturn]] void fail() const { throw Error("GEOS could not compute the Voronoi cells: " + message_); }
-
- private:
-  GEOSContextHandle_t handle_;
-  std::string message_;
-};
-
-struct Destroy {
-  GEOSContextHandle_t handle;
-  void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(handle, geometry); }
-  void operator()(const GEOSPreparedGeometry* geometry) const {
-    GEOSPreparedGeom_destroy_r(handle, geometry);
-  }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
-using Prepared = std::unique_ptr<const GEOSPreparedGeometry, Destroy>;
-
-Geometry own(const Geos& geos, GEOSGeometry* geometry) {
-  return {geos.checked(geometry), Destroy{geos.handle()}};
-}
-
-GEOSCoordSequence* coordinates(const Geos& geos, const Points& points) {
-  return geos.checked(GEOSCoordSeq_copyFromBuffer_r(geos.handle(), points.data(),
-                                                    static_cast<unsigned>(points.cols()), 0, 0));
-}
-
-Geometry polygon(const Geos& geos, const PointsRef& outline) {
+GeosGeometry polygon(const GeosContext& geos, const PointsRef& outline) {
   Points closed(2, outline.cols() + 1);
   closed << outline, outline.col(0);
   GEOSGeometry* ring = geos.checked(GEOSGeom_createLinearRing_r(geos.handle(), coordinates(geos, closed)));
@@ -75,23 +30,19 @@ Points surrounded(const PointsRef& domain, const Points& sites) {
   return all;
 }
 
-Geometry diagram(const Geos& geos, const Points& sites) {
-  const Geometry line = own(geos, GEOSGeom_createLineString_r(geos.handle(), coordinates(geos, sites)));
+GeosGeometry diagram(const GeosContext& geos, const Points& sites) {
+  const GeosGeometry line = own(geos, GEOSGeom_createLineString_r(geos.handle(), coordinates(geos, sites)));
   return own(geos, GEOSVoronoiDiagram_r(geos.handle(), line.get(), nullptr, 0, 0));
 }
 
 /// Adds every polygon of a geometry; lines and points, where a cell touches the domain, have no area.
-void add_rings(const Geos& geos, const GEOSGeometry* geometry, Rings& rings) {
+void add_rings(const GeosContext& geos, const GEOSGeometry* geometry, Rings& rings) {
   const int n_parts = GEOSGetNumGeometries_r(geos.handle(), geometry);
   for (int i = 0; i < n_parts; ++i) {
     const GEOSGeometry* part = geos.checked(GEOSGetGeometryN_r(geos.handle(), geometry, i));
     if (GEOSGeomTypeId_r(geos.handle(), part) != GEOS_POLYGON || GEOSisEmpty_r(geos.handle(), part)) continue;
     const GEOSGeometry* ring = geos.checked(GEOSGetExteriorRing_r(geos.handle(), part));
-    const GEOSCoordSequence* sequence = geos.checked(GEOSGeom_getCoordSeq_r(geos.handle(), ring));
-    unsigned size = 0;
-    if (!GEOSCoordSeq_getSize_r(geos.handle(), sequence, &size)) geos.fail();
-    Points points(2, size);
-    if (!GEOSCoordSeq_copyToBuffer_r(geos.handle(), sequence, points.data(), 0, 0)) geos.fail();
+    const Points points = points_of(geos, ring);
     const Index n = points.cols() - 1;
     const bool clockwise = signed_area(points.leftCols(n)) < 0;
     for (Index k = 0; k < n; ++k) rings.points.push_back(points.col(clockwise ? n - 1 - k : k));
@@ -102,10 +53,11 @@ void add_rings(const Geos& geos, const GEOSGeometry* geometry, Rings& rings) {
 }  // namespace
 
 Rings clipped_voronoi_diagram(const PointsRef& domain, const Points& sites) {
-  const Geos geos;
-  const Geometry outline = polygon(geos, domain);
-  const Prepared prepared(geos.checked(GEOSPrepare_r(geos.handle(), outline.get())), Destroy{geos.handle()});
-  const Geometry cells = diagram(geos, surrounded(domain, sites));
+  const GeosContext geos("compute the Voronoi cells");
+  const GeosGeometry outline = polygon(geos, domain);
+  const Prepared prepared(geos.checked(GEOSPrepare_r(geos.handle(), outline.get())),
+                          DestroyGeometry{geos.handle()});
+  const GeosGeometry cells = diagram(geos, surrounded(domain, sites));
   const int n_cells = GEOSGetNumGeometries_r(geos.handle(), cells.get());
   Rings rings;
   for (int i = 0; i < n_cells; ++i) {

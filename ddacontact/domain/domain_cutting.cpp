@@ -1,0 +1,247 @@
+#include <ddacontact/domain/domain_cutting.hpp>
+
+#include <ddacontact/domain/joint_traces.hpp>
+
+#include <polyfem/core/error.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/geometry/triangulation.hpp>
+#include <polyfem/geometry/validity.hpp>
+#include <polyfem/mesh/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace ddacontact {
+
+namespace {
+
+using polyfem::Error;
+using polyfem::Segment;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+Points counter_clockwise(const Points& polygon) {
+  return polyfem::signed_area(polygon) < 0 ? Points(polygon.rowwise().reverse()) : polygon;
+}
+
+const Points& place_of(const Domain& domain, int region) {
+  return region < 0 ? domain.boundary : domain.regions[region].polygon;
+}
+
+/// Length of traces per area.
+double intensity(const JointSet& set) {
+  return set.trace / (set.trace + set.gap) / set.spacing;
+}
+
+/// What the lines of one mark are.
+struct Cut {
+  int joint;
+  bool may_go;  ///< slivers are merged across it
+};
+
+/// All lines that cut the domain, those that count first where they overlap before others.
+class CuttingLines {
+ public:
+  CuttingLines(const Domain& domain, double snap) : domain_(domain), snap_(snap) {
+    for (const DomainOpening& opening : domain.openings) add_ring(opening.outline, {opening.joint, false});
+    for (const DomainRegion& region : domain.regions)
+      if (region.cut) add_ring(region.polygon, {region.joint, false});
+    for (const JointTrace& trace : domain.traces) add_trace(trace);
+    for (std::size_t s = 0; s < domain.joint_sets.size(); ++s) add_set(domain.joint_sets[s], s);
+    for (const VoronoiCells& cells : domain.voronoi) add_cells(cells);
+  }
+
+  const std::vector<Segment>& segments() const { return segments_; }
+  int joint(int mark) const { return mark < 0 ? -1 : cuts_[mark].joint; }
+  bool may_go(int mark) const { return mark >= 0 && cuts_[mark].may_go; }
+
+ private:
+  int next_mark(const Cut& cut) {
+    cuts_.push_back(cut);
+    return static_cast<int>(cuts_.size()) - 1;
+  }
+  void add_ring(const Points& ring, const Cut& cut) {
+    const int mark = next_mark(cut);
+    for (Index k = 0; k < ring.cols(); ++k)
+      segments_.push_back({ring.col(k), ring.col((k + 1) % ring.cols()), mark});
+  }
+  /// Lengthened at both ends: drawings often end a little before the line that they mean.
+  void add_trace(const JointTrace& trace) {
+    const int mark = next_mark({trace.joint, true});
+    const Index last = trace.points.cols() - 1;
+    const bool is_open = trace.points.col(0) != trace.points.col(last);
+    for (Index k = 0; k < last; ++k) {
+      Vec2 from = trace.points.col(k), to = trace.points.col(k + 1);
+      const Vec2 more = 2 * snap_ * (to - from).normalized();
+      if (is_open && k == 0) from -= more;
+      if (is_open && k + 1 == last) to += more;
+      segments_.push_back({from, to, mark});
+    }
+  }
+  void add_set(const JointSet& set, std::size_t index) {
+    const int mark = next_mark({set.joint, true});
+    const Points& place = place_of(domain_, set.region);
+    for (const Segment& trace : joint_traces(set, place, domain_.seed + index, mark)) {
+      if (set.region < 0)
+        segments_.push_back(trace);
+      else
+        for (const Segment& part : parts_inside(trace, place)) segments_.push_back(part);
+    }
+  }
+  void add_cells(const VoronoiCells& cells) {
+    const int mark = next_mark({cells.joint, true});
+    const polyfem::PolygonMesh mesh =
+        polyfem::voronoi(place_of(domain_, cells.region), {.n_cells = cells.cells, .seed = domain_.seed});
+    for (int c = 0; c < mesh.n_cells(); ++c) {
+      const auto corners = mesh.cell(c);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const int from = corners[k], to = corners[(k + 1) % corners.size()];
+        segments_.push_back({mesh.vertices.col(from), mesh.vertices.col(to), mark});
+      }
+    }
+  }
+
+  const Domain& domain_;
+  double snap_;
+  std::vector<Segment> segments_;
+  std::vector<Cut> cuts_;
+};
+
+/// A point in a simple polygon, far from its outline.
+Vec2 inner_point(const Points& polygon) {
+  const Vec2 centroid = polyfem::area_moments(polygon).centroid;
+  if (polyfem::contains(polygon, centroid)) return centroid;
+  double largest = 0;
+  Vec2 point = centroid;
+  const polyfem::Triangles triangles = polyfem::triangulate(polygon);
+  for (Index t = 0; t < triangles.cols(); ++t) {
+    const Vec2 a = polygon.col(triangles(0, t)), b = polygon.col(triangles(1, t)),
+               c = polygon.col(triangles(2, t));
+    const double area = polyfem::cross(b - a, c - a);
+    if (area <= largest) continue;
+    largest = area;
+    point = (a + b + c) / 3;
+  }
+  return point;
+}
+
+CutBlock block_of(const polyfem::CutCells& cells, const polyfem::CutCell& cell, const CuttingLines& lines,
+                  const Domain& domain) {
+  const Points outline = cells.outline(cell);
+  const Index n = outline.cols();
+  Index first = 0;
+  for (Index k = 1; k < n; ++k)
+    if (std::pair(outline(1, k), outline(0, k)) < std::pair(outline(1, first), outline(0, first))) first = k;
+  CutBlock block;
+  block.outline.resize(2, n);
+  for (Index k = 0; k < n; ++k) {
+    block.outline.col(k) = outline.col((first + k) % n);
+    block.joints.push_back(lines.joint(cell.marks[(first + k) % n]));
+  }
+  const Vec2 centroid = polyfem::area_moments(block.outline).centroid;
+  for (std::size_t r = 0; r < domain.regions.size(); ++r)
+    if (polyfem::contains(domain.regions[r].polygon, centroid)) block.regions.push_back(static_cast<int>(r));
+  if (!domain.openings.empty()) {
+    const Vec2 inside = inner_point(block.outline);
+    for (std::size_t o = 0; o < domain.openings.size(); ++o)
+      if (polyfem::contains(domain.openings[o].outline, inside))
+        block.openings.push_back(static_cast<int>(o));
+  }
+  return block;
+}
+
+/// By pairs: added one after the other, blocks of one size would all be rounded to the same side.
+double total_area(std::span<const CutBlock> blocks) {
+  if (blocks.size() == 1) return polyfem::signed_area(blocks.front().outline);
+  const std::size_t half = blocks.size() / 2;
+  return total_area(blocks.first(half)) + total_area(blocks.subspan(half));
+}
+
+void sort_by_rows(std::vector<CutBlock>& blocks, double height) {
+  struct Key {
+    double row, x, y;
+    std::size_t index;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::vector<Key> keys;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Vec2 centroid = polyfem::area_moments(blocks[b].outline).centroid;
+    keys.push_back({std::floor(centroid.y() / height), centroid.x(), centroid.y(), b});
+  }
+  std::ranges::sort(keys, [](const Key& a, const Key& b) { return a < b; });
+  std::vector<CutBlock> sorted;
+  for (const Key& key : keys) sorted.push_back(std::move(blocks[key.index]));
+  blocks = std::move(sorted);
+}
+
+void require_simple(const Points& polygon, const std::string& title) {
+  if (polyfem::find_defect(polygon))
+    throw Error(title + " is not a simple polygon (its edges must not cross)");
+}
+
+void require_sound(const Domain& domain) {
+  require_simple(domain.boundary, "the boundary of the domain");
+  for (const DomainRegion& region : domain.regions) require_simple(region.polygon, "a region of the domain");
+  for (const DomainOpening& opening : domain.openings)
+    require_simple(opening.outline, "an opening of the domain");
+  double most = expected_blocks(domain);
+  for (const JointSet& set : domain.joint_sets)
+    most = std::max(most, n_joint_traces(set, place_of(domain, set.region)));
+  if (!(most <= most_blocks))
+    throw Error("the domain would be cut into about " + number(most) + " blocks or traces (at most " +
+                number(most_blocks) + ": wider spacings, longer traces or a smaller domain make fewer)");
+}
+
+}  // namespace
+
+double expected_blocks(const Domain& domain) {
+  double n = 1;
+  const auto area = [&](int region) { return std::abs(polyfem::signed_area(place_of(domain, region))); };
+  for (std::size_t i = 0; i < domain.joint_sets.size(); ++i) {
+    const JointSet& set = domain.joint_sets[i];
+    n += intensity(set) * std::sqrt(area(set.region));
+    for (std::size_t j = 0; j < i; ++j) {
+      const JointSet& other = domain.joint_sets[j];
+      n += intensity(set) * intensity(other) *
+           std::abs(std::sin((set.angle - other.angle) * std::numbers::pi / 180)) *
+           std::min(area(set.region), area(other.region));
+    }
+  }
+  for (const VoronoiCells& cells : domain.voronoi) n += cells.cells;
+  return n;
+}
+
+CutDomain cut_domain(const Domain& domain) {
+  require_sound(domain);
+  const Points boundary = counter_clockwise(domain.boundary);
+  const double area = polyfem::signed_area(boundary),
+               snap = domain.snap > 0 ? domain.snap : 1e-6 * std::sqrt(area / expected_blocks(domain));
+  const CuttingLines lines(domain, snap);
+  polyfem::CutCells cells = polyfem::cut_cells(boundary, lines.segments(), snap);
+  CutDomain result;
+  DomainCounts& counts = result.counts;
+  if (domain.sliver_policy == SliverPolicy::merge)
+    counts.slivers_merged =
+        polyfem::merge_slivers(cells, domain.sliver, [&](int mark) { return lines.may_go(mark); });
+  counts.slivers_left = static_cast<int>(polyfem::find_slivers(cells, domain.sliver).size());
+  if (domain.sliver_policy == SliverPolicy::refuse && counts.slivers_left > 0)
+    throw Error("the joints cut " + std::to_string(counts.slivers_left) +
+                " slivers (policy = \"merge\" takes them into their neighbours)");
+  counts.dangling_removed = cells.n_dangling;
+  counts.connecting_joints = cells.n_connecting;
+  counts.t_vertices = polyfem::drop_straight_corners(cells, domain.keep_t_vertices);
+  for (const polyfem::CutCell& cell : cells.cells)
+    result.blocks.push_back(block_of(cells, cell, lines, domain));
+  counts.blocks = static_cast<int>(result.blocks.size());
+  sort_by_rows(result.blocks, std::sqrt(area / counts.blocks));
+  counts.area = total_area(result.blocks);
+  return result;
+}
+
+}  // namespace ddacontact
