@@ -35,10 +35,8 @@ void tell(const CutArguments& arguments, const ddacontact::Scene& before, const 
 
 int cut_file(const CutArguments& arguments) {
   const ddacontact::CutOptions& options = arguments.options;
-  if (!options.convex && !options.drop_straight && !(options.shortest_edge > 0))
-    throw ddacontact::Error("cut needs to know what to do (--convex, --shortest-edge L or --drop-straight)");
   ddacontact::geometry_format(arguments.file);  // an unknown ending is an error before anything is computed
-  const ddacontact::BlocksReading reading = ddacontact::read_blocks(arguments.blocks);
+  const ddacontact::BlocksReading reading = ddacontact::read_blocks(arguments.blocks, arguments.snap);
   const int status = report(reading.scene);
   if (!reading.scene.scene) return status;
   ddacontact::CutCounts counts;
@@ -52,11 +50,20 @@ int cut_file(const CutArguments& arguments) {
 }  // namespace
 
 void add_cut(CLI::App& app, CutArguments& arguments) {
-  CLI::App* cut =
-      app.add_subcommand("cut", "Split concave blocks, take out short edges and straight vertices");
-  cut->add_option("BLOCKS", arguments.blocks, "Blocks: a scene (.toml), .geojson, .json or .wkt")->required();
-  cut->add_option("-o,--output", arguments.file, "File to write: .geojson, .wkt or .toml (a scene to run)")
+  CLI::App* cut = app.add_subcommand(
+      "cut",
+      "Write blocks to another file; make them touch, split concave ones, take out short edges and "
+      "straight vertices");
+  cut->add_option("BLOCKS", arguments.blocks,
+                  "Blocks: a scene (.toml), .geojson, .json, .wkt, .dxf or Shi's .geo")
       ->required();
+  cut->add_option("-o,--output", arguments.file,
+                  "File to write: .geojson, .wkt, .dxf or .toml (a scene to run)")
+      ->required();
+  cut->add_option(
+         "--snap", arguments.snap,
+         "For rounded coordinates: vertices nearer than this (m) become one, and move onto edges as near")
+      ->check(CLI::PositiveNumber);
   cut->add_option("--shortest-edge", arguments.options.shortest_edge,
                   "Make one vertex of the ends of shorter edges; relative to the size of their block, "
                   "sqrt(area)")

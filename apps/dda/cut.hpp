@@ -13,6 +13,7 @@ namespace dda {
 struct CutArguments {
   std::string blocks, file;
   ddacontact::CutOptions options;
+  double snap = 0;  ///< m; 0: none
 };
 
 /// Adds the verb with its options.

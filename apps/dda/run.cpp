@@ -262,6 +262,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
     built.stepper->restore(from->record);
     summary.resumed_after = from->record.counts.steps;
   }
+  summary.domain = scene.domain;
   summary.seconds_setup = seconds_since(start);
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   const int steps = arguments.steps.value_or(scene.n_steps());

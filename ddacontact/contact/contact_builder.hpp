@@ -27,12 +27,21 @@ struct ContactProperties {
   /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
   double lip = default_lip;
   std::optional<double> tolerance = {};  ///< of the forces on each block; none: see StagedOptions
+  /// The joint of each edge of each block's outline, an entry of `joints`; -1: that of the materials. Empty:
+  /// no edge has one.
+  std::vector<std::vector<int>> edge_joints = {};
   static constexpr double default_lip = 1e-4, lip_of_paper = std::numeric_limits<double>::infinity();
 
   /// Whether forces of contacts are multipliers: their springs store no energy.
   bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }
+  /// The entry of `joints` that a contact follows: that of its edge, else of the two materials.
+  int joint_of(const VertexEdge& pair) const {
+    const int of_edge = edge_joints.empty() ? -1 : edge_joints[pair.edge_block][pair.edge];
+    return of_edge >= 0 ? of_edge
+                        : joints.number_between(materials[pair.vertex_block], materials[pair.edge_block]);
+  }
   const JointStrength& strength(const VertexEdge& pair) const {
-    return joints.between(materials[pair.vertex_block], materials[pair.edge_block]);
+    return joints.entries()[joint_of(pair)].strength;
   }
   /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
   /// contact of a glued joint that strength is infinite.

@@ -3,6 +3,7 @@
 
 #include <ddacontact/contact/joint_law.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -36,16 +37,20 @@ class JointTable {
 
   const std::vector<Entry>& entries() const { return entries_; }
   const JointStrength& between(int material_a, int material_b) const {
-    const Entry* general = nullptr;
-    for (const Entry& entry : entries_) {
-      if (!entry.between) {
-        if (!general) general = &entry;
+    return entries_[number_between(material_a, material_b)].strength;
+  }
+  /// The number of its entry.
+  int number_between(int material_a, int material_b) const {
+    int general = -1;
+    for (int e = 0; e < static_cast<int>(entries_.size()); ++e) {
+      if (!entries_[e].between) {
+        if (general < 0) general = e;
         continue;
       }
-      const auto [p, q] = *entry.between;
-      if ((p == material_a && q == material_b) || (p == material_b && q == material_a)) return entry.strength;
+      const auto [p, q] = *entries_[e].between;
+      if ((p == material_a && q == material_b) || (p == material_b && q == material_a)) return e;
     }
-    return (general ? *general : entries_.front()).strength;
+    return std::max(general, 0);
   }
 
  private:

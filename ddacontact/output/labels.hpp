@@ -34,6 +34,7 @@ struct Labels {
   std::vector<std::string> block_reasons;   ///< why the block has this model; empty: the scene says so
   std::vector<int> block_materials;         ///< index into material_names
   std::vector<std::string> material_names;  ///< in the order of the scene
+  std::vector<std::string> joint_names;     ///< the name, else the index
   std::vector<std::shared_ptr<const OutlineLabels>> outlines;  ///< of each block; many share theirs
 };
 

@@ -194,7 +194,7 @@ void ResultDirectory::write_vertices(const Stepper& stepper) {
 }
 
 void ResultDirectory::write_contacts(const Stepper& stepper) {
-  CsvFile csv(file("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force");
+  CsvFile csv(file("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force,joint");
   for (const ContactRecord& contact : stepper.contacts()) {
     if (!contact.was_closed) continue;
     const VertexEdge& pair = contact.pair;
@@ -203,7 +203,8 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
     const double shear = b.turned ? -contact.shear : contact.shear;
     csv.row(labels_.block_names[pair.vertex_block], a.vertex[pair.vertex],
             labels_.block_names[pair.edge_block], b.edge[pair.edge], state_name(contact.history.state),
-            contact.end_gap, contact.normal, shear);
+            contact.end_gap, contact.normal, shear,
+            labels_.joint_names[stepper.contact_properties().joint_of(pair)]);
   }
   csv.close();
 }
@@ -255,6 +256,15 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
               {"block", name_of(step->block)},
               {"longest_substep", step->dt},
               {"decaying_blocks", step->n_decaying}};
+  nlohmann::ordered_json domain;  // null without
+  if (const auto& cut = summary.domain)
+    domain = {{"blocks", cut->blocks},
+              {"slivers_merged", cut->slivers_merged},
+              {"slivers_left", cut->slivers_left},
+              {"dangling_removed", cut->dangling_removed},
+              {"connecting_joints", cut->connecting_joints},
+              {"t_vertices", cut->t_vertices},
+              {"area", cut->area}};
   const nlohmann::ordered_json json = {{"status", summary.status},
                                        {"reason", summary.reason},
                                        {"steps_completed", counts.steps},
@@ -322,6 +332,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                          {"solution", times.solution},
                                          {"update", times.update},
                                          {"output", summary.seconds_output}}},
+                                       {"domain", domain},
                                        {"peak_memory_mb", summary.peak_memory_mb},
                                        {"versions", summary.versions}};
   const std::string path = file("summary.json");

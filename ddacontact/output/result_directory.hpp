@@ -1,6 +1,7 @@
 /// \file The files of a run.
 #pragma once
 
+#include <ddacontact/domain/domain_cutting.hpp>
 #include <ddacontact/output/csv_file.hpp>
 #include <ddacontact/output/frame_writer.hpp>
 #include <ddacontact/output/labels.hpp>
@@ -23,7 +24,8 @@ struct RunSummary {
   double seconds_total = 0, seconds_setup = 0, seconds_steps = 0, seconds_output = 0;
   double peak_memory_mb = 0;
   std::map<std::string, std::string> versions;
-  std::vector<std::string> warnings;  ///< see warnings_of
+  std::vector<std::string> warnings;     ///< see warnings_of
+  std::optional<DomainCounts> domain{};  ///< what cutting blocks from it came to
 };
 
 /// Histories are written while the run goes on, the rest at its

@@ -1,10 +1,12 @@
 #include <ddacontact/scene/blocks_reader.hpp>
 
 #include <ddacontact/scene/document_reader.hpp>
+#include <ddacontact/scene/domain_blocks.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/geometry_file.hpp>
 #include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/resolve.hpp>
+#include <ddacontact/scene/snap_blocks.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
 #include <algorithm>
@@ -64,7 +66,9 @@ std::optional<Document> scene_document(const std::string& path, bool& unreadable
   const std::optional<toml::table> root = scene_format::parse_toml(*file.text, path, problems);
   if (!root) return std::nullopt;
   Document document = scene_format::read_document(*root, problems);
-  unreadable = !scene_format::add_geometry(std::filesystem::path(path).parent_path(), document, problems);
+  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  unreadable = !scene_format::add_geometry(directory, document, problems);
+  unreadable |= !scene_format::add_domain(directory, document, problems);
   return document;
 }
 
@@ -84,7 +88,7 @@ Scene resolve_any_shape(Document& document, ProblemList& problems) {
 
 }  // namespace
 
-BlocksReading read_blocks(const std::string& path) {
+BlocksReading read_blocks(const std::string& path, double snap) {
   BlocksReading reading;
   ProblemList problems(path);
   try {
@@ -93,6 +97,8 @@ BlocksReading read_blocks(const std::string& path) {
                                                 : geometry_document(path, reading.scene.unreadable, problems);
     reading.n_unnamed_materials = is_scene ? 0 : 1;
     if (document) {
+      if (snap > 0) document->snap = snap;
+      scene_format::snap_blocks(*document, problems);
       Scene scene = resolve_any_shape(*document, problems);
       if (!problems.has_errors()) reading.scene.scene = std::move(scene);
     }

@@ -169,6 +169,7 @@ class Builder {
   BuiltScene build() {
     BlockSystem system = make_system();
     note_idle_velocities(system);
+    note_domain();
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));
@@ -179,6 +180,9 @@ class Builder {
       built_.labels.outlines.push_back(outline_labels(placed_[b]));
     }
     for (const Material& material : scene_.materials) built_.labels.material_names.push_back(material.name);
+    for (std::size_t j = 0; j < scene_.joints.size(); ++j)
+      built_.labels.joint_names.push_back(scene_.joints[j].name.empty() ? std::to_string(j)
+                                                                        : scene_.joints[j].name);
     for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));
 
     BlockState initial = system.initial_state();
@@ -328,6 +332,17 @@ class Builder {
     }
   }
 
+  void note_domain() {
+    if (!scene_.domain) return;
+    const DomainCounts& cut = *scene_.domain;
+    const auto n = [](int count) { return std::to_string(count); };
+    built_.notes.push_back("the domain is cut into " + n(cut.blocks) + " blocks: slivers merged " +
+                           n(cut.slivers_merged) + ", left " + n(cut.slivers_left) +
+                           "; pieces of joints that divide nothing, taken out " + n(cut.dangling_removed) +
+                           "; joints added because blocks surrounded others " + n(cut.connecting_joints) +
+                           "; T-vertices " + n(cut.t_vertices));
+  }
+
   void add_loads(BlockSystem& system) const {
     for (const Load& load : scene_.loads) {
       const Placed& on = placed_[load.block];
@@ -401,6 +416,19 @@ class Builder {
     return JointTable(std::move(entries));
   }
 
+  /// Of the edges of the outlines; nothing where no block has any.
+  std::vector<std::vector<int>> edge_joints() const {
+    std::vector<std::vector<int>> joints(scene_.blocks.size());
+    bool any = false;
+    for (std::size_t b = 0; b < joints.size(); ++b) {
+      const std::vector<int>& of_scene = scene_.blocks[b].edge_joints;
+      for (const int edge : placed_[b].labels().edge)
+        joints[b].push_back(of_scene.empty() ? -1 : of_scene[edge]);
+      any = any || !of_scene.empty();
+    }
+    return any ? joints : std::vector<std::vector<int>>();
+  }
+
   ContactProperties contact_properties() const {
     std::vector<int> materials;
     for (const BlockDescription& block : scene_.blocks) materials.push_back(block.material);
@@ -412,7 +440,8 @@ class Builder {
             scene_.contact.penetration_tolerance,
             scene_.analysis.preset == Preset::paper ? ContactProperties::lip_of_paper
                                                     : ContactProperties::default_lip,
-            scene_.contact.tolerance};
+            scene_.contact.tolerance,
+            edge_joints()};
   }
 
   StageDescription first_stage() const {

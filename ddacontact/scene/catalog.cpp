@@ -18,6 +18,11 @@ struct Collector {
     describe(record, [&](const Key& inner, const auto&) { entry.keys.emplace_back(inner.name); });
   }
   template <class Record>
+  void table(const Key& key, std::optional<Record>&) {
+    Record record;
+    table(key, record);
+  }
+  template <class Record>
   void tables(const Key& key, std::vector<Record>&) {
     Record record;
     table(key, record, CatalogEntry::Kind::tables);

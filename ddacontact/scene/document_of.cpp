@@ -62,11 +62,20 @@ JointRecord record_of(const Joint& joint, const Scene& scene) {
   return record;
 }
 
+EdgeJoints record_of(const std::vector<int>& edge_joints, const Scene& scene) {
+  EdgeJoints record;
+  for (const int joint : edge_joints)
+    record.joints.push_back(joint < 0 ? Reference() : reference_to(joint, scene.joints));
+  return record;
+}
+
 BlockRecord record_of(const BlockDescription& block, const Scene& scene) {
   BlockRecord record;
   record.name = optional_name(block.name);
   record.material = reference_to(block.material, scene.materials);
   record.vertices.points = block.vertices;
+  if (!block.edge_joints.empty()) record.edge_joints = record_of(block.edge_joints, scene);
+  record.groups = block.groups;
   record.model = block.model;
   if (block.mesh != scene.analysis.mesh) record.mesh = record_of(block.mesh);
   record.fixed = {block.fixed, block.fixed_vertices};

@@ -28,6 +28,14 @@ class DocumentReader : public TableReader {
   }
 
   template <class Record>
+  void table(const Key& key, std::optional<Record>& record) {
+    if (!table_.get(key.name)) return static_cast<void>(find(key));
+    const std::size_t n_problems = problems_.size();
+    table(key, record.emplace());
+    places_.add(key.name, record->places.table, problems_.size() == n_problems);
+  }
+
+  template <class Record>
   void tables(const Key& key, std::vector<Record>& records) {
     const std::string title = "[[" + std::string(key.name) + "]]";
     const toml::node* node = find(key);

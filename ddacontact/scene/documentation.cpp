@@ -24,6 +24,10 @@ class RowWriter {
   void operator()(const Key& key, const std::optional<T>&) {
     row(key, expected_text(key, T{}), key.default_text ? key.default_text : "none");
   }
+  template <Inner Record>
+  void operator()(const Key& key, const std::vector<Record>&) {
+    row(key, "tables, see below", "none");
+  }
   void operator()(const Key& key, const Skips& skips) {
     Skips defaults = skips;
     describe(defaults, [&](Key inner, bool skip) {
@@ -48,6 +52,20 @@ class RowWriter {
   std::string rows_;
 };
 
+/// Describes the one table asked for of those in a table.
+struct InnerFinder {
+  const std::string& name;
+  RowWriter& rows;
+
+  template <class T>
+  void operator()(const Key&, const T&) {}
+  template <Inner Record>
+  void operator()(const Key& key, const std::vector<Record>&) {
+    Record record;
+    if (name.ends_with('.' + std::string(key.name))) describe(record, rows);
+  }
+};
+
 /// Describes the one table asked for.
 struct TableFinder {
   const std::string& name;
@@ -60,6 +78,12 @@ struct TableFinder {
   template <class Record>
   void table(const Key& key, Record& record) {
     if (name == key.name) describe(record, rows);
+  }
+  template <class Record>
+  void table(const Key& key, std::optional<Record>&) {
+    Record record;
+    table(key, record);
+    if (name.starts_with(key.name + std::string("."))) describe(record, InnerFinder{name, rows});
   }
   template <class Record>
   void tables(const Key& key, std::vector<Record>&) {

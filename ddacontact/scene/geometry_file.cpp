@@ -1,5 +1,6 @@
 #include <ddacontact/scene/geometry_file.hpp>
 
+#include <ddacontact/scene/drawing_file.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/geojson_reader.hpp>
 #include <ddacontact/scene/wkt_reader.hpp>
@@ -10,8 +11,6 @@
 
 namespace ddacontact::scene_format {
 
-namespace {
-
 std::string small_ending(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending)
@@ -19,27 +18,30 @@ std::string small_ending(const std::string& path) {
   return ending;
 }
 
-}  // namespace
-
-GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems) {
+GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems,
+                                  const std::string& key_name) {
   const std::string ending = small_ending(path);
   const bool is_json = ending == ".geojson" || ending == ".json";
-  if (!is_json && ending != ".wkt") {
-    problems.error(key, "'blocks' = '" + path + "' is no geometry file by its ending '" + ending + "'",
-                   "known: .geojson, .json, .wkt");
+  if (!is_json && ending != ".wkt" && !is_drawing(path)) {
+    problems.error(key,
+                   "'" + key_name + "' = '" + path + "' is no geometry file by its ending '" + ending + "'",
+                   "known: .geojson, .json, .wkt, .dxf, .geo");
     return {};
   }
   const FileText file = read_text(path);
   if (!file.text) {
-    problems.error(key, "'blocks' = '" + path + "' cannot be read: " + file.reason,
+    problems.error(key, "'" + key_name + "' = '" + path + "' cannot be read: " + file.reason,
                    "the path is relative to the scene's");
     return {.blocks = {}, .unreadable = true};
   }
   const auto source = std::make_shared<const std::string>(path);
-  GeometryBlocks read =
-      is_json ? read_geojson(*file.text, source, problems) : read_wkt(*file.text, source, problems);
+  GeometryBlocks read = is_json ? read_geojson(*file.text, source, problems)
+                        : is_drawing(path)
+                            ? blocks_of(read_drawing(path, *file.text, problems), path, problems)
+                            : read_wkt(*file.text, source, problems);
   if (read.complete && read.blocks.empty()) {
-    problems.error({source, 1, 1}, "the file holds no polygon", "give it one, or leave out 'blocks'");
+    problems.error({source, 1, 1}, "the file holds no polygon",
+                   "give it one, or leave out '" + key_name + "'");
     read.complete = false;
   }
   return read;

@@ -65,6 +65,24 @@ void write_wkt(std::ostream& out, const std::vector<Points>& polygons) {
     out << "POLYGON ((" << vertex_list(polygon, true, "", " ", "") << "))\n";
 }
 
+/// As old programs read it too: R12, which has POLYLINE alone. `layers` are of each polygon; empty: layer 0.
+void write_dxf(std::ostream& out, const std::vector<Points>& polygons,
+               const std::vector<std::string>& layers) {
+  const auto number = [](double value) { return scene_format::short_number(value + 0.0); };
+  out << "0\nSECTION\n2\nENTITIES\n";
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const std::string layer = "8\n" + (layers.empty() || layers[i].empty() ? "0" : layers[i]) + '\n';
+    out << "0\nPOLYLINE\n" << layer << "66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n";
+    for (const auto& vertex : polygons[i].colwise())
+      out << "0\nVERTEX\n"
+          << layer << "10\n"
+          << number(vertex.x()) << "\n20\n"
+          << number(vertex.y()) << "\n30\n0\n";
+    out << "0\nSEQEND\n" << layer;
+  }
+  out << "0\nENDSEC\n0\nEOF\n";
+}
+
 constexpr const char* scene_head = R"(
 [analysis]
 steps     = 50
@@ -103,8 +121,9 @@ GeometryFormat geometry_format(const std::string& path) {
   const std::string_view file(path);
   if (file.ends_with(".geojson")) return GeometryFormat::geojson;
   if (file.ends_with(".wkt")) return GeometryFormat::wkt;
+  if (file.ends_with(".dxf")) return GeometryFormat::dxf;
   if (file.ends_with(".toml")) return GeometryFormat::toml;
-  throw Error("\"" + path + "\" has an unknown ending (known: .geojson, .wkt, .toml)");
+  throw Error("\"" + path + "\" has an unknown ending (known: .geojson, .wkt, .dxf, .toml)");
 }
 
 void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title) {
@@ -112,7 +131,15 @@ void write_geometry(const std::string& path, const std::vector<Points>& polygons
   std::ofstream out(path, std::ios::binary);
   if (format == GeometryFormat::geojson) write_geojson(out, polygons, {});
   if (format == GeometryFormat::wkt) write_wkt(out, polygons);
+  if (format == GeometryFormat::dxf) write_dxf(out, polygons, {});
   if (format == GeometryFormat::toml) write_scene(out, polygons, title);
+  out.close();
+  if (!out) throw OutputError("cannot write \"" + path + "\"");
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
   out.close();
   if (!out) throw OutputError("cannot write \"" + path + "\"");
 }
@@ -120,14 +147,16 @@ void write_geometry(const std::string& path, const std::vector<Points>& polygons
 void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials) {
   const GeometryFormat format = geometry_format(path);
   std::vector<Points> polygons;
-  std::vector<std::string> properties;
+  std::vector<std::string> properties, layers;
   for (const BlockDescription& block : scene.blocks) {
     polygons.push_back(block.vertices);
     properties.push_back(properties_of(block, scene, n_unnamed_materials));
+    layers.push_back(block.groups.empty() ? "" : block.groups.front());
   }
   std::ofstream out(path, std::ios::binary);
   if (format == GeometryFormat::geojson) write_geojson(out, polygons, properties);
   if (format == GeometryFormat::wkt) write_wkt(out, polygons);
+  if (format == GeometryFormat::dxf) write_dxf(out, polygons, layers);
   if (format == GeometryFormat::toml) write_scene(out, scene);
   out.close();
   if (!out) throw OutputError("cannot write \"" + path + "\"");

@@ -12,10 +12,11 @@ namespace ddacontact {
 enum class GeometryFormat {
   geojson,  ///< a FeatureCollection with a Polygon for each block
   wkt,      ///< a POLYGON a line
+  dxf,      ///< a closed polyline for each block, on the layer of its first group
   toml      ///< a scene ready to run
 };
 
-/// Chosen by the ending of the path. Throws Error for an ending other than .geojson, .wkt, .toml.
+/// Chosen by the ending of the path. Throws Error for an ending other than .geojson, .wkt, .dxf, .toml.
 GeometryFormat geometry_format(const std::string& path);
 
 /// Writes counter-clockwise polygons in their order; numbers read back to the same doubles.
@@ -24,9 +25,12 @@ GeometryFormat geometry_format(const std::string& path);
 /// held. Throws Error as `geometry_format` does and OutputError when the file cannot be written.
 void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title);
 
+/// Writes a file. Throws OutputError when it cannot.
+void write_text(const std::string& path, const std::string& text);
+
 /// Writes the blocks of a scene: to .toml the whole scene, to .geojson features with `name`, `material`,
-/// `model` and `fixed` where these are not what a feature without them has, to .wkt the polygons alone. The
-/// first `n_unnamed_materials` are not written to features. Throws as `write_geometry` does.
+/// `model` and `fixed` where these are not what a feature without them has, to .wkt and .dxf the polygons
+/// alone. The first `n_unnamed_materials` are not written to features. Throws as `write_geometry` does.
 void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials);
 
 }  // namespace ddacontact

@@ -132,10 +132,8 @@ constexpr Guess guesses[] = {
     {"the scene", " quiet_boundary viscous_boundary absorbing_boundary ",
      "this version has no quiet boundaries: 'damping' of [analysis] takes waves out of all blocks"},
     {"the scene", " initial_stress insitu in_situ ", "write 'stress' = [sxx, syy, sxy] of each [[block]]"},
-    {"the scene", " domain joint_set jset voronoi region opening tunnel ",
-     "this version cuts no blocks from a domain: write them as [[block]] or in a geometry file; dda make "
-     "voronoi "
-     "makes one"},
+    {"the scene", " joint_set jset voronoi region opening tunnel trace ",
+     "they belong to [domain]: [[domain.joint_set]], [[domain.opening]], ..."},
     {"the scene", " parameters variables ",
      "this version has no parameters: --set PATH=VALUE changes any number"},
     {"the scene", " gravity steps time_step dt mode scheme damping ", "it belongs to [analysis]"},

@@ -156,7 +156,8 @@ Complaint corner_complaint(const Points& polygon, int vertex, int name) {
 const Place& place_of_vertex(const Outline& outline, int vertex, const Places& places) {
   for (const Place& place : outline.places)
     if (place.source != places.table.source) return place;
-  if (vertex < 0 || places.of("vertices").source != places.table.source) return places.of("vertices");
+  if (vertex < 0 || outline.places.empty() || places.of("vertices").source != places.table.source)
+    return places.of("vertices");
   return outline.places[vertex];
 }
 

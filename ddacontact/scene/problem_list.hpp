@@ -24,6 +24,7 @@ class ProblemList {
   void warning(const Place& place, std::string what, std::string cure);
 
   const std::string& file() const { return file_; }
+  std::size_t size() const { return problems_.size(); }
   bool has_errors() const { return ddacontact::has_errors(problems_); }
 
   /// Those of the scene file by line and column, then those of settings as they were given, then those of a

@@ -1,10 +1,12 @@
 #include <ddacontact/scene/reader.hpp>
 
 #include <ddacontact/scene/document_reader.hpp>
+#include <ddacontact/scene/domain_blocks.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/geometry_file.hpp>
 #include <ddacontact/scene/resolve.hpp>
 #include <ddacontact/scene/settings.hpp>
+#include <ddacontact/scene/snap_blocks.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
 #include <exception>
@@ -23,6 +25,8 @@ void read(const std::string& text, const std::vector<std::string>& settings,
   scene_format::apply_settings(settings, *root, problems);
   Document document = scene_format::read_document(*root, problems);
   reading.unreadable = !scene_format::add_geometry(directory, document, problems);
+  reading.unreadable |= !scene_format::add_domain(directory, document, problems);
+  scene_format::snap_blocks(document, problems);
   Scene scene = scene_format::resolve(document, problems);
   if (!problems.has_errors()) reading.scene = std::move(scene);
 }

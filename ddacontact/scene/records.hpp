@@ -7,6 +7,7 @@
 #include <ddacontact/scene/scene.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -63,6 +64,11 @@ struct Reference {
 struct Outline {
   Points points;
   std::vector<Place> places;
+};
+
+/// The joint of each edge; an empty name: that of the materials.
+struct EdgeJoints {
+  std::vector<Reference> joints;
 };
 
 /// `fixed`: all vertices, or some.
@@ -147,6 +153,8 @@ struct BlockRecord {
   std::optional<std::string> name;
   Reference material;  ///< a geometry file may leave it out: the first
   Outline vertices;
+  std::optional<EdgeJoints> edge_joints;
+  std::vector<std::string> groups;
   std::optional<BlockModel> model;
   std::optional<MeshRecord> mesh;
   FixedVertices fixed;
@@ -219,16 +227,102 @@ struct OutputRecord {
   Places places;
 };
 
+/// A table inside another one.
+struct InnerTable {
+  Places places;
+};
+template <class T>
+concept Inner = std::derived_from<T, InnerTable>;
+
+/// `boundary`: corners, or a file.
+struct Boundary {
+  Outline outline;
+  std::string file;  ///< empty: the corners
+};
+
+struct SliverRecord : InnerTable {
+  polyfem::SliverLimits limits;
+  SliverPolicy policy = SliverPolicy::merge;
+};
+
+struct JointSetRecord : InnerTable {
+  std::optional<Reference> joint;
+  JointSet set;
+  std::optional<std::string> inside;
+};
+
+struct TraceRecord : InnerTable {
+  std::optional<Reference> joint;
+  Outline points;
+};
+
+struct VoronoiRecord : InnerTable {
+  std::optional<Reference> joint;
+  std::optional<std::string> inside;
+  int cells = 0;
+};
+
+struct RegionRecord : InnerTable {
+  std::string name;
+  Outline polygon;
+  bool cut = false;
+  std::optional<Reference> joint, material;
+  std::optional<BlockModel> model;
+  bool fixed = false;
+  std::optional<std::string> group;
+};
+
+struct CircleRecord : InnerTable {
+  Vec2 centre{0, 0};
+  double radius = 0;
+  int edges = 24;
+};
+
+struct HorseshoeRecord : InnerTable {
+  Vec2 floor{0, 0};
+  double width = 0, height = 0;
+  int edges = 12;
+};
+
+struct OpeningRecord : InnerTable {
+  std::string name;
+  std::optional<Outline> polygon;
+  std::optional<CircleRecord> circle;
+  std::optional<HorseshoeRecord> horseshoe;
+  std::optional<Reference> joint;
+  bool excavated = false;
+};
+
+enum class TVertices { drop, keep };
+
+struct DomainRecord {
+  Boundary boundary;
+  std::optional<Reference> material;
+  int seed = 1;
+  std::optional<SliverRecord> sliver;
+  TVertices t_vertices = TVertices::drop;
+  std::optional<double> snap;
+  std::vector<JointSetRecord> joint_sets;
+  std::vector<TraceRecord> traces;
+  std::vector<VoronoiRecord> voronoi;
+  std::vector<RegionRecord> regions;
+  std::vector<OpeningRecord> openings;
+  Places places;
+};
+
 struct Document {
   int format = 1;
   std::string title;
   std::optional<std::string> geometry_file;  ///< key 'blocks'
+  std::optional<double> snap;
   AnalysisRecord analysis;
   ContactRecord contact;
   std::vector<MaterialRecord> materials;
   std::vector<JointRecord> joints;
   std::vector<BlockRecord> blocks;  ///< those of the geometry file after those of the scene
-  bool has_all_blocks = true;       ///< false when the geometry file could not be read to its end
+  std::optional<DomainRecord> domain;
+  std::optional<DomainCounts> domain_counts;  ///< once it is cut
+  bool has_all_blocks = true;                 ///< false when the geometry file could not be read to its end
   std::vector<SupportRecord> supports;
   std::vector<LoadRecord> loads;
   std::vector<MonitorRecord> monitors;

@@ -83,7 +83,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
       resolve_contact(document.contact, document.analysis.options.preset, scene.materials, problems);
   NamedJoints joints = resolve_joints(document, materials, scene.contact.method, problems);
 
-  BlockTable blocks = resolve_blocks(document, scene.analysis, materials, problems);
+  BlockTable blocks = resolve_blocks(document, scene.analysis, materials, joints.names, problems);
   scene.blocks = std::move(blocks.descriptions);
   scene.supports = resolve_supports(document, blocks, problems);
   scene.loads = resolve_loads(document, blocks, problems);
@@ -98,6 +98,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   if (apart && holds_are_known(document, blocks, scene)) check_statics(blocks, static_parts(scene), problems);
 
   scene.output = document.output.options;
+  scene.domain = document.domain_counts;
   if (problems.has_errors()) return scene;
   scene.analysis.steps = scene.n_steps();
   std::vector<bool> may_turn;

@@ -62,10 +62,26 @@ void check_kinematics(const BlockRecord& block, const AnalysisRecord& analysis, 
                  "write that, or model = \"mean_value\"");
 }
 
+/// -1 for edges without a joint of their own.
+std::vector<int> resolve_edge_joints(const BlockRecord& block, const NameTable& joints,
+                                     const std::string& title, ProblemList& problems) {
+  std::vector<int> numbers;
+  const Place& place = block.places.of("edge_joints");
+  for (const Reference& joint : block.edge_joints->joints)
+    numbers.push_back(joint.name.empty() && !joint.index ? -1 : joints.find(joint, place, problems));
+  const auto n_edges = static_cast<std::size_t>(block.vertices.points.cols());
+  if (block.places.good("vertices") && numbers.size() != n_edges)
+    problems.error(place,
+                   "'edge_joints' of " + title + " names " + std::to_string(numbers.size()) + " joints for " +
+                       std::to_string(n_edges) + " edges",
+                   "write one for each edge, \"\" where the materials decide");
+  return numbers;
+}
+
 }  // namespace
 
 BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analysis,
-                          const NameTable& materials, ProblemList& problems) {
+                          const NameTable& materials, const NameTable& joints, ProblemList& problems) {
   BlockTable table;
   table.descriptions.reserve(document.blocks.size());
   table.outlines.reserve(document.blocks.size());
@@ -80,6 +96,9 @@ BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analy
     if (places.good("material"))
       block.material = materials.find(record.material, places.of("material"), problems, record.origin);
     block.vertices = record.vertices.points;
+    if (record.edge_joints && places.usable("edge_joints"))
+      block.edge_joints = resolve_edge_joints(record, joints, title, problems);
+    block.groups = record.groups;
     block.model = record.model.value_or(analysis.block_model);
     block.mesh = record.mesh ? with_record(analysis.mesh, *record.mesh) : analysis.mesh;
     block.velocity = record.velocity;

@@ -35,7 +35,7 @@ struct BlockTable {
 
 /// `analysis` is that of the scene, resolved.
 BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analysis,
-                          const NameTable& materials, ProblemList& problems);
+                          const NameTable& materials, const NameTable& joints, ProblemList& problems);
 
 /// Complains about indices that are no vertex of a block of `n_vertices` or stand twice; the good ones
 /// remain.

@@ -3,6 +3,8 @@
 #include <ddacontact/scene/text.hpp>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace ddacontact::scene_format {
 
@@ -27,12 +29,24 @@ void add_default_joint(NamedJoints& table, ProblemList& problems) {
   table.names.add(joint.name, places, problems);
 }
 
+/// The joints that edges of blocks name.
+std::set<std::string> joints_of_edges(const Document& document) {
+  std::set<std::string> names;
+  for (const BlockRecord& block : document.blocks) {
+    if (!block.edge_joints) continue;
+    for (const Reference& joint : block.edge_joints->joints)
+      names.insert(joint.index ? std::to_string(*joint.index) : joint.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 NamedJoints resolve_joints(const Document& document, const NameTable& materials, ContactMethod method,
                            ProblemList& problems) {
   NamedJoints table;
   std::vector<Joint>& joints = table.joints;
+  const std::set<std::string> of_edges = joints_of_edges(document);
   for (const JointRecord& record : document.joints) {
     const Places& places = record.places;
     table.names.add(record.name, places, problems);
@@ -48,11 +62,14 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
           problems.error(places.of("between"),
                          "the two materials already follow " + table.names.title(static_cast<int>(other)),
                          "leave one 'between' out");
-    } else if (!record.between && !joints.empty()) {
-      problems.warning(places.table,
-                       table.names.title(table.names.size() - 1) +
-                           " is never used: it has no 'between' and only the first joint is the default",
-                       "add 'between'");
+    } else if (!record.between && !joints.empty() &&
+               !of_edges.contains(record.name.value_or(std::to_string(joints.size())))) {
+      problems.warning(
+          places.table,
+          table.names.title(table.names.size() - 1) +
+              " is never used: it has no 'between', no edge names it, and only the first joint is the "
+              "default",
+          "add 'between', or name it in [domain] or 'edge_joints'");
     }
     joints.push_back(std::move(joint));
   }

@@ -8,6 +8,7 @@
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
 #include <ddacontact/core/time_function.hpp>
+#include <ddacontact/domain/domain_cutting.hpp>
 
 #include <array>
 #include <optional>
@@ -41,6 +42,9 @@ struct BlockDescription {
   std::string name;  ///< empty: known by its index alone
   int material = 0;
   Points vertices;  ///< as given, either orientation
+  /// The joint that contacts on each edge follow, -1: that of the materials; empty: that of the materials.
+  std::vector<int> edge_joints;
+  std::vector<std::string> groups;
   BlockModel model = BlockModel::wachspress;
   MeshOptions mesh;                 ///< of the model `mesh`
   bool fixed = false;               ///< every vertex held in x and y
@@ -110,6 +114,7 @@ struct Scene {
   std::vector<Monitor> monitors;
   std::vector<StageDescription> stages;  ///< run in sequence; none: one part of analysis.steps
   OutputOptions output;
+  std::optional<DomainCounts> domain;  ///< what cutting blocks from it came to
 
   /// The name of a block in every result: its own, else its index.
   std::string block_name(int block) const;

@@ -5,6 +5,7 @@
 /// a fresh record has, and --set looks up names.
 #pragma once
 
+#include <ddacontact/scene/domain_schema.hpp>
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/records.hpp>
@@ -241,6 +242,10 @@ void describe(BlockRecord& r, Visit&& visit) {
             .unit = "m",
             .required = true},
         r.vertices);
+  visit(Key{.name = "edge_joints",
+            .what = "The joint that contacts on each edge follow, \"\": that of the materials.",
+            .default_text = "those of the materials"},
+        r.edge_joints);
   visit(Key{.name = "model", .what = "How it deforms.", .default_text = "`analysis.block_model`"}, r.model);
   visit(Key{.name = "mesh",
             .what = "How it is divided when its model is \"mesh\".",
@@ -420,10 +425,18 @@ void describe(Document& d, Visit&& visit) {
   visit(Key{.name = "title", .what = "One line about the scene."}, d.title);
   visit(
       Key{.name = "blocks",
-          .what = "More blocks, from the polygons of a geometry file (.geojson, .json or .wkt); relative to "
-                  "the scene file.",
+          .what = "More blocks, from the polygons of a geometry file (.geojson, .json, .wkt, .dxf, or Shi's "
+                  ".geo); relative to the scene file.",
           .default_text = "none"},
       d.geometry_file);
+  visit(Key{.name = "snap",
+            .what = "For rounded coordinates: vertices of blocks nearer to each other become one, and those "
+                    "as near "
+                    "to an edge of another block move onto it.",
+            .unit = "m",
+            .bounds = positive,
+            .default_text = "none"},
+        d.snap);
   visit.table(Key{.name = "analysis", .what = "What is computed and how.", .required = true}, d.analysis);
   visit.table(Key{.name = "contact", .what = "How contacts are enforced."}, d.contact);
   visit.tables(Key{.name = "material", .what = "What blocks are made of.", .required = true}, d.materials);
@@ -431,7 +444,9 @@ void describe(Document& d, Visit&& visit) {
       Key{.name = "joint",
           .what = "Mohr-Coulomb laws of contacts; without any, one without friction, cohesion and tension."},
       d.joints);
-  visit.tables(Key{.name = "block", .what = "The blocks.", .required = !d.geometry_file}, d.blocks);
+  visit.table(Key{.name = "domain", .what = "Blocks cut by joints."}, d.domain);
+  visit.tables(Key{.name = "block", .what = "The blocks.", .required = !d.geometry_file && !d.domain},
+               d.blocks);
   visit.tables(Key{.name = "support", .what = "Vertices held or moved; more general than `fixed`."},
                d.supports);
   visit.tables(Key{.name = "load", .what = "Forces."}, d.loads);

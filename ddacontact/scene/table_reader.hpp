@@ -32,6 +32,31 @@ class TableReader {
     read(key, *node, *value);
   }
 
+  /// [[TABLE.KEY]] for each.
+  template <Inner Record>
+  void operator()(const Key& key, std::vector<Record>& records) {
+    const toml::node* node = find(key);
+    if (!node) return;
+    const std::size_t n_problems = problems_.size();
+    const std::string title = inner_title(key);
+    if (const toml::array* array = node->as_array())
+      for (const toml::node& element : *array) read_inner(element, title, records.emplace_back());
+    else
+      problems_.error(place_of(*node, problems_),
+                      "'" + std::string(key.name) + "' is " + description_of(*node),
+                      "write " + title + " for each");
+    places_.add(key.name, place_of(*node, problems_), problems_.size() == n_problems);
+  }
+  /// KEY = { ... }
+  template <Inner Record>
+  void operator()(const Key& key, std::optional<Record>& record) {
+    const toml::node* node = find(key);
+    if (!node) return;
+    const std::size_t n_problems = problems_.size();
+    read_inner(*node, "'" + std::string(key.name) + "'", record.emplace());
+    places_.add(key.name, place_of(*node, problems_), problems_.size() == n_problems);
+  }
+
   void operator()(const Key& key, OfTheWholeRun);
   void operator()(const Key& key, OfStages);
   void operator()(const Key& key, NotInThisVersion not_here);
@@ -51,6 +76,21 @@ class TableReader {
   void read(const Key& key, const toml::node& node, T& value) {
     const bool good = ValueReader(key, problems_)(node, value);
     places_.add(key.name, place_of(node, problems_), good);
+  }
+  template <Inner Record>
+  void read_inner(const toml::node& node, const std::string& title, Record& record) {
+    const toml::table* table = node.as_table();
+    if (!table)
+      return problems_.error(place_of(node, problems_), title + " is " + description_of(node),
+                             "expected " + type_text(record));
+    record.places.table = place_of(node, problems_);
+    TableReader reader(*table, title, record.places, problems_);
+    describe(record, reader);
+    reader.refuse_other_keys();
+  }
+  /// "[[domain.trace]]"
+  std::string inner_title(const Key& key) const {
+    return "[[" + std::string(title_.substr(1, title_.size() - 2)) + '.' + key.name + "]]";
   }
   void missing(const Key& key, const std::string& expected);
   /// A key that the table must not have.

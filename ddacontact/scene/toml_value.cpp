@@ -348,4 +348,18 @@ bool ValueReader::operator()(const toml::node& node, BlockList& value) const {
   return good;
 }
 
+bool ValueReader::operator()(const toml::node& node, EdgeJoints& value) const {
+  const toml::array* array = node.as_array();
+  if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
+  bool good = true;
+  for (const toml::node& element : *array) good = (*this)(element, value.joints.emplace_back()) && good;
+  return good;
+}
+
+bool ValueReader::operator()(const toml::node& node, Boundary& value) const {
+  if (node.is_string()) return (*this)(node, value.file);
+  return node.is_array() ? (*this)(node, value.outline)
+                         : wrong_type(node, key_.name, expected_text(key_, value));
+}
+
 }  // namespace ddacontact::scene_format

@@ -37,6 +37,8 @@ class ValueReader {
   bool operator()(const toml::node& node, std::vector<std::string>& value) const;
   bool operator()(const toml::node& node, std::array<Reference, 2>& value) const;
   bool operator()(const toml::node& node, BlockList& value) const;
+  bool operator()(const toml::node& node, EdgeJoints& value) const;
+  bool operator()(const toml::node& node, Boundary& value) const;
 
   template <Choice T>
   bool operator()(const toml::node& node, T& value) const {

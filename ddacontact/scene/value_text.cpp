@@ -131,6 +131,12 @@ std::string value_text(const Outline& value) {
   return text + ']';
 }
 
+std::string value_text(const EdgeJoints& value) {
+  return array_text(value.joints);
+}
+std::string value_text(const Boundary& value) {
+  return value.file.empty() ? value_text(value.outline) : value_text(value.file);
+}
 std::string type_text(GradientCorrection) {
   return "true or false";
 }
@@ -190,6 +196,12 @@ std::string type_text(const std::array<Reference, 2>&) {
 }
 std::string type_text(const BlockList&) {
   return "a list of names or indices of blocks";
+}
+std::string type_text(const EdgeJoints&) {
+  return "a list of names or indices of joints, one for each edge";
+}
+std::string type_text(const Boundary&) {
+  return "[[x, y], ...] or the path of a drawing";
 }
 std::string type_text(const JointChange&) {
   std::string keys;

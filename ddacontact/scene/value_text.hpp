@@ -31,6 +31,8 @@ std::string value_text(const std::vector<Vec3>& value);
 std::string value_text(const std::vector<std::string>& value);
 std::string value_text(const std::array<Reference, 2>& value);
 std::string value_text(const BlockList& value);
+std::string value_text(const EdgeJoints& value);
+std::string value_text(const Boundary& value);
 std::string value_text(const std::vector<JointChange>& value);
 
 template <Choice T>
@@ -61,6 +63,8 @@ std::string type_text(const std::vector<Vec3>&);
 std::string type_text(const std::vector<std::string>&);
 std::string type_text(const std::array<Reference, 2>&);
 std::string type_text(const BlockList&);
+std::string type_text(const EdgeJoints&);
+std::string type_text(const Boundary&);
 std::string type_text(const JointChange&);
 std::string type_text(const std::vector<JointChange>&);
 
@@ -70,6 +74,16 @@ std::string list_of(const std::vector<Word<T>>& words) {
   std::string list;
   for (const Word<T>& word : words) list += (list.empty() ? "" : " | ") + value_text(std::string(word.text));
   return list;
+}
+
+/// "{ a, b }"
+template <Inner Record>
+std::string type_text(const Record& record) {
+  std::string keys;
+  Record described = record;
+  describe(described,
+           [&](const Key& key, const auto&) { keys += (keys.empty() ? "" : ", ") + std::string(key.name); });
+  return "{ " + keys + " }";
 }
 
 template <Choice T>

@@ -39,12 +39,10 @@ const std::vector<Word<Kinematics>>& words_of(Kinematics) {
 }
 
 const std::vector<Word<Scheme>>& words_of(Scheme) {
-  static const std::vector<Word<Scheme>> words{{"decaying", Scheme::decaying},
-                                               {"explicit", Scheme::central_difference},
-                                               {"midpoint", Scheme::midpoint},
-                                               {"dda", Scheme::dda},
-                                               {"newmark", Scheme::newmark},
-                                               {"backward_euler", Scheme::backward_euler}};
+  static const std::vector<Word<Scheme>> words{
+      {"decaying", Scheme::decaying}, {"explicit", Scheme::central_difference},
+      {"midpoint", Scheme::midpoint}, {"dda", Scheme::dda},
+      {"newmark", Scheme::newmark},   {"backward_euler", Scheme::backward_euler}};
   return words;
 }
 
@@ -62,6 +60,17 @@ const std::vector<Word<Axes>>& words_of(Axes) {
 const std::vector<Word<Load::Kind>>& words_of(Load::Kind) {
   static const std::vector<Word<Load::Kind>> words{
       {"point", Load::Kind::point}, {"pressure", Load::Kind::pressure}, {"body", Load::Kind::body}};
+  return words;
+}
+
+const std::vector<Word<SliverPolicy>>& words_of(SliverPolicy) {
+  static const std::vector<Word<SliverPolicy>> words{
+      {"merge", SliverPolicy::merge}, {"keep", SliverPolicy::keep}, {"refuse", SliverPolicy::refuse}};
+  return words;
+}
+
+const std::vector<Word<TVertices>>& words_of(TVertices) {
+  static const std::vector<Word<TVertices>> words{{"drop", TVertices::drop}, {"keep", TVertices::keep}};
   return words;
 }
 

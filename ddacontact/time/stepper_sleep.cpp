@@ -314,7 +314,11 @@ void Stepper::form_part(const std::vector<Box>* around) {
   show_part();
   ContactProperties properties = properties_;
   properties.materials.clear();
-  for (int b : asleep.part->blocks()) properties.materials.push_back(properties_.materials[b]);
+  properties.edge_joints.clear();
+  for (int b : asleep.part->blocks()) {
+    properties.materials.push_back(properties_.materials[b]);
+    if (!properties_.edge_joints.empty()) properties.edge_joints.push_back(properties_.edge_joints[b]);
+  }
   contact_builder_.emplace(blocks_, std::move(properties));
   make_system();
   forget_ahead();

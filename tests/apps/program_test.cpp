@@ -40,7 +40,7 @@ TEST_F(Program, TablesHaveTheContractsColumnsAndRows) {
       "block,model,vertices,x,y,area,area_ratio,rotation_deg,vx,vy,sxx_mean,sxx_min,sxx_max,syy_mean,syy_min,"
       "syy_max,sxy_mean,sxy_min,sxy_max,s1_max,s2_min,omega,cells,unknowns,reason");
   EXPECT_EQ(header("vertices.csv"), "block,vertex,x,y,ux,uy,vx,vy");
-  EXPECT_EQ(header("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force");
+  EXPECT_EQ(header("contacts.csv"), "block_a,vertex,block_b,edge,state,gap,normal_force,shear_force,joint");
   EXPECT_EQ(read_csv(directory_ / "result/monitors.csv").size(), 1u + 11u);
   EXPECT_EQ(read_csv(directory_ / "result/energy.csv").size(), 1u + 11u);
   EXPECT_EQ(read_csv(directory_ / "result/blocks.csv").size(), 1u + 7u);

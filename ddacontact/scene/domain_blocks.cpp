@@ -1,0 +1,244 @@
+#include <ddacontact/scene/domain_blocks.hpp>
+
+#include <ddacontact/domain/domain_cutting.hpp>
+#include <ddacontact/domain/opening_shapes.hpp>
+#include <ddacontact/scene/drawing_file.hpp>
+#include <ddacontact/scene/file_text.hpp>
+#include <ddacontact/scene/names.hpp>
+#include <ddacontact/scene/spelling.hpp>
+
+#include <polyfem/core/error.hpp>
+
+#include <set>
+
+namespace ddacontact::scene_format {
+
+namespace {
+
+/// From the records of a domain to what is cut, and back to records of blocks.
+class DomainReader {
+ public:
+  DomainReader(const Document& document, ProblemList& problems)
+      : record_(*document.domain), problems_(problems) {
+    ProblemList told_later("");
+    for (const JointRecord& joint : document.joints) {
+      joint_references_.push_back(joint.name ? Reference{*joint.name, {}} : Reference{"", joints_.size()});
+      joints_.add(joint.name, joint.places, told_later);
+    }
+    for (const RegionRecord& region : record_.regions) regions_.add(region.name, region.places, problems);
+    domain_.boundary = record_.boundary.outline.points;
+    domain_.seed = static_cast<std::uint64_t>(record_.seed);
+    domain_.keep_t_vertices = record_.t_vertices == TVertices::keep;
+    domain_.snap = record_.snap.value_or(0);
+    if (record_.sliver) {
+      domain_.sliver = record_.sliver->limits;
+      domain_.sliver_policy = record_.sliver->policy;
+    }
+    for (const RegionRecord& region : record_.regions)
+      domain_.regions.push_back({region.polygon.points, region.cut, joint_of(region)});
+    add_openings();
+    for (const TraceRecord& trace : record_.traces) add_trace(trace);
+    for (const JointSetRecord& set : record_.joint_sets) {
+      JointSet& added = domain_.joint_sets.emplace_back(set.set);
+      added.joint = joint_of(set);
+      added.region = region_of(set);
+    }
+    for (const VoronoiRecord& cells : record_.voronoi)
+      domain_.voronoi.push_back({joint_of(cells), region_of(cells), cells.cells});
+  }
+
+  const Domain& domain() const { return domain_; }
+
+  /// Nothing for a block of an excavated opening.
+  std::optional<BlockRecord> block(const CutBlock& cut, std::size_t number) const {
+    BlockRecord block;
+    block.name = "d" + std::to_string(number);
+    block.origin = "the domain";
+    block.places.table = record_.places.table;
+    block.vertices.points = cut.outline;
+    for (const char* key : {"name", "vertices"}) block.places.add(key, record_.places.of("boundary"), true);
+    std::optional<Reference> material = record_.material;
+    for (const int r : cut.regions) {
+      const RegionRecord& region = record_.regions[r];
+      if (region.material) material = region.material;
+      if (region.model) block.model = region.model;
+      if (region.group) add_group(*region.group, block);
+      block.fixed.all = block.fixed.all || region.fixed;
+    }
+    for (const int o : cut.openings) {
+      if (record_.openings[o].excavated) return std::nullopt;
+      add_group(record_.openings[o].name, block);
+    }
+    if (material) {
+      block.material = *material;
+      block.places.add("material", record_.places.of("material"), true);
+    }
+    block.edge_joints = edge_joints(cut.joints);
+    return block;
+  }
+
+ private:
+  template <class Record>
+  int joint_of(const Record& record) {
+    return record.joint ? joints_.find(*record.joint, record.places.of("joint"), problems_) : -1;
+  }
+  template <class Record>
+  int region_of(const Record& record) {
+    if (!record.inside) return -1;
+    return regions_.find({*record.inside, std::nullopt}, record.places.of("inside"), problems_);
+  }
+
+  void add_trace(const TraceRecord& trace) {
+    const Points& points = trace.points.points;
+    for (Index k = 0; k + 1 < points.cols(); ++k)
+      if (points.col(k) == points.col(k + 1))
+        problems_.error(trace.points.places[k + 1], "the trace has the same point twice", "leave one out");
+    if (points.cols() < 2)
+      problems_.error(trace.places.of("points"), "a trace of fewer than two points is no line", "add points");
+    domain_.traces.push_back({joint_of(trace), points});
+  }
+
+  void add_openings() {
+    NameTable names("opening");
+    for (const OpeningRecord& opening : record_.openings) {
+      names.add(opening.name, opening.places, problems_);
+      domain_.openings.push_back({outline_of(opening), joint_of(opening)});
+    }
+  }
+
+  Points outline_of(const OpeningRecord& opening) {
+    const int n_given =
+        opening.circle.has_value() + opening.horseshoe.has_value() + opening.polygon.has_value();
+    if (n_given != 1)
+      problems_.error(opening.places.table,
+                      "the opening has " + std::string(n_given == 0 ? "no outline" : "more than one outline"),
+                      "write 'circle', 'horseshoe' or 'polygon'");
+    if (const auto& circle = opening.circle)
+      return circle_outline(circle->centre, circle->radius, circle->edges);
+    if (const auto& shoe = opening.horseshoe) {
+      if (shoe->height < shoe->width / 2)
+        problems_.error(shoe->places.of("height"), "the horseshoe is lower than the half circle of its roof",
+                        "write a 'height' of half the 'width' at least");
+      return horseshoe_outline(shoe->floor, shoe->width, shoe->height, shoe->edges);
+    }
+    return opening.polygon ? opening.polygon->points : Points();
+  }
+
+  static void add_group(const std::string& name, BlockRecord& block) {
+    if (std::ranges::find(block.groups, name) == block.groups.end()) block.groups.push_back(name);
+  }
+
+  /// Nothing where the materials decide of all edges.
+  std::optional<EdgeJoints> edge_joints(const std::vector<int>& joints) const {
+    if (std::ranges::all_of(joints, [](int joint) { return joint < 0; })) return std::nullopt;
+    EdgeJoints names;
+    for (const int joint : joints) {
+      names.joints.push_back(joint < 0 ? Reference() : joint_references_[joint]);
+    }
+    return names;
+  }
+
+  const DomainRecord& record_;
+  ProblemList& problems_;
+  NameTable joints_{"joint"}, regions_{"region"};
+  std::vector<Reference> joint_references_;
+  Domain domain_;
+};
+
+/// The cure of an Error stands in brackets at its end.
+void report(const std::string& message, const Place& place, ProblemList& problems) {
+  const std::size_t cure = message.rfind(" (");
+  if (cure == std::string::npos) return problems.error(place, message, "change the domain");
+  problems.error(place, message.substr(0, cure), message.substr(cure + 2, message.size() - cure - 3));
+}
+
+/// A line of a drawing as a joint: of the law that its layer names, or its number in Shi's files.
+void add_drawn_line(const DrawnLine& line, bool is_shi, const Document& document, DomainRecord& domain,
+                    std::set<std::string>& unknown_layers) {
+  TraceRecord& trace = domain.traces.emplace_back();
+  trace.places.table = line.place;
+  const Index n = line.points.cols();
+  trace.points.points.resize(2, n + line.closed);
+  trace.points.points.leftCols(n) = line.points;
+  if (line.closed) trace.points.points.col(n) = line.points.col(0);
+  trace.points.places.assign(static_cast<std::size_t>(n + line.closed), line.place);
+  const int number = is_shi && line.layer != "boundary" ? std::stoi(line.layer) - 1 : -1;
+  const auto is_layer = [&](const JointRecord& joint) { return joint.name == line.layer; };
+  if (number >= 0 && number < static_cast<int>(document.joints.size()))
+    trace.joint = Reference{"", number};
+  else if (std::ranges::any_of(document.joints, is_layer))
+    trace.joint = Reference{line.layer, {}};
+  else if (!line.layer.empty() && line.layer != "0")
+    unknown_layers.insert(line.layer);
+}
+
+/// The boundary and the joints of a drawing.
+bool take_drawing(const std::string& path, const std::string& text, Document& document,
+                  ProblemList& problems) {
+  DomainRecord& domain = *document.domain;
+  const Drawing drawing = read_drawing(path, text, problems);
+  const DrawnLine* boundary = boundary_of(drawing, path, problems);
+  if (!drawing.complete || !boundary) return false;
+  domain.boundary.outline.points = boundary->points;
+  std::set<std::string> unknown_layers;
+  for (const DrawnLine& line : drawing.lines)
+    if (&line != boundary)
+      add_drawn_line(line, small_ending(path) == ".geo", document, domain, unknown_layers);
+  for (const std::string& layer : unknown_layers)
+    problems.warning(domain.places.of("boundary"),
+                     "no joint is called '" + excerpt(layer) + "', as a layer of '" + path + "' is",
+                     "its lines follow the law of the materials: add [[joint]] with that name");
+  return true;
+}
+
+/// False: the boundary is not known, and a problem says why.
+bool read_boundary(const std::filesystem::path& directory, Document& document, bool& unreadable,
+                   ProblemList& problems) {
+  DomainRecord& domain = *document.domain;
+  if (domain.boundary.file.empty()) return true;
+  const Place& key = domain.places.of("boundary");
+  const std::string path = (directory / domain.boundary.file).string();
+  if (is_drawing(path)) {
+    const FileText file = read_text(path);
+    if (file.text) return take_drawing(path, *file.text, document, problems);
+    problems.error(key, "'boundary' = '" + path + "' cannot be read: " + file.reason,
+                   "the path is relative to the scene's");
+    unreadable = true;
+    return false;
+  }
+  GeometryBlocks file = read_geometry_file(path, key, problems, "boundary");
+  unreadable = file.unreadable;
+  if (!file.complete) return false;
+  if (file.blocks.size() > 1)
+    problems.error(key, "'" + path + "' holds " + std::to_string(file.blocks.size()) + " polygons",
+                   "a boundary is one polygon: write 'blocks' at the top of the file for several blocks");
+  if (file.blocks.size() > 1 || !file.blocks.front().places.good("vertices")) return false;
+  domain.boundary.outline = file.blocks.front().vertices;
+  return true;
+}
+
+}  // namespace
+
+bool add_domain(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
+  if (!document.domain) return true;
+  const bool all = document.has_all_blocks;
+  document.has_all_blocks = false;
+  if (!document.places.good("domain")) return true;
+  bool unreadable = false;
+  if (!read_boundary(directory, document, unreadable, problems)) return !unreadable;
+  const std::size_t n_problems = problems.size();
+  const DomainReader reader(document, problems);
+  if (problems.size() != n_problems) return true;
+  try {
+    const CutDomain cut = cut_domain(reader.domain());
+    for (std::size_t b = 0; b < cut.blocks.size(); ++b)
+      if (auto block = reader.block(cut.blocks[b], b)) document.blocks.push_back(std::move(*block));
+    document.domain_counts = cut.counts;
+    document.has_all_blocks = all;
+  } catch (const polyfem::Error& error) {
+    report(error.what(), document.domain->places.of("boundary"), problems);
+  }
+  return true;
+}
+
+}  // namespace ddacontact::scene_format

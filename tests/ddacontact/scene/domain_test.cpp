@@ -1,0 +1,162 @@
+/// \file [domain]: its blocks, their joints, and what is refused.
+#include "example_scenes.hpp"
+
+#include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/writer.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace {
+
+using namespace example_scenes;
+using namespace ddacontact;
+
+constexpr std::string_view head = R"(
+[analysis]
+steps = 2
+time_step = 0.01
+[[material]]
+name = "rock"
+density = 2500
+young = 5e9
+poisson = 0.2
+[[material]]
+name = "soil"
+density = 2000
+young = 5e8
+poisson = 0.2
+[[joint]]
+name = "usual"
+friction_angle = 40
+[[joint]]
+name = "bedding"
+friction_angle = 10
+[domain]
+boundary = [[0, 0], [4, 0], [4, 3], [0, 3]]
+)";
+
+/// Squares of 1 m; the joints between rows are bedding.
+constexpr std::string_view squares = R"([[domain.joint_set]]
+angle = 90
+spacing = 1
+[[domain.joint_set]]
+joint = "bedding"
+angle = 0
+spacing = "1 m"
+)";
+
+SceneReading reading(std::string_view tables) {
+  return read_scene_text(std::string(head) + std::string(tables), "scene.toml");
+}
+
+Scene scene(std::string_view tables) {
+  SceneReading result = reading(tables);
+  EXPECT_TRUE(result.scene) << all_text(result.problems);
+  EXPECT_TRUE(result.problems.empty()) << all_text(result.problems);
+  return result.scene.value_or(Scene());
+}
+
+void expect_problem(std::string_view tables, const std::string& text) {
+  const SceneReading result = reading(tables);
+  EXPECT_FALSE(result.scene);
+  EXPECT_NE(all_text(result.problems).find(text), std::string::npos) << all_text(result.problems);
+}
+
+TEST(Domain, GivesNamedBlocksThatKnowTheirJoints) {
+  const Scene cut = scene(squares);
+  ASSERT_EQ(cut.blocks.size(), 12u);
+  EXPECT_EQ(cut.blocks[5].name, "d5");
+  EXPECT_EQ(cut.blocks[5].edge_joints, (std::vector{1, -1, 1, -1}));
+  EXPECT_EQ(cut.domain->blocks, 12);
+  EXPECT_EQ(cut.domain->area, 12);
+}
+
+TEST(Domain, ContactsFollowTheJointOfTheirEdge) {
+  const BuiltScene built = build(scene(squares));
+  const ContactProperties& properties = built.stepper->contact_properties();
+  EXPECT_EQ(properties.joint_of({.vertex_block = 9, .vertex = 0, .edge_block = 5, .edge = 2}), 1);
+  EXPECT_EQ(properties.joint_of({.vertex_block = 6, .vertex = 0, .edge_block = 5, .edge = 1}), 0);
+  EXPECT_LT(properties.strength({.vertex_block = 9, .vertex = 0, .edge_block = 5, .edge = 2}).friction, 0.2);
+}
+
+TEST(Domain, IsWrittenBackAsItsBlocks) {
+  const Scene cut = scene(squares);
+  std::ostringstream text, again;
+  write_scene(text, cut);
+  EXPECT_EQ(text.str().find("[domain]"), std::string::npos);
+  const SceneReading back = read_scene_text(text.str(), "again.toml");
+  ASSERT_TRUE(back.scene) << all_text(back.problems);
+  write_scene(again, *back.scene);
+  EXPECT_EQ(again.str(), text.str());
+  EXPECT_EQ(back.scene->blocks[5].edge_joints, cut.blocks[5].edge_joints);
+}
+
+TEST(Domain, RegionsGiveMaterialsModelsAndHolds) {
+  const Scene cut = scene(std::string(squares) + R"([[domain.region]]
+name = "low"
+polygon = [[-1, -1], [5, -1], [5, 1], [-1, 1]]
+material = "soil"
+fixed = true
+group = "base"
+[[domain.region]]
+name = "left"
+polygon = [[-1, -1], [1, -1], [1, 5], [-1, 5]]
+model = "affine"
+)");
+  EXPECT_TRUE(cut.blocks[0].fixed && cut.blocks[3].fixed && !cut.blocks[4].fixed);
+  EXPECT_EQ(cut.blocks[0].material, 1);
+  EXPECT_EQ(cut.blocks[4].material, 0);
+  EXPECT_EQ(cut.blocks[4].model, BlockModel::affine);
+  EXPECT_EQ(cut.blocks[3].groups, std::vector<std::string>{"base"});
+}
+
+TEST(Domain, OpeningsAreGroupsOrEmpty) {
+  const std::string opening = std::string(squares) + R"([[domain.opening]]
+name = "shaft"
+polygon = [[1, 1], [2, 1], [2, 3], [1, 3]]
+)";
+  const auto in_shaft = [](const BlockDescription& block) { return !block.groups.empty(); };
+  const Scene full = scene(opening), empty = scene(opening + "excavated = true\n");
+  EXPECT_EQ(std::ranges::count_if(full.blocks, in_shaft), 2);
+  EXPECT_EQ(empty.blocks.size(), 10u);
+  EXPECT_EQ(std::ranges::count_if(empty.blocks, in_shaft), 0);
+}
+
+TEST(Domain, SettingsReachJointSets) {
+  const std::string text = std::string(head) + std::string(squares);
+  const SceneReading wider = read_scene_text(text, "scene.toml", {"domain.joint_set.1.spacing=1.5"});
+  ASSERT_TRUE(wider.scene) << all_text(wider.problems);
+  EXPECT_EQ(wider.scene->blocks.size(), 8u);
+}
+
+TEST(Domain, BadTablesAreRefusedWithPlaceAndCure) {
+  const auto with = [](std::string_view lines) { return std::string(squares) + std::string(lines); };
+  expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 0\n",
+                 "scene.toml:25:11: error: 'spacing' = '0' is out of range");
+  expect_problem("[[domain.joint_set]]\nangel = 0\nspacing = 1\n",
+                 "in [[domain.joint_set]] (did you mean 'angle'?");
+  expect_problem(with("joint = \"beding\"\n"), "");
+  expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 1\njoint = \"beding\"\n",
+                 "scene.toml:26:9: error: unknown joint 'beding' (did you mean 'bedding'?)");
+  expect_problem(with("inside = \"slop\"\n"), "unknown region 'slop'");
+  expect_problem(with("[[domain.opening]]\nname = \"t\"\n"), "the opening has no outline");
+  expect_problem(
+      with("[[domain.opening]]\nname = \"t\"\ncircle = { centre = [1, 1], radius = 1, edgs = 3 }\n"),
+      "unknown key 'edgs' in 'circle' (did you mean 'edges'?)");
+  expect_problem(with("[[domain.trace]]\npoints = [[1, 1], [1, 1]]\n"), "the same point twice");
+  expect_problem(
+      "[[domain.joint_set]]\nangle = 0\nspacing = 1e-6\n[[domain.joint_set]]\nangle = 90\nspacing = 1e-6\n",
+      "the domain would be cut into about 1.2e+13 blocks");
+  expect_problem(with("[domain.sliver]\narea = 2\n"), "'area' = '2' is out of range");
+}
+
+TEST(Domain, EdgeJointsOfABlockAreOnePerEdge) {
+  const std::string block =
+      "[[block]]\nmaterial = \"rock\"\nvertices = [[9, 0], [10, 0], [9, 1]]\nedge_joints = ";
+  EXPECT_EQ(scene(std::string(squares) + block + "[\"\", 1, \"usual\"]\n").blocks[0].edge_joints,
+            (std::vector{-1, 1, 0}));
+  expect_problem(std::string(squares) + block + "[\"\", 1]\n", "names 2 joints for 3 edges");
+}
+
+}  // namespace
