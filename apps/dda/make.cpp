@@ -5,11 +5,16 @@
 #include "messages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/scene/geometry_writer.hpp>
+#include <ddacontact/scene/reader.hpp>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <sstream>
+#include <string_view>
 
 namespace dda {
 
@@ -70,23 +75,120 @@ void make_voronoi(const MakeArguments& arguments) {
   fmt::print("{}: {} Voronoi blocks, seed {}\n", arguments.file, blocks.size(), arguments.voronoi.seed);
 }
 
+constexpr std::array<std::string_view, 7> known_kinds{"voronoi", "joints", "tunnel", "wall",
+                                                      "arch",    "column", "heap"};
+
+std::string scene_of(const MakeArguments& arguments) {
+  if (arguments.kind == "joints") return ddacontact::made_scene(arguments.slope);
+  if (arguments.kind == "tunnel") return ddacontact::made_scene(arguments.tunnel);
+  if (arguments.kind == "wall") return ddacontact::made_scene(arguments.wall);
+  if (arguments.kind == "arch") return ddacontact::made_scene(arguments.arch);
+  if (arguments.kind == "column") return ddacontact::made_scene(arguments.column);
+  return ddacontact::made_scene(arguments.heap);
+}
+
+/// The scene itself to .toml, its blocks to other files.
+void make_scene(const MakeArguments& arguments) {
+  const ddacontact::GeometryFormat format = ddacontact::geometry_format(arguments.file);
+  const std::string text = scene_of(arguments);
+  const ddacontact::SceneReading reading = ddacontact::read_scene_text(text, arguments.file);
+  if (!reading.scene) throw Error(fmt::format("{} (choose other measures)", reading.problems.front().text()));
+  if (format == ddacontact::GeometryFormat::toml)
+    ddacontact::write_text(arguments.file, text);
+  else
+    ddacontact::write_blocks(arguments.file, *reading.scene, 0);
+  fmt::print("{}: {} blocks\n", arguments.file, reading.scene->blocks.size());
+}
+
+/// Adds a kind of scene with the option of its file.
+CLI::App* add_kind(CLI::App& make, MakeArguments& arguments, const char* kind, const char* what) {
+  CLI::App* app = make.add_subcommand(kind, what);
+  app->add_option("-o,--output", arguments.file,
+                  "File to write: .toml (a scene to run), .geojson, .wkt or .dxf")
+      ->required();
+  app->callback([&arguments, kind] { arguments.kind = kind; });
+  return app;
+}
+
+void add_length(CLI::App* app, const char* name, double& value, const char* what) {
+  app->add_option(name, value, what)->check(CLI::Range(1e-6, 1e6))->capture_default_str();
+}
+
+void add_count(CLI::App* app, const char* name, int& value, int least, const char* what) {
+  app->add_option(name, value, what)->check(CLI::Range(least, 1000000))->capture_default_str();
+}
+
+void add_seed(CLI::App* app, int& seed) {
+  add_count(app, "--seed", seed, 0, "The same seed gives the same blocks");
+}
+
+void add_rock(CLI::App& make, MakeArguments& arguments) {
+  ddacontact::MadeSlope& slope = arguments.slope;
+  CLI::App* app = add_kind(make, arguments, "joints", "A rock slope with two joint sets");
+  add_length(app, "--height", slope.height, "Of the face, m");
+  app->add_option("--face", slope.face, "Angle of the face, degrees")
+      ->check(CLI::Range(20.0, 90.0))
+      ->capture_default_str();
+  app->add_option("--dip", slope.dip, "Of the bedding, out of the face, degrees")
+      ->check(CLI::Range(-89.0, 89.0))
+      ->capture_default_str();
+  add_length(app, "--spacing", slope.spacing, "Of the joints, m");
+  add_seed(app, slope.seed);
+
+  ddacontact::MadeTunnel& tunnel = arguments.tunnel;
+  app = add_kind(make, arguments, "tunnel", "A tunnel in rock with two joint sets");
+  add_length(app, "--width", tunnel.width, "Of the tunnel, m");
+  add_length(app, "--height", tunnel.height, "From floor to crown, at least half the width, m");
+  add_length(app, "--spacing", tunnel.spacing, "Of the joints, m");
+  add_seed(app, tunnel.seed);
+
+  app = add_kind(make, arguments, "heap", "Irregular blocks that fall into a bin");
+  add_length(app, "--size", arguments.heap.size, "Of a block, m");
+  add_count(app, "--blocks", arguments.heap.blocks, 1, "Number of blocks");
+  add_seed(app, arguments.heap.seed);
+}
+
+void add_masonry(CLI::App& make, MakeArguments& arguments) {
+  ddacontact::MadeWall& wall = arguments.wall;
+  CLI::App* app = add_kind(make, arguments, "wall", "A wall of bricks with a door under a lintel");
+  add_length(app, "--length", wall.length, "m");
+  add_length(app, "--height", wall.height, "m");
+  add_length(app, "--brick-length", wall.brick_length, "m");
+  add_length(app, "--brick-height", wall.brick_height, "m");
+  app->add_option("--door-width", wall.door_width, "m; 0: no door")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  add_length(app, "--door-height", wall.door_height, "m");
+  app->add_flag("!--stack", wall.running_bond, "Stack bond instead of running bond");
+
+  ddacontact::MadeArch& arch = arguments.arch;
+  app = add_kind(make, arguments, "arch", "A semicircular arch between springers");
+  add_length(app, "--span", arch.span, "Between the springers, m");
+  add_length(app, "--thickness", arch.thickness, "m");
+  add_count(app, "--voussoirs", arch.voussoirs, 3, "Number of voussoirs");
+  app->add_flag("--fill", arch.fill, "With soil above it, between abutments");
+
+  app = add_kind(make, arguments, "column", "A column of drums");
+  add_length(app, "--diameter", arguments.column.diameter, "m");
+  add_length(app, "--drum", arguments.column.drum, "Height of a drum, m");
+  add_count(app, "--drums", arguments.column.drums, 1, "Number of drums");
+}
+
 }  // namespace
 
 std::string problem_of_kind(const std::string& kind) {
-  if (kind == "voronoi" || kind.starts_with('-')) return {};
-  if (kind.empty()) return "make needs a KIND (known: voronoi)";
-  if (kind == "joints" || kind == "wall" || kind == "arch")
-    return fmt::format("make \"{}\" is not available in this version (known: voronoi)", kind);
-  return fmt::format("unknown KIND \"{}\" (known: voronoi)", kind);
+  if (kind.starts_with('-') || std::ranges::find(known_kinds, kind) != known_kinds.end()) return {};
+  const std::string known = fmt::format("(known: {})", fmt::join(known_kinds, ", "));
+  if (kind.empty()) return "make needs a KIND " + known;
+  return fmt::format("unknown KIND \"{}\" {}", kind, known);
 }
 
 void add_make(CLI::App& app, MakeArguments& arguments) {
-  CLI::App* make = app.add_subcommand("make", "Write block geometry");
+  CLI::App* make = app.add_subcommand("make", "Write scenes to start from, or block geometry");
   make->require_subcommand(1);
-  CLI::App* voronoi = make->add_subcommand("voronoi", "Convex blocks of random, evenly spread sites");
-  voronoi
-      ->add_option("-o,--output", arguments.file, "File to write: .geojson, .wkt or .toml (a scene to run)")
-      ->required();
+  add_rock(*make, arguments);
+  add_masonry(*make, arguments);
+  CLI::App* voronoi = add_kind(*make, arguments, "voronoi", "Convex blocks of random, evenly spread sites");
   CLI::Option* box = voronoi->add_option("--box", arguments.box, "Width and height of the domain, m")
                          ->expected(2)
                          ->capture_default_str();
@@ -108,7 +210,7 @@ void add_make(CLI::App& app, MakeArguments& arguments) {
 
 int make(const MakeArguments& arguments) {
   try {
-    make_voronoi(arguments);
+    arguments.kind == "voronoi" ? make_voronoi(arguments) : make_scene(arguments);
     return done;
   } catch (const ddacontact::OutputError& error) {
     print_error(error.what());

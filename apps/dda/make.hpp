@@ -1,6 +1,7 @@
 /// \file `dda make`: writes block geometry.
 #pragma once
 
+#include <ddacontact/scene/made_scenes.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 
 #include <CLI/CLI.hpp>
@@ -10,12 +11,18 @@
 
 namespace dda {
 
-/// What the options of `dda make voronoi` say.
+/// What the options of `dda make KIND` say.
 struct MakeArguments {
-  std::string file;
+  std::string kind, file;
   std::vector<double> box{20.0, 10.0};  ///< width and height of the domain
   std::string domain;                   ///< "x,y x,y ..." instead of the box; empty: the box
   polyfem::VoronoiOptions voronoi;
+  ddacontact::MadeSlope slope;
+  ddacontact::MadeTunnel tunnel;
+  ddacontact::MadeWall wall;
+  ddacontact::MadeArch arch;
+  ddacontact::MadeColumn column;
+  ddacontact::MadeHeap heap;
 };
 
 /// Why a word is not a kind of geometry that `make` knows; empty when it is one.

@@ -1,0 +1,120 @@
+#include <ddacontact/scene/made_scenes.hpp>
+#include <ddacontact/scene/scene_text.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr std::string_view stone = R"(
+[[material]]
+name    = "stone"
+density = 2000.0              # kg/m3
+young   = "5 GPa"
+poisson = 0.2
+
+[[joint]]
+name = "dry joint"
+friction_angle = 35.0         # degrees
+)";
+
+constexpr std::string_view of_stone = "material = \"stone\"\n", held = "material = \"stone\"\nfixed = true\n";
+
+/// Where the bricks of a course end, its own ends first and last.
+std::vector<double> brick_ends(const MadeWall& o, int course, double left, double right) {
+  const double shift = o.running_bond && course % 2 == 1 ? o.brick_length / 2 : 0;
+  std::vector<double> ends{left};
+  for (double k = 0; k * o.brick_length + shift < right; ++k) {
+    const double x = k * o.brick_length + shift;
+    if (x > left + o.brick_length / 4 && x < right - o.brick_length / 4) ends.push_back(x);
+  }
+  ends.push_back(right);
+  return ends;
+}
+
+}  // namespace
+
+std::string made_scene(const MadeWall& o) {
+  const int n_courses = std::max(1, static_cast<int>(std::lround(o.height / o.brick_height))),
+            n_door = o.door_width > 0 ? static_cast<int>(std::lround(o.door_height / o.brick_height)) : 0;
+  const double door = (o.length - o.door_width) / 2, bearing = o.brick_length / 2;
+  std::string text =
+      head_text("Wall of bricks",
+                "mode      = \"static\"\nsteps     = 20\ntime_step = 0.01              # s\n") +
+      std::string(stone) +
+      block_text("ground", rectangle(-o.brick_length, -o.brick_height, o.length + o.brick_length, 0), held);
+  for (int c = 0; c < n_courses; ++c) {
+    const double bottom = c * o.brick_height, top = (c + 1) * o.brick_height;
+    int n_bricks = 0;
+    const auto lay = [&](double left, double right) {
+      const std::vector<double> ends = brick_ends(o, c, left, right);
+      for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+        text += block_text("b." + std::to_string(c) + "." + std::to_string(n_bricks++),
+                           rectangle(ends[k], bottom, ends[k + 1], top), of_stone);
+    };
+    if (n_door == 0 || c > n_door) {
+      lay(0, o.length);
+    } else if (c < n_door) {
+      lay(0, door);
+      lay(door + o.door_width, o.length);
+    } else {
+      lay(0, door - bearing);
+      text += block_text("lintel", rectangle(door - bearing, bottom, door + o.door_width + bearing, top),
+                         of_stone);
+      lay(door + o.door_width + bearing, o.length);
+    }
+  }
+  return text;
+}
+
+std::string made_scene(const MadeArch& o) {
+  const double inner = o.span / 2, outer = inner + o.thickness, foot = -o.thickness / 2,
+               top = outer + o.thickness / 2;
+  std::vector<Vec2> intrados, extrados;  // from the right
+  for (int k = 0; k <= o.voussoirs; ++k) {
+    const double angle = std::numbers::pi * k / o.voussoirs;
+    Vec2 direction(std::cos(angle), std::sin(angle));
+    if (k == o.voussoirs) direction << -1, 0;
+    intrados.emplace_back(inner * direction);
+    extrados.emplace_back(outer * direction);
+  }
+  std::string text =
+      head_text("Masonry arch",
+                "mode      = \"static\"\nsteps     = 20\ntime_step = 0.01              # s\n") +
+      std::string(stone);
+  if (o.fill)
+    text += "\n[[material]]\nname    = \"fill\"\ndensity = 1800.0\nyoung   = \"100 MPa\"\npoisson = 0.3\n";
+  text += block_text("right springer", rectangle(inner, foot, outer, 0), held) +
+          block_text("left springer", rectangle(-outer, foot, -inner, 0), held);
+  for (int k = 0; k < o.voussoirs; ++k)
+    text += block_text("v" + std::to_string(k), {intrados[k], extrados[k], extrados[k + 1], intrados[k + 1]},
+                       of_stone);
+  text += "\n[[monitor]]\nname  = \"crown\"\nblock = \"v" + std::to_string(o.voussoirs / 2) +
+          "\"\nat    = \"centroid\"\n";
+  if (!o.fill) return text;
+  text += block_text("right abutment", rectangle(outer, foot, outer + o.thickness, top), held) +
+          block_text("left abutment", rectangle(-outer - o.thickness, foot, -outer, top), held);
+  for (int k = 0; k < o.voussoirs; ++k) {
+    const Vec2 right = extrados[k], left = extrados[k + 1];
+    text += block_text("f" + std::to_string(k), {left, right, {right.x(), top}, {left.x(), top}},
+                       "material = \"fill\"\n");
+  }
+  return text;
+}
+
+std::string made_scene(const MadeColumn& o) {
+  std::string text =
+      head_text("Column of drums",
+                "mode      = \"static\"\nsteps     = 20\ntime_step = 0.01              # s\n") +
+      std::string(stone) + block_text("ground", rectangle(-o.diameter, -o.drum, o.diameter, 0), held);
+  for (int k = 0; k < o.drums; ++k)
+    text += block_text("drum" + std::to_string(k),
+                       rectangle(-o.diameter / 2, k * o.drum, o.diameter / 2, (k + 1) * o.drum), of_stone);
+  return text + "\n[[monitor]]\nname  = \"top\"\nblock = \"drum" + std::to_string(o.drums - 1) +
+         "\"\nat    = \"centroid\"\n";
+}
+
+}  // namespace ddacontact
