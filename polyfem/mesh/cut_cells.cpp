@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 namespace polyfem {
@@ -46,24 +48,31 @@ std::vector<Segment> segments_of(const PointsRef& domain, const std::vector<Segm
 }
 
 /// How firmly a vertex stays where it is.
-enum class Hold { none, outline, corner };
+enum class Hold { unused, none, outline, corner };
 
-/// Of each vertex. A corner of the domain is the vertex that noding made of it, moved to its own place.
-std::vector<Hold> hold_of(NodedLines& lines, const PointsRef& domain) {
-  std::vector<Hold> holds(lines.vertices.size(), Hold::none);
+/// Calls visit(vertex, corner) for the vertices of the outline that noding made of corners of the domain.
+template <class Visit>
+void visit_corners(const NodedLines& lines, const PointsRef& domain, Visit&& visit) {
+  std::set<int> on_outline;
   for (const NodedLines::Edge& edge : lines.edges)
-    if (edge.mark == outline_mark) holds[edge.from] = holds[edge.to] = Hold::outline;
+    if (edge.mark == outline_mark) on_outline.insert({edge.from, edge.to});
   for (Index k = 0; k < domain.cols(); ++k)
-    for (std::size_t v = 0; v < holds.size(); ++v)
-      if (holds[v] != Hold::none && (lines.vertices[v] - domain.col(k)).cwiseAbs().maxCoeff() <= lines.grid) {
-        lines.vertices[v] = domain.col(k);
-        holds[v] = Hold::corner;
-      }
+    for (const int v : on_outline)
+      if ((lines.vertices[v] - domain.col(k)).cwiseAbs().maxCoeff() <= lines.grid) visit(v, k);
+}
+
+std::vector<Hold> hold_of(const NodedLines& lines, const PointsRef& domain) {
+  std::vector<Hold> holds(lines.vertices.size(), Hold::unused);
+  for (const NodedLines::Edge& edge : lines.edges)
+    for (const int v : {edge.from, edge.to})
+      holds[v] = std::max(holds[v], edge.mark == outline_mark ? Hold::outline : Hold::none);
+  visit_corners(lines, domain, [&](int v, Index) { holds[v] = Hold::corner; });
   return holds;
 }
 
-/// Whether some vertices moved to others within `snap`.
-bool snap_vertices(NodedLines& lines, const std::vector<Hold>& holds, double snap) {
+/// Moves vertices to others within `snap`, to firmer ones where there are. Which moved or were moved to;
+/// nothing when none did.
+std::vector<bool> snap_vertices(NodedLines& lines, const std::vector<Hold>& holds, double snap) {
   std::vector<int> order;
   for (const Hold hold : {Hold::corner, Hold::outline, Hold::none})
     for (std::size_t v = 0; v < holds.size(); ++v)
@@ -73,7 +82,7 @@ bool snap_vertices(NodedLines& lines, const std::vector<Hold>& holds, double sna
     return static_cast<std::size_t>(s[0]) * 0x9E3779B97F4A7C15u ^ static_cast<std::size_t>(s[1]);
   };
   std::unordered_map<Square, std::vector<int>, decltype(hash)> kept(order.size(), hash);
-  bool moved = false;
+  std::vector<bool> moved;
   for (const int v : order) {
     const Vec2 at = lines.vertices[v];
     const Square square{std::llround(at.x() / snap), std::llround(at.y() / snap)};
@@ -83,29 +92,62 @@ bool snap_vertices(NodedLines& lines, const std::vector<Hold>& holds, double sna
         if (const auto near = kept.find({square[0] + dx, square[1] + dy}); near != kept.end())
           for (const int w : near->second)
             if (target < 0 && (lines.vertices[w] - at).norm() <= snap) target = w;
-    if (target < 0)
+    if (target < 0) {
       kept[square].push_back(v);
-    else
-      lines.vertices[v] = lines.vertices[target];
-    moved = moved || target >= 0;
+      continue;
+    }
+    lines.vertices[v] = lines.vertices[target];
+    moved.resize(holds.size());
+    moved[v] = moved[target] = true;
   }
   return moved;
 }
 
-NodedLines snapped_lines(const PointsRef& domain, const std::vector<Segment>& lines, double snap) {
-  const std::vector<Segment> segments = segments_of(domain, lines);
-  NodedLines noded = node_lines(segments, noding_grid(domain));
-  if (snap_vertices(noded, hold_of(noded, domain), std::max(snap, noded.grid))) {
-    std::vector<Segment> moved;
-    for (const NodedLines::Edge& edge : noded.edges)
-      if (noded.vertices[edge.from] != noded.vertices[edge.to])
-        moved.push_back({noded.vertices[edge.from], noded.vertices[edge.to], edge.mark});
-    std::stable_sort(moved.begin(), moved.end(),
-                     [](const Segment& a, const Segment& b) { return a.mark < b.mark; });
-    noded = node_lines(moved, noded.grid);
-    hold_of(noded, domain);
+/// The edges around the faces that moved vertices touch, and around the next ones: others they cannot cross.
+std::vector<bool> edges_near(const NodedLines& lines, std::vector<bool> vertices) {
+  const FaceWalks walks = walk_faces(lines);
+  std::vector<bool> is_near(walks.n_walks(), false);
+  for (int ring = 0; ring < 2; ++ring) {
+    for (std::size_t h = 0; h < walks.walk_of.size(); ++h)
+      if (vertices[start_of(lines, static_cast<int>(h))])
+        is_near[walks.walk_of[h]] = is_near[walks.walk_of[h ^ 1]] = true;
+    for (std::size_t h = 0; h < walks.walk_of.size(); ++h)
+      if (is_near[walks.walk_of[h]]) vertices[start_of(lines, static_cast<int>(h))] = true;
   }
-  return noded;
+  std::vector<bool> edges;
+  for (std::size_t e = 0; e < lines.edges.size(); ++e)
+    edges.push_back(is_near[walks.walk_of[2 * e]] || is_near[walks.walk_of[2 * e + 1]]);
+  return edges;
+}
+
+/// Nodes some of the edges once more, after their vertices have moved.
+void node_again(NodedLines& lines, const std::vector<bool>& again) {
+  std::vector<Segment> segments;
+  std::vector<NodedLines::Edge> kept;
+  std::map<std::array<double, 2>, int> number;
+  for (std::size_t e = 0; e < again.size(); ++e) {
+    const NodedLines::Edge& edge = lines.edges[e];
+    if (!again[e]) {
+      kept.push_back(edge);
+      continue;
+    }
+    for (const int v : {edge.from, edge.to})
+      number.insert({{lines.vertices[v].x(), lines.vertices[v].y()}, v});
+    if (lines.vertices[edge.from] != lines.vertices[edge.to])
+      segments.push_back({lines.vertices[edge.from], lines.vertices[edge.to], edge.mark});
+  }
+  std::ranges::stable_sort(segments, {}, &Segment::mark);
+  const NodedLines noded = node_lines(segments, lines.grid);
+  std::vector<int> numbers;
+  for (const Vec2& vertex : noded.vertices) {
+    const auto [known, is_new] =
+        number.insert({{vertex.x(), vertex.y()}, static_cast<int>(lines.vertices.size())});
+    if (is_new) lines.vertices.push_back(vertex);
+    numbers.push_back(known->second);
+  }
+  for (const NodedLines::Edge& edge : noded.edges)
+    kept.push_back({numbers[edge.from], numbers[edge.to], edge.mark});
+  lines.edges = std::move(kept);
 }
 
 void keep_inside(NodedLines& lines, const PointsRef& domain) {
@@ -113,8 +155,21 @@ void keep_inside(NodedLines& lines, const PointsRef& domain) {
     return edge.mark != outline_mark &&
            !contains(domain, (lines.vertices[edge.from] + lines.vertices[edge.to]) / 2);
   });
-  std::stable_partition(lines.edges.begin(), lines.edges.end(),
-                        [](const NodedLines::Edge& edge) { return edge.mark == outline_mark; });
+}
+
+NodedLines snapped_lines(const PointsRef& domain, const std::vector<Segment>& lines, double snap) {
+  NodedLines noded = node_lines(segments_of(domain, lines), noding_grid(domain));
+  keep_inside(noded, domain);
+  const std::vector<bool> near = [&] {
+    const NodedLines before = noded;
+    const std::vector<bool> moved = snap_vertices(noded, hold_of(noded, domain), std::max(snap, noded.grid));
+    return moved.empty() ? moved : edges_near(before, moved);
+  }();
+  if (!near.empty()) node_again(noded, near);
+  visit_corners(noded, domain, [&](int v, Index k) { noded.vertices[v] = domain.col(k); });
+  std::ranges::stable_partition(noded.edges,
+                                [](const NodedLines::Edge& edge) { return edge.mark == outline_mark; });
+  return noded;
 }
 
 CutCell cell_of(const NodedLines& lines, std::span<const int> walk) {
@@ -149,7 +204,6 @@ Points CutCells::outline(const CutCell& cell) const {
 
 CutCells cut_cells(const PointsRef& domain, const std::vector<Segment>& lines, double snap) {
   NodedLines graph = snapped_lines(domain, lines, snap);
-  keep_inside(graph, domain);
   CutCells result;
   result.grid = graph.grid;
   result.n_dangling = remove_bridges(graph);

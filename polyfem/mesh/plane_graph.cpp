@@ -62,7 +62,7 @@ bool connect(NodedLines& graph, int vertex, bool to_the_left, int mark) {
   double nearest = std::numeric_limits<double>::infinity();
   int met_vertex = -1, met_edge = -1;
   for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) {
-    const auto [v, w, edge_mark] = graph.edges[e];
+    const int v = graph.edges[e].from, w = graph.edges[e].to;
     const Vec2 a = graph.vertices[v], b = graph.vertices[w];
     for (const int end : {v, w}) {
       const double ahead = sign * (graph.vertices[end].x() - from.x());
