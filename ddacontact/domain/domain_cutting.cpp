@@ -87,7 +87,9 @@ class CuttingLines {
   void add_set(const JointSet& set, std::size_t index) {
     const int mark = next_mark({set.joint, true});
     const Points& place = place_of(domain_, set.region);
-    for (const Segment& trace : joint_traces(set, place, domain_.seed + index, mark)) {
+    // Neighbouring seeds share no set: they are the samples of a Monte Carlo study.
+    const std::uint64_t seed = domain_.seed * 0x9E3779B97F4A7C15u + index;
+    for (const Segment& trace : joint_traces(set, place, seed, mark)) {
       if (set.region < 0)
         segments_.push_back(trace);
       else

@@ -55,6 +55,7 @@ std::string properties_of(const BlockDescription& block, const Scene& scene, int
   if (block.material >= n_unnamed_materials)
     add("material", scene_format::quoted(scene.materials[block.material].name));
   if (block.model != BlockModel::automatic) add("model", scene_format::value_text(block.model));
+  if (!block.groups.empty()) add("group", scene_format::value_text(block.groups));
   if (block.fixed || !block.fixed_vertices.empty())
     add("fixed", scene_format::value_text(scene_format::FixedVertices{block.fixed, block.fixed_vertices}));
   return text;

@@ -29,8 +29,9 @@ void write_geometry(const std::string& path, const std::vector<Points>& polygons
 void write_text(const std::string& path, const std::string& text);
 
 /// Writes the blocks of a scene: to .toml the whole scene, to .geojson features with `name`, `material`,
-/// `model` and `fixed` where these are not what a feature without them has, to .wkt and .dxf the polygons
-/// alone. The first `n_unnamed_materials` are not written to features. Throws as `write_geometry` does.
+/// `model`, `group` and `fixed` where these are not what a feature without them has, to .wkt and .dxf the
+/// polygons alone. The first `n_unnamed_materials` are not written to features. Throws as `write_geometry`
+/// does.
 void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials);
 
 }  // namespace ddacontact

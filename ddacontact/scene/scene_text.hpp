@@ -23,7 +23,7 @@ std::string block_text(std::string_view name, const std::vector<Vec2>& vertices,
 /// A rectangle, counter-clockwise.
 std::vector<Vec2> rectangle(double left, double bottom, double right, double top);
 
-/// The beginning of a scene: title, [analysis] with steps of `time_step` s unless it has stages, gravity.
+/// The beginning of a scene, with these lines of [analysis] and gravity.
 std::string head_text(std::string_view title, std::string_view analysis);
 
 }  // namespace ddacontact

@@ -167,8 +167,8 @@ NodedLines snapped_lines(const PointsRef& domain, const std::vector<Segment>& li
   }();
   if (!near.empty()) node_again(noded, near);
   visit_corners(noded, domain, [&](int v, Index k) { noded.vertices[v] = domain.col(k); });
-  std::ranges::stable_partition(noded.edges,
-                                [](const NodedLines::Edge& edge) { return edge.mark == outline_mark; });
+  std::stable_partition(noded.edges.begin(), noded.edges.end(),
+                        [](const NodedLines::Edge& edge) { return edge.mark == outline_mark; });
   return noded;
 }
 
