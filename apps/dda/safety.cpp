@@ -1,0 +1,151 @@
+#include "safety.hpp"
+
+#include "call_error.hpp"
+#include "exit_status.hpp"
+#include "memory.hpp"
+#include "messages.hpp"
+
+#include <fmt/format.h>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/study/safety_files.hpp>
+#include <ddacontact/study/strength_reduction.hpp>
+#include <polyfem/assembly/blas.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace dda {
+
+using namespace ddacontact;
+
+namespace {
+
+double factor_of(std::string_view text, const std::string& range) {
+  double factor = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), factor);
+  if (status != std::errc() || end != text.data() + text.size() || !(factor > 0) || !std::isfinite(factor))
+    throw CallError(fmt::format("--range \"{}\" is no range (write A:B, 0 < A < B)", range));
+  return factor;
+}
+
+std::optional<FactorRange> range_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string_view all = text;
+  const FactorRange range{factor_of(all.substr(0, colon), text),
+                          factor_of(all.substr(std::min(colon + 1, text.size())), text)};
+  if (range.low >= range.high)
+    throw CallError(fmt::format("--range \"{}\" is no range (write A:B, 0 < A < B)", text));
+  return range;
+}
+
+/// By name, or by index where a joint has none.
+std::string name_of(const Scene& scene, int joint) {
+  const std::string& name = scene.joints[joint].name;
+  return name.empty() ? std::to_string(joint) : name;
+}
+
+std::vector<int> joints_called(const std::vector<std::string>& wanted, const Scene& scene) {
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) names.push_back(name_of(scene, static_cast<int>(j)));
+  std::vector<int> joints;
+  for (const std::string& name : wanted.empty() ? names : wanted) {
+    const auto known = std::ranges::find(names, name);
+    if (known == names.end())
+      throw CallError(fmt::format("unknown joint \"{}\" of --joints ({})", name,
+                                  choice_among(name, {names.begin(), names.end()})));
+    joints.push_back(static_cast<int>(known - names.begin()));
+  }
+  return joints;
+}
+
+void tell(const StrengthTrial& trial, const SafetyFiles& files) {
+  fmt::print(
+      stderr, "F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict), trial.steps,
+      trial.reason,
+      trial.first_block < 0 ? "" : fmt::format("; \"{}\" went furthest", files.name_of(trial.first_block)));
+}
+
+/// In a sentence, for stdout.
+std::string answer(const FactorBracket& bracket, const SafetyFiles& files) {
+  if (bracket.low == 0) return fmt::format("moves at every factor from {:.5g} on", bracket.high);
+  if (!bracket.closed()) return fmt::format("rests at every factor up to {:.5g}", bracket.low);
+  const StrengthTrial* first = files.first_to_move();
+  return fmt::format("factor of safety {:.4g} .. {:.4g}; \"{}\" moves first", bracket.low, bracket.high,
+                     first->first_block < 0 ? "" : files.name_of(first->first_block));
+}
+
+int search(const SafetyArguments& arguments, const Scene& scene) {
+  const std::optional<FactorRange> range = range_of(arguments.range);
+  const std::vector<int> joints = joints_called(arguments.joints, scene);
+  polyfem::pin_blas_to_one_thread();
+  const StrengthReduction reduction(scene, joints);
+  if (!reduction.unsettled().empty())
+    fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
+               arguments.scene, reduction.unsettled());
+  SafetyFiles files(arguments.directory, reduction.block_names());
+  const FactorBracket bracket = bracket_factor(
+      [&](double factor) {
+        const StrengthTrial trial = reduction.try_factor(factor);
+        files.add(trial);
+        if (!arguments.quiet) tell(trial, files);
+        return trial.verdict;
+      },
+      range, arguments.tolerance);
+  std::vector<std::string> names;
+  for (const int joint : joints) names.push_back(name_of(scene, joint));
+  files.finish(bracket, arguments.tolerance, names, reduction.unsettled());
+  if (bracket.stopped) {
+    print_error("the last trial stopped without a verdict, see safety.csv");
+    return analysis_stopped;
+  }
+  if (!arguments.quiet) fmt::print("{}\nresults in {}\n", answer(bracket, files), arguments.directory);
+  return done;
+}
+
+}  // namespace
+
+void add_safety(CLI::App& app, SafetyArguments& arguments) {
+  CLI::App* safety = app.add_subcommand(
+      "safety", "Factor of safety: joints made weaker until something moves in the last stage");
+  safety->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required();
+  safety->add_option("-o,--output", arguments.directory, "Directory of safety.csv, safety.json, safety.svg")
+      ->required();
+  safety->add_option("--joints", arguments.joints, "NAME,...: the joints made weaker; left out: all")
+      ->delimiter(',');
+  safety->add_option("--range", arguments.range, "A:B, where to look; left out: from 1 on, both ways");
+  safety->add_option("--tolerance", arguments.tolerance, "Of the factor, relative")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str();
+  safety->add_option("--set", arguments.settings, "PATH=VALUE: replace a value of the scene")
+      ->take_all()
+      ->expected(1);
+  safety->add_flag("--quiet", arguments.quiet, "Print problems only");
+}
+
+int safety(const SafetyArguments& arguments) {
+  const SceneReading reading = read_scene(arguments.scene, arguments.settings);
+  if (const int status = report(reading); !reading.scene) return status;
+  if (const auto problem = memory_problem(*reading.scene)) {
+    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, *problem);
+    return wrong_input;
+  }
+  try {
+    return search(arguments, *reading.scene);
+  } catch (const CallError& error) {
+    print_error(error.what());
+    return wrong_input;
+  } catch (const OutputError& error) {
+    print_error(error.what());
+    return file_error;
+  } catch (const SettlingStopped& error) {
+    print_error(error.what());
+    return analysis_stopped;
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, error.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace dda

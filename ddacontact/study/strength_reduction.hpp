@@ -1,0 +1,51 @@
+/// \file Factor of safety by strength reduction: tan(friction angle), cohesion and tensile strength of joints
+/// divided by a factor in the last stage of a scene.
+///
+///     StrengthReduction reduction(scene, {0});
+///     StrengthTrial trial = reduction.try_factor(1.2);
+#pragma once
+
+#include <ddacontact/scene/builder.hpp>
+#include <ddacontact/study/strength_trial.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// The strength of a joint divided by a factor.
+Joint reduced(Joint joint, double factor);
+
+/// The run stops before the trials begin.
+class SettlingStopped : public Error {
+ public:
+  using Error::Error;
+};
+
+/// All trials start from the same settled state: that at the end of the stage before the last. A scene of one
+/// part is settled with all joints glued first, by static steps, as many as the scene has or 200.
+class StrengthReduction {
+ public:
+  /// Makes the settled state. Throws SettlingStopped, and Error when the scene is of the method
+  /// "classic", which cannot settle glued, or when none of `joints` has any strength.
+  /// \param[in] joints  indices of those that are reduced
+  StrengthReduction(const Scene& scene, std::vector<int> joints);
+
+  StrengthTrial try_factor(double factor, const TrialLimits& limits = {}) const;
+
+  /// What is wrong with the settled state: it is out of balance or moves. Empty: it rests.
+  const std::string& unsettled() const { return unsettled_; }
+  const std::vector<std::string>& block_names() const { return block_names_; }
+
+ private:
+  void settle();
+
+  Scene scene_;  ///< of two stages at least
+  std::vector<int> joints_;
+  std::optional<RunRecord> settled_;
+  std::string unsettled_;
+  std::vector<std::string> block_names_;
+};
+
+}  // namespace ddacontact

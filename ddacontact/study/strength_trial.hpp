@@ -1,0 +1,42 @@
+/// \file Whether the blocks of a run come to rest or move away, from where they stand now.
+#pragma once
+
+#include <ddacontact/study/factor_bracket.hpp>
+#include <ddacontact/time/stepper.hpp>
+
+#include <string>
+
+namespace ddacontact {
+
+/// When a trial ends, and how.
+///
+/// It rests after `steps_at_rest` steps in a row at whose end all forces are in balance and no vertex moves
+/// faster than `rest_speed`. It moves when a vertex is further than `displacement` from where it was at the
+/// start and forces are not in balance. Where neither comes true in `time_factor` times the steps of the
+/// stage (of `fewest_steps` at least), it rests if no vertex went further in the second half of the trial
+/// than in the first, else it moves.
+struct TrialLimits {
+  double displacement = 0.05;  ///< sizes of its block
+  double rest_speed = 1e-5;    ///< sizes of its block a second
+  int steps_at_rest = 10;
+  int time_factor = 5, fewest_steps = 200;
+};
+
+/// How a trial ended.
+struct StrengthTrial {
+  double factor = 0;
+  Verdict verdict = Verdict::stopped;
+  std::string reason;           ///< what decided
+  double max_displacement = 0;  ///< of any vertex at the end, m
+  double kinetic = 0;           ///< at the end, J per m
+  double unbalanced = 0;        ///< at the end, see Equilibrium
+  double time = 0;              ///< that it took, s
+  long steps = 0;
+  int first_block = -1;           ///< whose vertex went furthest, in sizes of the block
+  std::vector<int> moved_blocks;  ///< that went a tenth as far at least, ascending
+};
+
+/// Steps until one of the limits decides. `stopped` when the stepper stops before, by itself or interrupted.
+StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits);
+
+}  // namespace ddacontact

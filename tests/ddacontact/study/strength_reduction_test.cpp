@@ -1,0 +1,193 @@
+// Factors of safety against those of limit equilibrium: plane failure, two blocks on a bent plane, a column
+// that topples off its bond.
+#include "../simple_scenes.hpp"
+
+#include <ddacontact/study/strength_reduction.hpp>
+
+namespace {
+
+using namespace support;
+
+constexpr double gravity = 9.81, density = 2500;
+
+Scene rock(const Joint& joint) {
+  Scene scene;
+  scene.analysis.time_step = 0.01;
+  scene.analysis.steps = 100;
+  scene.analysis.gravity = Vec2(0, -gravity);
+  scene.analysis.block_model = BlockModel::affine;
+  scene.materials = {{"rock", density, 5e9, 0.25}};
+  scene.joints = {joint};
+  scene.contact.normal_stiffness = 2e11;
+  scene.contact.tangential_stiffness = 8e10;
+  return scene;
+}
+
+void add(Scene& scene, const Points& polygon, bool fixed = false) {
+  scene.blocks.push_back(block(polygon, fixed));
+  scene.blocks.back().model = BlockModel::affine;
+}
+
+FactorBracket factor_of(const Scene& scene, double tolerance = 0.004) {
+  const StrengthReduction reduction(scene, {0});
+  EXPECT_EQ(reduction.unsettled(), "");
+  return bracket_factor([&](double f) { return reduction.try_factor(f).verdict; }, std::nullopt, tolerance);
+}
+
+/// A block of 3 x 1 m on a plane, one width above its toe.
+Scene plane_failure(double slope_degrees, double friction_angle) {
+  Scene scene = rock({"plane", friction_angle, 0, 0, std::nullopt});
+  add(scene, turned(rectangle(0, -1, 10, 1), radians(slope_degrees)), true);
+  add(scene, turned(rectangle(4, 0, 3, 1), radians(slope_degrees)));
+  return scene;
+}
+
+TEST(StrengthReduction, PlaneFailureHasTheFactorOfItsFormula) {
+  for (const auto& [slope, friction] :
+       {std::pair{30.0, 40.0}, std::pair{35.0, 20.0}, std::pair{15.0, 45.0}}) {
+    const double exact = std::tan(radians(friction)) / std::tan(radians(slope));
+    const FactorBracket bracket = factor_of(plane_failure(slope, friction));
+    EXPECT_NEAR(bracket.low, exact, 0.01 * exact);
+    EXPECT_NEAR(bracket.high, exact, 0.01 * exact);
+  }
+}
+
+/// The resultant of a block's weight and a horizontal acceleration of tan(20 degrees) g turns a column of
+/// 1 x 5 m about its toe; the bond of its other corner, half of the base times its tensile strength, holds
+/// it.
+TEST(StrengthReduction, ColumnTopplesWhereItsBondBreaks) {
+  const double height = 5, tilt = radians(20), tension = 150e3;
+  Scene scene = rock({"bond", 60, 500e3, tension, std::nullopt});
+  scene.analysis.gravity = gravity * Vec2(std::sin(tilt), -std::cos(tilt));
+  add(scene, rectangle(0, -1, 6, 1), true);
+  add(scene, rectangle(2, 0, 1, height));
+  const double weight = density * gravity * height;
+  const double exact = tension / (weight * (height * std::sin(tilt) - std::cos(tilt)));
+  const FactorBracket bracket = factor_of(scene);
+  EXPECT_NEAR(bracket.low, exact, 0.01 * exact);
+  EXPECT_NEAR(bracket.high, exact, 0.01 * exact);
+}
+
+Vec2 along(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+Vec2 left_of(double angle) {
+  return {-std::sin(angle), std::cos(angle)};
+}
+
+/// Two blocks on a plane that bends: the upper one pushes the lower one out. Their common face begins a metre
+/// above the bend, so that the upper block may slide on along the steep part.
+struct BentPlane {
+  double upper = radians(50), lower = radians(5), interface = radians(100), friction = radians(35);
+  Points upper_block = Points(2, 3), lower_block = Points(2, 5);
+
+  BentPlane() {
+    const Vec2 begin = along(upper), top = begin + 6 * along(interface), toe = -8 * along(lower);
+    upper_block << begin, 8 * along(upper), top;
+    lower_block << toe, Vec2::Zero(), begin, top, toe + Vec2(0, 3);
+  }
+
+  Scene scene() const {
+    Scene scene = rock({"joint", friction * 180 / std::numbers::pi, 0, 0, std::nullopt});
+    add(scene, turned(rectangle(0, -1, 9, 1), upper), true);
+    add(scene, turned(rectangle(-12, -1, 12, 1), lower), true);
+    add(scene, upper_block);
+    add(scene, lower_block);
+    return scene;
+  }
+
+  static double weight(const Points& p) {
+    double twice = 0;
+    for (Index k = 0; k < p.cols(); ++k) {
+      const Index next = (k + 1) % p.cols();
+      twice += p(0, k) * p(1, next) - p(0, next) * p(1, k);
+    }
+    return density * gravity * twice / 2;
+  }
+
+  /// What holds the lower block back beyond friction when all three faces slide, strength divided by a
+  /// factor.
+  double needed_to_hold(double factor) const {
+    const double mu = std::tan(friction) / factor;
+    Eigen::Matrix2d of_upper, of_lower;
+    const Vec2 between = -left_of(interface) + mu * along(interface);  // on the upper block
+    of_upper << left_of(upper) + mu * along(upper), between;
+    const Vec2 forces = of_upper.inverse() * Vec2(0, weight(upper_block));
+    of_lower << left_of(lower) + mu * along(lower), along(lower);
+    return (of_lower.inverse() * (Vec2(0, weight(lower_block)) + forces.y() * between)).y();
+  }
+
+  double factor() const {
+    double low = 0.5, high = 5;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (needed_to_hold(middle) > 0 ? high : low) = middle;
+    }
+    return low;
+  }
+};
+
+TEST(StrengthReduction, WedgeOfTwoBlocksHasTheFactorOfLimitEquilibrium) {
+  const BentPlane wedge;
+  const double exact = wedge.factor();
+  ASSERT_GT(exact, 1.1);
+  const FactorBracket bracket = factor_of(wedge.scene());
+  EXPECT_NEAR(bracket.low, exact, 0.01 * exact);
+  EXPECT_NEAR(bracket.high, exact, 0.01 * exact);
+}
+
+TEST(StrengthReduction, NamesWhatMoves) {
+  Scene scene = plane_failure(30, 40);
+  add(scene, rectangle(20, 0, 1, 1));
+  add(scene, rectangle(20, -1, 1, 1), true);
+  const StrengthTrial trial = StrengthReduction(scene, {0}).try_factor(2);
+  EXPECT_EQ(trial.verdict, Verdict::moves);
+  EXPECT_EQ(trial.first_block, 1);
+  EXPECT_EQ(trial.moved_blocks, std::vector<int>{1});
+}
+
+TEST(StrengthReduction, ReducesInTheLastStageAlone) {
+  Scene scene = plane_failure(30, 40);
+  StageDescription settling = scene.stage("settle"), last = scene.stage("last");
+  settling.analysis.mode = Mode::statics;
+  last.joints[0].friction_angle = 35;
+  scene.stages = {settling, last};
+  const double exact = std::tan(radians(35)) / std::tan(radians(30));
+  const FactorBracket bracket = factor_of(scene);
+  EXPECT_NEAR(bracket.low, exact, 0.01 * exact);
+}
+
+TEST(StrengthReduction, TrialsDoNotDependOnEachOther) {
+  const StrengthReduction reduction(plane_failure(30, 40), {0});
+  const StrengthTrial first = reduction.try_factor(1.5);
+  reduction.try_factor(3);
+  EXPECT_EQ(reduction.try_factor(1.5).max_displacement, first.max_displacement);
+}
+
+/// A run that ends before it has moved far is no run at rest.
+TEST(StrengthReduction, WhatIsStillMovingAtTheEndMoves) {
+  const StrengthReduction reduction(plane_failure(30, 40), {0});
+  const TrialLimits few_steps{.displacement = 1e3, .time_factor = 1, .fewest_steps = 20};
+  const StrengthTrial trial = reduction.try_factor(2, few_steps);
+  EXPECT_EQ(trial.verdict, Verdict::moves);
+  EXPECT_LT(trial.max_displacement, 2.0);
+}
+
+TEST(StrengthReduction, DividesTheTangentAndNotTheAngle) {
+  const Joint joint = reduced({"joint", 45, 30, 20, std::nullopt}, 2);
+  EXPECT_NEAR(std::tan(radians(joint.friction_angle)), 0.5, 1e-15);
+  EXPECT_EQ(joint.cohesion, 15);
+  EXPECT_EQ(joint.tensile_strength, 10);
+}
+
+TEST(StrengthReduction, RefusesWhatHasNoStrength) {
+  EXPECT_THROW(StrengthReduction(plane_failure(30, 0), {0}), Error);
+}
+
+TEST(StrengthReduction, TellsThatItDidNotSettle) {
+  Scene scene = plane_failure(30, 20);
+  scene.stages = {scene.stage("sliding"), scene.stage("last")};
+  EXPECT_NE(StrengthReduction(scene, {0}).unsettled(), "");
+}
+
+}  // namespace
