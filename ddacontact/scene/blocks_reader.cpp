@@ -1,12 +1,16 @@
 #include <ddacontact/scene/blocks_reader.hpp>
 
+#include <ddacontact/scene/block_copies.hpp>
 #include <ddacontact/scene/document_reader.hpp>
 #include <ddacontact/scene/domain_blocks.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/geometry_file.hpp>
+#include <ddacontact/scene/initial_stress.hpp>
+#include <ddacontact/scene/parameters.hpp>
 #include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/resolve.hpp>
 #include <ddacontact/scene/snap_blocks.hpp>
+#include <ddacontact/scene/selectors.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
 #include <algorithm>
@@ -63,12 +67,16 @@ std::optional<Document> scene_document(const std::string& path, bool& unreadable
     problems.error({}, "'" + path + "' cannot be read: " + file.reason, "check the path and the permissions");
     return std::nullopt;
   }
-  const std::optional<toml::table> root = scene_format::parse_toml(*file.text, path, problems);
+  std::optional<toml::table> root = scene_format::parse_toml(*file.text, path, problems);
   if (!root) return std::nullopt;
+  scene_format::put_parameters(*root, problems);
   Document document = scene_format::read_document(*root, problems);
   const std::filesystem::path directory = std::filesystem::path(path).parent_path();
   unreadable = !scene_format::add_geometry(directory, document, problems);
   unreadable |= !scene_format::add_domain(directory, document, problems);
+  scene_format::add_copies(document, problems);
+  scene_format::put_initial_stress(document);
+  scene_format::expand_selectors(document, problems);
   return document;
 }
 

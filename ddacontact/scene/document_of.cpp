@@ -99,7 +99,7 @@ std::vector<Vec3> history_of(const TimeFunction& function, double end_time) {
 SupportRecord record_of(const Support& support, const Scene& scene) {
   SupportRecord record;
   record.block = reference_to(support.block, scene.blocks);
-  record.vertices = support.vertices;
+  record.vertices.some = support.vertices;
   record.axes = support.hold_x && support.hold_y ? Axes::xy : support.hold_x ? Axes::x : Axes::y;
   if (support.displacement.kind == TimeFunction::Kind::ramp)
     record.displacement = support.displacement.value;
@@ -116,7 +116,7 @@ LoadRecord record_of(const Load& load, const Scene& scene) {
   record.block = reference_to(load.block, scene.blocks);
   if (load.kind == Load::Kind::point) record.at = load.at;
   if (load.kind == Load::Kind::pressure) {
-    record.edge = load.edge;
+    record.edge = EdgeSelection{load.edge};
     record.value = load.pressure;
   } else if (load.force.kind == TimeFunction::Kind::constant) {
     record.force = load.force.value;

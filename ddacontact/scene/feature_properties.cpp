@@ -12,7 +12,7 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-constexpr std::array<const char*, 4> keys{"name", "material", "model", "fixed"};
+constexpr std::array<const char*, 5> keys{"name", "material", "model", "fixed", "group"};
 constexpr std::array<std::string_view, 5> keys_of_tables{"vertices", "mesh", "velocity", "angular_velocity",
                                                          "stress"};
 
@@ -70,6 +70,19 @@ class PropertyReader {
     return true;
   }
 
+  bool operator()(GroupNames& groups) const {
+    if (value_.is(JsonKind::string)) {
+      groups = {value_.text()};
+      return true;
+    }
+    if (!value_.is(JsonKind::array)) return wrong_type(value_, type_text(groups));
+    for (const JsonValue& element : value_.elements()) {
+      if (!element.is(JsonKind::string)) return wrong_type(element, "the name of a group");
+      groups.push_back(element.text());
+    }
+    return true;
+  }
+
  private:
   /// Of a word.
   bool refuse(const std::string& what, const std::string& cure) const {
@@ -110,8 +123,11 @@ void FeatureProperties::read(const JsonMember& property, const std::string& titl
     case 2:
       good = reader(record.model);
       break;
-    default:
+    case 3:
       good = reader(record.fixed);
+      break;
+    default:
+      good = reader(record.groups);
   }
   record.places.add(*key, property.value.place(), good);
 }
@@ -166,6 +182,7 @@ void FeatureProperties::apply(const JsonValue& feature, const std::string& title
     if (said.places.written("material")) block.material = said.material;
     block.model = said.model;
     block.fixed = said.fixed;
+    block.groups = said.groups;
     for (const char* key : keys)
       if (said.places.written(key)) block.places.add(key, said.places.of(key), said.places.good(key));
   }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ddacontact::scene_format {
@@ -59,6 +60,64 @@ struct Reference {
   std::string name;
   std::optional<std::int64_t> index;
 };
+
+/// Which blocks: one of these is set.
+struct BlockSelector {
+  std::optional<std::string> group;
+  std::optional<Points> inside;              ///< a polygon around their centroids
+  std::optional<Vec2> at;                    ///< a point of theirs
+  std::optional<std::array<double, 4>> box;  ///< x0, y0, x1, y1 around their centroids
+};
+
+/// One block, or those that a selector finds.
+struct BlockReference : Reference {
+  std::optional<BlockSelector> selector;
+
+  BlockReference() = default;
+  BlockReference(Reference block) : Reference(std::move(block)) {}
+};
+
+/// The part of a line between two points.
+struct LineSegment {
+  Vec2 from{0, 0}, to{0, 0};
+};
+
+/// Vertices of a block by their indices, or those on a line.
+struct VertexSelection {
+  std::vector<int> some;
+  std::optional<LineSegment> on;
+};
+
+/// An edge of a block by its index, or those on a line.
+struct EdgeSelection {
+  int edge = 0;
+  std::optional<LineSegment> on{};
+};
+
+/// One name, or a list.
+struct GroupNames : std::vector<std::string> {
+  using std::vector<std::string>::vector;
+  using std::vector<std::string>::operator=;
+};
+
+/// Copies of a block in rows, bottom up.
+struct GridRecord {
+  std::array<int, 2> count{1, 1};  ///< in a row, rows
+  Vec2 step{0, 0};                 ///< m
+  double bond = 0;                 ///< of the step, by which every other row is shifted
+};
+
+/// A block is copied at most so many times.
+inline constexpr int most_copies = 1'000'000;
+
+/// Stress that changes with height.
+struct InitialStress {
+  double level = 0;                         ///< height at which `stress` is, m
+  Vec3 stress{0, 0, 0}, gradient{0, 0, 0};  ///< Pa, Pa per metre upwards
+};
+
+/// Stands for [parameters], which are put in place before keys are read.
+struct Parameters {};
 
 /// The vertices of a block with their places.
 struct Outline {
@@ -154,7 +213,8 @@ struct BlockRecord {
   Reference material;  ///< a geometry file may leave it out: the first
   Outline vertices;
   std::optional<EdgeJoints> edge_joints;
-  std::vector<std::string> groups;
+  GroupNames groups;
+  std::optional<GridRecord> grid;
   std::optional<BlockModel> model;
   std::optional<MeshRecord> mesh;
   FixedVertices fixed;
@@ -166,8 +226,8 @@ struct BlockRecord {
 };
 
 struct SupportRecord {
-  Reference block;
-  std::vector<int> vertices;
+  BlockReference block;
+  VertexSelection vertices;
   Axes axes = Axes::xy;
   std::optional<Vec2> displacement, velocity;
   std::optional<std::vector<Vec3>> history;
@@ -176,9 +236,9 @@ struct SupportRecord {
 
 struct LoadRecord {
   Load::Kind type = Load::Kind::point;
-  Reference block;
+  BlockReference block;
   std::optional<Vec2> at;
-  std::optional<int> edge;
+  std::optional<EdgeSelection> edge;
   std::optional<double> value;
   std::optional<Vec2> force;
   std::optional<std::vector<Vec3>> history;
@@ -187,7 +247,7 @@ struct LoadRecord {
 
 struct MonitorRecord {
   std::string name;
-  Reference block;
+  BlockReference block;
   std::optional<Location> at;
   std::optional<int> vertex;
   Places places;
@@ -195,7 +255,7 @@ struct MonitorRecord {
 
 /// Blocks with the places of their names.
 struct BlockList {
-  std::vector<Reference> blocks;
+  std::vector<BlockReference> blocks;
   std::vector<Place> places;
 };
 
@@ -313,8 +373,10 @@ struct DomainRecord {
 struct Document {
   int format = 1;
   std::string title;
+  Parameters parameters;
   std::optional<std::string> geometry_file;  ///< key 'blocks'
   std::optional<double> snap;
+  std::optional<InitialStress> initial_stress;
   AnalysisRecord analysis;
   ContactRecord contact;
   std::vector<MaterialRecord> materials;

@@ -130,10 +130,10 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
     support.displacement = displacement_of(record);
     const int n = n_vertices(support.block, document, blocks);
     if (places.good("vertices")) {
-      if (record.vertices.empty())
+      if (record.vertices.some.empty() && !record.vertices.on)
         problems.error(places.of("vertices"), "'vertices' is empty", "name the vertices to be held");
       if (n > 0)
-        support.vertices = check_vertex_indices(record.vertices, n, blocks.names.title(support.block),
+        support.vertices = check_vertex_indices(record.vertices.some, n, blocks.names.title(support.block),
                                                 places.of("vertices"), problems);
     }
     const int index = static_cast<int>(supports.size());
@@ -156,7 +156,7 @@ std::vector<Load> resolve_loads(const Document& document, const BlockTable& bloc
     if (places.good("type")) check_load_keys(record, problems);
     load.at = record.at.value_or(Vec2::Zero());
     if (places.good("at")) check_inside(load.at, "point load", load.block, places.of("at"), blocks, problems);
-    load.edge = record.edge.value_or(0);
+    load.edge = record.edge ? record.edge->edge : 0;
     const int n = n_vertices(load.block, document, blocks);
     if (places.good("edge") && n > 0 && (load.edge < 0 || load.edge >= n))
       problems.error(places.of("edge"),

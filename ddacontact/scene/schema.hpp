@@ -246,6 +246,15 @@ void describe(BlockRecord& r, Visit&& visit) {
             .what = "The joint that contacts on each edge follow, \"\": that of the materials.",
             .default_text = "those of the materials"},
         r.edge_joints);
+  visit(Key{.name = "group", .what = "Names of groups that it belongs to.", .default_text = "none"},
+        r.groups);
+  visit(
+      Key{.name = "grid",
+          .what = "Copies, `count` in a row and in rows above each other, each a `step` further; every other "
+                  "row is shifted by `bond` times the step. They are named NAME.0.0, NAME.1.0, ...",
+          .unit = "m",
+          .default_text = "none"},
+      r.grid);
   visit(Key{.name = "model", .what = "How it deforms.", .default_text = "`analysis.block_model`"}, r.model);
   visit(Key{.name = "mesh",
             .what = "How it is divided when its model is \"mesh\".",
@@ -262,7 +271,7 @@ void describe(BlockRecord& r, Visit&& visit) {
 
 template <class Visit>
 void describe(SupportRecord& r, Visit&& visit) {
-  visit(Key{.name = "block", .what = "Name or index of the block.", .required = true}, r.block);
+  visit(Key{.name = "block", .what = "The block, or those a selector finds.", .required = true}, r.block);
   visit(Key{.name = "vertices", .what = "The vertices held.", .required = true}, r.vertices);
   visit(Key{.name = "axes", .what = "The directions held."}, r.axes);
   visit(Key{.name = "displacement",
@@ -284,7 +293,7 @@ template <class Visit>
 void describe(LoadRecord& r, Visit&& visit) {
   visit(Key{.name = "type", .what = "At a point, on an edge, or per volume.", .required = true}, r.type);
   const bool body = r.type == Load::Kind::body;
-  visit(Key{.name = "block", .what = "Name or index of the block.", .required = true}, r.block);
+  visit(Key{.name = "block", .what = "The block, or those a selector finds.", .required = true}, r.block);
   visit(Key{.name = "at",
             .what = "point: where at the start; travels with the block.",
             .unit = "m",
@@ -320,7 +329,7 @@ void describe(LoadRecord& r, Visit&& visit) {
 template <class Visit>
 void describe(MonitorRecord& r, Visit&& visit) {
   visit(Key{.name = "name", .what = "What results call it; unique.", .required = true}, r.name);
-  visit(Key{.name = "block", .what = "Name or index of the block.", .required = true}, r.block);
+  visit(Key{.name = "block", .what = "The block, or those a selector finds.", .required = true}, r.block);
   visit(Key{.name = "at",
             .what = "A point of the block at the start, or its centre of mass.",
             .unit = "m",
@@ -437,6 +446,14 @@ void describe(Document& d, Visit&& visit) {
             .bounds = positive,
             .default_text = "none"},
         d.snap);
+  visit(
+      Key{.name = "initial_stress",
+          .what = "Of all blocks that state no `stress`, at their centroids: `stress` at the height `level`, "
+                  "and its change per metre upwards.",
+          .default_text = "none"},
+      d.initial_stress);
+  visit(Key{.name = "parameters", .what = "Numbers called \"$name\" wherever a number stands."},
+        d.parameters);
   visit.table(Key{.name = "analysis", .what = "What is computed and how.", .required = true}, d.analysis);
   visit.table(Key{.name = "contact", .what = "How contacts are enforced."}, d.contact);
   visit.tables(Key{.name = "material", .what = "What blocks are made of.", .required = true}, d.materials);

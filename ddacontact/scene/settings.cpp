@@ -76,7 +76,10 @@ class Setting {
     const toml::node* present = root.get(path_[0]);
     if (entry.kind == CatalogEntry::Kind::key && path_.size() > 1 && present && present->is_value())
       return refuse_part(1, "'" + path_[0] + "' has no elements");
-    if (path_.size() == 1 || entry.kind == CatalogEntry::Kind::key) return put(root, 0);
+    if (path_[0] == "parameters" && path_.size() == 2) return set_parameter(root);
+    if (path_.size() > 1 && entry.kind == CatalogEntry::Kind::key && root.contains(path_[0]))
+      return set_element(*root.get(path_[0]), 1);
+    if (path_.size() == 1 || entry.kind == CatalogEntry::Kind::key) return put_wrapped(root, 0);
     if (toml::table* table = find_table(entry, root))
       set_key(entry, *table, entry.kind == CatalogEntry::Kind::tables ? 2 : 1);
   }
@@ -85,6 +88,16 @@ class Setting {
   void refuse(const std::string& what, const std::string& cure) { problems_.error(place_, what, cure); }
   void refuse_part(std::size_t part, const std::string& cure) {
     refuse("unknown '" + excerpt(path_[part]) + "' in the path of the setting", cure);
+  }
+
+  void set_parameter(toml::table& root) {
+    toml::table* parameters = root["parameters"].as_table();
+    std::vector<std::string_view> names;
+    if (parameters)
+      for (const auto& [name, node] : *parameters) names.push_back(name.str());
+    if (std::find(names.begin(), names.end(), path_[1]) != names.end()) return put(*parameters, 1);
+    refuse_part(1,
+                names.empty() ? "the scene has no [parameters]" : suggestion(path_[1], "parameter", names));
   }
 
   /// The table that path_[0] names, made when the file has not got it; or the element path_[1] of an array.

@@ -1,3 +1,4 @@
+#include <ddacontact/scene/parameters.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/text.hpp>
 #include <ddacontact/scene/toml_value.hpp>
@@ -43,6 +44,8 @@ bool ValueReader::read_number(const toml::node& node, const Key& key, double& va
     reading.value = real->get();
   else if (const auto* whole = node.as_integer())
     reading.value = static_cast<double>(whole->get());
+  else if (const auto* parameter = node.as_string(); parameter && is_parameter(parameter->get()))
+    reading = read_parameter(parameter->get(), key.unit, key.other_unit);
   else if (const auto* text = node.as_string(); text && *key.unit != '\0')
     reading = read_quantity(text->get(), key.unit, key.other_unit);
   else
@@ -95,9 +98,9 @@ bool ValueReader::operator()(const toml::node& node, bool& value) const {
 }
 
 bool ValueReader::operator()(const toml::node& node, int& value) const {
-  const auto* whole = node.as_integer();
+  const std::optional<std::int64_t> whole = whole_number(node);
   if (!whole) return wrong_type(node, key_.name, expected_text(key_, value));
-  const std::int64_t number = whole->get();
+  const std::int64_t number = *whole;
   const bool fits = number <= std::numeric_limits<int>::max() && number >= std::numeric_limits<int>::min();
   if (!fits || !key_.bounds.contain(static_cast<double>(number))) {
     problems_.error(place_of(node, problems_),
@@ -268,8 +271,7 @@ bool ValueReader::operator()(const toml::node& node, std::vector<int>& value) co
   if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
   bool good = true;
   for (const toml::node& element : *array) {
-    const auto* whole = element.as_integer();
-    const std::int64_t index = whole ? whole->get() : -1;
+    const std::int64_t index = whole_number(element).value_or(-1);
     if (index < 0 || index > std::numeric_limits<int>::max()) {
       good = wrong_type(element, element_name(static_cast<int>(value.size()), -1),
                         "the index of a vertex, from 0");
@@ -337,7 +339,7 @@ bool ValueReader::operator()(const toml::node& node, BlockList& value) const {
   if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
   bool good = true;
   for (const toml::node& element : *array) {
-    Reference block;
+    BlockReference block;
     if ((*this)(element, block)) {
       value.blocks.push_back(std::move(block));
       value.places.push_back(place_of(element, problems_));

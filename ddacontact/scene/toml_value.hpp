@@ -39,6 +39,13 @@ class ValueReader {
   bool operator()(const toml::node& node, BlockList& value) const;
   bool operator()(const toml::node& node, EdgeJoints& value) const;
   bool operator()(const toml::node& node, Boundary& value) const;
+  bool operator()(const toml::node& node, Parameters& value) const;
+  bool operator()(const toml::node& node, InitialStress& value) const;
+  bool operator()(const toml::node& node, GroupNames& value) const;
+  bool operator()(const toml::node& node, GridRecord& value) const;
+  bool operator()(const toml::node& node, BlockReference& value) const;
+  bool operator()(const toml::node& node, VertexSelection& value) const;
+  bool operator()(const toml::node& node, EdgeSelection& value) const;
 
   template <Choice T>
   bool operator()(const toml::node& node, T& value) const {
@@ -67,6 +74,14 @@ class ValueReader {
   bool read_numbers(const toml::node& node, double* values, std::size_t size, const std::string& expected,
                     int row = -1) const;
   std::string element_name(int row, int column) const;
+
+  bool operator()(const toml::node& node, BlockSelector& value) const;
+  bool operator()(const toml::node& node, LineSegment& value) const;
+  /// An inner table of this key: read_part(name, node) says whether the value is good, or nothing for a name
+  /// that is not among `known`.
+  template <class ReadPart>
+  bool read_parts(const toml::table& table, const std::vector<std::string_view>& known,
+                  const ReadPart& read_part) const;
 
   bool wrong_type(const toml::node& node, const std::string& name, const std::string& expected) const;
   bool unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const;

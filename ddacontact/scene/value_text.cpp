@@ -137,6 +137,32 @@ std::string value_text(const EdgeJoints& value) {
 std::string value_text(const Boundary& value) {
   return value.file.empty() ? value_text(value.outline) : value_text(value.file);
 }
+std::string value_text(const GroupNames& value) {
+  return array_text(value);
+}
+std::string value_text(const GridRecord& value) {
+  return table_text({{"count", array_text(value.count)},
+                     {"step", value_text(value.step)},
+                     {"bond", value_text(value.bond)}});
+}
+std::string value_text(const InitialStress& value) {
+  return table_text({{"level", value_text(value.level)},
+                     {"stress", value_text(value.stress)},
+                     {"gradient", value_text(value.gradient)}});
+}
+std::string value_text(const BlockReference& value) {
+  return value_text(static_cast<const Reference&>(value));
+}
+std::string value_text(const VertexSelection& value) {
+  return value_text(value.some);
+}
+std::string value_text(const EdgeSelection& value) {
+  return value_text(value.edge);
+}
+std::string value_text(const Parameters&) {
+  return "{}";
+}
+
 std::string type_text(GradientCorrection) {
   return "true or false";
 }
@@ -195,7 +221,28 @@ std::string type_text(const std::array<Reference, 2>&) {
   return "two names of materials";
 }
 std::string type_text(const BlockList&) {
-  return "a list of names or indices of blocks";
+  return "a list of names or indices of blocks, and of selectors";
+}
+std::string type_text(const GroupNames&) {
+  return "a name or a list of names";
+}
+std::string type_text(const GridRecord&) {
+  return "{ count = [n, m], step = [x, y], bond }";
+}
+std::string type_text(const InitialStress&) {
+  return "{ level, stress, gradient }";
+}
+std::string type_text(const BlockReference&) {
+  return "a name, an index or a selector";
+}
+std::string type_text(const VertexSelection&) {
+  return "a list of vertex indices or { on = [[x, y], [x, y]] }";
+}
+std::string type_text(const EdgeSelection&) {
+  return "an index or { on = [[x, y], [x, y]] }";
+}
+std::string type_text(const Parameters&) {
+  return "{ NAME = a number, ... }";
 }
 std::string type_text(const EdgeJoints&) {
   return "a list of names or indices of joints, one for each edge";

@@ -34,6 +34,13 @@ std::string value_text(const BlockList& value);
 std::string value_text(const EdgeJoints& value);
 std::string value_text(const Boundary& value);
 std::string value_text(const std::vector<JointChange>& value);
+std::string value_text(const GroupNames& value);
+std::string value_text(const GridRecord& value);
+std::string value_text(const InitialStress& value);
+std::string value_text(const BlockReference& value);
+std::string value_text(const VertexSelection& value);
+std::string value_text(const EdgeSelection& value);
+std::string value_text(const Parameters& value);
 
 template <Choice T>
 std::string value_text(T value) {
@@ -66,6 +73,13 @@ std::string type_text(const BlockList&);
 std::string type_text(const EdgeJoints&);
 std::string type_text(const Boundary&);
 std::string type_text(const JointChange&);
+std::string type_text(const GroupNames&);
+std::string type_text(const GridRecord&);
+std::string type_text(const InitialStress&);
+std::string type_text(const BlockReference&);
+std::string type_text(const VertexSelection&);
+std::string type_text(const EdgeSelection&);
+std::string type_text(const Parameters&);
 std::string type_text(const std::vector<JointChange>&);
 
 /// The words, quoted: `"dynamic" | "static"`.

@@ -24,6 +24,7 @@ class DocumentWriter {
   void operator()(const Key& key, const std::optional<T>& value) {
     if (value) (*this)(key, *value);
   }
+  void operator()(const Key&, const Parameters&) {}
   void operator()(const Key&, const OfTheWholeRun&) {}
   void operator()(const Key&, const OfStages&) {}
   void operator()(const Key&, const NotInThisVersion&) {}

@@ -1,0 +1,18 @@
+#include <ddacontact/scene/initial_stress.hpp>
+
+#include <polyfem/geometry/area_moments.hpp>
+
+namespace ddacontact::scene_format {
+
+void put_initial_stress(Document& document) {
+  if (!document.initial_stress || !document.places.good("initial_stress")) return;
+  const InitialStress& given = *document.initial_stress;
+  for (BlockRecord& block : document.blocks) {
+    if (block.places.written("stress") || !block.places.good("vertices") || block.vertices.points.cols() < 3)
+      continue;
+    const double height = polyfem::area_moments(block.vertices.points).centroid.y();
+    block.stress = given.stress + given.gradient * (height - given.level);
+  }
+}
+
+}  // namespace ddacontact::scene_format
