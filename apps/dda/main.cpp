@@ -8,6 +8,7 @@
 #include "plot_options.hpp"
 #include "run.hpp"
 #include "safety.hpp"
+#include "sweep.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,14 +28,15 @@ struct Call {
   dda::CutArguments cut;
   dda::PlotArguments plot;
   dda::SafetyArguments safety;
+  dda::SweepArguments sweep;
   std::string info;
   std::vector<std::string> scenes_to_check, check_settings;
   int steps = 0;
 };
 
 constexpr const char* not_available = "is not available in this version";
-constexpr std::array<std::string_view, 7> known_verbs{"run",  "check", "make",  "cut",
-                                                      "plot", "info",  "safety"};
+constexpr std::array<std::string_view, 8> known_verbs{"run",  "check", "make",   "cut",
+                                                      "plot", "info",  "safety", "sweep"};
 
 bool is_known(std::string_view verb) {
   return std::find(known_verbs.begin(), known_verbs.end(), verb) != known_verbs.end();
@@ -46,6 +48,7 @@ int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("cut")) return dda::cut(call.cut);
   if (app.got_subcommand("plot")) return dda::plot(call.plot);
   if (app.got_subcommand("safety")) return dda::safety(call.safety);
+  if (app.got_subcommand("sweep")) return dda::sweep(call.sweep);
   if (app.got_subcommand("info")) return dda::info(call.info);
   if (call.steps > 0) call.run.steps = call.steps;
   return dda::run(call.run);
@@ -85,6 +88,7 @@ int parse_and_execute(int argc, char** argv) {
   dda::add_cut(app, call.cut);
   dda::declare_plot(app, call.plot);
   dda::add_safety(app, call.safety);
+  dda::add_sweep(app, call.sweep);
   CLI::App* info = app.add_subcommand("info", "Tell a result in words");
   info->add_option("DIR", call.info, "Result directory")->required();
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ddacontact {
 
@@ -40,6 +41,9 @@ class CsvFile {
   void append(long value);
   void append(int value) { append(static_cast<long>(value)); }
   void append(std::string_view text);
+  void append(const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) append(std::string_view(cell));
+  }
   void separate();
   void write_line();
 

@@ -16,6 +16,7 @@ class CsvTable {
   /// Throws Error, which names the file, when it cannot be read or a row has not as many cells as the header.
   explicit CsvTable(const std::filesystem::path& path);
 
+  const std::vector<std::string>& header() const { return header_; }
   std::size_t n_rows() const { return rows_.size(); }
   /// The cells of a column; both throw Error when there is no such column, `numbers` also when a cell is no
   /// number.

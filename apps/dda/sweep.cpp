@@ -1,0 +1,253 @@
+#include "sweep.hpp"
+
+#include "checkpoints.hpp"
+#include "exit_status.hpp"
+#include "messages.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <ddacontact/output/csv_file.hpp>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/study/sweep_cases.hpp>
+#include <ddacontact/study/sweep_results.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+namespace dda {
+
+namespace fs = std::filesystem;
+using namespace ddacontact;
+
+namespace {
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw OutputError(fmt::format("cannot write \"{}\"", path.string()));
+}
+
+/// For a shell.
+std::string in_quotes(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+class Sweep {
+ public:
+  explicit Sweep(const SweepArguments& arguments) : arguments_(arguments), directory_(arguments.directory) {
+    std::vector<Variation> variations;
+    for (const std::string& text : arguments.vary) variations.push_back(parse_variation(text));
+    cases_ = sweep_cases(variations, arguments.table);
+    for (const std::string& text : arguments.outcomes) outcomes_.push_back(parse_outcome(text));
+    if (arguments.only > n_cases())
+      throw Error(fmt::format("--case {}: there are {} cases", arguments.only, n_cases()));
+    scene_text_ = text_of(arguments.scene);
+    std::error_code error;
+    fs::create_directories(directory_, error);
+    if (error) throw OutputError(fmt::format("cannot make \"{}\": {}", directory_.string(), error.message()));
+  }
+
+  int n_cases() const { return static_cast<int>(cases_.rows.size()); }
+
+  /// The cases that are not finished, `jobs` at a time.
+  void run() {
+    std::vector<int> waiting;
+    for (int k = 1; k <= n_cases(); ++k)
+      if ((arguments_.only == 0 || arguments_.only == k) && !is_finished(k)) waiting.push_back(k);
+    if (!arguments_.quiet) fmt::print(stderr, "{} of {} cases to run\n", waiting.size(), n_cases());
+    const auto processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const std::size_t jobs = static_cast<std::size_t>(arguments_.jobs > 0 ? arguments_.jobs : processors);
+    std::map<pid_t, int> running;
+    auto next = waiting.begin();
+    while (next != waiting.end() || !running.empty()) {
+      for (; next != waiting.end() && running.size() < jobs; ++next) running[start(*next)] = *next;
+      int status = 0;
+      const pid_t ended = waitpid(-1, &status, 0);
+      const auto known = running.find(ended);
+      if (known == running.end()) continue;
+      if (!arguments_.quiet) tell(known->second);
+      running.erase(known);
+    }
+  }
+
+  /// Whether any case has a result.
+  bool write_table() const {
+    std::string header = "case";
+    for (const std::string& path : cases_.paths) header += ',' + path;
+    header += ",status,steps_completed,time,max_displacement,kinetic,wall_seconds";
+    for (const Outcome& outcome : outcomes_) header += ',' + outcome.name;
+    CsvFile csv((directory_ / "sweep.csv").string(), header + ",reason");
+    bool any = false;
+    for (int k = 1; k <= n_cases(); ++k) {
+      const CaseResult r = read_case(path_of(k), outcomes_, log_of(k));
+      any = any || r.status != "failed";
+      csv.row(k, cases_.rows[k - 1], r.status, r.steps_completed, r.time, r.max_displacement, r.kinetic,
+              r.wall_seconds, r.outcomes, r.reason);
+    }
+    csv.close();
+    return any;
+  }
+
+  /// The same call as a job array, a job a case.
+  void write_slurm() const {
+    std::string call = "dda sweep " + in_quotes(fs::absolute(arguments_.scene).string());
+    for (const std::string& vary : arguments_.vary) call += " --vary " + in_quotes(vary);
+    if (!arguments_.table.empty()) call += " --table " + in_quotes(fs::absolute(arguments_.table).string());
+    for (const std::string& setting : arguments_.settings) call += " --set " + in_quotes(setting);
+    call += " -o " + in_quotes(fs::absolute(directory_).string());
+    write(
+        directory_ / "sweep.sbatch",
+        fmt::format(
+            "#!/bin/sh\n#SBATCH --job-name=dda-sweep\n#SBATCH --array=1-{}\n#SBATCH --ntasks=1\n"
+            "#SBATCH --cpus-per-task=1\n# When all are done, the same call without --case writes sweep.csv.\n"
+            "exec {} --quiet --case \"$SLURM_ARRAY_TASK_ID\"\n",
+            n_cases(), call));
+  }
+
+ private:
+  fs::path path_of(int k) const { return directory_ / fmt::format("case-{}", k); }
+  fs::path log_of(int k) const { return directory_ / fmt::format("case-{}.log", k); }
+  fs::path key_file_of(int k) const { return directory_ / fmt::format("case-{}.txt", k); }
+
+  std::vector<std::string> settings_of(int k) const {
+    std::vector<std::string> settings = arguments_.settings;
+    for (const std::string& setting : cases_.settings(static_cast<std::size_t>(k - 1)))
+      settings.push_back(setting);
+    return settings;
+  }
+  /// What a result must have been made of to be that of the case.
+  std::string key_of(int k) const {
+    return fmt::format("{}\nscene {:016x}\n", fmt::join(settings_of(k), "\n"),
+                       std::hash<std::string>()(scene_text_));
+  }
+  bool is_of_this_case(int k) const { return text_of(key_file_of(k)) == key_of(k); }
+  bool is_finished(int k) const {
+    const std::string status = is_of_this_case(k) ? case_status(path_of(k)) : "";
+    return status == "completed" || status == "stopped";
+  }
+
+  pid_t start(int k) const {
+    std::error_code error;
+    std::vector<std::string> words{"dda", "run", arguments_.scene, "-o", path_of(k).string(), "--quiet"};
+    for (const std::string& setting : settings_of(k)) words.insert(words.end(), {"--set", setting});
+    const fs::path checkpoint = path_of(k) / checkpoint_file;
+    if (is_of_this_case(k) && case_status(path_of(k)) == "interrupted" && fs::exists(checkpoint, error)) {
+      words.insert(words.end(), {"--resume", checkpoint.string()});
+    } else {
+      fs::remove_all(path_of(k), error);
+      write(key_file_of(k), key_of(k));
+    }
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_of(k).c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                     0644);
+    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+    pid_t child = 0;
+    const int failure = posix_spawn(&child, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failure != 0) throw OutputError(fmt::format("cannot start a case: {}", std::strerror(failure)));
+    return child;
+  }
+
+  void tell(int k) const {
+    const CaseResult result = read_case(path_of(k), {}, log_of(k));
+    fmt::print(stderr, "case {}: {}{}{}\n", k, result.status, result.reason.empty() ? "" : ": ",
+               result.reason);
+  }
+
+  const SweepArguments& arguments_;
+  fs::path directory_;
+  SweepCases cases_;
+  std::vector<Outcome> outcomes_;
+  std::string scene_text_;
+};
+
+/// "X,Y" as two columns.
+std::pair<std::string, std::string> columns_of(const std::string& curve) {
+  const std::size_t comma = curve.find(',');
+  if (comma == 0 || comma == std::string::npos || comma + 1 == curve.size())
+    throw Error(fmt::format("--curve \"{}\" names no two columns (write X,Y)", curve));
+  return {curve.substr(0, comma), curve.substr(comma + 1)};
+}
+
+int sweep_all(const SweepArguments& arguments) {
+  std::optional<std::pair<std::string, std::string>> curve;
+  if (!arguments.curve.empty()) curve = columns_of(arguments.curve);
+  Sweep sweep(arguments);
+  if (arguments.slurm) {
+    sweep.write_slurm();
+    if (!arguments.quiet)
+      fmt::print("{} cases: sbatch {}/sweep.sbatch\n", sweep.n_cases(), arguments.directory);
+    return done;
+  }
+  sweep.run();
+  if (arguments.only > 0) return done;
+  const bool any = sweep.write_table();
+  if (!any) {
+    print_error(fmt::format("no case could be run: see {}/sweep.csv", arguments.directory));
+    return wrong_input;
+  }
+  const fs::path directory(arguments.directory);
+  if (curve) write(directory / "sweep.svg", curve_of(directory / "sweep.csv", curve->first, curve->second));
+  if (!arguments.quiet) fmt::print("{} cases in {}/sweep.csv\n", sweep.n_cases(), arguments.directory);
+  return done;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, SweepArguments& arguments) {
+  CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with all combinations of settings");
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* text) {
+    sweep->add_option(name, values, text)->take_all()->expected(1);
+  };
+  sweep->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
+  sweep->add_option("-o,--output", arguments.directory, "Directory of sweep.csv and of the cases")
+      ->required();
+  list("--vary", arguments.vary, "PATH=a,b,c or PATH=from:to:count or PATH=1..100; may be repeated");
+  sweep->add_option("--table", arguments.table, "CSV file whose header names paths and whose rows are cases")
+      ->check(CLI::ExistingFile);
+  list("--outcome", arguments.outcomes,
+       "NAME=PATH into summary.json, or NAME=monitor.NAME.COLUMN at the end");
+  list("--set", arguments.settings, "PATH=VALUE: replace a value of the scene in all cases");
+  sweep->add_option("--curve", arguments.curve, "X,Y: two columns of sweep.csv, drawn as sweep.svg");
+  sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors")
+      ->check(CLI::Range(1, 1024));
+  sweep->add_option("--case", arguments.only, "Run this one only, from 1")->check(CLI::Range(1, 1'000'000));
+  sweep->add_flag("--slurm", arguments.slurm, "Write sweep.sbatch, a job array of the cases; run nothing");
+  sweep->add_flag("--quiet", arguments.quiet, "Print problems only");
+}
+
+int sweep(const SweepArguments& arguments) {
+  try {
+    return sweep_all(arguments);
+  } catch (const OutputError& error) {
+    print_error(error.what());
+    return file_error;
+  } catch (const Error& error) {
+    print_error(error.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace dda

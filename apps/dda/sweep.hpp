@@ -1,0 +1,27 @@
+/// \file `dda sweep`: runs a scene with many settings, some at a time.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace dda {
+
+/// What the options of `dda sweep` say.
+struct SweepArguments {
+  std::string scene, directory, table;
+  std::vector<std::string> vary, outcomes, settings;
+  std::string curve;  ///< "X,Y": two columns of sweep.csv; empty: none
+  int jobs = 0;       ///< processes at a time; 0: as many as processors
+  int only = 0;       ///< the one case to run; 0: all
+  bool slurm = false, quiet = false;
+};
+
+/// Adds the verb with its options.
+void add_sweep(CLI::App& app, SweepArguments& arguments);
+
+/// Returns the exit status.
+int sweep(const SweepArguments& arguments);
+
+}  // namespace dda

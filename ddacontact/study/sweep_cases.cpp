@@ -1,0 +1,123 @@
+#include <ddacontact/study/sweep_cases.hpp>
+
+#include <ddacontact/core/types.hpp>
+#include <ddacontact/output/csv_table.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace ddacontact {
+
+namespace {
+
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number number{};
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts{""};
+  int depth = 0;
+  bool in_quotes = false;
+  for (const char c : text) {
+    if (c == '"') in_quotes = !in_quotes;
+    if (!in_quotes && (c == '[' || c == '{')) ++depth;
+    if (!in_quotes && (c == ']' || c == '}')) --depth;
+    if (c == separator && depth == 0 && !in_quotes)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+[[noreturn]] void refuse(std::string_view text, const std::string& what) {
+  throw Error("'" + std::string(text) + "' " + what +
+              " (write PATH=a,b,c or PATH=from:to:count or PATH=1..100)");
+}
+
+/// "1..100"; nothing when it is not of that form.
+std::vector<std::string> whole_numbers(std::string_view text, std::string_view of) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) return {};
+  const auto first = number_of<long>(text.substr(0, dots)), last = number_of<long>(text.substr(dots + 2));
+  if (!first || !last) return {};
+  if (*last < *first || *last - *first >= static_cast<long>(most_cases))
+    refuse(of, "is no range of whole numbers");
+  std::vector<std::string> values;
+  for (long k = *first; k <= *last; ++k) values.push_back(std::to_string(k));
+  return values;
+}
+
+/// "from:to:count"; nothing when it is not of that form.
+std::vector<std::string> even_numbers(std::string_view text, std::string_view of) {
+  const std::vector<std::string> parts = split(text, ':');
+  if (parts.size() != 3) return {};
+  const auto from = number_of<double>(parts[0]), to = number_of<double>(parts[1]);
+  const auto count = number_of<long>(parts[2]);
+  if (!from || !to || !count) return {};
+  if (*count < 2 || *count > static_cast<long>(most_cases) || !std::isfinite(*from) || !std::isfinite(*to))
+    refuse(of, "is no range of at least two numbers");
+  std::vector<std::string> values;
+  for (long k = 0; k < *count; ++k) {
+    const double t = static_cast<double>(k) / static_cast<double>(*count - 1);
+    values.push_back(scene_format::short_number((1 - t) * *from + t * *to));
+  }
+  return values;
+}
+
+}  // namespace
+
+Variation parse_variation(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string_view::npos) refuse(text, "varies nothing");
+  const std::string_view values = text.substr(equals + 1);
+  Variation variation{std::string(text.substr(0, equals)), whole_numbers(values, text)};
+  if (variation.values.empty()) variation.values = even_numbers(values, text);
+  if (variation.values.empty()) variation.values = split(values, ',');
+  if (std::ranges::count(variation.values, "") > 0) refuse(text, "has an empty value");
+  return variation;
+}
+
+std::vector<std::string> SweepCases::settings(std::size_t row) const {
+  std::vector<std::string> settings;
+  for (std::size_t k = 0; k < paths.size(); ++k) settings.push_back(paths[k] + '=' + rows[row][k]);
+  return settings;
+}
+
+SweepCases sweep_cases(const std::vector<Variation>& variations, const std::filesystem::path& table) {
+  SweepCases cases{{}, {{}}};
+  if (!table.empty()) {
+    const CsvTable rows(table);
+    cases.paths = rows.header();
+    cases.rows.resize(rows.n_rows());
+    for (const std::string& path : cases.paths) {
+      const std::vector<std::string> values = rows.texts(path);
+      for (std::size_t k = 0; k < values.size(); ++k) cases.rows[k].push_back(values[k]);
+    }
+  }
+  for (const Variation& variation : variations) {
+    if (std::ranges::count(cases.paths, variation.path) > 0)
+      throw Error("'" + variation.path + "' is varied twice (give all its values at once)");
+    if (cases.rows.size() * variation.values.size() > most_cases)
+      throw Error("the sweep has more than " + std::to_string(most_cases) + " cases (vary less)");
+    cases.paths.push_back(variation.path);
+    std::vector<std::vector<std::string>> rows;
+    for (const std::vector<std::string>& row : cases.rows)
+      for (const std::string& value : variation.values) {
+        rows.push_back(row);
+        rows.back().push_back(value);
+      }
+    cases.rows = std::move(rows);
+  }
+  if (cases.paths.empty()) throw Error("nothing varies (give --vary PATH=VALUES or --table CASES.csv)");
+  return cases;
+}
+
+}  // namespace ddacontact

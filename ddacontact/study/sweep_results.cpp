@@ -1,0 +1,115 @@
+#include <ddacontact/study/sweep_results.hpp>
+
+#include <ddacontact/core/types.hpp>
+#include <ddacontact/output/csv_table.hpp>
+#include <ddacontact/output/summary_reader.hpp>
+#include <ddacontact/picture/chart.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+#include <optional>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr std::string_view of_monitor = "monitor.";
+
+std::optional<double> number_of(const std::string& text) {
+  double number = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// The last row of a monitor; empty when it or the column is not there.
+std::string at_monitor(const std::filesystem::path& directory, const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  const std::string monitor = path.substr(of_monitor.size(), dot - std::min(dot, of_monitor.size())),
+                    column = path.substr(dot + 1);
+  const CsvTable table(directory / "monitors.csv");
+  if (std::ranges::count(table.header(), column) == 0) return "";
+  const std::vector<std::string> names = table.texts("monitor"), values = table.texts(column);
+  for (std::size_t row = names.size(); row-- > 0;)
+    if (names[row] == monitor) return values[row];
+  return "";
+}
+
+std::string value_of(const Outcome& outcome, const SummaryTable& summary,
+                     const std::filesystem::path& directory) {
+  if (outcome.path.starts_with(of_monitor)) return at_monitor(directory, outcome.path);
+  if (const std::optional<double> number = summary.number(outcome.path))
+    return scene_format::short_number(*number);
+  return summary.text(outcome.path);
+}
+
+double largest_displacement(const std::filesystem::path& directory) {
+  const CsvTable vertices(directory / "vertices.csv");
+  const std::vector<double> ux = vertices.numbers("ux"), uy = vertices.numbers("uy");
+  double largest = 0;
+  for (std::size_t k = 0; k < ux.size(); ++k) largest = std::max(largest, std::hypot(ux[k], uy[k]));
+  return largest;
+}
+
+}  // namespace
+
+Outcome parse_outcome(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+    throw Error("'" + text + "' is no outcome (write NAME=PATH)");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::string case_status(const std::filesystem::path& directory) {
+  std::error_code error;
+  if (!std::filesystem::exists(directory / "summary.json", error)) return "";
+  return read_summary(directory / "summary.json").text("status");
+}
+
+CaseResult read_case(const std::filesystem::path& directory, const std::vector<Outcome>& outcomes,
+                     const std::filesystem::path& log) {
+  CaseResult result;
+  result.status = case_status(directory);
+  if (result.status.empty()) {
+    result.status = "failed";
+    std::ifstream in(log);
+    std::getline(in, result.reason);
+    result.outcomes.resize(outcomes.size());
+    return result;
+  }
+  const SummaryTable summary = read_summary(directory / "summary.json");
+  const auto number = [&](const char* key) { return summary.number(key).value_or(0); };
+  result.reason = summary.text("reason");
+  result.steps_completed = number("steps_completed");
+  result.time = number("time");
+  result.max_displacement = largest_displacement(directory);
+  result.kinetic = number("energy.kinetic");
+  result.wall_seconds = number("wall_seconds.total");
+  for (const Outcome& outcome : outcomes) result.outcomes.push_back(value_of(outcome, summary, directory));
+  return result;
+}
+
+std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y) {
+  const CsvTable rows(table);
+  const std::vector<std::string> xs = rows.texts(x), ys = rows.texts(y);
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t k = 0; k < xs.size(); ++k)
+    if (const auto at = number_of(xs[k]), value = number_of(ys[k]); at && value)
+      points.emplace_back(*at, *value);
+  if (points.empty()) throw Error("no case has numbers in both columns \"" + x + "\" and \"" + y + "\"");
+  std::ranges::sort(points);
+  Series curve{.name = y, .x = {}, .y = {}, .dots = true};
+  for (const auto& [at, value] : points) {
+    curve.x.push_back(at);
+    curve.y.push_back(value);
+  }
+  const Chart chart{
+      .x_symbol = {x, "", ""}, .y_symbol = {y, "", ""}, .x_unit = "", .y_unit = "", .series = {curve}};
+  return draw({chart}, {});
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,37 @@
+/// \file What the cases of a sweep came to.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// A number of a result: a dotted path into summary.json, or "monitor.NAME.COLUMN" at the end.
+struct Outcome {
+  std::string name, path;
+};
+
+/// NAME=PATH. Throws Error for anything else.
+Outcome parse_outcome(const std::string& text);
+
+/// A row of sweep.csv.
+struct CaseResult {
+  std::string status;  ///< as in summary.json; "failed" without one
+  std::string reason;
+  double steps_completed = 0, time = 0, max_displacement = 0, kinetic = 0, wall_seconds = 0;
+  std::vector<std::string> outcomes;  ///< as text; empty where the result has no such number
+};
+
+/// The result in a directory; without a summary, `log` is the file whose first line is the reason.
+CaseResult read_case(const std::filesystem::path& directory, const std::vector<Outcome>& outcomes,
+                     const std::filesystem::path& log);
+
+/// Of the summary in a directory; empty without one.
+std::string case_status(const std::filesystem::path& directory);
+
+/// Two columns of a table as a curve, SVG; rows without both numbers are left out. Throws Error when a
+/// column is not there or no row has both.
+std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y);
+
+}  // namespace ddacontact

@@ -1,0 +1,83 @@
+// `dda sweep`: its table, cases that fail, finished cases, job arrays.
+
+#include "program.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace support;
+
+const std::string slope = "'" POLYDDA_EXAMPLES "/paper/sliding_30.toml'";
+
+TEST_F(Program, SweepWritesARowPerCase) {
+  ASSERT_EQ(dda("sweep " + slope +
+                " --vary joint.0.friction_angle=0:30:3 --outcome vx=monitor.slider.vx --outcome "
+                "steps=steps_completed --curve joint.0.friction_angle,vx --jobs 2 -o result"),
+            0)
+      << err_;
+  const auto rows = read_csv(directory_ / "result/sweep.csv");
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"case", "joint.0.friction_angle", "status", "steps_completed",
+                                               "time", "max_displacement", "kinetic", "wall_seconds", "vx",
+                                               "steps", "reason"}));
+  for (std::size_t k = 1; k < 4; ++k) {
+    const double phi = 15.0 * static_cast<double>(k - 1), root = std::sqrt(0.5);
+    const double speed = 9.8 * 0.7 * root * (1 - std::tan(phi * std::numbers::pi / 180));
+    EXPECT_EQ(rows[k][0], std::to_string(k));
+    EXPECT_EQ(rows[k][2], "completed");
+    EXPECT_NEAR(std::stod(rows[k][8]), speed * root, 1e-3);
+    EXPECT_EQ(rows[k][9], "35");
+  }
+  EXPECT_NE(read_file(directory_ / "result/sweep.svg").find("</svg>"), std::string::npos);
+}
+
+TEST_F(Program, SweepGoesOnWhenACaseFailsAndSaysWhy) {
+  ASSERT_EQ(
+      dda("sweep " + slope + " --vary joint.0.friction_angle=95,20 --set analysis.steps=2 -o result --quiet"),
+      0)
+      << err_;
+  const auto rows = read_csv(directory_ / "result/sweep.csv");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1][2], "failed");
+  EXPECT_NE(read_file(directory_ / "result/sweep.csv").find("out of range"), std::string::npos);
+  EXPECT_EQ(rows[2][2], "completed");
+}
+
+TEST_F(Program, SweepRunsFinishedCasesNotAgain) {
+  const std::string call =
+      "sweep " + slope + " --set analysis.steps=2 -o result --vary joint.0.friction_angle=";
+  ASSERT_EQ(dda(call + "10,20"), 0) << err_;
+  const auto first = fs::last_write_time(directory_ / "result/case-1/summary.json");
+  ASSERT_EQ(dda(call + "10,25"), 0) << err_;
+  EXPECT_NE(err_.find("1 of 2 cases to run"), std::string::npos) << err_;
+  EXPECT_EQ(fs::last_write_time(directory_ / "result/case-1/summary.json"), first);
+  EXPECT_EQ(read_csv(directory_ / "result/sweep.csv")[2][1], "25");
+}
+
+TEST_F(Program, SweepWritesAJobArrayThatRunsItsCases) {
+  write("cases.csv", "joint.0.friction_angle,analysis.steps\n10,2\n20,3\n");
+  const std::string call = "sweep " + slope + " --table cases.csv -o result";
+  ASSERT_EQ(dda(call + " --slurm"), 0) << err_;
+  const std::string script = read_file(directory_ / "result/sweep.sbatch");
+  EXPECT_NE(script.find("--array=1-2\n"), std::string::npos) << script;
+  EXPECT_FALSE(fs::exists(directory_ / "result/case-1"));
+  ASSERT_EQ(dda(call + " --case 2 --quiet"), 0) << err_;
+  EXPECT_FALSE(fs::exists(directory_ / "result/case-1"));
+  EXPECT_EQ(summary("result/case-2")["steps_completed"], 3);
+}
+
+TEST_F(Program, SweepRefusesWrongCalls) {
+  for (const auto& [arguments, word] :
+       {std::pair{"", "nothing varies"}, std::pair{"--vary a", "PATH=a,b,c"},
+        std::pair{"--vary a=1,2 --vary a=3", "twice"},
+        std::pair{"--vary a=1,2 --case 3", "there are 2 cases"},
+        std::pair{"--vary a=1 --outcome b", "NAME=PATH"}, std::pair{"--vary a=1 --curve b", "X,Y"},
+        std::pair{"--vary no.such=1 --quiet", "no case could be run"}}) {
+    EXPECT_EQ(dda("sweep " + slope + " -o result " + arguments), 2) << arguments;
+    EXPECT_NE(err_.find(word), std::string::npos) << err_;
+  }
+}
+
+}  // namespace

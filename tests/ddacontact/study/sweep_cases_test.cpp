@@ -1,0 +1,47 @@
+#include <ddacontact/study/sweep_cases.hpp>
+
+#include <ddacontact/core/types.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace ddacontact;
+using Values = std::vector<std::string>;
+
+TEST(Variation, ReadsListsRangesAndWholeNumbers) {
+  EXPECT_EQ(parse_variation("a.b=1,2.5,x").values, (Values{"1", "2.5", "x"}));
+  EXPECT_EQ(parse_variation("a.b=1,2.5,x").path, "a.b");
+  EXPECT_EQ(parse_variation("a=0:1:5").values, (Values{"0", "0.25", "0.5", "0.75", "1"}));
+  EXPECT_EQ(parse_variation("a=30:20:3").values, (Values{"30", "25", "20"}));
+  EXPECT_EQ(parse_variation("seed=3..6").values, (Values{"3", "4", "5", "6"}));
+  EXPECT_EQ(parse_variation("a=7").values, Values{"7"});
+  EXPECT_EQ(parse_variation("gravity=[0, -9.8],[1, -9.8]").values, (Values{"[0, -9.8]", "[1, -9.8]"}));
+}
+
+TEST(Variation, BothEndsOfARangeAreExact) {
+  const Values values = parse_variation("a=0.1:0.7:7").values;
+  EXPECT_EQ(values.front(), "0.1");
+  EXPECT_EQ(values.back(), "0.7");
+}
+
+TEST(Variation, RefusesWhatVariesNothing) {
+  for (const char* text : {"", "a", "=1", "a=", "a=1,,2", "a=6..3", "a=0:1:1", "a=0:1:0"})
+    EXPECT_THROW(parse_variation(text), Error) << text;
+}
+
+TEST(SweepCases, AreAllCombinationsTheLastChangingFastest) {
+  const SweepCases cases = sweep_cases({parse_variation("a=1,2"), parse_variation("b=x,y,z")}, {});
+  ASSERT_EQ(cases.rows.size(), 6u);
+  EXPECT_EQ(cases.settings(0), (Values{"a=1", "b=x"}));
+  EXPECT_EQ(cases.settings(1), (Values{"a=1", "b=y"}));
+  EXPECT_EQ(cases.settings(5), (Values{"a=2", "b=z"}));
+}
+
+TEST(SweepCases, AreRefusedWhenTheyAreNoneManyOrDouble) {
+  EXPECT_THROW(sweep_cases({}, {}), Error);
+  EXPECT_THROW(sweep_cases({parse_variation("a=1,2"), parse_variation("a=3")}, {}), Error);
+  EXPECT_THROW(sweep_cases({parse_variation("a=1..2000"), parse_variation("b=1..2000")}, {}), Error);
+}
+
+}  // namespace
