@@ -11,6 +11,7 @@
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/picture/picture.hpp>
 #include <ddacontact/scene/spelling.hpp>
+#include <ddacontact/study/scene_picture.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -154,6 +155,12 @@ void check_call(const PlotArguments& arguments) {
     throw CallError("--monitor chooses among the curves of --history; give that too");
 }
 
+bool are_of_scenes(const PlotArguments& a) {
+  return a.fields.empty() && a.frames.empty() && !a.reference && !a.forces && !a.crosses && !a.own_range &&
+         a.vectors.empty() && a.range.empty() && a.window.empty() && a.history.empty() &&
+         a.monitors.empty() && !a.energy;
+}
+
 void write_picture(const std::string& path, const std::string& svg) {
   errno = 0;
   std::ofstream out(path, std::ios::binary);
@@ -163,13 +170,41 @@ void write_picture(const std::string& path, const std::string& svg) {
     throw OutputError(fmt::format("cannot write \"{}\": {}", path, std::strerror(errno != 0 ? errno : EIO)));
 }
 
+/// A scene has no results: options of these are refused.
+int plot_scene(const PlotArguments& arguments) {
+  try {
+    PlotArguments blocks = arguments;
+    blocks.names = false;
+    check_call(blocks);
+    if (!are_of_scenes(arguments))
+      throw CallError(
+          "a scene is drawn with --names, --numbers, --width and --set alone: the others are of results");
+    const SceneReading reading = read_scene(arguments.directories[0], arguments.settings);
+    if (const int status = report(reading); !reading.scene) return status;
+    ScenePictureOptions options{.names = arguments.names, .numbers = arguments.numbers};
+    if (arguments.width > 0) options.width = arguments.width;
+    write_picture(arguments.output, draw(*reading.scene, options));
+    return done;
+  } catch (const CallError& error) {
+    print_error(error.what());
+    return wrong_input;
+  } catch (const Error& error) {
+    print_error(error.what());
+    return file_error;
+  }
+}
+
 }  // namespace
 
 int plot(const PlotArguments& call) {
+  if (call.directories.size() == 1 && fs::path(call.directories[0]).extension() == ".toml")
+    return plot_scene(call);
   PlotArguments arguments = call;
   for (std::vector<std::string>* list : {&arguments.fields, &arguments.frames, &arguments.history})
     *list = single_words(*list);
   try {
+    if (arguments.numbers || !arguments.settings.empty())
+      throw CallError("--numbers and --set belong to the picture of a scene (.toml)");
     check_call(arguments);
     const bool curves = arguments.energy || !arguments.history.empty();
     write_picture(arguments.output, curves ? curves_picture(arguments) : blocks_picture(arguments));

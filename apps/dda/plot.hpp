@@ -1,4 +1,4 @@
-/// \file `dda plot`: a picture of results.
+/// \file `dda plot`: a picture of results, or of a scene before it is run.
 #pragma once
 
 #include <string>
@@ -11,6 +11,8 @@ struct PlotArguments {
   std::vector<std::string> fields, frames;  ///< empty: the usual one
   std::string output;
   bool reference = false, forces = false, crosses = false, names = false, own_range = false;
+  bool numbers = false;               ///< of vertices and edges, in a scene
+  std::vector<std::string> settings;  ///< PATH=VALUE of a scene
   std::string vectors;                ///< "displacement", "velocity" or empty
   std::string range;                  ///< "MIN,MAX" or empty
   std::string window;                 ///< "XMIN,XMAX,YMIN,YMAX" or empty

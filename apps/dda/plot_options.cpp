@@ -5,7 +5,9 @@ namespace dda {
 namespace {
 
 void declare_what(CLI::App& plot, PlotArguments& call) {
-  plot.add_option("DIR", call.directories, "Result directories; several are drawn beside each other")
+  plot.add_option(
+          "DIR", call.directories,
+          "Result directories, drawn beside each other; or one scene (TOML), drawn as it is before it is run")
       ->required();
   plot.add_option("-o,--output", call.output, "The picture to write, FILE.svg")->required();
   plot.add_option("--width", call.width, "Pixels; a picture may come out narrower")
@@ -33,6 +35,8 @@ void declare_blocks(CLI::App& plot, PlotArguments& call) {
       ->group(blocks);
   flag("--crosses", call.crosses, "Mean principal stresses of each block, as lines along their directions");
   flag("--names", call.names, "Names of the blocks");
+  flag("--numbers", call.numbers, "Of a scene: numbers of vertices and edges");
+  list("--set", call.settings, "Of a scene: PATH=VALUE: replace a value");
   plot.add_option("--range", call.range, "MIN,MAX of the colours, with units or in SI")->group(blocks);
   flag("--own-range", call.own_range,
        "Colours of each picture cover its own values, not those of all pictures");

@@ -25,7 +25,7 @@ struct FactorBracket {
 };
 
 /// Without a range the search begins at 1 and goes by factors of 1.5, between these two.
-inline constexpr FactorRange widest_range{1e-2, 1e2};
+inline constexpr FactorRange widest_range{0.1, 100};
 
 /// Brackets the factor, then halves the bracket until it is narrower than `tolerance` times its low end.
 /// \param[in] range  its ends are tried first; where one of them has the other's verdict the search ends

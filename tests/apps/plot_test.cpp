@@ -134,4 +134,15 @@ TEST_F(Results, AreToldAsFarAsTheyAreThere) {
   EXPECT_NE(out_.find("12 stick"), std::string::npos) << out_;
 }
 
+TEST_F(Program, PlotDrawsASceneBeforeItIsRun) {
+  const std::string scene = "'" POLYDDA_EXAMPLES "/paper/sliding_30.toml'";
+  ASSERT_EQ(dda("plot " + scene + " --names --numbers -o scene.svg"), 0) << err_;
+  const std::string picture = read_file(directory_ / "scene.svg");
+  for (const char* word : {">ramp<", ">slider<", ">e2<", "joint interface", ">held<", ">monitor<"})
+    EXPECT_NE(picture.find(word), std::string::npos) << word;
+  EXPECT_EQ(dda("plot " + scene + " --field s1 -o scene2.svg"), 2);
+  EXPECT_EQ(dda("plot " + scene + " --set block.slider.fixed=7 -o scene2.svg"), 2);
+  EXPECT_FALSE(fs::exists(directory_ / "scene2.svg"));
+}
+
 }  // namespace

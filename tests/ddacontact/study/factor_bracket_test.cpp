@@ -24,7 +24,7 @@ struct Slope {
 };
 
 TEST(FactorBracket, HoldsTheFactorWithinTheTolerance) {
-  for (const double factor : {0.013, 0.4, 1.0, 1.001, 3.7, 99.0}) {
+  for (const double factor : {0.13, 0.4, 1.0, 1.001, 3.7, 99.0}) {
     Slope slope{factor, {}};
     const FactorBracket bracket = slope.search(std::nullopt);
     EXPECT_LE(bracket.low, factor);

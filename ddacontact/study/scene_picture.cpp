@@ -1,0 +1,259 @@
+#include <ddacontact/study/scene_picture.hpp>
+
+#include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/picture/legend.hpp>
+#include <ddacontact/picture/svg.hpp>
+#include <ddacontact/picture/view.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// Edges lie on each other within this part of the smaller block's size, as contacts at the start do.
+constexpr double touching = 1e-6;
+constexpr double margin = 0.08;           // of the larger side of the scene
+constexpr double symbol = 9, arrow = 34;  // px
+constexpr double caption_height = 34, border = 12;
+constexpr double smallest_text = 5, number_size = 8, name_size = 12;
+
+const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110};
+
+double size_of(const Points& polygon) {
+  return std::sqrt(std::abs(polyfem::signed_area(polygon)));
+}
+
+/// As the rule of the scene's joints has it: by materials, else the first without any.
+int joint_between(const Scene& scene, int a, int b) {
+  const int p = scene.blocks[a].material, q = scene.blocks[b].material;
+  int general = 0;
+  for (int j = static_cast<int>(scene.joints.size()) - 1; j >= 0; --j)
+    if (!scene.joints[j].between) general = j;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const auto& between = scene.joints[j].between;
+    if (between && ((*between == std::array{p, q}) || (*between == std::array{q, p})))
+      return static_cast<int>(j);
+  }
+  return general;
+}
+
+void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces) {
+  const Points &p = scene.blocks[a].vertices, &q = scene.blocks[b].vertices;
+  const double near = touching * std::min(size_of(p), size_of(q));
+  for (Index i = 0; i < p.cols(); ++i) {
+    const Vec2 start = p.col(i), along = p.col((i + 1) % p.cols()) - start;
+    const double length = along.norm();
+    const Vec2 t = along / length, n(-t.y(), t.x());
+    for (Index k = 0; k < q.cols(); ++k) {
+      const Vec2 u = q.col(k) - start, v = q.col((k + 1) % q.cols()) - start;
+      if (std::abs(n.dot(u)) > near || std::abs(n.dot(v)) > near) continue;
+      const double from = std::max(0.0, std::min(t.dot(u), t.dot(v)));
+      const double to = std::min(length, std::max(t.dot(u), t.dot(v)));
+      if (to - from > near)
+        faces.push_back({a, b, joint_between(scene, a, b), start + from * t, start + to * t});
+    }
+  }
+}
+
+class ScenePicture {
+ public:
+  ScenePicture(const Scene& scene, const ScenePictureOptions& options) : scene_(scene), options_(options) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    Window box{Vec2::Constant(infinity), Vec2::Constant(-infinity)};
+    for (const BlockDescription& block : scene.blocks) {
+      box.low = box.low.cwiseMin(block.vertices.rowwise().minCoeff());
+      box.high = box.high.cwiseMax(block.vertices.rowwise().maxCoeff());
+    }
+    view_.box = padded(box, margin);
+    view_.corner = Vec2(border, scene.title.empty() ? border : caption_height);
+    view_.scale = (options.width - 2 * border) / view_.box.width();
+  }
+
+  std::string draw() {
+    if (!scene_.title.empty()) page_.text({border, 22}, scene_.title, {.size = 14, .bold = true});
+    draw_blocks();
+    draw_joints();
+    for (const Support& support : scene_.supports) draw_support(support);
+    for (std::size_t b = 0; b < scene_.blocks.size(); ++b) draw_fixed(static_cast<int>(b));
+    for (const Load& load : scene_.loads) draw_load(load);
+    if (options_.numbers)
+      for (const BlockDescription& block : scene_.blocks) draw_numbers(block);
+    if (options_.names)
+      for (std::size_t b = 0; b < scene_.blocks.size(); ++b) draw_name(static_cast<int>(b));
+    for (const Monitor& monitor : scene_.monitors) draw_monitor(monitor);
+    const double bottom = view_.corner.y() + view_.size().y(), width = options_.width - 2 * border;
+    const std::vector<LegendItem> items = legend();
+    draw_legend(page_, {border, bottom}, items, width);
+    return page_.finish(options_.width, bottom + legend_line_height * legend_lines(items, width) + border);
+  }
+
+ private:
+  Vec2 centroid(int b) const { return polyfem::area_moments(scene_.blocks[b].vertices).centroid; }
+
+  PathData outline(const Points& polygon) const {
+    std::vector<Vec2> corners;
+    for (Index k = 0; k < polygon.cols(); ++k) corners.push_back(view_(polygon.col(k)));
+    PathData path;
+    path.polygon(corners);
+    return path;
+  }
+
+  void draw_blocks() {
+    for (const BlockDescription& block : scene_.blocks)
+      page_.path(outline(block.vertices),
+                 "fill=\"" + hex(kind_colour(block.material)) + "\" stroke=\"#444\" stroke-width=\".7\"");
+  }
+
+  void draw_joints() {
+    for (const SharedFace& face : shared_faces(scene_)) {
+      page_.line(view_(face.from), view_(face.to),
+                 "stroke=\"" + hex(line_colour(face.joint)) + "\" stroke-width=\"2\"");
+      if (std::ranges::count(joints_shown_, face.joint) == 0) joints_shown_.push_back(face.joint);
+    }
+    std::ranges::sort(joints_shown_);
+  }
+
+  void shape(const std::vector<Vec2>& corners, const Colour& colour) {
+    PathData path;
+    path.polygon(corners);
+    page_.path(path, "fill=\"" + hex(colour) + "\"");
+  }
+
+  /// With its tip at the vertex: below it where y is held, beside it where x alone is.
+  void held(const Vec2& vertex, bool y, bool moves) {
+    const Vec2 at = view_(vertex), away = y ? Vec2(0, symbol) : Vec2(-symbol, 0);
+    const Vec2 across = Vec2(away.y(), away.x()) / 2;
+    shape({at, at + away + across, at + away - across}, moves ? red : green);
+  }
+
+  void draw_support(const Support& support) {
+    const TimeFunction& motion = support.displacement;
+    const bool moves = !motion.value.isZero(0) || motion.kind == TimeFunction::Kind::history;
+    for (const int k : support.vertices)
+      held(scene_.blocks[support.block].vertices.col(k), support.hold_y, moves);
+    (moves ? any_moving_ : any_held_) |= !support.vertices.empty();
+  }
+
+  void draw_fixed(int b) {
+    const BlockDescription& block = scene_.blocks[b];
+    for (Index k = 0; k < block.vertices.cols(); ++k)
+      if (block.fixed || std::ranges::count(block.fixed_vertices, k) > 0) {
+        held(block.vertices.col(k), true, false);
+        any_held_ = true;
+      }
+  }
+
+  /// Ends at the point.
+  void arrow_to(const Vec2& point, const Vec2& direction) {
+    const Vec2 tip = view_(point), t = Vec2(direction.x(), -direction.y()).normalized(), n(-t.y(), t.x());
+    page_.line(tip - arrow * t, tip - symbol * t, "stroke=\"" + hex(red) + "\" stroke-width=\"2\"");
+    shape({tip, tip - symbol * t + symbol / 2.5 * n, tip - symbol * t - symbol / 2.5 * n}, red);
+    any_load_ = true;
+  }
+
+  /// The largest of its directions in time.
+  static Vec2 direction_of(const TimeFunction& force) {
+    Vec2 largest = force.value;
+    for (const Vec3& entry : force.history)
+      if (entry.tail<2>().norm() > largest.norm()) largest = entry.tail<2>();
+    return largest;
+  }
+
+  void draw_load(const Load& load) {
+    const Points& polygon = scene_.blocks[load.block].vertices;
+    if (load.kind == Load::Kind::pressure) {
+      const Vec2 start = polygon.col(load.edge), end = polygon.col((load.edge + 1) % polygon.cols());
+      const double side = polyfem::signed_area(polygon) > 0 ? 1 : -1;
+      const Vec2 inwards = side * Vec2(start.y() - end.y(), end.x() - start.x());
+      for (const double part : {1.0 / 6, 0.5, 5.0 / 6})
+        arrow_to((1 - part) * start + part * end, load.pressure < 0 ? Vec2(-inwards) : inwards);
+      return;
+    }
+    const Vec2 direction = direction_of(load.force);
+    if (!direction.isZero(0))
+      arrow_to(load.kind == Load::Kind::point ? load.at : centroid(load.block), direction);
+  }
+
+  /// Beside the vertices and the middles of edges, inwards.
+  void draw_numbers(const BlockDescription& block) {
+    const Points& polygon = block.vertices;
+    const Vec2 middle = view_(polyfem::area_moments(polygon).centroid);
+    const auto number = [&](const Vec2& at, const std::string& text, const Colour& colour) {
+      const Vec2 towards = middle - at;
+      const Vec2 shift = std::min(0.35, number_size / std::max(towards.norm(), 1e-9)) * towards;
+      page_.text(at + shift + Vec2(0, 0.35 * number_size), text,
+                 {.size = number_size, .anchor = Anchor::middle, .colour = colour, .halo = true});
+    };
+    for (Index k = 0; k < polygon.cols(); ++k) {
+      const Vec2 start = polygon.col(k), end = polygon.col((k + 1) % polygon.cols());
+      number(view_(start), std::to_string(k), {34, 34, 34});
+      number(view_((start + end) / 2), "e" + std::to_string(k), grey);
+    }
+  }
+
+  void draw_name(int b) {
+    const std::string name = scene_.block_name(b);
+    const Points& polygon = scene_.blocks[b].vertices;
+    const Vec2 extent = view_.scale * (polygon.rowwise().maxCoeff() - polygon.rowwise().minCoeff());
+    const double size = std::min({name_size, 0.8 * extent.x() / text_width(name, 1), 0.6 * extent.y()});
+    if (size < smallest_text) return;
+    page_.text(view_(centroid(b)) + Vec2(0, 0.35 * size), name,
+               {.size = size, .anchor = Anchor::middle, .halo = true});
+  }
+
+  void draw_monitor(const Monitor& monitor) {
+    const Vec2 at = view_(monitor.kind == Monitor::Kind::point ? monitor.at
+                          : monitor.kind == Monitor::Kind::vertex
+                              ? Vec2(scene_.blocks[monitor.block].vertices.col(monitor.vertex))
+                              : centroid(monitor.block));
+    const double r = symbol / 2;
+    shape({at + Vec2(r, 0), at + Vec2(0, r), at - Vec2(r, 0), at - Vec2(0, r)}, {34, 34, 34});
+    if (options_.names) page_.text(at + Vec2(symbol, -r), monitor.name, {.size = 10, .halo = true});
+  }
+
+  std::vector<LegendItem> legend() const {
+    std::vector<LegendItem> items{scale_bar(view_.scale, 120)};
+    for (std::size_t m = 0; m < scene_.materials.size(); ++m)
+      items.push_back(swatch(kind_colour(static_cast<int>(m)), scene_.materials[m].name));
+    for (const int j : joints_shown_) {
+      const std::string& name = scene_.joints[j].name;
+      items.push_back(swatch(line_colour(j), "joint " + (name.empty() ? std::to_string(j) : name)));
+    }
+    if (any_held_) items.push_back(swatch(green, "held"));
+    if (any_moving_) items.push_back(swatch(red, "moved"));
+    if (any_load_) items.push_back(swatch(red, "load"));
+    if (!scene_.monitors.empty()) items.push_back(swatch({34, 34, 34}, "monitor"));
+    return items;
+  }
+
+  const Scene& scene_;
+  const ScenePictureOptions& options_;
+  View view_;
+  SvgPage page_;
+  std::vector<int> joints_shown_;
+  bool any_held_ = false, any_moving_ = false, any_load_ = false;
+};
+
+}  // namespace
+
+std::vector<SharedFace> shared_faces(const Scene& scene) {
+  std::vector<Box> boxes;
+  for (const BlockDescription& block : scene.blocks)
+    boxes.push_back(bounding_box(PointsRef(block.vertices), touching * size_of(block.vertices)));
+  std::vector<SharedFace> faces;
+  if (scene.joints.empty()) return faces;
+  BroadPhase broad_phase;
+  for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) add_faces(scene, a, b, faces);
+  return faces;
+}
+
+std::string draw(const Scene& scene, const ScenePictureOptions& options) {
+  if (scene.blocks.empty()) throw Error("the scene has no block to be drawn");
+  return ScenePicture(scene, options).draw();
+}
+
+}  // namespace ddacontact

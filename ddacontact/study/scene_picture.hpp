@@ -1,0 +1,27 @@
+/// \file A scene before it is run, as SVG: blocks, joints, supports, loads and monitors.
+#pragma once
+
+#include <ddacontact/scene/scene.hpp>
+
+#include <string>
+
+namespace ddacontact {
+
+struct ScenePictureOptions {
+  double width = 800;    ///< px
+  bool names = false;    ///< of blocks and monitors
+  bool numbers = false;  ///< of vertices and, slanted away from them, edges
+};
+
+/// Blocks in the colour of their material, the faces they share in that of the joint that holds between them,
+/// triangles below held vertices, arrows for loads (all alike: they show where and which way).
+std::string draw(const Scene& scene, const ScenePictureOptions& options);
+
+/// Where edges of two blocks lie on each other, and the joint between them.
+struct SharedFace {
+  int block_a = 0, block_b = 0, joint = 0;
+  Vec2 from{0, 0}, to{0, 0};
+};
+std::vector<SharedFace> shared_faces(const Scene& scene);
+
+}  // namespace ddacontact
