@@ -60,6 +60,10 @@ if wants scenes; then
   rm -f "$measured/scenes.csv"
   measure scenes --scenes arch heap loose_heap slope slide rain field columns --sizes 100 1000 "${large[@]/100000/10000}" \
     --warm 2 --steps 5 --no-cholmod
+  for practice in "bin 150 5e-3" "tunnel 290 1e-2" "filled_arch 64 1e-2" "slope 200 1e-2" "slide 200 1e-2"; do
+    read -r scene size time_step <<< "$practice"
+    measure scenes --scenes "$scene" --sizes "$size" --time-steps "$time_step" --methods default coarse --warm 30 --steps 50 --no-cholmod
+  done
 fi
 if wants skips; then
   rm -f "$measured/skips.csv"
