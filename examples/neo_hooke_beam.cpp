@@ -101,7 +101,7 @@ int main() {
     for (std::size_t k = 1; k < report.residuals.size(); ++k)
       if (report.residuals[k - 1] < 1e-3)
         squares =
-            squares && report.residuals[k] < std::max(1e3 * std::pow(report.residuals[k - 1], 2), 1e-11);
+            squares && report.residuals[k] < std::max(1e4 * std::pow(report.residuals[k - 1], 2), 1e-11);
   }
   const double energy = stored_energy(mesh, problem.solution());
   std::cout << "work " << work << ", stored energy " << energy << "\nshape: neo_hooke_beam.vtu\n";

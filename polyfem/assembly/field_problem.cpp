@@ -131,6 +131,14 @@ void FieldProblem::add_load(int vertex, int component, double value) {
   loads_[k] += value;
 }
 
+void FieldProblem::add_loads(const Eigen::Ref<const VectorXd>& loads) {
+  if (loads.size() != n_unknowns() || !loads.allFinite())
+    throw Error("loads on all unknowns have " + std::to_string(loads.size()) +
+                " entries, or some that are not finite: give a number for each of " +
+                std::to_string(n_unknowns()) + " unknowns");
+  loads_ += loads;
+}
+
 void FieldProblem::require_edge(int first, int second) const {
   int reversed_in = -1;
   for (const int c : cells_at_[first]) {

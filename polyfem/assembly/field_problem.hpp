@@ -46,6 +46,8 @@ class FieldProblem {
 
   /// Adds to the load on an unknown; throws Error unless it is finite.
   void add_load(int vertex, int component, double value);
+  /// Adds to the loads on all unknowns; throws Error unless there are as many and all are finite.
+  void add_loads(const Eigen::Ref<const VectorXd>& loads);
   /// Adds the integrals of N_i times a load over edges of cells: three Gauss points an edge, exact for loads
   /// up to degree 4 along it (shape functions are linear there). Edges run in their cell's direction, as
   /// `boundary_edges` gives them: the normal is to their right. Throws Error for an edge that no cell has or

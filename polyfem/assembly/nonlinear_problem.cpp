@@ -59,8 +59,7 @@ NonlinearProblem::Residual NonlinearProblem::assemble(const VectorXd& u, double 
     largest_force = std::max(largest_force, f.lpNorm<Eigen::Infinity>());
     f = -f;
   });
-  for (int k = 0; k < linear_.n_unknowns(); ++k)
-    if (loads_[k] != 0) linear_.add_load(k / n_components_, k % n_components_, t * loads_[k]);
+  linear_.add_loads(t * loads_);
   const VectorXd residual = linear_.loads();
   Residual worst{0, 0};
   for (int k = 0; k < linear_.n_unknowns(); ++k)
