@@ -12,6 +12,7 @@ namespace polyfem {
 /// of vibration; gamma > 1/2 damps. One factor serves all steps with the same set of held unknowns.
 class NewmarkScheme {
  public:
+  /// Of the scheme; those of average acceleration are the default.
   struct Parameters {
     double beta = 0.25, gamma = 0.5;
   };
