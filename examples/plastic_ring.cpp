@@ -1,0 +1,91 @@
+// The limit pressure of a thick ring of von Mises' material: plasticity with history, quadratic cells.
+//
+//        a quarter of a ring a < r < b, plane strain, pressure p inside; symmetry on both straight sides
+//
+// As long as a part of it is elastic the ring stands; at p = 2 / sqrt(3) (yield stress) ln(b / a) all of it
+// flows (Hill 1950, chapter V). The program raises p in steps. Each cell remembers plastic strains at its
+// integration points; Newton's iterations start from those at the end of the last step that converged, and
+// what they find becomes history when the step converges. p must be carried up to 0.98 of the limit
+// and not at 1.02.
+#include <polyfem/assembly/nonlinear_problem.hpp>
+#include <polyfem/basis/quadratic_shapes.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/element/quadratic_element.hpp>
+#include <polyfem/element/small_strain.hpp>
+#include <polyfem/material/j2_plasticity.hpp>
+#include <polyfem/mesh/edge_midpoints.hpp>
+#include <polyfem/mesh/generators.hpp>
+#include <polyfem/mesh/vertex_moves.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+using namespace polyfem;
+
+constexpr double a = 1, b = 2;
+
+int main() {
+  const J2Material material{.bulk = 1000, .shear = 400, .yield_stress = 1};
+  const double limit = 2 / std::sqrt(3.) * material.yield_stress * std::log(b / a);
+
+  PolygonMesh ring = mapped(rectangles({a, 0}, {b, 1}, 8, 16), [](const Vec2& x) {
+    const double angle = std::numbers::pi / 2 * x.y();
+    return Vec2(x.x() * std::cos(angle), x.x() * std::sin(angle));
+  });
+  for (Index v = 0; v < ring.vertices.cols(); ++v)
+    if (std::abs(ring.vertices(0, v)) < 1e-12) ring.vertices(0, v) = 0;
+  const PolygonMesh mesh = with_edge_midpoints(ring);
+
+  using History = std::vector<std::vector<PlasticState>>;  // of each point of each cell
+  History before(static_cast<std::size_t>(mesh.n_cells())), now = before;
+  TabulatedElement element;
+  NonlinearProblem problem(
+      mesh, 2, [&](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+        tabulate_quadratic(polygon, dunavant_rule(4), suitable_basis(quadratic_corners(polygon)),
+                           GradientCorrection::on, element);
+        auto& old_states = before[static_cast<std::size_t>(cell)];
+        auto& states = now[static_cast<std::size_t>(cell)];
+        old_states.resize(static_cast<std::size_t>(element.n_points()));
+        states.resize(old_states.size());
+        small_strain_forces(
+            element,
+            [&](Index q, const Vec3& strain, Mat3& tangent) {
+              const PlasticStep step = j2_step(material, strain, old_states[static_cast<std::size_t>(q)]);
+              states[static_cast<std::size_t>(q)] = step.state;
+              tangent = step.tangent;
+              return step.stress;
+            },
+            u, K, forces);
+      });
+  for (const int axis : {0, 1})
+    for (const int v : boundary_vertices(mesh, [axis](const Vec2& x) { return x[axis] == 0; }))
+      problem.hold(v, axis);
+  const double chord =
+      a * std::cos(std::numbers::pi / 64);  // the inner edges' least distance from the centre
+  problem.add_edge_loads(
+      quadratic_boundary_edges(mesh,
+                               [&](const Vec2& x) { return x.norm() < a + 1e-9 && x.norm() > chord - 1e-9; }),
+      pressure(limit));
+
+  double carried = 0;
+  for (const double p : {0.4, 0.6, 0.7, 0.8, 0.86, 0.9, 0.93, 0.96, 0.98, 1.02}) {  // over the limit
+    const NewtonReport report = problem.solve(p, 1e-9);
+    if (!report.converged) {
+      std::cout << "p = " << p << " of the limit: " << report.reason << '\n';
+      break;
+    }
+    carried = p;
+    before = now;
+    int n_points = 0, n_plastic = 0;
+    for (const auto& states : before)
+      for (const PlasticState& state : states) {
+        ++n_points;
+        n_plastic += state.equivalent > 0;
+      }
+    std::cout << "p = " << p << " of the limit: " << report.residuals.size() - 1 << " iterations, "
+              << 100 * n_plastic / n_points << " % plastic, the inner side moves by "
+              << problem.solution().reshaped(2, mesh.vertices.cols()).colwise().norm().maxCoeff() << '\n';
+  }
+  return carried == 0.98 ? 0 : 1;
+}
