@@ -13,6 +13,8 @@ namespace {
 
 constexpr int most_iterations = 25;
 constexpr int most_halvings = 8;
+/// Errors of a tangent from which on it is no derivative; kinks, as at yield, have less.
+constexpr double wrong_tangent = 0.05;
 
 /// What the next step must be below: the largest of the last three residuals, as of slender parts each second
 /// one may rise (non-monotone line search, Grippo, Lampariello and Lucidi 1986). The first step is free: it
@@ -48,14 +50,9 @@ void NonlinearProblem::add_load(int vertex, int component, double value) {
 /// Tangent at u, and the forces out of balance as loads of the linear problem.
 NonlinearProblem::Residual NonlinearProblem::assemble(const VectorXd& u, double t) {
   double largest_force = (t * loads_).lpNorm<Eigen::Infinity>();
-  VectorXd of_cell;
   linear_.clear_loads();
   linear_.assemble([&](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
-    of_cell.resize(f.size());
-    for (Index k = 0; k < polygon.cols(); ++k)
-      of_cell.segment(n_components_ * k, n_components_) =
-          u.segment(n_components_ * mesh_->cell(cell)[static_cast<std::size_t>(k)], n_components_);
-    cell_forces_(cell, polygon, of_cell, K, f);
+    cell_forces_(cell, polygon, of_cell(cell, u), K, f);
     largest_force = std::max(largest_force, f.lpNorm<Eigen::Infinity>());
     f = -f;
   });
@@ -66,6 +63,51 @@ NonlinearProblem::Residual NonlinearProblem::assemble(const VectorXd& u, double 
     if (!linear_.is_held(k) && std::abs(residual[k]) > worst.relative) worst = {std::abs(residual[k]), k};
   if (largest_force > 0) worst.relative /= largest_force;
   return worst;
+}
+
+VectorXd NonlinearProblem::of_cell(int cell, const VectorXd& u) const {
+  const std::span<const int> corners = mesh_->cell(cell);
+  VectorXd values(n_components_ * static_cast<Index>(corners.size()));
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    values.segment(n_components_ * static_cast<Index>(k), n_components_) =
+        u.segment(n_components_ * corners[k], n_components_);
+  return values;
+}
+
+double NonlinearProblem::tangent_error(int cell, const VectorXd& u) const {
+  if (cell < 0 || cell >= mesh_->n_cells())
+    throw Error("there is no cell " + std::to_string(cell) + ": cells are numbered 0 to " +
+                std::to_string(mesh_->n_cells() - 1));
+  const Points polygon = mesh_->outline(cell);
+  const double step = 1e-6 * (polygon.rowwise().maxCoeff() - polygon.rowwise().minCoeff()).norm();
+  const VectorXd at = of_cell(cell, u);
+  MatrixXd K, unused;
+  const auto forces_at = [&](const VectorXd& values, MatrixXd& tangent) {
+    VectorXd forces = VectorXd::Zero(values.size());
+    cell_forces_(cell, polygon, values, tangent, forces);
+    return forces;
+  };
+  forces_at(at, K);
+  double largest = 0;
+  for (Index k = 0; k < at.size(); ++k) {
+    const VectorXd shift = step * VectorXd::Unit(at.size(), k);
+    const VectorXd slope = (forces_at(at + shift, unused) - forces_at(at - shift, unused)) / (2 * step);
+    largest = std::max(largest, (slope - K.col(k)).lpNorm<Eigen::Infinity>());
+  }
+  return largest / K.lpNorm<Eigen::Infinity>();
+}
+
+/// Where Newton's method stands, and whether the tangent there is to blame.
+std::string NonlinearProblem::failure(const Residual& residual, const VectorXd& u) const {
+  const int vertex = residual.worst_unknown / n_components_;
+  std::string reason = "Newton's method has not converged in " + std::to_string(most_iterations) +
+                       " iterations: the largest residual, " + std::to_string(residual.relative) +
+                       " of the largest force, is at " + mesh_->vertex_name(vertex) + "; ";
+  const int cell = VertexCells(*mesh_)[vertex].front();
+  if (const double error = tangent_error(cell, u); error > wrong_tangent)
+    return reason + "the tangent of cell " + std::to_string(cell) + " differs by " + std::to_string(error) +
+           " of its size from the derivative of its forces: correct it";
+  return reason + "take smaller load steps";
 }
 
 NewtonReport NonlinearProblem::solve(double t, double tolerance) {
@@ -84,11 +126,7 @@ NewtonReport NonlinearProblem::solve(double t, double tolerance) {
       }
     for (int iteration = 0; moves || residual.relative > tolerance; ++iteration) {
       if (iteration == most_iterations) {
-        report.reason = "Newton's method has not converged in " + std::to_string(most_iterations) +
-                        " iterations: the largest residual, " + std::to_string(residual.relative) +
-                        " of the largest force, is at " +
-                        mesh_->vertex_name(residual.worst_unknown / n_components_) +
-                        "; take smaller load steps, and see that the tangent is the derivative of the forces";
+        report.reason = failure(residual, u);
         return report;
       }
       const VectorXd step = linear_.solve(), start = u;

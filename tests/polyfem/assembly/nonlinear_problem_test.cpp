@@ -140,7 +140,21 @@ TEST(NonlinearProblem, AWrongTangentIsReportedWithItsPlace) {
   const NewtonReport report = problem.solve(1);
   EXPECT_FALSE(report.converged);
   EXPECT_NE(report.reason.find("is at vertex"), std::string::npos) << report.reason;
+  EXPECT_NE(report.reason.find("the tangent of cell"), std::string::npos) << report.reason;
   EXPECT_TRUE(problem.solution().isZero());
+}
+
+TEST(NonlinearProblem, MeasuresTheErrorOfATangent) {
+  const auto forces = [](double factor) {
+    return [factor](int c, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& f) {
+      first_order(c, cell, u, K, f);
+      K *= factor;
+    };
+  };
+  const VectorXd u = (0.1 * mesh.vertices).reshaped();
+  EXPECT_LT(NonlinearProblem(mesh, 2, forces(1)).tangent_error(3, u), 1e-7);
+  EXPECT_GT(NonlinearProblem(mesh, 2, forces(1.02)).tangent_error(3, u), 1e-3);
+  EXPECT_THROW(NonlinearProblem(mesh, 2, forces(1)).tangent_error(mesh.n_cells(), u), Error);
 }
 
 }  // namespace
