@@ -22,6 +22,7 @@ struct DomainCounts {
   double area = 0;            ///< of all blocks, m2
 };
 
+/// The blocks of a domain.
 struct CutDomain {
   std::vector<CutBlock> blocks;  ///< row by row from the bottom, in a row from the left, by their centroids
   DomainCounts counts;

@@ -28,7 +28,8 @@ constexpr std::string_view settled_first = R"(
 [[stage]]                     # the rock settles with its joints glued
 name  = "settle"
 mode  = "static"
-steps = 10
+steps = 50
+until = { kinetic = 1e-8, displacement = 1e-6 }
 joints = { "cross joint" = { glued = true }, bedding = { glued = true } }
 reset_displacements = true
 

@@ -47,11 +47,17 @@ struct MadeHeap {
   int seed = 1;
 };
 
+/// A slope as the text of a scene file.
 std::string made_scene(const MadeSlope& options);
+/// A tunnel as the text of a scene file.
 std::string made_scene(const MadeTunnel& options);
+/// A wall as the text of a scene file.
 std::string made_scene(const MadeWall& options);
+/// An arch as the text of a scene file.
 std::string made_scene(const MadeArch& options);
+/// A column as the text of a scene file.
 std::string made_scene(const MadeColumn& options);
+/// A heap as the text of a scene file.
 std::string made_scene(const MadeHeap& options);
 
 }  // namespace ddacontact

@@ -23,8 +23,10 @@ struct CutCells {
   Points outline(const CutCell& cell) const;
 };
 
-/// Marks of edges that are of no line: on the outline of the domain; added, so that no cell surrounds others.
-inline constexpr int outline_mark = -1, connecting_mark = -2;
+/// The mark of edges on the outline of the domain.
+inline constexpr int outline_mark = -1;
+/// The mark of lines added so that no cell surrounds others.
+inline constexpr int connecting_mark = -2;
 
 /// Cuts a domain along lines. Ends that divide nothing are taken out. Cells that another one surrounds, or
 /// touches in one vertex, are joined to what is left and right of them by horizontal lines.

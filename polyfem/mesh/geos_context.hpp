@@ -12,6 +12,7 @@
 
 namespace polyfem {
 
+/// A GEOS handle; a failed call is an Error with its message.
 class GeosContext {
  public:
   /// `task` completes "GEOS could not ..." in messages.
@@ -37,6 +38,7 @@ class GeosContext {
   std::string task_, message_;
 };
 
+/// Frees what GEOS made.
 struct DestroyGeometry {
   GEOSContextHandle_t handle;
   void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(handle, geometry); }
@@ -44,8 +46,10 @@ struct DestroyGeometry {
     GEOSPreparedGeom_destroy_r(handle, geometry);
   }
 };
+/// A geometry that frees itself.
 using GeosGeometry = std::unique_ptr<GEOSGeometry, DestroyGeometry>;
 
+/// What a call made, or its Error.
 inline GeosGeometry own(const GeosContext& geos, GEOSGeometry* geometry) {
   return {geos.checked(geometry), DestroyGeometry{geos.handle()}};
 }

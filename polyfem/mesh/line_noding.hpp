@@ -15,6 +15,7 @@ struct Segment {
 
 /// Edges between vertices; no two of them cross, overlap or touch except at a common vertex.
 struct NodedLines {
+  /// Between two vertices.
   struct Edge {
     int from, to;
     int mark;  ///< of the segment that it is a part of; of the first one where segments overlap

@@ -21,6 +21,7 @@ struct FaceWalks {
   }
 };
 
+/// All walks, in the order of their first half-edges.
 FaceWalks walk_faces(const NodedLines& graph);
 
 /// Where a half-edge starts.
