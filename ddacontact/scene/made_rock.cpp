@@ -29,7 +29,7 @@ constexpr std::string_view settled_first = R"(
 name  = "settle"
 mode  = "static"
 steps = 50
-until = { kinetic = 1e-8, displacement = 1e-6 }
+until = { kinetic = 1e-8, displacement = 1e-5 }
 joints = { "cross joint" = { glued = true }, bedding = { glued = true } }
 reset_displacements = true
 
