@@ -84,7 +84,7 @@ std::string made_scene(const MadeTunnel& o) {
          joint_set("cross joint", -65, o.spacing, "spacing_deviation = " + text_of(o.spacing / 5) + '\n') +
          "\n[[domain.opening]]\nname = \"tunnel\"\nhorseshoe = { floor = " +
          text_of(Vec2(right / 2, 1.5 * h)) + ", width = " + text_of(w) + ", height = " + text_of(h) +
-         ", edges = 12 }\nexcavated = true\n" +
+         ", edges = 12 }\n" +
          fixed_region("base", {{0, 0},
                                {right, 0},
                                {right, top},
@@ -93,7 +93,7 @@ std::string made_scene(const MadeTunnel& o) {
                                {edge, edge},
                                {edge, top},
                                {0, top}}) +
-         std::string(settled_first);
+         std::string(settled_first) + "remove = [{ group = \"tunnel\" }]  # while it is excavated\n";
 }
 
 }  // namespace ddacontact

@@ -27,8 +27,12 @@ double size_of(const Points& polygon) {
   return std::sqrt(std::abs(polyfem::signed_area(polygon)));
 }
 
-/// As the rule of the scene's joints has it: by materials, else the first without any.
-int joint_between(const Scene& scene, int a, int b) {
+/// That an edge of one of the blocks names, else by materials, else the first without any.
+int joint_between(const Scene& scene, int a, Index edge_a, int b, Index edge_b) {
+  for (const auto& [block, edge] : {std::pair{a, edge_a}, std::pair{b, edge_b}}) {
+    const std::vector<int>& joints = scene.blocks[block].edge_joints;
+    if (!joints.empty() && joints[edge] >= 0) return joints[edge];
+  }
   const int p = scene.blocks[a].material, q = scene.blocks[b].material;
   int general = 0;
   for (int j = static_cast<int>(scene.joints.size()) - 1; j >= 0; --j)
@@ -54,7 +58,7 @@ void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces)
       const double from = std::max(0.0, std::min(t.dot(u), t.dot(v)));
       const double to = std::min(length, std::max(t.dot(u), t.dot(v)));
       if (to - from > near)
-        faces.push_back({a, b, joint_between(scene, a, b), start + from * t, start + to * t});
+        faces.push_back({a, b, joint_between(scene, a, i, b, k), start + from * t, start + to * t});
     }
   }
 }

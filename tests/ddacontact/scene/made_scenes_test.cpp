@@ -23,7 +23,9 @@ Scene sound(const std::string& text) {
 
 TEST(MadeScenes, AreSoundWithDefaults) {
   EXPECT_GT(sound(made_scene(MadeSlope{})).blocks.size(), 100u);
-  EXPECT_GT(sound(made_scene(MadeTunnel{})).blocks.size(), 100u);
+  const Scene tunnel = sound(made_scene(MadeTunnel{}));
+  EXPECT_GT(tunnel.blocks.size(), 100u);
+  EXPECT_GT(tunnel.stages.at(1).removed.size(), 2u);
   EXPECT_EQ(sound(made_scene(MadeArch{})).blocks.size(), 17u);
   EXPECT_EQ(sound(made_scene(MadeColumn{})).blocks.size(), 9u);
   EXPECT_EQ(sound(made_scene(MadeHeap{})).blocks.size(), 63u);

@@ -35,6 +35,12 @@ TEST(ScenePicture, KnowsTheJointOfEachSharedFace) {
   EXPECT_DOUBLE_EQ(head, 1);
 }
 
+TEST(ScenePicture, TheJointOfAnEdgeGoesBeforeThatOfTheMaterials) {
+  Scene scene = bricks();
+  scene.blocks[1].edge_joints = {-1, 1, -1, -1};
+  for (const SharedFace& face : shared_faces(scene)) EXPECT_EQ(face.joint, 1);
+}
+
 TEST(ScenePicture, BlocksApartShareNoFace) {
   Scene scene = bricks();
   scene.blocks[2].vertices.row(0).array() += 1e-3;
