@@ -60,6 +60,17 @@ std::vector<int> joints_called(const std::vector<std::string>& wanted, const Sce
   return joints;
 }
 
+/// Cohesion goes contact by contact, not all at once.
+void warn_of_bonds(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
+  for (const int joint : joints)
+    if (scene.joints[joint].cohesion > 0)
+      fmt::print(
+          stderr,
+          "{}: warning: joint \"{}\" loses its cohesion where it slips, and so fails from its ends: limit "
+          "equilibrium, where all cohesion acts at once, gives a larger factor\n",
+          file, name_of(scene, joint));
+}
+
 void tell(const StrengthTrial& trial, const SafetyFiles& files) {
   fmt::print(
       stderr, "F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict), trial.steps,
@@ -84,6 +95,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   if (!reduction.unsettled().empty())
     fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
                arguments.scene, reduction.unsettled());
+  warn_of_bonds(scene, joints, arguments.scene);
   SafetyFiles files(arguments.directory, reduction.block_names());
   const FactorBracket bracket = bracket_factor(
       [&](double factor) {

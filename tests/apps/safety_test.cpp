@@ -30,6 +30,14 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   EXPECT_NE(read_file(directory_ / "result/safety.svg").find("</svg>"), std::string::npos);
 }
 
+TEST_F(Program, SafetyWarnsOfCohesionThatIsLostBitByBit) {
+  const std::string coarsely = "safety " + slope + " -o result --set analysis.preset=default --tolerance 0.5";
+  ASSERT_EQ(dda(coarsely), 0) << err_;
+  EXPECT_EQ(err_.find("loses its cohesion"), std::string::npos) << err_;
+  ASSERT_EQ(dda(coarsely + " --set 'joint.0.cohesion=1 kPa'"), 0) << err_;
+  EXPECT_NE(err_.find("joint \"interface\" loses its cohesion"), std::string::npos) << err_;
+}
+
 TEST_F(Program, SafetyRefusesWrongCalls) {
   for (const auto& [arguments, word] :
        {std::pair{"--joints interfase", "did you mean \"interface\"?"}, std::pair{"--range 2:1", "0 < A < B"},
