@@ -7,6 +7,7 @@
 
 namespace ddacontact {
 
+/// What a picture of a scene shows beside its blocks.
 struct ScenePictureOptions {
   double width = 800;    ///< px
   bool names = false;    ///< of blocks and monitors
@@ -22,6 +23,7 @@ struct SharedFace {
   int block_a = 0, block_b = 0, joint = 0;
   Vec2 from{0, 0}, to{0, 0};
 };
+/// Of all pairs of blocks.
 std::vector<SharedFace> shared_faces(const Scene& scene);
 
 }  // namespace ddacontact
