@@ -1,16 +1,13 @@
 #include <ddacontact/scene/blocks_reader.hpp>
 
-#include <ddacontact/scene/block_copies.hpp>
+#include <ddacontact/scene/complete_document.hpp>
 #include <ddacontact/scene/document_reader.hpp>
-#include <ddacontact/scene/domain_blocks.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/geometry_file.hpp>
-#include <ddacontact/scene/initial_stress.hpp>
 #include <ddacontact/scene/parameters.hpp>
 #include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/resolve.hpp>
 #include <ddacontact/scene/snap_blocks.hpp>
-#include <ddacontact/scene/selectors.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
 #include <algorithm>
@@ -45,7 +42,7 @@ void name_materials(Document& document) {
   }
 }
 
-Document geometry_document(const std::string& path, bool& unreadable, ProblemList& problems) {
+Document geometry_document(const std::string& path, double snap, bool& unreadable, ProblemList& problems) {
   Document document;
   document.title = "Blocks of " + path;
   document.analysis.options.steps = 50;
@@ -57,10 +54,13 @@ Document geometry_document(const std::string& path, bool& unreadable, ProblemLis
   document.has_all_blocks = file.complete;
   document.blocks = std::move(file.blocks);
   name_materials(document);
+  if (snap > 0) document.snap = snap;
+  scene_format::snap_blocks(document, problems);
   return document;
 }
 
-std::optional<Document> scene_document(const std::string& path, bool& unreadable, ProblemList& problems) {
+std::optional<Document> scene_document(const std::string& path, double snap, bool& unreadable,
+                                       ProblemList& problems) {
   const scene_format::FileText file = scene_format::read_text(path);
   unreadable = !file.text;
   if (!file.text) {
@@ -71,12 +71,9 @@ std::optional<Document> scene_document(const std::string& path, bool& unreadable
   if (!root) return std::nullopt;
   scene_format::put_parameters(*root, problems);
   Document document = scene_format::read_document(*root, problems);
-  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
-  unreadable = !scene_format::add_geometry(directory, document, problems);
-  unreadable |= !scene_format::add_domain(directory, document, problems);
-  scene_format::add_copies(document, problems);
-  scene_format::put_initial_stress(document);
-  scene_format::expand_selectors(document, problems);
+  if (snap > 0) document.snap = snap;
+  unreadable =
+      !scene_format::complete_document(std::filesystem::path(path).parent_path(), document, problems);
   return document;
 }
 
@@ -101,12 +98,11 @@ BlocksReading read_blocks(const std::string& path, double snap) {
   ProblemList problems(path);
   try {
     const bool is_scene = std::filesystem::path(path).extension() == ".toml";
-    std::optional<Document> document = is_scene ? scene_document(path, reading.scene.unreadable, problems)
-                                                : geometry_document(path, reading.scene.unreadable, problems);
+    std::optional<Document> document =
+        is_scene ? scene_document(path, snap, reading.scene.unreadable, problems)
+                 : geometry_document(path, snap, reading.scene.unreadable, problems);
     reading.n_unnamed_materials = is_scene ? 0 : 1;
     if (document) {
-      if (snap > 0) document->snap = snap;
-      scene_format::snap_blocks(*document, problems);
       Scene scene = resolve_any_shape(*document, problems);
       if (!problems.has_errors()) reading.scene.scene = std::move(scene);
     }

@@ -1,16 +1,11 @@
 #include <ddacontact/scene/reader.hpp>
 
-#include <ddacontact/scene/block_copies.hpp>
+#include <ddacontact/scene/complete_document.hpp>
 #include <ddacontact/scene/document_reader.hpp>
-#include <ddacontact/scene/domain_blocks.hpp>
 #include <ddacontact/scene/file_text.hpp>
-#include <ddacontact/scene/geometry_file.hpp>
-#include <ddacontact/scene/initial_stress.hpp>
 #include <ddacontact/scene/parameters.hpp>
 #include <ddacontact/scene/resolve.hpp>
-#include <ddacontact/scene/selectors.hpp>
 #include <ddacontact/scene/settings.hpp>
-#include <ddacontact/scene/snap_blocks.hpp>
 #include <ddacontact/scene/toml_file.hpp>
 
 #include <exception>
@@ -29,12 +24,7 @@ void read(const std::string& text, const std::vector<std::string>& settings,
   scene_format::apply_settings(settings, *root, problems);
   scene_format::put_parameters(*root, problems);
   Document document = scene_format::read_document(*root, problems);
-  reading.unreadable = !scene_format::add_geometry(directory, document, problems);
-  reading.unreadable |= !scene_format::add_domain(directory, document, problems);
-  scene_format::add_copies(document, problems);
-  scene_format::snap_blocks(document, problems);
-  scene_format::put_initial_stress(document);
-  scene_format::expand_selectors(document, problems);
+  reading.unreadable = !scene_format::complete_document(directory, document, problems);
   Scene scene = scene_format::resolve(document, problems);
   if (!problems.has_errors()) reading.scene = std::move(scene);
 }
