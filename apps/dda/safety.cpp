@@ -62,8 +62,9 @@ std::vector<int> joints_called(const std::vector<std::string>& wanted, const Sce
 
 /// Cohesion goes contact by contact, not all at once.
 void warn_of_bonds(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
+  const std::vector<Joint>& last = scene.stages.empty() ? scene.joints : scene.stages.back().joints;
   for (const int joint : joints)
-    if (scene.joints[joint].cohesion > 0)
+    if (last[joint].cohesion > 0)
       fmt::print(
           stderr,
           "{}: warning: joint \"{}\" loses its cohesion where it slips, and so fails from its ends: limit "
