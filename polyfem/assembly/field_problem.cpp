@@ -40,7 +40,7 @@ std::string asymmetry(const MatrixXd& K, double largest) {
   std::ostringstream text;
   text << "is not symmetric: K(" << i << ", " << j << ") = " << K(i, j) << ", K(" << j << ", " << i
        << ") = " << K(j, i)
-       << "; fill both triangles, and take another solver for forms that are not symmetric, as those of "
+       << "; fill both triangles, or state Symmetry::none for forms that are not symmetric, as those of "
           "convection";
   return text.str();
 }
@@ -57,6 +57,20 @@ bool has_negative_energy(const MatrixXd& K, double shift, MatrixXd& left) {
     for (Index k = j + 1; k < n; ++k) left.col(k).tail(n - k) -= left(k, j) / pivot * left.col(j).tail(n - k);
   }
   return false;
+}
+
+/// The matrix of a cell whose lower triangle holds the entries below the diagonal of the whole matrix, where
+/// vertices may have the other order.
+MatrixXd in_order_of(std::span<const int> vertices, const Eigen::Ref<const MatrixXd>& K, int n_components) {
+  MatrixXd ordered = K;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (vertices[i] > vertices[j]) continue;
+      const auto row = static_cast<Index>(i) * n_components, column = static_cast<Index>(j) * n_components;
+      ordered.block(row, column, n_components, n_components) =
+          K.block(column, row, n_components, n_components).transpose();
+    }
+  return ordered;
 }
 
 std::vector<int> expanded(const std::vector<int>& vertices, int n_components) {
@@ -94,7 +108,7 @@ std::array<double, n> edge_shapes(double t) {
 
 }  // namespace
 
-FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components)
+FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components, Symmetry symmetry)
     : mesh_(&mesh),
       n_components_(n_components),
       cells_at_(checked(mesh, n_components)),
@@ -103,7 +117,9 @@ FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components)
       loads_(VectorXd::Zero(n_components * mesh.vertices.cols())),
       cell_loads_(loads_),
       u_(loads_),
-      reactions_(loads_) {}
+      reactions_(loads_) {
+  if (symmetry == Symmetry::none) transposed_.emplace(mesh, n_components);
+}
 
 int FieldProblem::unknown(int vertex, int component) const {
   if (vertex < 0 || vertex >= mesh_->vertices.cols() || component < 0 || component >= n_components_)
@@ -117,11 +133,43 @@ void FieldProblem::hold(int vertex, int component, double value) {
   const int k = unknown(vertex, component);
   if (!std::isfinite(value))
     throw Error(mesh_->vertex_name(vertex) + " is held at a value that is not finite");
-  if (held_.hold(k, value)) factorized_ = false;
+  if (tied_.is_tied(k)) throw Error(mesh_->vertex_name(vertex) + " is tied: it cannot be held as well");
+  if (held_.hold(k, value) || !tied_.empty() || transposed_) factorized_ = false;
+}
+
+void FieldProblem::tie(int vertex, int component, const std::vector<Followed>& followed, double constant) {
+  const int k = unknown(vertex, component);
+  if (held_.is_held(k)) throw Error(mesh_->vertex_name(vertex) + " is held: it cannot be tied as well");
+  bool finite = std::isfinite(constant);
+  std::vector<TieTerm> terms;
+  for (const Followed& other : followed) {
+    finite = finite && std::isfinite(other.factor);
+    terms.push_back({unknown(other.vertex, other.component), other.factor});
+  }
+  if (!finite) throw Error(mesh_->vertex_name(vertex) + " is tied by a number that is not finite");
+  tied_.tie(k, std::move(terms), constant);
+  factorized_ = false;
+}
+
+int FieldProblem::roll(int vertex, const Vec2& normal, double value) {
+  if (n_components_ != 2)
+    throw Error("rollers are for fields of two components: this one has " + std::to_string(n_components_));
+  if (!(normal.norm() > 0) || !normal.allFinite())
+    throw Error(mesh_->vertex_name(vertex) + " rolls on an edge whose normal is (" +
+                std::to_string(normal.x()) + ", " + std::to_string(normal.y()) +
+                "): give one that is finite and not zero");
+  const int steep = std::abs(normal.x()) > std::abs(normal.y()) ? 0 : 1;
+  const double along = normal[1 - steep] / normal[steep];
+  if (along == 0)
+    tie(vertex, steep, {}, value / normal[steep]);
+  else
+    tie(vertex, steep, {{vertex, 1 - steep, -along}}, value / normal[steep]);
+  return steep;
 }
 
 void FieldProblem::release_all() {
   held_.release_all();
+  tied_.release_all();
   factorized_ = false;
 }
 
@@ -208,6 +256,7 @@ void FieldProblem::clear_loads() {
 void FieldProblem::assemble(const CellMatrix& cell_matrix) {
   held_.forget_couplings();
   matrix_.set_zero();
+  if (transposed_) transposed_->set_zero();
   cell_loads_.setZero();
   assembled_ = factorized_ = false;
   first_negative_cell_ = -1;
@@ -234,11 +283,16 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
       throw Error("the matrix or load of cell " + std::to_string(c) +
                   " is not finite: look for a defect of the mesh there, or of what fills it");
     const double largest = K.lpNorm<Eigen::Infinity>();
-    if (const std::string reason = asymmetry(K, largest); !reason.empty())
-      throw Error("the matrix of cell " + std::to_string(c) + " " + reason);
-    if (has_negative_energy(K, rigid_energy * largest, left) && n_negative_cells_++ == 0)
-      first_negative_cell_ = c;
-    matrix_.add(c, K);
+    if (transposed_) {
+      matrix_.add(c, in_order_of(corners, K, n_components_));
+      transposed_->add(c, in_order_of(corners, K.transpose(), n_components_));
+    } else {
+      if (const std::string reason = asymmetry(K, largest); !reason.empty())
+        throw Error("the matrix of cell " + std::to_string(c) + " " + reason);
+      if (has_negative_energy(K, rigid_energy * largest, left) && n_negative_cells_++ == 0)
+        first_negative_cell_ = c;
+      matrix_.add(c, K);
+    }
     for (Index k = 0; k < n; ++k)
       cell_loads_.segment(n_components_ * corners[k], n_components_) +=
           f.segment(n_components_ * k, n_components_);
@@ -250,6 +304,11 @@ const VectorXd& FieldProblem::solve() {
   if (!assembled_) throw Error("a field is asked for before its problem is assembled: call assemble first");
   if (!factorized_) factorize();
   const VectorXd loads = this->loads();
+  if (transposed_ || !tied_.empty()) {
+    u_ = reduced_.solve(loads);
+    reactions_ = reduced_.reactions(u_, loads);
+    return u_;
+  }
   VectorXd f = loads;
   held_.move_to_right_hand_side(f);
   cholesky_.solve(f, u_);
@@ -274,24 +333,67 @@ VectorXd FieldProblem::cell_solution(int cell) const {
 
 const SparseMatrix& FieldProblem::matrix() {
   if (!assembled_) throw Error("a matrix is asked for before its problem is assembled: call assemble first");
+  if (transposed_)
+    throw Error("a lower triangle is asked for, but the matrix is not symmetric: ask for full_matrix");
   held_.put_back(matrix_.lower());
   factorized_ = false;
   return matrix_.lower();
 }
 
+SparseMatrix FieldProblem::full_matrix() {
+  if (!transposed_) return matrix().selfadjointView<Eigen::Lower>();
+  if (!assembled_) throw Error("a matrix is asked for before its problem is assembled: call assemble first");
+  const SparseMatrix upper =
+      SparseMatrix(transposed_->lower().triangularView<Eigen::StrictlyLower>()).transpose();
+  return matrix_.lower() + upper;
+}
+
+void FieldProblem::pass_on(VectorXd& forces) const {
+  if (!tied_.empty()) {
+    const Reduction reduction = tied_.reduce(held_, n_unknowns());
+    const VectorXd felt = reduction.T.transpose() * forces;
+    forces.setZero();
+    for (int k = 0, column = 0; k < n_unknowns(); ++k)
+      if (!tied_.is_tied(k) && !held_.is_held(k)) forces[k] = felt[column++];
+  }
+  for (int k = 0; k < n_unknowns(); ++k)
+    if (held_.is_held(k)) forces[k] = 0;
+}
+
+/// T^T K T, by Cholesky or LU.
+void FieldProblem::factorize_reduced() {
+  if (const auto motion =
+          transposed_ ? std::nullopt : find_free_motion(*mesh_, n_components_, matrix(), held_, tied_))
+    throw Error(words(*motion, *mesh_));
+  factorized_ = reduced_.set(full_matrix(), tied_.reduce(held_, n_unknowns()), !transposed_);
+  if (factorized_) return;
+  if (transposed_)
+    throw Error(
+        "the matrix is singular: hold or tie more unknowns, or look for cells with deformations that cost "
+        "nothing");
+  refuse_indefinite(reduced_.failed_unknown());
+}
+
 void FieldProblem::factorize() {
+  if (transposed_ || !tied_.empty()) {
+    factorize_reduced();
+    return;
+  }
   held_.put_back(matrix_.lower());
   held_.take_out(matrix_.lower());
-  if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), held_))
+  if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), held_, tied_))
     throw Error(words(*motion, *mesh_));
   if (cholesky_.n_analyses() == 0) {
     const std::vector<int> order = minimum_degree_order(matrix_.first_neighbours(), matrix_.neighbours());
     cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));
   }
   factorized_ = cholesky_.factorize(matrix_.lower());
-  if (factorized_) return;
+  if (!factorized_) refuse_indefinite(cholesky_.failed_row());
+}
+
+void FieldProblem::refuse_indefinite(int unknown) const {
   const std::string indefinite = "the matrix is not positive definite (noticed at " +
-                                 mesh_->vertex_name(cholesky_.failed_row() / n_components_) +
+                                 mesh_->vertex_name(unknown / n_components_) +
                                  ") though no part of the mesh is free to move: ";
   if (n_negative_cells_ > 0)
     throw Error(

@@ -1,15 +1,27 @@
-/// \file From a mesh to a field on it: unknowns at vertices, some held, loads, one sparse symmetric system.
+/// \file From a mesh to a field on it: unknowns at vertices, some held or tied, loads, one sparse system.
 #pragma once
 
 #include <polyfem/assembly/held_unknowns.hpp>
 #include <polyfem/assembly/mesh_matrix.hpp>
+#include <polyfem/assembly/reduced_system.hpp>
 #include <polyfem/mesh/vertex_cells.hpp>
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace polyfem {
+
+/// Whether the matrices of cells are symmetric: systems without symmetry are solved by UMFPACK.
+enum class Symmetry { symmetric, none };
+
+/// What a component of a vertex follows: factor times that of another vertex.
+struct Followed {
+  int vertex, component;
+  double factor = 1;
+};
 
 /// One field on a mesh: n_components unknowns a vertex, unknown c of vertex v being n_components v + c.
 ///
@@ -21,7 +33,7 @@ namespace polyfem {
 /// Holding, loading and assembling come in any order and may be repeated between solutions; what is still
 /// good is kept: the analysis for as long as the problem lives, the factor until the matrix or the set of
 /// held unknowns changes. So further right hand sides, and other values at held unknowns, cost a
-/// substitution.
+/// substitution. With ties, or without symmetry, another value at a held unknown costs a factor as well.
 ///
 /// Factors are made by the BLAS in use: `pin_blas_to_one_thread` first, if the last bits must not depend on
 /// the number of its threads (small problems are faster, too).
@@ -36,12 +48,21 @@ class FieldProblem {
   /// \param[in] mesh  kept by reference: must live longer and not change. Checked for what would break this
   ///                  class (see `require_numbering`; a vertex twice in a cell): throws Error, as for less
   ///                  than one component. See `require_valid` for the rest.
-  FieldProblem(const PolygonMesh& mesh, int n_components);
-  FieldProblem(PolygonMesh&&, int) = delete;
+  FieldProblem(const PolygonMesh& mesh, int n_components, Symmetry symmetry = Symmetry::symmetric);
+  FieldProblem(PolygonMesh&&, int, Symmetry = Symmetry::symmetric) = delete;
 
   /// Prescribes an unknown; once more to change its value.
   void hold(int vertex, int component, double value = 0);
-  /// Frees all held unknowns.
+  /// Makes an unknown follow others: u = constant + the sum of factor times them; once more to change it.
+  /// Those may be held, or tied themselves, but not in a circle (refused when solving). Throws Error for an
+  /// unknown that is held as well, and for numbers that are not finite.
+  void tie(int vertex, int component, const std::vector<Followed>& followed, double constant = 0);
+  /// Of two components: a vertex slides along a straight edge, u.normal = value, as on rollers. The normal's
+  /// length does not matter to the edge, but `value` is divided by it. Returns the component that is tied to
+  /// the other. Throws Error where it is zero, or
+  /// where there are other than two components.
+  int roll(int vertex, const Vec2& normal, double value = 0);
+  /// Frees all held and tied unknowns.
   void release_all();
 
   /// Adds to the load on an unknown; throws Error unless it is finite.
@@ -63,18 +84,18 @@ class FieldProblem {
 
   /// Assembles matrix and loads of the cells, in place of what was assembled before. Throws Error, with the
   /// cell, for what `cell_matrix` throws, for a matrix or load of the wrong size or not finite, and for a
-  /// matrix that is not symmetric to 1e-8 of its largest entry.
+  /// matrix that is not symmetric to 1e-8 of its largest entry, unless the problem is without symmetry.
   void assemble(const CellMatrix& cell_matrix);
 
   /// The field with the held values and, for all other unknowns, K u = f. Throws Error when the matrix is not
   /// positive definite, naming a part of the mesh that is free to move if that is why, or else the first cell
-  /// whose matrix has a negative energy u.Ku.
+  /// whose matrix has a negative energy u.Ku. A problem without symmetry only has to be regular.
   const VectorXd& solve();
 
   /// The last solution.
   const VectorXd& solution() const { return u_; }
-  /// Loads needed at held unknowns beyond those applied, K u - f; zero elsewhere. Of the last solution,
-  /// whatever was changed since; zero before.
+  /// Loads needed at held unknowns beyond those applied, K u - f, and what ties exert on what they tie; zero
+  /// elsewhere. Of the last solution, whatever was changed since; zero before.
   const VectorXd& reactions() const { return reactions_; }
 
   /// The number of an unknown: its row in the matrix and in all vectors. Throws Error when there is none.
@@ -85,8 +106,14 @@ class FieldProblem {
   /// `matrix().selfadjointView<Eigen::Lower>()` is all of it. Good until the next call that is not const; the
   /// next solution makes a factor anew. Throws Error before `assemble`.
   const SparseMatrix& matrix();
+  /// Both triangles of it, a copy; also of a problem without symmetry, for which `matrix` throws Error.
+  SparseMatrix full_matrix();
+  /// Moves the forces on tied unknowns to what they follow, and leaves zero there and at held ones: what free
+  /// unknowns feel of them.
+  void pass_on(VectorXd& forces) const;
   /// The right hand side: loads of vertices, edges and cells, with no unknown held.
   VectorXd loads() const { return loads_ + cell_loads_; }
+  const TiedUnknowns& tied() const { return tied_; }
   bool is_held(int unknown) const { return held_.is_held(unknown); }
 
   int n_unknowns() const { return static_cast<int>(u_.size()); }
@@ -99,14 +126,19 @@ class FieldProblem {
   template <std::size_t n>
   void add_loads_on(std::span<const std::array<int, n>> edges, const EdgeLoad& load);
   void factorize();
+  void factorize_reduced();
+  [[noreturn]] void refuse_indefinite(int unknown) const;
 
   const PolygonMesh* mesh_;
   int n_components_;
   VertexCells cells_at_;
-  MeshMatrix matrix_;  ///< with the held rows and columns taken out once it is factorized
+  MeshMatrix matrix_;                     ///< with the held rows and columns taken out once it is factorized
+  std::optional<MeshMatrix> transposed_;  ///< without symmetry: the upper triangle as a lower one
   HeldUnknowns held_;
+  TiedUnknowns tied_;
   VectorXd loads_, cell_loads_, u_, reactions_;
   Cholesky cholesky_;
+  ReducedSystem reduced_;  ///< with ties or without symmetry
   bool assembled_ = false, factorized_ = false;
   int first_negative_cell_ = -1, n_negative_cells_ = 0;  ///< cells whose matrices have a negative energy
 };

@@ -17,7 +17,7 @@ struct Parts {
   std::vector<int> first{0}, vertex;
 };
 
-Parts parts_of(const PolygonMesh& mesh) {
+Parts parts_of(const PolygonMesh& mesh, int n_components, const TiedUnknowns& tied) {
   const int n_vertices = static_cast<int>(mesh.vertices.cols());
   std::vector<int> parent(n_vertices);  // towards the part's lowest vertex
   std::iota(parent.begin(), parent.end(), 0);
@@ -25,11 +25,14 @@ Parts parts_of(const PolygonMesh& mesh) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
+  const auto join = [&](int v, int w) {
+    const auto [low, high] = std::minmax({root_of(v), root_of(w)});
+    parent[high] = low;
+  };
   for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int v : mesh.cell(c)) {
-      const auto [low, high] = std::minmax({root_of(v), root_of(mesh.cell(c)[0])});
-      parent[high] = low;
-    }
+    for (const int v : mesh.cell(c)) join(v, mesh.cell(c)[0]);
+  for (const auto& [unknown, tie] : tied.ties())
+    for (const TieTerm& term : tie.terms) join(unknown / n_components, term.unknown / n_components);
   std::vector<int> part_of(n_vertices);
   Parts parts;
   for (int v = 0; v < n_vertices; ++v) {
@@ -74,13 +77,20 @@ class Motions {
   double radius_;
 };
 
-/// Those combinations of motions that leave held unknowns where they are, one a column.
+/// Those combinations of motions that leave held unknowns where they are and keep ties, one a column.
 MatrixXd not_held(const Motions& motions, int n_components, std::span<const int> part,
-                  const HeldUnknowns& held) {
+                  const HeldUnknowns& held, const TiedUnknowns& tied) {
   MatrixXd squares = MatrixXd::Zero(motions.n_motions(), motions.n_motions());
   for (const int v : part)
-    for (int c = 0; c < n_components; ++c)
-      if (held.is_held(n_components * v + c)) squares += motions.at(v, c) * motions.at(v, c).transpose();
+    for (int c = 0; c < n_components; ++c) {
+      const int k = n_components * v + c;
+      if (!held.is_held(k) && !tied.is_tied(k)) continue;
+      VectorXd kept = motions.at(v, c);
+      if (tied.is_tied(k))
+        for (const auto& [other, factor] : tied.ties().at(k).terms)
+          kept -= factor * motions.at(other / n_components, other % n_components);
+      squares += kept * kept.transpose();
+    }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(squares);
   const Index n_free = (modes.eigenvalues().array() < held_tolerance).count();
   return modes.eigenvectors().leftCols(n_free);
@@ -113,13 +123,14 @@ std::optional<VectorXd> without_energy(const Eigen::Ref<const MatrixXd>& motions
 }  // namespace
 
 std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
-                                           const SparseMatrix& lower, const HeldUnknowns& held) {
-  const Parts parts = parts_of(mesh);
+                                           const SparseMatrix& lower, const HeldUnknowns& held,
+                                           const TiedUnknowns& tied) {
+  const Parts parts = parts_of(mesh, n_components, tied);
   MatrixXd rows(std::max(n_components, 3), lower.cols());  // as many of them as there are motions
   for (std::size_t p = 0; p + 1 < parts.first.size(); ++p) {
     const auto part = std::span(parts.vertex).subspan(parts.first[p], parts.first[p + 1] - parts.first[p]);
     const Motions motions(mesh, n_components, part);
-    const MatrixXd free = not_held(motions, n_components, part, held);
+    const MatrixXd free = not_held(motions, n_components, part, held, tied);
     if (free.cols() == 0) continue;
     auto displacements = rows.topRows(free.cols());
     for (const int v : part)

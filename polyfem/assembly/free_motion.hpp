@@ -1,7 +1,7 @@
 /// \file Parts of a mesh that nothing keeps from moving.
 #pragma once
 
-#include <polyfem/assembly/held_unknowns.hpp>
+#include <polyfem/assembly/tied_unknowns.hpp>
 #include <polyfem/mesh/polygon_mesh.hpp>
 
 #include <optional>
@@ -17,9 +17,10 @@ struct FreeMotion {
 };
 
 /// A constant, or with two components also a rotation, of a part of the mesh that leaves held unknowns where
-/// they are and costs no energy to round-off; nothing when there is none. `lower` may have its held rows and
-/// columns taken out.
+/// they are, keeps ties and costs no energy to round-off; nothing when there is none. Parts that are tied to
+/// each other count as one. `lower` may have its held rows and columns taken out.
 std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
-                                           const SparseMatrix& lower, const HeldUnknowns& held);
+                                           const SparseMatrix& lower, const HeldUnknowns& held,
+                                           const TiedUnknowns& tied = {});
 
 }  // namespace polyfem

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int most_iterations = 25;
 constexpr int most_halvings = 8;
+/// Of the largest displacement: what u may be off its ties.
+constexpr double rounding = 1e-14;
 /// Errors of a tangent from which on it is no derivative; kinks, as at yield, have less.
 constexpr double wrong_tangent = 0.05;
 
@@ -27,11 +29,12 @@ double residual_bound(const std::vector<double>& residuals) {
 
 }  // namespace
 
-NonlinearProblem::NonlinearProblem(const PolygonMesh& mesh, int n_components, CellForces cell_forces)
+NonlinearProblem::NonlinearProblem(const PolygonMesh& mesh, int n_components, CellForces cell_forces,
+                                   Symmetry symmetry)
     : mesh_(&mesh),
       n_components_(n_components),
       cell_forces_(std::move(cell_forces)),
-      linear_(mesh, n_components),
+      linear_(mesh, n_components, symmetry),
       loads_(VectorXd::Zero(linear_.n_unknowns())),
       held_values_(loads_),
       u_(loads_) {}
@@ -39,6 +42,43 @@ NonlinearProblem::NonlinearProblem(const PolygonMesh& mesh, int n_components, Ce
 void NonlinearProblem::hold(int vertex, int component, double value) {
   linear_.hold(vertex, component, value);
   held_values_[linear_.unknown(vertex, component)] = value;
+}
+
+void NonlinearProblem::tie(int vertex, int component, const std::vector<Followed>& followed,
+                           double constant) {
+  linear_.tie(vertex, component, followed, constant);
+  remember_tie(vertex, component);
+}
+
+void NonlinearProblem::roll(int vertex, const Vec2& normal, double value) {
+  remember_tie(vertex, linear_.roll(vertex, normal, value));
+}
+
+void NonlinearProblem::remember_tie(int vertex, int component) {
+  const int k = linear_.unknown(vertex, component);
+  const TiedUnknowns::Tie& tie = linear_.tied().ties().at(k);
+  tied_.tie(k, tie.terms, tie.constant);
+}
+
+bool NonlinearProblem::prescribe(const VectorXd& u, double t) {
+  bool moves = false;
+  for (int k = 0; k < linear_.n_unknowns(); ++k) {
+    if (!linear_.is_held(k)) continue;
+    const double way = t * held_values_[k] - u[k];
+    moves = moves || way != 0;
+    linear_.hold(k / n_components_, k % n_components_, way);
+  }
+  for (const auto& [k, tie] : tied_.ties()) {
+    double way = t * tie.constant - u[k];
+    std::vector<Followed> followed;
+    for (const auto& [other, factor] : tie.terms) {
+      way += factor * u[other];
+      followed.push_back({other / n_components_, other % n_components_, factor});
+    }
+    moves = moves || std::abs(way) > rounding * u.lpNorm<Eigen::Infinity>();
+    linear_.tie(k / n_components_, k % n_components_, followed, way);
+  }
+  return moves;
 }
 
 void NonlinearProblem::add_load(int vertex, int component, double value) {
@@ -57,10 +97,11 @@ NonlinearProblem::Residual NonlinearProblem::assemble(const VectorXd& u, double 
     f = -f;
   });
   linear_.add_loads(t * loads_);
-  const VectorXd residual = linear_.loads();
+  VectorXd residual = linear_.loads();
+  linear_.pass_on(residual);
   Residual worst{0, 0};
   for (int k = 0; k < linear_.n_unknowns(); ++k)
-    if (!linear_.is_held(k) && std::abs(residual[k]) > worst.relative) worst = {std::abs(residual[k]), k};
+    if (std::abs(residual[k]) > worst.relative) worst = {std::abs(residual[k]), k};
   if (largest_force > 0) worst.relative /= largest_force;
   return worst;
 }
@@ -117,13 +158,7 @@ NewtonReport NonlinearProblem::solve(double t, double tolerance) {
     // Held unknowns move in the first step; what is out of balance before says nothing about the end.
     Residual residual = assemble(u, t);
     report.residuals.push_back(residual.relative);
-    bool moves = false;
-    for (int k = 0; k < linear_.n_unknowns(); ++k)
-      if (linear_.is_held(k)) {
-        const double way = t * held_values_[k] - u[k];
-        moves = moves || way != 0;
-        linear_.hold(k / n_components_, k % n_components_, way);
-      }
+    bool moves = prescribe(u, t);
     for (int iteration = 0; moves || residual.relative > tolerance; ++iteration) {
       if (iteration == most_iterations) {
         report.reason = failure(residual, u);
@@ -146,10 +181,7 @@ NewtonReport NonlinearProblem::solve(double t, double tolerance) {
         }
       }
       report.residuals.push_back(residual.relative);
-      moves = moves && length < 1;
-      for (int k = 0; k < linear_.n_unknowns(); ++k)
-        if (linear_.is_held(k))
-          linear_.hold(k / n_components_, k % n_components_, moves ? t * held_values_[k] - u[k] : 0);
+      moves = prescribe(u, t) && length < 1;
     }
     u_ = u;
     report.converged = true;

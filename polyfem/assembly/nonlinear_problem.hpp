@@ -24,8 +24,9 @@ struct NewtonReport {
 ///       if (const NewtonReport report = problem.solve(t); !report.converged) ...
 ///
 /// Each solution starts from the last one that converged, u = 0 at first. Steps are halved while they turn
-/// a cell inside out or leave more residual than the last three (line search). Tangents must be symmetric,
-/// and positive definite near a solution: stable equilibria, and materials that are derived from an energy.
+/// a cell inside out or leave more residual than the last three (line search). Symmetric tangents must be
+/// positive definite near a solution: stable equilibria. Those without symmetry, as of materials whose flow
+/// is not associated, are stated as such and have to be regular.
 class NonlinearProblem {
  public:
   /// Fills the tangent K = d forces / d u (square, symmetric) and the forces of a cell at displacements u of
@@ -34,11 +35,14 @@ class NonlinearProblem {
                                         VectorXd& forces)>;
 
   /// \param[in] mesh  kept by reference, as by `FieldProblem`, which throws for what is wrong with it
-  NonlinearProblem(const PolygonMesh& mesh, int n_components, CellForces cell_forces);
-  NonlinearProblem(PolygonMesh&&, int, CellForces) = delete;
+  NonlinearProblem(const PolygonMesh& mesh, int n_components, CellForces cell_forces,
+                   Symmetry symmetry = Symmetry::symmetric);
+  NonlinearProblem(PolygonMesh&&, int, CellForces, Symmetry = Symmetry::symmetric) = delete;
 
   /// As those of `FieldProblem`, at t = 1. Loads are dead: they keep direction and size.
   void hold(int vertex, int component, double value = 0);
+  void tie(int vertex, int component, const std::vector<Followed>& followed, double constant = 0);
+  void roll(int vertex, const Vec2& normal, double value = 0);
   void add_load(int vertex, int component, double value);
   template <std::size_t n>
   void add_edge_loads(const std::vector<std::array<int, n>>& edges, const FieldProblem::EdgeLoad& load) {
@@ -64,13 +68,17 @@ class NonlinearProblem {
     int worst_unknown;
   };
   Residual assemble(const VectorXd& u, double t);
+  void remember_tie(int vertex, int component);
+  /// Makes what is held or tied go in one step where it is at load factor t. False: it is there.
+  bool prescribe(const VectorXd& u, double t);
   VectorXd of_cell(int cell, const VectorXd& u) const;
   std::string failure(const Residual& residual, const VectorXd& u) const;
 
   const PolygonMesh* mesh_;
   int n_components_;
   CellForces cell_forces_;
-  FieldProblem linear_;
+  FieldProblem linear_;  ///< of an iteration
+  TiedUnknowns tied_;    ///< at t = 1
   VectorXd loads_, held_values_, u_;
 };
 

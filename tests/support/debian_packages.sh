@@ -3,7 +3,7 @@
 program_packages=(g++ cmake ninja-build libeigen3-dev libsuitesparse-dev libopenblas-dev libtomlplusplus-dev
   libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgeos-dev zlib1g-dev libpugixml-dev)
 test_packages=(clang libomp-dev libgtest-dev libbenchmark-dev libdeal.ii-dev libbox2d-dev libcgal-dev libboost-dev
-  libglpk-dev doxygen python3-vtk9)
+  libglpk-dev doxygen pkg-config python3-vtk9)
 
 # Installs those of the named packages that are missing; as root, or through sudo.
 install_packages() {

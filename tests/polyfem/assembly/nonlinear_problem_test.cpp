@@ -9,6 +9,7 @@
 #include <tests/support/domains.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -111,6 +112,29 @@ TEST(NonlinearProblem, PullsABarAsTheClosedFormSays) {
   for (const double t : {0.5, 1.}) expect_quadratic_convergence(problem.solve(t));
   const Mat2 G = Vec2(0.5, across - 1).asDiagonal();
   EXPECT_LT((problem.solution() - (G * quadratic.vertices).reshaped()).lpNorm<Eigen::Infinity>(), 1e-9);
+}
+
+TEST(NonlinearProblem, RollersOnAnInclinedEdgeTurnTheAnswerOfAStraightOne) {
+  const auto pulled = [](double angle, Symmetry symmetry) {
+    const Mat2 turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    PolygonMesh turned = mesh;
+    turned.vertices = turn * mesh.vertices;
+    NonlinearProblem problem(turned, 2, first_order, symmetry);
+    for (const int v : boundary_vertices(mesh, at_left)) {
+      if (mesh.vertices.col(v).isZero())
+        for (const int axis : {0, 1}) problem.hold(v, axis);
+      else
+        problem.roll(v, turn.col(0), 0.2);
+    }
+    problem.add_edge_loads(boundary_edges(mesh, at_right),
+                           [&](const Vec2&, const Vec2&) { return VectorXd(turn * Vec2(0.3, 0.02)); });
+    for (const double t : {0.5, 1.}) expect_quadratic_convergence(problem.solve(t));
+    return VectorXd((turn.transpose() * problem.solution().reshaped(2, mesh.vertices.cols())).reshaped());
+  };
+  const VectorXd straight = pulled(0, Symmetry::symmetric);
+  EXPECT_GT(straight.lpNorm<Eigen::Infinity>(), 0.2);
+  EXPECT_LT((pulled(0.7, Symmetry::symmetric) - straight).lpNorm<Eigen::Infinity>(), 1e-9);
+  EXPECT_LT((pulled(-2, Symmetry::none) - straight).lpNorm<Eigen::Infinity>(), 1e-9);
 }
 
 TEST(NonlinearProblem, KeepsTheLastConvergedSolutionAndSaysWhere) {
