@@ -25,11 +25,13 @@ struct Method {
   int finest = 1000;  ///< rows of cells
 };
 
-Method of_polyfem(std::string name, Cells cells, PolyfemElement element = PolyfemElement::plain) {
+Method of_polyfem(std::string name, Cells cells, PolyfemElement element = PolyfemElement::plain,
+                  int finest = 1000) {
   return {std::move(name), cells,
           [element](const Problem& problem, const polyfem::PolygonMesh& mesh, bool with_errors) {
             return run_polyfem(problem, mesh, element, with_errors);
-          }};
+          },
+          finest};
 }
 
 Method of_deal_ii(std::string name, Cells cells, DealIIElement element, int finest = 1000) {
@@ -57,6 +59,9 @@ std::vector<Method> methods_for(const Problem& problem) {
                of_polyfem("polyfem hexagons", Cells::hexagons),
                of_polyfem("polyfem Voronoi", Cells::voronoi)};
   }
+  methods.push_back(
+      of_polyfem("polyfem quadrilaterals quadratic", Cells::quadrilaterals, PolyfemElement::quadratic, 64));
+  methods.push_back(of_polyfem("polyfem Voronoi quadratic", Cells::voronoi, PolyfemElement::quadratic, 64));
   methods.push_back(of_deal_ii("deal.II Q1", Cells::quadrilaterals, DealIIElement::q1));
   methods.push_back(of_deal_ii("deal.II P1", Cells::triangles, DealIIElement::p1));
   methods.push_back(of_deal_ii("deal.II Q2", Cells::quadrilaterals, DealIIElement::q2, 64));

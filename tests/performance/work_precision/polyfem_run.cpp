@@ -1,11 +1,14 @@
 #include <tests/performance/work_precision/polyfem_run.hpp>
 
 #include <polyfem/assembly/field_problem.hpp>
+#include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/element/b_bar.hpp>
 #include <polyfem/element/error_norms.hpp>
 #include <polyfem/element/loads.hpp>
 #include <polyfem/element/matrices.hpp>
+#include <polyfem/element/quadratic_element.hpp>
+#include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 
 #include <Eigen/LU>
@@ -26,10 +29,26 @@ void tabulate_cell(const PointsRef& polygon, TabulatedElement& element) {
   tabulate(polygon, rule, basis, GradientCorrection::on, element);
 }
 
+void tabulate_quadratic_cell(const PointsRef& polygon, const TriangleRule& rule,
+                             GradientCorrection correction, TabulatedElement& element) {
+  tabulate_quadratic(polygon, rule, suitable_basis(quadratic_corners(polygon)), correction, element);
+}
+
+/// The edges of the boundary, of two or three vertices, each from its first to its last.
+template <std::size_t n>
+std::vector<std::array<int, n>> edges_of(const PolygonMesh& mesh) {
+  if constexpr (n == 2)
+    return boundary_edges(mesh);
+  else
+    return quadratic_boundary_edges(mesh, [](const Vec2&) { return true; });
+}
+
+template <std::size_t n>
 void apply_boundary_data(const Problem& problem, const PolygonMesh& mesh, FieldProblem& field) {
-  std::vector<std::array<int, 2>> loaded;
-  for (const std::array<int, 2>& edge : boundary_edges(mesh)) {
-    const Boundary boundary = problem.boundary((mesh.vertices.col(edge[0]) + mesh.vertices.col(edge[1])) / 2);
+  std::vector<std::array<int, n>> loaded;
+  for (const std::array<int, n>& edge : edges_of<n>(mesh)) {
+    const Boundary boundary =
+        problem.boundary((mesh.vertices.col(edge.front()) + mesh.vertices.col(edge.back())) / 2);
     if (boundary.loaded) loaded.push_back(edge);
     for (const int v : edge) {
       const Vec2 u = problem.exact() ? problem.solution.displacement(mesh.vertices.col(v)) : Vec2::Zero();
@@ -40,27 +59,40 @@ void apply_boundary_data(const Problem& problem, const PolygonMesh& mesh, FieldP
   field.add_edge_loads(loaded, problem.traction);
 }
 
-/// The vertical displacement at the watched point, linear along the boundary edge on which it lies.
+/// The displacement at t in (0, 1) along an edge.
+template <std::size_t n>
+Vec2 on_edge(const VectorXd& u, const std::array<int, n>& edge, double t) {
+  const Vec2 first = u.segment<2>(2 * edge.front()), last = u.segment<2>(2 * edge.back());
+  if constexpr (n == 2)
+    return (1 - t) * first + t * last;
+  else
+    return (1 - t) * (1 - 2 * t) * first + 4 * t * (1 - t) * u.segment<2>(2 * edge[1]) +
+           t * (2 * t - 1) * last;
+}
+
+/// The vertical displacement at the watched point, on the boundary edge on which it lies.
+template <std::size_t n>
 double watched_displacement(const Problem& problem, const PolygonMesh& mesh, const VectorXd& u) {
-  for (const auto& [a, b] : boundary_edges(mesh)) {
-    const Vec2 along = mesh.vertices.col(b) - mesh.vertices.col(a),
-               to = problem.watched - mesh.vertices.col(a);
+  for (const std::array<int, n>& edge : edges_of<n>(mesh)) {
+    const Vec2 first = mesh.vertices.col(edge.front()), along = mesh.vertices.col(edge.back()) - first,
+               to = problem.watched - first;
     const double share = to.dot(along) / along.squaredNorm();
     if (share >= 0 && share <= 1 && std::abs(cross(along, to)) < 1e-9 * along.squaredNorm())
-      return (1 - share) * u[2 * a + 1] + share * u[2 * b + 1];
+      return on_edge(u, edge, share).y();
   }
   return 0;
 }
 
+template <std::size_t n>
 double work_of_constant_traction(const Problem& problem, const PolygonMesh& mesh, const VectorXd& u) {
   double work = 0;
-  for (const auto& [a, b] : boundary_edges(mesh)) {
-    const Vec2 along = mesh.vertices.col(b) - mesh.vertices.col(a);
-    const Vec2 middle = (mesh.vertices.col(a) + mesh.vertices.col(b)) / 2;
-    const Vec2 normal = Vec2(along.y(), -along.x()).normalized();
-    if (problem.boundary(middle).loaded)
-      work +=
-          along.norm() * problem.traction(middle, normal).dot(u.segment<2>(2 * a) + u.segment<2>(2 * b)) / 2;
+  for (const std::array<int, n>& edge : edges_of<n>(mesh)) {
+    const Vec2 first = mesh.vertices.col(edge.front()), last = mesh.vertices.col(edge.back());
+    const Vec2 along = last - first, middle = (first + last) / 2,
+               normal = Vec2(along.y(), -along.x()).normalized();
+    if (!problem.boundary(middle).loaded) continue;
+    const Vec2 mean = (on_edge(u, edge, 0) + 4 * on_edge(u, edge, 0.5) + on_edge(u, edge, 1)) / 6;  // Simpson
+    work += along.norm() * problem.traction(middle, normal).dot(mean);
   }
   return work;
 }
@@ -73,7 +105,8 @@ void average_dilatation(const VectorXd& weights, Tensors& strain) {
 }
 
 /// Of the field itself: by a fine rule and without the correction of gradients.
-void measure_errors(const Problem& problem, const PolygonMesh& mesh, const VectorXd& u, Accuracy& result) {
+void measure_errors(const Problem& problem, const PolygonMesh& mesh, PolyfemElement kind, const VectorXd& u,
+                    Accuracy& result) {
   const Mat3 D = problem.elasticity(), flexibility = D.inverse();
   const auto& displacement = problem.solution.displacement;
   const auto exact_strain = [&](const Vec2& x) { return Vec3(flexibility * problem.solution.stress(x)); };
@@ -83,12 +116,16 @@ void measure_errors(const Problem& problem, const PolygonMesh& mesh, const Vecto
   Tensors strain;
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const Points polygon = mesh.outline(c);
-    tabulate(polygon, dunavant_rule(6), suitable_basis(polygon), GradientCorrection::off, element);
+    if (kind == PolyfemElement::quadratic)
+      tabulate_quadratic_cell(polygon, dunavant_rule(8), GradientCorrection::off, element);
+    else
+      tabulate(polygon, dunavant_rule(6), suitable_basis(polygon), GradientCorrection::off, element);
     d.resize(2 * polygon.cols());
     for (Index i = 0; i < polygon.cols(); ++i)
       d.segment<2>(2 * i) = u.segment<2>(2 * mesh.cell(c)[static_cast<std::size_t>(i)]);
     strains(element, d, strain);
-    if (problem.nearly_incompressible) average_dilatation(element.rule.weights, strain);
+    if (problem.nearly_incompressible && kind != PolyfemElement::quadratic)
+      average_dilatation(element.rule.weights, strain);
     l2 += squared_displacement_error(element, d, displacement);
     energy += squared_energy_error(element, D, strain, exact_strain);
     d.setZero();
@@ -102,7 +139,9 @@ void measure_errors(const Problem& problem, const PolygonMesh& mesh, const Vecto
 
 }  // namespace
 
-Run run_polyfem(const Problem& problem, const PolygonMesh& mesh, PolyfemElement kind, bool with_errors) {
+template <std::size_t n>
+static Run run_with_edges_of(const Problem& problem, const PolygonMesh& mesh, PolyfemElement kind,
+                             bool with_errors) {
   Run run;
   Stages& stages = run.stages["cholmod"];
   const Mat3 D = problem.elasticity();
@@ -111,11 +150,14 @@ Run run_polyfem(const Problem& problem, const PolygonMesh& mesh, PolyfemElement 
 
   StopWatch watch;
   FieldProblem field(mesh, 2);
-  apply_boundary_data(problem, mesh, field);
+  apply_boundary_data<n>(problem, mesh, field);
   stages.pattern = watch.lap();
   field.assemble([&](int, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
-    tabulate_cell(polygon, element);
-    kind == PolyfemElement::plain ? stiffness(element, D, K) : b_bar_stiffness(element, D, K);
+    if (kind == PolyfemElement::quadratic)
+      tabulate_quadratic_cell(polygon, dunavant_rule(4), GradientCorrection::on, element);
+    else
+      tabulate_cell(polygon, element);
+    kind == PolyfemElement::b_bar ? b_bar_stiffness(element, D, K) : stiffness(element, D, K);
     if (force) body_force(element, force, f);
   });
   stages.assembly = watch.lap();
@@ -127,12 +169,17 @@ Run run_polyfem(const Problem& problem, const PolygonMesh& mesh, PolyfemElement 
 
   run.accuracy.n_unknowns = field.n_unknowns();
   if (problem.exact() && with_errors) {
-    measure_errors(problem, mesh, u, run.accuracy);
+    measure_errors(problem, mesh, kind, u, run.accuracy);
   } else if (!problem.exact()) {
-    run.accuracy.watched = watched_displacement(problem, mesh, u);
-    run.accuracy.work = work_of_constant_traction(problem, mesh, u);
+    run.accuracy.watched = watched_displacement<n>(problem, mesh, u);
+    run.accuracy.work = work_of_constant_traction<n>(problem, mesh, u);
   }
   return run;
+}
+
+Run run_polyfem(const Problem& problem, const PolygonMesh& mesh, PolyfemElement kind, bool with_errors) {
+  if (kind != PolyfemElement::quadratic) return run_with_edges_of<2>(problem, mesh, kind, with_errors);
+  return run_with_edges_of<3>(problem, with_edge_midpoints(mesh), kind, with_errors);
 }
 
 }  // namespace work_precision

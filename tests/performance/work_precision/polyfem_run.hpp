@@ -5,10 +5,10 @@
 
 namespace work_precision {
 
-/// Stiffness with or without the volumetric strain averaged over each cell.
-enum class PolyfemElement { plain, b_bar };
+/// First order with or without the volumetric strain averaged over each cell, or second order.
+enum class PolyfemElement { plain, b_bar, quadratic };
 
-/// Solves on any mesh; the time of solving is that of a further right hand side.
+/// Solves on any mesh, of second order with its edge midpoints added; the time of solving is that of a further right hand side.
 Run run_polyfem(const Problem& problem, const polyfem::PolygonMesh& mesh, PolyfemElement element,
                 bool with_errors = true);
 
