@@ -41,6 +41,7 @@
 #include <polyfem/io/off_file.hpp>
 #include <polyfem/io/vtu_mesh.hpp>
 #include <polyfem/io/vtu_reader.hpp>
+#include <polyfem/mesh/cell_division.hpp>
 #include <polyfem/mesh/cut_cells.hpp>
 #include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/generators.hpp>
@@ -49,6 +50,7 @@
 #include <polyfem/mesh/named_mesh.hpp>
 #include <polyfem/mesh/periodic_vertices.hpp>
 #include <polyfem/mesh/point_locator.hpp>
+#include <polyfem/mesh/vertex_averages.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 
 // Fields on meshes.

@@ -4,6 +4,6 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source tests/support/debian_packages.sh
 install_packages "${program_packages[@]}" "${test_packages[@]}"
-cmake --preset release
+cmake --preset release -DPOLYDDA_COMBINE_TESTS=ON
 cmake --build --preset release
 ctest --preset release

@@ -1,0 +1,22 @@
+/// \file Refinement: cells divided into quadrilaterals, one at each corner.
+#pragma once
+
+#include <polyfem/mesh/polygon_mesh.hpp>
+
+#include <vector>
+
+namespace polyfem {
+
+/// The mesh with the marked cells divided: a new vertex in the mean of the middles of a cell's sides is
+/// joined to them. Parts of convex cells are convex. A side goes from corner to corner; vertices on it where
+/// the cell does not turn, as the middles that finer neighbours have, belong to it, and one in its middle is
+/// used. Neighbours that are not divided get the new middles as such vertices, so the mesh stays conforming:
+/// functions of `suitable_basis` are linear along each part of a side.
+///
+/// Vertices and cells keep their order; the parts of a cell take its place. Throws Error for a number of
+/// marks other than that of the cells, and for a marked cell that is not seen whole from there.
+/// \param[out] first_child  cell c became cells first_child[c] .. first_child[c + 1] - 1; may be null
+PolygonMesh divide_cells(const PolygonMesh& mesh, const std::vector<char>& marked,
+                         std::vector<int>* first_child = nullptr);
+
+}  // namespace polyfem
