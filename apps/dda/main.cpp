@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "cut.hpp"
 #include "exit_status.hpp"
+#include "help.hpp"
 #include "info.hpp"
 #include "make.hpp"
 #include "messages.hpp"
@@ -29,14 +30,14 @@ struct Call {
   dda::PlotArguments plot;
   dda::SafetyArguments safety;
   dda::SweepArguments sweep;
-  std::string info;
+  std::string info, help_topic;
   std::vector<std::string> scenes_to_check, check_settings;
   int steps = 0;
 };
 
 constexpr const char* not_available = "is not available in this version";
-constexpr std::array<std::string_view, 8> known_verbs{"run",  "check", "make",   "cut",
-                                                      "plot", "info",  "safety", "sweep"};
+constexpr std::array<std::string_view, 10> known_verbs{"run",  "check",  "make",  "cut",  "plot",
+                                                       "info", "safety", "sweep", "help", "schema"};
 
 bool is_known(std::string_view verb) {
   return std::find(known_verbs.begin(), known_verbs.end(), verb) != known_verbs.end();
@@ -50,6 +51,8 @@ int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("safety")) return dda::safety(call.safety);
   if (app.got_subcommand("sweep")) return dda::sweep(call.sweep);
   if (app.got_subcommand("info")) return dda::info(call.info);
+  if (app.got_subcommand("help")) return dda::help(app, call.help_topic);
+  if (app.got_subcommand("schema")) return dda::schema();
   if (call.steps > 0) call.run.steps = call.steps;
   return dda::run(call.run);
 }
@@ -76,6 +79,7 @@ int parse_and_execute(int argc, char** argv) {
                   "number")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  run->add_flag("--force", call.run.force, "Overwrite older results instead of renaming them");
   run->add_flag("--quiet", call.run.quiet, "Print problems only");
 
   CLI::App* check = app.add_subcommand("check", "Read and check scenes, compute nothing");
@@ -91,6 +95,11 @@ int parse_and_execute(int argc, char** argv) {
   dda::add_sweep(app, call.sweep);
   CLI::App* info = app.add_subcommand("info", "Tell a result in words");
   info->add_option("DIR", call.info, "Result directory")->required();
+  CLI::App* help = app.add_subcommand("help", "Print a topic of the manual");
+  help->add_option("TOPIC", call.help_topic,
+                   "A table of the scene, units, files, statuses, schemes, completion; left out: the list");
+  app.add_subcommand("schema", "Print a JSON schema of the scene, for editors");
+  app.footer(dda::help_footer());  // after the verbs, which would inherit it
 
   const std::string_view verb = argc > 1 ? argv[1] : "";
   if (verb == "view") {

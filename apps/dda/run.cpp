@@ -11,6 +11,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
+#include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
 #include <ddacontact/output/run_verdict.hpp>
@@ -226,6 +227,20 @@ void log_choices(const Labels& labels, spdlog::logger& log) {
              blocks.count > 1 ? fmt::format(" and {} more", blocks.count - 1) : "", choice.second);
 }
 
+/// Older results that the run does not go on with are renamed; says where they are.
+void keep_older(const RunArguments& arguments, const std::filesystem::path& directory) {
+  if (arguments.force) return;
+  if (!arguments.checkpoint.empty()) {
+    const std::filesystem::path beside = std::filesystem::canonical(arguments.checkpoint).parent_path();
+    std::error_code missing;
+    const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) ||
+                         std::filesystem::equivalent(beside, directory, missing);
+    if (goes_on) return;
+  }
+  if (const auto kept = keep_older_results(directory); kept && !arguments.quiet)
+    fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
+}
+
 /// A new result directory, or one that goes on with the histories beside a checkpoint, or with its own where
 /// there are none beside it.
 ResultDirectory open_results(const RunArguments& arguments, const std::filesystem::path& directory,
@@ -270,6 +285,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   const std::filesystem::path directory = arguments.directory.empty()
                                               ? default_directory(arguments.scene)
                                               : std::filesystem::path(arguments.directory);
+  keep_older(arguments, directory);
   ResultDirectory results =
       open_results(arguments, directory, built.labels,
                    frame_options(scene.output, scene.analysis.skip.output, arguments.threads), from);

@@ -14,6 +14,7 @@ struct RunArguments {
   std::vector<std::string> settings;  ///< PATH=VALUE
   std::string checkpoint;             ///< to go on from; empty: from the start
   int threads = 1;                    ///< results are the same for any number
+  bool force = false;                 ///< older results are overwritten, not renamed
   bool quiet = false;
 };
 

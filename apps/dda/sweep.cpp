@@ -146,7 +146,8 @@ class Sweep {
 
   pid_t start(int k) const {
     std::error_code error;
-    std::vector<std::string> words{"dda", "run", arguments_.scene, "-o", path_of(k).string(), "--quiet"};
+    std::vector<std::string> words{"dda",     "run",    arguments_.scene, "-o", path_of(k).string(),
+                                   "--quiet", "--force"};
     for (const std::string& setting : settings_of(k)) words.insert(words.end(), {"--set", setting});
     const fs::path checkpoint = path_of(k) / checkpoint_file;
     if (is_of_this_case(k) && case_status(path_of(k)) == "interrupted" && fs::exists(checkpoint, error)) {

@@ -40,16 +40,13 @@ class RowWriter {
   void operator()(const Key&, const OfStages&) {}
   void operator()(const Key&, const NotInThisVersion&) {}
 
-  std::string take() && {
-    return rows_.empty() ? rows_ : "| key | value | default | |\n|---|---|---|---|\n" + rows_;
-  }
+  std::vector<KeyRow> take() && { return std::move(rows_); }
 
  private:
   void row(const Key& key, const std::string& value, const std::string& default_text) {
-    rows_ += "| `" + std::string(key.name) + "` | " + cell(value) + " | " +
-             cell(key.required ? "required" : default_text) + " | " + cell(key.what) + " |\n";
+    rows_.push_back({key.name, value, key.required ? "required" : default_text, key.what});
   }
-  std::string rows_;
+  std::vector<KeyRow> rows_;
 };
 
 /// Describes the one table asked for of those in a table.
@@ -94,11 +91,19 @@ struct TableFinder {
 
 }  // namespace
 
-std::string key_table(const std::string& table) {
+std::vector<KeyRow> key_rows(const std::string& table) {
   Document document;
   TableFinder finder{table};
   describe(document, finder);
   return std::move(finder.rows).take();
+}
+
+std::string key_table(const std::string& table) {
+  std::string text;
+  for (const KeyRow& row : key_rows(table))
+    text += "| `" + row.name + "` | " + cell(row.value) + " | " + cell(row.default_text) + " | " +
+            cell(row.what) + " |\n";
+  return text.empty() ? text : "| key | value | default | |\n|---|---|---|---|\n" + text;
 }
 
 }  // namespace ddacontact::scene_format

@@ -294,7 +294,7 @@ TEST_F(Resume, AStageThatEndedWithAResetCannotGetLonger) {
 TEST_F(Resume, WhatCannotBeWrittenAtTheEndLeavesTheRest) {
   write("staged.toml", staged_scene);
   fs::create_directories(directory_ / "result/checkpoint.bin/in_the_way");
-  EXPECT_EQ(dda("run staged.toml -o result --quiet --steps 3"), 4);
+  EXPECT_EQ(dda("run staged.toml -o result --quiet --force --steps 3"), 4);
   EXPECT_NE(err_.find("checkpoint.bin"), std::string::npos) << err_;
   EXPECT_EQ(summary("result")["status"], "completed");
   EXPECT_TRUE(fs::exists(directory_ / "result/vertices.csv"));

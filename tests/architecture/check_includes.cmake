@@ -9,7 +9,7 @@ set(ddacontact_folders core domain block detection contact solver classic time o
 set(third_party
   "deal\\.II/"                            "^polyfem/dealii/"
   "toml\\+\\+|toml\\.hpp"                 "^ddacontact/scene/"
-  "nlohmann/"                             "^ddacontact/(output/|scene/json_parser\\.cpp$|study/safety_files\\.cpp$)"
+  "nlohmann/"                             "^ddacontact/(output/|scene/json_(parser|schema)\\.cpp$|study/safety_files\\.cpp$)"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
   "cholmod|suitesparse/|cblas|openblas"   "^polyfem/assembly/"
   "zlib|pugixml"                          "^polyfem/io/"
