@@ -2,6 +2,8 @@
 
 program_packages=(g++ cmake ninja-build libeigen3-dev libsuitesparse-dev libopenblas-dev libtomlplusplus-dev
   libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgeos-dev zlib1g-dev libpugixml-dev)
+python_packages=(python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest)
+site_packages=(python3-sphinx furo python3-myst-parser libjs-mathjax doxygen)
 test_packages=(clang libomp-dev libgtest-dev libbenchmark-dev libdeal.ii-dev libbox2d-dev libcgal-dev libboost-dev
   libglpk-dev doxygen pkg-config python3-vtk9)
 

@@ -1,0 +1,211 @@
+#include "module.hpp"
+
+#include <pybind11/stl.h>
+#include <apps/dda/checkpoints.hpp>
+#include <apps/dda/memory.hpp>
+#include <ddacontact/output/older_results.hpp>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/run_verdict.hpp>
+#include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/reader.hpp>
+#include <ddacontact/scene/words.hpp>
+#include <ddacontact/scene/writer.hpp>
+#include <polyfem/assembly/blas.hpp>
+#include <polyfem/core/parallel.hpp>
+#include <polyfem/core/stopwatch.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace polydda_python {
+
+namespace py = pybind11;
+using namespace ddacontact;
+
+namespace {
+
+/// A problem as (severity, file, line, column, what, cure, text).
+py::tuple tuple_of(const Problem& problem) {
+  const bool error = problem.severity == Problem::Severity::error;
+  return py::make_tuple(error ? "error" : "warning", problem.file, problem.line, problem.column, problem.what,
+                        problem.cure, problem.text());
+}
+
+py::list list_of(const std::vector<Problem>& problems) {
+  py::list list;
+  for (const Problem& problem : problems) list.append(tuple_of(problem));
+  return list;
+}
+
+SceneReading read(const std::string& text, const std::string& name, const std::vector<std::string>& settings,
+                  const std::string& directory) {
+  const py::gil_scoped_release release;
+  SceneReading reading = read_scene_text(text, name, settings, directory);
+  if (reading.scene)
+    if (const auto problem = dda::memory_problem(*reading.scene)) {
+      reading.problems.push_back({.file = name, .what = *problem, .cure = ""});
+      reading.scene.reset();
+    }
+  return reading;
+}
+
+/// Python's side of a run: Ctrl-C and `on_step`, either of which may leave an exception behind.
+class Listener {
+ public:
+  explicit Listener(py::object on_step) : on_step_(std::move(on_step)) {}
+
+  /// Whether the run is to end: looks for signals, as Python does between two of its own statements.
+  bool interrupted() {
+    if (exception_) return true;
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) exception_.emplace();
+    return exception_.has_value();
+  }
+  void stepped(const Stepper& stepper, int n_steps) {
+    if (on_step_.is_none()) return;
+    const py::gil_scoped_acquire acquire;
+    try {
+      on_step_(stepper.counts().steps, n_steps, stepper.state().time);
+    } catch (py::error_already_set& error) {
+      exception_.emplace(error);
+    }
+  }
+  void rethrow() {
+    if (exception_) throw py::error_already_set(*exception_);
+  }
+
+ private:
+  py::object on_step_;
+  std::optional<py::error_already_set> exception_;
+};
+
+bool is_done(const Stepper& stepper) {
+  const bool in_last_stage = stepper.stage() + 1 == static_cast<int>(stepper.stages().size());
+  return stepper.is_over() ||
+         (in_last_stage && stepper.stage_end().steps >= stepper.stages().back().analysis.steps);
+}
+
+FrameOptions frame_options(const OutputOptions& output, bool skip, int n_threads) {
+  const auto has = [&](const char* field) { return std::ranges::count(output.fields, field) > 0; };
+  return {.every = output.every,
+          .displacement = has("displacement"),
+          .velocity = has("velocity"),
+          .stress = has("stress"),
+          .principal = has("principal"),
+          .n_threads = n_threads,
+          .skip = skip,
+          .refine = output.refine};
+}
+
+std::string word_of(Scheme scheme) {
+  for (const auto& [text, choice] : scene_format::words_of(scheme))
+    if (choice == scheme) return text;
+  return {};
+}
+
+void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
+  std::ofstream out(path, std::ios::binary);
+  write_scene(out, scene);
+  if (!out.flush()) throw OutputError("cannot write \"" + path.string() + "\"");
+}
+
+/// Notes and warnings of a run.
+struct Remarks {
+  std::vector<std::string> notes, warnings;
+};
+
+/// Runs a checked scene as `dda run` does.
+Remarks run_to_end(const Scene& scene, const std::string& directory, int threads, bool force,
+                   Listener& listener) {
+  RunSummary summary;
+  const std::string blas = polyfem::pin_blas_to_one_thread();
+  polyfem::set_threads(threads);
+  std::optional<polyfem::Stopwatch> total(summary.seconds_total), setup(summary.seconds_setup);
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  stepper.interrupt_when([&] { return listener.interrupted(); });
+  setup.reset();
+  summary.domain = scene.domain;
+  summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
+  if (!force) keep_older_results(directory);
+  ResultDirectory results(directory, built.labels,
+                          frame_options(scene.output, scene.analysis.skip.output, threads));
+  dda::Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every,
+                               std::string("dda ") + POLYDDA_VERSION + ", " + blas + ", " + __VERSION__);
+  write_scene_file(results.path() / "scene.toml", scene);
+  results.write_start(stepper, built.probes);
+  summary.status = "completed";
+  while (!is_done(stepper)) {
+    bool stepped = false;
+    if (!listener.interrupted()) {
+      const polyfem::Stopwatch watch(summary.seconds_steps);
+      stepped = stepper.step();
+    }
+    if (!stepped) {
+      summary.status = listener.interrupted() ? "interrupted" : "stopped";
+      summary.reason = listener.interrupted() ? "by Python" : stepper.stop_reason();
+      break;
+    }
+    const polyfem::Stopwatch watch(summary.seconds_output);
+    results.write_step(stepper, built.probes);
+    checkpoints.write_if_due(stepper, results);
+    listener.stepped(stepper, scene.n_steps());
+  }
+  checkpoints.write(stepper, results);
+  results.write_last_frame(stepper);
+  summary.warnings = warnings_of(stepper);
+  summary.scheme = word_of(stepper.stages()[stepper.stage()].analysis.scheme);
+  total.reset();
+  results.finish(stepper, summary);
+  Remarks remarks{built.notes, summary.warnings};
+  remarks.notes.insert(remarks.notes.end(), stepper.notes().begin(), stepper.notes().end());
+  return remarks;
+}
+
+py::list check_text(const std::string& text, const std::string& name,
+                    const std::vector<std::string>& settings, const std::string& directory) {
+  SceneReading reading = read(text, name, settings, directory);
+  if (reading.scene) {
+    try {
+      const py::gil_scoped_release release;
+      build(*reading.scene);
+    } catch (const Error& error) {
+      reading.problems.push_back({.file = name, .what = error.what(), .cure = ""});
+    }
+  }
+  return list_of(reading.problems);
+}
+
+py::tuple run_text(const std::string& text, const std::string& name, const std::vector<std::string>& settings,
+                   const std::string& directory, const std::string& results, int threads, bool force,
+                   const py::object& on_step) {
+  SceneReading reading = read(text, name, settings, directory);
+  Remarks remarks;
+  if (reading.scene) {
+    Listener listener(on_step);
+    {
+      const py::gil_scoped_release release;
+      remarks = run_to_end(*reading.scene, results, threads, force, listener);
+    }
+    listener.rethrow();
+  }
+  return py::make_tuple(reading.scene.has_value(), list_of(reading.problems), remarks.notes,
+                        remarks.warnings);
+}
+
+}  // namespace
+
+void add_running(py::module_& module) {
+  module.def("check_text", &check_text, py::arg("text"), py::arg("name"), py::arg("settings"),
+             py::arg("directory"),
+             "The problems of a scene text: (severity, file, line, column, what, cure, text).");
+  module.def("run_text", &run_text, py::arg("text"), py::arg("name"), py::arg("settings"),
+             py::arg("directory"), py::arg("results"), py::arg("threads"), py::arg("force"),
+             py::arg("on_step"),
+             "Runs a scene text: (whether it was a scene, its problems, notes, warnings).");
+}
+
+}  // namespace polydda_python
