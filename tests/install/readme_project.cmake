@@ -1,4 +1,4 @@
-# Writes the first two code blocks (cmake, cpp) of the section "Use it from your own code" of README as a project.
+# Writes the first two code blocks (cmake, cpp) of the section "Use it from your own code" of a page as a project.
 file(READ ${README} text)
 string(FIND "${text}" "\n## Use it from your own code\n" start)
 if(start EQUAL -1)
