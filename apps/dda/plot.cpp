@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/picture/magnified.hpp>
 #include <ddacontact/picture/picture.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/study/scene_picture.hpp>
@@ -55,6 +56,7 @@ struct Shown {
   std::string label;  ///< of the directory
   std::vector<std::string> block_names;
   Frame frame;
+  Frame drawn;  ///< with displacements magnified
 };
 
 std::vector<Shown> read_frames(const PlotArguments& arguments) {
@@ -67,9 +69,13 @@ std::vector<Shown> read_frames(const PlotArguments& arguments) {
     const FrameSeries series = read_series(directory);
     const std::vector<std::string> names =
         arguments.names ? block_names(directory) : std::vector<std::string>();
-    for (const std::string& word : words)
-      all.push_back({static_cast<int>(i), directory, name_of(directory), names,
-                     read_frame(frame_of(series, word, directory))});
+    for (const std::string& word : words) {
+      Frame frame = read_frame(frame_of(series, word, directory));
+      if (arguments.magnify != 1) expect_field(frame, Field::displacement, directory);
+      Frame drawn = arguments.magnify != 1 ? magnified(frame, arguments.magnify) : frame;
+      all.push_back(
+          {static_cast<int>(i), directory, name_of(directory), names, std::move(frame), std::move(drawn)});
+    }
   }
   return all;
 }
@@ -98,7 +104,8 @@ void expect_overlays(const PlotArguments& arguments, const Shown& shown) {
 }
 
 std::string caption(const PlotArguments& arguments, const Shown& shown) {
-  const std::string moment = fmt::format("step {}, t = {:.4g} s", shown.frame.step, shown.frame.time);
+  std::string moment = fmt::format("step {}, t = {:.4g} s", shown.frame.step, shown.frame.time);
+  if (arguments.magnify != 1) moment += fmt::format(", displacements x {:g}", arguments.magnify);
   return arguments.directories.size() > 1 ? shown.label + ": " + moment : moment;
 }
 
@@ -134,7 +141,8 @@ std::string blocks_picture(const PlotArguments& arguments) {
     expect_overlays(arguments, shown);
     for (const Field field : fields) {
       expect_field(shown.frame, field, shown.directory);
-      panels.push_back({&shown.frame, field, caption(arguments, shown), shown.block_names, shown.scene});
+      panels.push_back(
+          {&shown.drawn, field, caption(arguments, shown), shown.block_names, shown.scene, &shown.frame});
     }
   }
   return draw(panels, options);
@@ -146,8 +154,9 @@ void check_call(const PlotArguments& arguments) {
         fmt::format("-o \"{}\": pictures are SVG, so the name must end in .svg", arguments.output));
   const bool curves = arguments.energy || !arguments.history.empty();
   const bool blocks = !arguments.fields.empty() || !arguments.frames.empty() || arguments.reference ||
-                      arguments.forces || arguments.crosses || arguments.names || arguments.own_range ||
-                      !arguments.vectors.empty() || !arguments.range.empty() || !arguments.window.empty();
+                      arguments.forces || arguments.crosses || arguments.names || arguments.magnify != 1 ||
+                      arguments.own_range || !arguments.vectors.empty() || !arguments.range.empty() ||
+                      !arguments.window.empty();
   if (curves && blocks)
     throw CallError(
         "--history and --energy draw curves; what belongs to pictures of blocks cannot be given with them");
@@ -157,7 +166,7 @@ void check_call(const PlotArguments& arguments) {
 
 bool are_of_scenes(const PlotArguments& a) {
   return a.fields.empty() && a.frames.empty() && !a.reference && !a.forces && !a.crosses && !a.own_range &&
-         a.vectors.empty() && a.range.empty() && a.window.empty() && a.history.empty() &&
+         a.magnify == 1 && a.vectors.empty() && a.range.empty() && a.window.empty() && a.history.empty() &&
          a.monitors.empty() && !a.energy;
 }
 

@@ -16,6 +16,7 @@ struct PlotArguments {
   std::string vectors;                ///< "displacement", "velocity" or empty
   std::string range;                  ///< "MIN,MAX" or empty
   std::string window;                 ///< "XMIN,XMAX,YMIN,YMAX" or empty
+  double magnify = 1;                 ///< times the displacements
   double width = 0;                   ///< px; 0: the usual one
   std::vector<std::string> history;   ///< columns of monitors.csv
   std::vector<std::string> monitors;  ///< for `history`; empty: all

@@ -29,13 +29,17 @@ void declare_blocks(CLI::App& plot, PlotArguments& call) {
   list("--frame", call.frames,
        "The number of a step, or last (what is drawn when left out); several likewise");
   flag("--reference", call.reference, "Outlines at the start, dashed");
-  flag("--forces", call.forces, "Contact forces on the block whose vertex touches, as arrows");
+  flag("--forces", call.forces, "Contact forces on the upper of the two blocks, as arrows");
   plot.add_option("--vectors", call.vectors, "An arrow for each block: displacement or velocity")
       ->check(CLI::IsMember({"displacement", "velocity"}))
       ->group(blocks);
   flag("--crosses", call.crosses, "Mean principal stresses of each block, as lines along their directions");
   flag("--names", call.names, "Names of the blocks");
   flag("--numbers", call.numbers, "Of a scene: numbers of vertices and edges");
+  plot.add_option("--magnify", call.magnify,
+                  "Draw displacements so many times as large; fields stay as they are")
+      ->check(CLI::Range(0., 1e9))
+      ->group(blocks);
   list("--set", call.settings, "Of a scene: PATH=VALUE: replace a value");
   plot.add_option("--range", call.range, "MIN,MAX of the colours, with units or in SI")->group(blocks);
   flag("--own-range", call.own_range,

@@ -13,12 +13,20 @@ namespace {
 
 constexpr double shaft = 0.75, head_half_width = 2.9, longest_head = 7.5, line_width = 1.5;
 
+/// Whether the first block is the upper one, or the right one of two at the same height.
+bool is_upper(const Frame& frame, int first, int second) {
+  const Vec2 a = middle(frame, first), b = middle(frame, second);
+  return a.y() != b.y() ? a.y() > b.y() : a.x() > b.x();
+}
+
 std::vector<Arrow> contact_forces(const Frame& frame) {
   std::vector<Arrow> arrows;
   for (const FrameContact& contact : frame.contacts) {
     const bool slips =
         contact.state == ContactState::slip_forward || contact.state == ContactState::slip_backward;
-    arrows.push_back({contact.position, contact.force(), slips ? Arrow::Look::slipping : Arrow::Look::plain});
+    const double sense = is_upper(frame, contact.vertex_block, contact.edge_block) ? 1 : -1;
+    arrows.push_back(
+        {contact.position, sense * contact.force(), slips ? Arrow::Look::slipping : Arrow::Look::plain});
   }
   return arrows;
 }

@@ -21,8 +21,9 @@ struct Arrow {
   enum class Look { plain, slipping, tension, compression } look = Look::plain;
 };
 
-/// Contact forces on the vertex's block from the contact's place; displacement and velocity of the middle of
-/// each block from there; principal mean stresses as lines through it.
+/// Contact forces on the upper of the two blocks (by their middles; side by side on the right one), from the
+/// contact's place: whichever block has the vertex, arrows of one joint point to the same side. Displacement
+/// and velocity of the middle of each block from there; principal mean stresses as lines through it.
 std::vector<Arrow> arrows_of(const Frame& frame, VectorKind kind);
 
 /// Whether the frame holds what the vectors are computed from.

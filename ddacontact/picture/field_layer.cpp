@@ -49,20 +49,35 @@ std::vector<bool> cells_of_divided_blocks(const Frame& frame) {
   return divided;
 }
 
+Vec2 centre_of(const Points& outline) {
+  const Vec2 centroid = polyfem::area_moments(outline).centroid;
+  return centroid.allFinite() ? centroid : Vec2(outline.rowwise().mean());
+}
+
+/// Of a cell, from the first.
+Points corners_of(const Frame& frame, int cell) {
+  const std::span<const int> places = frame.corners(cell);
+  Points corners(2, static_cast<Index>(places.size()));
+  for (Index k = 0; k < corners.cols(); ++k)
+    corners.col(k) = frame.position.col(places[static_cast<std::size_t>(k)]) - frame.position.col(places[0]);
+  return corners;
+}
+
 }  // namespace
 
-FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre) : frame_(frame) {
+FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre, const Frame& drawn)
+    : frame_(drawn) {
   const std::vector<bool> is_divided = cells_of_divided_blocks(frame);
   for (int c = 0; c < frame.n_cells(); ++c) {
     CellField value(frame, c, field);
+    const Points drawn_corners = corners_of(drawn, c);
     for (const CellPiece& corners : pieces_of(value.corners())) {
-      const Points outline = value.corners()(Eigen::all, corners);
-      Vec2 centroid = polyfem::area_moments(outline).centroid;
-      if (!centroid.allFinite()) centroid = outline.rowwise().mean();
-      const FanMesh mesh(static_cast<int>(corners.size()), rings_for(outline, pixels_per_metre));
-      Piece& piece = pieces_.emplace_back(Piece{c, corners, mesh, mesh.nodes(outline, centroid), {}});
-      piece.values.resize(piece.nodes.cols());
-      for (Index i = 0; i < piece.nodes.cols(); ++i) piece.values[i] = value(piece.nodes.col(i));
+      const Points outline = value.corners()(Eigen::all, corners), seen = drawn_corners(Eigen::all, corners);
+      const FanMesh mesh(static_cast<int>(corners.size()), rings_for(seen, pixels_per_metre));
+      const Points nodes = mesh.nodes(outline, centre_of(outline));
+      Piece& piece = pieces_.emplace_back(Piece{c, corners, mesh, mesh.nodes(seen, centre_of(seen)), {}});
+      piece.values.resize(nodes.cols());
+      for (Index i = 0; i < nodes.cols(); ++i) piece.values[i] = value(nodes.col(i));
       const bool first = pieces_.size() == 1;
       widen(range_, piece.values, first);
       const int rings = is_divided[static_cast<std::size_t>(c)] ? (mesh.rings() + 1) / 2 : mesh.rings();

@@ -12,7 +12,10 @@ namespace ddacontact {
 class FieldSamples {
  public:
   /// \param[in] pixels_per_metre  the scale at which the field will be drawn; may be a little too large
-  FieldSamples(const Frame& frame, Field field, double pixels_per_metre);
+  FieldSamples(const Frame& frame, Field field, double pixels_per_metre)
+      : FieldSamples(frame, field, pixels_per_metre, frame) {}
+  /// The same, drawn at the places of another frame of the same blocks, which is kept by reference.
+  FieldSamples(const Frame& frame, Field field, double pixels_per_metre, const Frame& drawn);
 
   /// Of all nodes; {0, 0} when there are none.
   const ValueRange& range() const { return range_; }
@@ -30,7 +33,7 @@ class FieldSamples {
     int cell;
     CellPiece corners;  ///< of the cell
     FanMesh mesh;
-    Points nodes;  ///< relative to the cell's first corner
+    Points nodes;  ///< where they are drawn, relative to the cell's first corner
     VectorXd values;
   };
 
@@ -38,7 +41,7 @@ class FieldSamples {
                  std::vector<PathData>& paths) const;
   std::vector<int> grounds(const ColourScale& scale) const;
 
-  const Frame& frame_;
+  const Frame& frame_;  ///< that is drawn
   std::vector<Piece> pieces_;
   ValueRange range_, telling_range_;
 };

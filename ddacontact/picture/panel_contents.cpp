@@ -53,7 +53,8 @@ std::vector<PanelContent> make_contents(const std::vector<Panel>& panels, const 
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];
     if (has_numbers(panel.field))
-      contents[i].samples = std::make_unique<FieldSamples>(*panel.frame, panel.field, pixels_per_metre[i]);
+      contents[i].samples = std::make_unique<FieldSamples>(panel.shown_values(), panel.field,
+                                                           pixels_per_metre[i], *panel.frame);
     for (const VectorKind kind : options.vectors) contents[i].arrows.push_back(arrows_of(*panel.frame, kind));
   }
   for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -55,8 +55,13 @@ class Picture {
 
   void choose_boxes() {
     for (const Panel& panel : panels_)
-      needed_.push_back(options_.window ? *options_.window : bounding_box(*panel.frame, options_.reference));
+      needed_.push_back(options_.window ? *options_.window : with_reference(panel));
     fit_panels();
+  }
+
+  Window with_reference(const Panel& panel) const {
+    const Window box = bounding_box(*panel.frame, false);
+    return options_.reference ? united(box, bounding_box(panel.shown_values(), true)) : box;
   }
 
   void fit_panels() {
@@ -172,7 +177,7 @@ class Picture {
       draw_fill(page_, view, frame);
     else
       draw_kinds(page_, view, frame, panel.field);
-    if (options_.reference) draw_reference(page_, view, frame);
+    if (options_.reference) draw_reference(page_, view, panel.shown_values());
     draw_cell_edges(page_, view, frame);
     draw_outlines(page_, view, frame);
     for (std::size_t k = 0; k < vectors_.size(); ++k)

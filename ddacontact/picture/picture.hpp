@@ -21,6 +21,10 @@ struct Panel {
   std::string caption{};                   ///< above the blocks; may be empty
   std::vector<std::string> block_names{};  ///< for `names`; left out: indices
   int scene = 0;                           ///< panels of one scene are always drawn to one scale
+  const Frame* values =
+      nullptr;  ///< whose fields are shown, where `frame` is this one magnified; null: `frame`
+
+  const Frame& shown_values() const { return values ? *values : *frame; }
 };
 
 /// Which panels of a field have the same colours.

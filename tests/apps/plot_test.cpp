@@ -58,6 +58,16 @@ TEST_F(Results, AreDrawnInPanelsWithAllThatGoesOnTop) {
   EXPECT_NE(svg("c.svg").find("clip-path"), std::string::npos);
 }
 
+TEST_F(Results, AreDrawnWithMagnifiedDisplacements) {
+  ASSERT_EQ(dda("plot result --magnify 200 --reference -o m.svg"), 0) << err_;
+  EXPECT_NE(svg("m.svg").find("step 10, t = 0.1 s, displacements x 200"), std::string::npos);
+  ASSERT_EQ(dda("plot result --magnify 1 -o one.svg"), 0) << err_;
+  ASSERT_EQ(dda("plot result -o plain.svg"), 0) << err_;
+  EXPECT_EQ(svg("one.svg"), svg("plain.svg"));
+  expect_refused("plot result --magnify many -o x.svg", 2, {"--magnify"});
+  expect_refused("plot result --energy --magnify 2 -o x.svg", 2, {"curves"});
+}
+
 TEST_F(Results, HaveTheirHistoriesDrawn) {
   ASSERT_EQ(dda("plot result --history ux,vy --energy -o d.svg"), 0) << err_;
   const std::string picture = svg("d.svg");

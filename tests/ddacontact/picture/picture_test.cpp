@@ -7,6 +7,7 @@
 
 #include <ddacontact/picture/block_layer.hpp>
 #include <ddacontact/picture/field_layer.hpp>
+#include <ddacontact/picture/magnified.hpp>
 #include <ddacontact/picture/number_text.hpp>
 #include <ddacontact/picture/picture.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -297,6 +298,33 @@ TEST(Picture, ArrowsAreAsLongAsTheirSampleSays) {
   // The normal up, shear along the normal turned left; y is downwards on the page.
   EXPECT_NEAR(directions[0].x() / lengths[0], -0.8, 1e-3);
   EXPECT_NEAR(directions[0].y() / lengths[0], -0.6, 1e-3);
+}
+
+TEST(Picture, ContactForcesActOnTheUpperBlockWhicheverHasTheVertex) {
+  Frame frame = two_blocks();  // side by side: the right one counts as the upper
+  frame.contacts.push_back({1, 0, Vec2(0.5, 0.5), {1, 0}, 0, 30e3, 40e3, ContactState::stick});
+  frame.contacts.push_back({0, 1, Vec2(0.5, 0.2), {-1, 0}, 0, 30e3, 40e3, ContactState::stick});
+  const std::vector<Arrow> arrows = arrows_of(frame, VectorKind::contact_forces);
+  EXPECT_EQ(arrows[0].vector, arrows[1].vector);
+  EXPECT_EQ(arrows[0].vector, Vec2(30e3, 40e3));
+}
+
+TEST(Picture, MagnifiedFramesMoveFurtherAndKeepTheirFields) {
+  Frame frame = two_blocks();
+  frame.contacts.push_back(
+      {1, 0, frame.position.col(frame.blocks[1].first), {1, 0}, 0, 30e3, 0, ContactState::stick});
+  const Frame drawn = magnified(frame, 3);
+  EXPECT_NEAR((drawn.position - frame.position - 2 * frame.displacement).norm(), 0, 1e-12);
+  EXPECT_EQ(drawn.contacts[0].position, Vec2(drawn.position.col(drawn.blocks[1].first)));
+  // Neither the range of the colours nor the colours change, only the places.
+  const FieldSamples values(frame, Field::sxx, 100), moved(frame, Field::sxx, 100, drawn);
+  EXPECT_EQ(values.range().low, moved.range().low);
+  EXPECT_EQ(values.range().high, moved.range().high);
+  const pugi::xml_document document =
+      parsed(draw({{.frame = &drawn, .field = Field::sxx, .values = &frame}}, {}));
+  const pugi::xml_document plain = parsed(draw({{.frame = &frame, .field = Field::sxx}}, {}));
+  EXPECT_NE(outlines(document)[0], outlines(plain)[0]);
+  EXPECT_EQ(magnified(frame, 1).position, frame.position);
 }
 
 TEST(Picture, ArrowsBeyondTheBlocksDoNotReachTheLegend) {
