@@ -72,19 +72,58 @@ class ContactsByPair {
   const ContactRecord *end_, *from_, *to_;
 };
 
+/// Whether two contacts of the same blocks are where a vertex of one meets a vertex of the other, no further
+/// than `near` away, each of them on an edge of the other.
+bool exchange_vertices(const BlockSystem& blocks, const BlockState& state, double near, const VertexEdge& old,
+                       const VertexEdge& pair) {
+  if (old.vertex_block != pair.edge_block || old.corner || pair.corner) return false;
+  const auto place = [&](int block, int vertex) -> Vec2 {
+    const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
+    return state.position.col(blocks.block(block).vertices().first + vertex) + shift;
+  };
+  const auto ends = [&](int vertex, int edge, int block) {
+    return vertex == edge || vertex == (edge + 1) % blocks.block(block).n_vertices();
+  };
+  return ends(old.vertex, pair.edge, pair.edge_block) && ends(pair.vertex, old.edge, old.edge_block) &&
+         (place(pair.vertex_block, pair.vertex) - place(old.vertex_block, old.vertex)).norm() <= near;
+}
+
+/// Takes out of the contacts of a pair, from `first` on, all but one where vertex meets vertex: that which is
+/// closed, else the first. A joint's stiffness counts once there.
+void keep_one_spring(const BlockSystem& blocks, const BlockState& state, double near,
+                     std::span<const ContactRecord> previous, std::size_t first,
+                     std::vector<VertexEdge>& found) {
+  const auto is_closed = [&](const VertexEdge& pair) {
+    return std::ranges::any_of(previous,
+                               [&](const ContactRecord& old) { return old.closed() && old.pair == pair; });
+  };
+  const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
+  std::stable_partition(begin, found.end(), is_closed);
+  for (auto at = begin; at != found.end();) {
+    const bool beside = !is_closed(*at) && std::any_of(begin, at, [&](const VertexEdge& other) {
+      return exchange_vertices(blocks, state, near, other, *at);
+    });
+    at = beside ? found.erase(at) : at + 1;
+  }
+}
+
 }  // namespace
 
 JointLaw ContactProperties::law(const ContactRecord& contact) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const JointStrength& joint = strength(contact.pair);
   const bool glued = joint.glued && contact.closed();
-  return {.normal_stiffness = normal_stiffness,
-          .tangential_stiffness = tangential_stiffness,
-          .friction = joint.friction,
-          .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
-          .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
-          .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
-          .glued = glued};
+  const bool compliant = is_compliant(contact);
+  return {
+      .normal_stiffness = compliant ? joint.normal_stiffness * contact.history.length : normal_stiffness,
+      .tangential_stiffness =
+          compliant ? joint.shear_stiffness * contact.history.length : tangential_stiffness,
+      .friction = contact.history.bonded ? joint.friction : joint.residual_friction.value_or(joint.friction),
+      .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
+      .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
+      .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
+      .compliant = compliant,
+      .glued = glued};
 }
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
@@ -142,9 +181,13 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                           .coincidence = coincidence * size,
                           .lip = properties_.lip * size};
   earlier.clear();
-  for (const ContactRecord& contact : previous)
-    earlier.push_back(
-        {contact.pair, contact.lasts() ? contact.history.gap_offset : 0, ties && contact.closed(), ties});
+  const bool any_compliant = properties_.joints.any_compliant();
+  for (const ContactRecord& contact : previous) {
+    double offset = contact.lasts() ? contact.history.gap_offset : 0;
+    // A joint that has closed by its stiffness is flush.
+    if (any_compliant && contact.closed() && properties_.is_compliant(contact)) offset += contact.end_gap;
+    earlier.push_back({contact.pair, offset, ties && contact.closed(), ties});
+  }
   const auto move = [&](int block, const PointsRef& outline, Points& moved) {
     if (moved.cols() < outline.cols()) moved.resize(2, outline.cols());
     for (Index v = 0; v < outline.cols(); ++v)
@@ -165,8 +208,13 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     return find_rounded_contacts({a, start_a, moved_a.leftCols(of_a.count)}, blocks_.rounded(a),
                                  {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits,
                                  earlier, found, choices);
+  const std::size_t first = found.size();
   find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
                 {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
+  const auto is_compliant = [&](const VertexEdge& of) { return properties_.strength(of).is_compliant(); };
+  if (any_compliant &&
+      std::any_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), is_compliant))
+    keep_one_spring(blocks_, state, near_corner * size, previous, first, found);
 }
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
@@ -256,13 +304,23 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
   return changed;
 }
 
-double ContactBuilder::dashpot(const VertexEdge& pair) const {
+double ContactBuilder::dashpot(const Contact& contact) const {
+  const VertexEdge& pair = contact.pair;
   const double ratio = properties_.strength(pair).dashpot;
   if (ratio == 0) return 0;
   double lighter = std::numeric_limits<double>::infinity();
   for (int b : {pair.vertex_block, pair.edge_block})
     if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
-  return 2 * ratio * std::sqrt(properties_.normal_stiffness * lighter);
+  const double stiffness =
+      contact.law.compliant ? contact.law.normal_stiffness : properties_.normal_stiffness;
+  return 2 * ratio * std::sqrt(stiffness * lighter);
+}
+
+double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair) const {
+  const int origin = pair.edge_block;
+  return contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
+                        blocks_.outline_from(state, pair.edge_block, origin), pair.edge,
+                        properties_.strength(pair).is_compliant());
 }
 
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
@@ -281,6 +339,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_after = straight_beyond_end(outline, pair.edge);
   if (pair.corner) contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
+  if (properties_.strength(pair).is_compliant()) contact.history.length = length_of(state, pair);
   contact.law = properties_.law(contact);
   return contact;
 }
@@ -297,9 +356,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
           contact.is_on_edge(contact.first_slip().constant)) {
         history.bonded = true;
         history.gap_offset = properties_.strength(pair).glued ? contact.gap : std::min(contact.gap, 0.0);
-        const int origin = pair.edge_block;
-        history.length = contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
-                                        blocks_.outline_from(state, pair.edge_block, origin), pair.edge);
+        history.length = length_of(state, pair);
         contact.law = properties_.law(contact);
         history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
       }
@@ -322,23 +379,9 @@ const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, c
          goes_straight_on(edge_outline, pair.edge, old.pair.edge)))
       return &old;
   }
-  const auto place = [&](int block, int vertex) -> Vec2 {
-    const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
-    return state.position.col(blocks_.block(block).vertices().first + vertex) + shift;
-  };
   const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
-  for (const ContactRecord& old : previous) {
-    const bool exchanged = old.pair.vertex_block == pair.edge_block;
-    if (!old.lasts() || !exchanged || old.pair.corner || pair.corner) continue;
-    const auto ends = [&](int vertex, int edge, int block) {
-      return vertex == edge || vertex == (edge + 1) % blocks_.block(block).n_vertices();
-    };
-    if (ends(old.pair.vertex, pair.edge, pair.edge_block) &&
-        ends(pair.vertex, old.pair.edge, old.pair.edge_block) &&
-        (place(pair.vertex_block, pair.vertex) - place(old.pair.vertex_block, old.pair.vertex)).norm() <=
-            near)
-      return &old;
-  }
+  for (const ContactRecord& old : previous)
+    if (old.lasts() && exchange_vertices(blocks_, state, near, old.pair, pair)) return &old;
   return nullptr;
 }
 
@@ -380,8 +423,10 @@ void ContactBuilder::glue(Contact& contact) const {
 void ContactBuilder::restart(Contact& contact) const {
   contact.history.state = contact.start_state;
   contact.history.bonded = contact.start_bonded;
-  contact.law.normal_stiffness = properties_.normal_stiffness;
-  contact.law.tangential_stiffness = properties_.tangential_stiffness;
+  if (!contact.law.compliant) {
+    contact.law.normal_stiffness = properties_.normal_stiffness;
+    contact.law.tangential_stiffness = properties_.tangential_stiffness;
+  }
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
   contact.was_closed = contact.meets = false;
   contact.gap = contact.first_gap().constant;
@@ -450,8 +495,14 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
     find_entries({a, start_a, end_a}, {b, start_b, end_b}, properties_.lip * pair_size(a, b), entered_);
   }
-  std::erase_if(entered_,
-                [&](const VertexEdge& entry) { return is_among(entry, of_same_pair(entry, contacts)); });
+  std::erase_if(entered_, [&](const VertexEdge& entry) {
+    const double near = properties_.strength(entry).is_compliant()
+                            ? near_corner * pair_size(entry.vertex_block, entry.edge_block)
+                            : -1;
+    return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {
+      return of.pair == entry || exchange_vertices(blocks_, start, near, of.pair, entry);
+    });
+  });
   return !entered_.empty();
 }
 

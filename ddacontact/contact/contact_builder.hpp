@@ -43,6 +43,10 @@ struct ContactProperties {
   const JointStrength& strength(const VertexEdge& pair) const {
     return joints.entries()[joint_of(pair)].strength;
   }
+  /// Whether a joint's own stiffness makes its forces.
+  bool is_compliant(const ContactRecord& contact) const {
+    return strength(contact.pair).is_compliant() && contact.history.length > 0;
+  }
   /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
   /// contact of a glued joint that strength is infinite.
   JointLaw law(const ContactRecord& contact) const;
@@ -83,7 +87,7 @@ class ContactBuilder {
   /// Takes the places of the vertex and the edge in a state as those at the start of the step.
   void start_from(const BlockState& state, Contact& contact) const;
   /// Against the rate of the gap of a contact while it is closed, N s/m per m.
-  double dashpot(const VertexEdge& pair) const;
+  double dashpot(const Contact& contact) const;
   const ContactProperties& properties() const { return properties_; }
   /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
   /// either way.
@@ -131,6 +135,8 @@ class ContactBuilder {
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const ContactRecord> previous) const;
   Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
+  /// Over which its stresses act: that of `contact_length`, of joints with a stiffness at any angle.
+  double length_of(const BlockState& state, const VertexEdge& pair) const;
   /// Glues a contact of a glued joint that is closed or touches: it sticks where it is. The gap of one that
   /// only touches counts as none from then on, so that glue adds no force.
   void glue(Contact& contact) const;

@@ -19,8 +19,16 @@ struct JointStrength {
   /// 0..1, normal, of blocks that meet: they collide as rigid bodies. None: they part as their elasticity has
   /// it.
   std::optional<double> restitution{};
-  double dashpot = 0;  ///< contact damping, ratio to critical of the contact spring
-  bool glued = false;  ///< contacts neither open nor slide once they are closed
+  double dashpot = 0;           ///< contact damping, ratio to critical of the contact spring
+  bool glued = false;           ///< contacts neither open nor slide once they are closed
+  double normal_stiffness = 0;  ///< of the joint itself, Pa/m; 0: it is rigid
+  double shear_stiffness = 0;   ///< likewise; 0 where `normal_stiffness` is
+  /// tan(phi) of contacts that have slid or opened or were not closed at the start; none: `friction`.
+  std::optional<double> residual_friction{};
+  double dilation = 0;       ///< tan(i): a contact that slides rises by so much of its slip
+  double dilation_slip = 0;  ///< up to which it does, m
+
+  bool is_compliant() const { return normal_stiffness > 0; }
 };
 
 /// The strengths of the joint between any two materials.
@@ -36,6 +44,10 @@ class JointTable {
   explicit JointTable(JointStrength everywhere) : entries_{{std::move(everywhere), std::nullopt}} {}
 
   const std::vector<Entry>& entries() const { return entries_; }
+  /// Whether some joint has a stiffness of its own.
+  bool any_compliant() const {
+    return std::ranges::any_of(entries_, [](const Entry& e) { return e.strength.is_compliant(); });
+  }
   const JointStrength& between(int material_a, int material_b) const {
     return entries_[number_between(material_a, material_b)].strength;
   }

@@ -386,12 +386,13 @@ void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b,
       if (!c.dropped) contacts.push_back(c.contact);
 }
 
-double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge) {
+double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge,
+                      bool at_any_angle) {
   const Vec2 x = vertex_polygon.col(vertex);
   const auto length_towards = [&](int neighbour) {
     const Vec2 y = vertex_polygon.col(neighbour);
     Edge e(edge_polygon, edge);
-    if (std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) return 0.0;
+    if (!at_any_angle && std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) return 0.0;
     // From an end of the edge it goes on along the next one, where that is straight on.
     const double at = e.tangent.dot(x - e.start), onward = e.tangent.dot(y - x);
     const int after = next(edge, edge_polygon), before = previous(edge, edge_polygon);

@@ -402,6 +402,11 @@ class Builder {
     for (const HeldUnknown& held : system.held_unknowns()) initial.velocity[held.unknown] = 0;
   }
 
+  static std::optional<double> tangent_of(const std::optional<double>& degrees) {
+    if (!degrees) return std::nullopt;
+    return std::tan(*degrees * std::numbers::pi / 180);
+  }
+
   static JointTable joint_table(const std::vector<Joint>& joints) {
     std::vector<JointTable::Entry> entries;
     for (const Joint& joint : joints)
@@ -411,7 +416,12 @@ class Builder {
                           {},
                           joint.restitution,
                           joint.dashpot,
-                          joint.glued},
+                          joint.glued,
+                          joint.normal_stiffness.value_or(0),
+                          joint.shear_stiffness.value_or(0),
+                          tangent_of(joint.residual_friction_angle),
+                          tangent_of(joint.dilation_angle).value_or(0),
+                          joint.dilation_slip.value_or(0)},
                          joint.between});
     return JointTable(std::move(entries));
   }

@@ -150,6 +150,10 @@ std::optional<JointChange> change_of(int index, const Joint& joint, const Scene&
     change.restitution = joint.restitution;
     any = true;
   }
+  if (joint.residual_friction_angle != of_scene.residual_friction_angle) {
+    change.residual_friction_angle = joint.residual_friction_angle;
+    any = true;
+  }
   if (joint.glued) change.glued = any = true;
   if (!any) return std::nullopt;
   change.joint = reference_to(index, scene.joints);

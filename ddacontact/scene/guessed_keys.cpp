@@ -15,9 +15,9 @@ struct Guess {
   std::string_view cure;
 };
 
-constexpr std::string_view no_joint_stiffness =
-    "joints have no stiffness of their own in this version: they are rigid, and 'normal_stiffness' and "
-    "'tangential_stiffness' of [contact] are where the search for their forces starts";
+constexpr std::string_view joint_stiffness =
+    "a joint's own 'normal_stiffness' and 'shear_stiffness' stand in [[joint]], in Pa/m; without them it is "
+    "rigid";
 constexpr std::string_view strength_of_joints =
     "blocks are linear elastic and do not break: strength is that of contacts, 'friction_angle', 'cohesion' "
     "and 'tensile_strength' of [[joint]]";
@@ -27,21 +27,18 @@ constexpr std::string_view no_moving_acceleration =
 
 constexpr Guess guesses[] = {
     // Laws of contacts.
-    {"joint",
-     " kn k_n jkn knorm normal_stiffness ks k_s jks kt shear_stiffness tangential_stiffness "
-     "stiffness joint_stiffness ",
-     no_joint_stiffness},
+    {"joint", " kn k_n jkn knorm ks k_s jks kt tangential_stiffness stiffness joint_stiffness ",
+     joint_stiffness},
     {"joint", " phi friction fric jfriction jfric jfr friction_deg angle ",
      "write 'friction_angle' in degrees"},
     {"joint", " mu friction_coefficient coefficient coef ", "write 'friction_angle' = atan(mu) in degrees"},
     {"joint", " c coh jcohesion jcoh ", "write 'cohesion' in Pa"},
     {"joint", " tension tens jtension jtens tensile sigma_t ft ", "write 'tensile_strength' in Pa"},
-    {"joint", " dilation dilation_angle dilatancy jdilation jdil psi dilation_slip zdilation ",
-     "sliding joints do not dilate in this version"},
-    {"joint", " residual_friction_angle residual_friction jrescoh jrfric residual_cohesion resfric ",
-     "there is no residual friction in this version: friction stays, 'cohesion' and 'tensile_strength' are "
-     "lost "
-     "on sliding or opening"},
+    {"joint", " dilation dilatancy jdilation jdil psi zdilation ",
+     "write 'dilation_angle' in degrees and 'dilation_slip' in m"},
+    {"joint", " residual_friction jrfric resfric ", "write 'residual_friction_angle' in degrees"},
+    {"joint", " jrescoh residual_cohesion ",
+     "there is none: 'cohesion' and 'tensile_strength' are lost on sliding or opening"},
     {"joint", " damping ", "write 'dashpot', a ratio to critical damping"},
     {"[contact]", " kn k_n penalty pn stiffness normal_penalty ", "write 'normal_stiffness' in N/m2"},
     {"[contact]", " ks k_s kt shear_stiffness tangential_penalty shear_penalty ",
@@ -50,7 +47,7 @@ constexpr Guess guesses[] = {
      " mu phi friction friction_angle friction_coefficient cohesion tensile_strength tension "
      "restitution dashpot damping ",
      "the laws of contacts are [[joint]]"},
-    {"[contact]", " joint_stiffness ", no_joint_stiffness},
+    {"[contact]", " joint_stiffness ", joint_stiffness},
 
     // Materials.
     {"[[material]]", " e ym youngs_modulus young_modulus youngs modulus elastic_modulus elasticity ",
@@ -67,7 +64,7 @@ constexpr Guess guesses[] = {
      "yield dilation ",
      strength_of_joints},
     {"[[material]]", " damping ", "write 'damping' = { mass, stiffness } in [analysis]"},
-    {"[[material]]", " kn ks joint_stiffness ", no_joint_stiffness},
+    {"[[material]]", " kn ks joint_stiffness ", joint_stiffness},
 
     // Blocks.
     {"[[block]]", " fix ", "write 'fixed' = true or a list of vertices"},

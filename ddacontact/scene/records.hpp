@@ -193,7 +193,8 @@ struct JointRecord {
 /// What a stage changes of a joint.
 struct JointChange {
   Reference joint;
-  std::optional<double> friction_angle, cohesion, tensile_strength, restitution, dashpot;
+  std::optional<double> friction_angle, cohesion, tensile_strength, restitution, dashpot,
+      residual_friction_angle;
   std::optional<bool> glued;
   Places places;
 };

@@ -20,6 +20,60 @@ void check_restitution(std::optional<double> restitution, const Places& places, 
                  "leave it out, or write method = \"staged\" in [contact]");
 }
 
+void check_method(const char* key, const Places& places, ContactMethod method, ProblemList& problems) {
+  if (method == ContactMethod::classic)
+    problems.error(places.of(key), "'" + std::string(key) + "' needs the contact method 'staged'",
+                   "leave it out, or write method = \"staged\" in [contact]");
+}
+
+/// A joint has both springs or none, and they throw off what meets.
+void check_springs(const Joint& joint, const Places& places, ContactMethod method, ProblemList& problems) {
+  const bool normal = joint.normal_stiffness && places.good("normal_stiffness"),
+             shear = joint.shear_stiffness && places.good("shear_stiffness");
+  if (normal) check_method("normal_stiffness", places, method, problems);
+  if (normal && !joint.shear_stiffness)
+    problems.error(places.of("normal_stiffness"), "'normal_stiffness' without 'shear_stiffness'",
+                   "add 'shear_stiffness' in Pa/m: a joint is rigid in both directions or in none");
+  if (shear && !joint.normal_stiffness)
+    problems.error(places.of("shear_stiffness"), "'shear_stiffness' without 'normal_stiffness'",
+                   "add 'normal_stiffness' in Pa/m: a joint is rigid in both directions or in none");
+  if (normal && joint.restitution && places.good("restitution"))
+    problems.error(places.of("restitution"), "'restitution' of a joint that has a stiffness",
+                   "leave it out: blocks part as the joint's springs have it, with a 'dashpot' slower");
+}
+
+bool has_dynamic_steps(const Document& document) {
+  const Mode mode = document.analysis.options.mode;
+  return (document.stages.empty() && mode == Mode::dynamic) ||
+         std::ranges::any_of(document.stages, [&](const StageRecord& stage) {
+           return stage.mode.value_or(mode) == Mode::dynamic;
+         });
+}
+
+/// What rises does so by the work of friction.
+void check_dilation(const Joint& joint, const Places& places, const Document& document, ContactMethod method,
+                    ProblemList& problems) {
+  if (joint.dilation_slip && !joint.dilation_angle && places.good("dilation_slip"))
+    problems.error(places.of("dilation_slip"), "'dilation_slip' without 'dilation_angle'",
+                   "add 'dilation_angle' in degrees, or leave it out");
+  if (!joint.dilation_angle || !places.good("dilation_angle")) return;
+  check_method("dilation_angle", places, method, problems);
+  if (has_dynamic_steps(document))
+    problems.error(
+        places.of("dilation_angle"), "'dilation_angle' with dynamic steps",
+        "write mode = \"static\" in [analysis] and in all stages: blocks hop on what lifts them, and "
+        "dynamic steps do not follow that");
+  if (!joint.dilation_slip)
+    problems.error(places.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
+                   "add 'dilation_slip', the slip in m up to which the joint dilates");
+  const double friction = joint.residual_friction_angle.value_or(joint.friction_angle);
+  if (*joint.dilation_angle > friction)
+    problems.error(places.of("dilation_angle"),
+                   "'dilation_angle' = '" + short_number(*joint.dilation_angle) +
+                       "' is larger than the angle of friction once it slides, " + short_number(friction),
+                   "friction has to do the work that lifts the block: make it smaller");
+}
+
 /// A scene without joints can be asked for the one that it has all the same.
 void add_default_joint(NamedJoints& table, ProblemList& problems) {
   Joint& joint = table.joints.emplace_back();
@@ -53,6 +107,8 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     Joint joint = record.joint;
     joint.name = record.name.value_or("");
     check_restitution(joint.restitution, places, document.contact, method, problems);
+    check_springs(joint, places, method, problems);
+    check_dilation(joint, places, document, method, problems);
     if (record.between && places.good("between")) {
       const int a = materials.find((*record.between)[0], places.of("between"), problems);
       const int b = materials.find((*record.between)[1], places.of("between"), problems);
@@ -92,6 +148,8 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
     for (const auto& [of_joint, of_change] : joint_law)
       joints[index].*of_joint = (change.*of_change).value_or(joints[index].*of_joint);
     if (change.restitution) joints[index].restitution = change.restitution;
+    if (change.residual_friction_angle)
+      joints[index].residual_friction_angle = change.residual_friction_angle;
     joints[index].glued = change.glued.value_or(false);
   }
   return joints;

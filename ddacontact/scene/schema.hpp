@@ -204,6 +204,43 @@ void describe_law(Law& law, Visit&& visit) {
             .what = "Damping of closed contacts, ratio to critical of the contact spring.",
             .bounds = not_negative},
         law.dashpot);
+  visit(Key{.name = "residual_friction_angle",
+            .what = "Angle of friction of contacts that have slid or opened, or closed after the start.",
+            .unit = "deg",
+            .bounds = {.low = 0, .high = 90, .with_high = false},
+            .default_text = "that of `friction_angle`"},
+        law.residual_friction_angle);
+}
+
+/// The keys of joints that are the same in all stages.
+template <class Law, class Visit>
+void describe_springs(Law& law, Visit&& visit) {
+  visit(Key{.name = "normal_stiffness",
+            .what =
+                "Of the joint itself: pressure by closure; with `shear_stiffness`; method \"staged\" alone.",
+            .unit = "Pa/m",
+            .bounds = positive,
+            .default_text = "none: the joint is rigid"},
+        law.normal_stiffness);
+  visit(Key{.name = "shear_stiffness",
+            .what = "Of the joint itself: shear stress by displacement along it.",
+            .unit = "Pa/m",
+            .bounds = positive,
+            .default_text = "none: the joint is rigid"},
+        law.shear_stiffness);
+  visit(
+      Key{.name = "dilation_angle",
+          .what = "A contact that slides rises by the tangent of it times its slip; method \"staged\" alone.",
+          .unit = "deg",
+          .bounds = {.low = 0, .high = 90, .with_high = false},
+          .default_text = "none: joints do not dilate"},
+      law.dilation_angle);
+  visit(Key{.name = "dilation_slip",
+            .what = "The slip up to which a joint dilates.",
+            .unit = "m",
+            .bounds = positive,
+            .default_text = "required with `dilation_angle`"},
+        law.dilation_slip);
 }
 
 inline constexpr Key glued{.name = "glued",
@@ -227,6 +264,7 @@ void describe(JointRecord& r, Visit&& visit) {
             .default_text = "everything not named elsewhere"},
         r.between);
   describe_law(r.joint, visit);
+  describe_springs(r.joint, visit);
   visit(glued, OfStages{});
 }
 

@@ -125,6 +125,7 @@ class Staged {
     multiplier.on_edge = contact.meets || contact.is_on_edge(contact.first_slip().constant);
     multiplier.bonded = contact.has_bond();
     contact.was_closed = contact.closed();
+    if (law.compliant) return start_compliant(contact, multiplier);
     if (options_.penetration_tolerance == 0) return;
     const VertexEdgePlace& place = contact.motion.start;
     const Vec2 along = (place.k - place.j).normalized(), normal(along.y(), -along.x());
@@ -149,6 +150,18 @@ class Staged {
         law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset, contact.size);
     if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
       multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, contact.size);
+  }
+
+  /// The joint's own springs: forces of the end of the step, or the means of both ends.
+  void start_compliant(const Contact& contact, Multiplier& multiplier) const {
+    if (!contact.closed()) return;
+    multiplier.shear = contact.history.shear + shear_stiffness(contact.law) * contact.first_slip().constant;
+    if (!has_means()) return;
+    multiplier.normal = contact.history.normal / 2;
+  }
+  bool has_means() const { return options_.directions == Directions::mean; }
+  double shear_stiffness(const JointLaw& law) const {
+    return law.tangential_stiffness * (law.compliant && has_means() ? 1. / 2 : 1);
   }
 
   /// The states of the forces of a solution nearby.
@@ -217,8 +230,9 @@ class Staged {
     term.gap.constant -= contact.history.gap_offset;
 
     const JointLaw& law = contact.law;
-    term.normal_stiffness = law.normal_stiffness + contact.damping;
-    term.tangential_stiffness = law.tangential_stiffness;
+    term.normal_stiffness =
+        law.normal_stiffness * (law.compliant && has_means() ? 1. / 2 : 1) + contact.damping;
+    term.tangential_stiffness = shear_stiffness(law);
     term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
     const bool possible =
         multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
@@ -550,6 +564,7 @@ class Staged {
     double worst = 1;
     report_.worst_contact = -1;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (contacts_[c].law.compliant) continue;
       const double tolerance =
           (violent_ ? coarse_penetration : 1) * options_.penetration_tolerance * contacts_[c].size;
       double error = 0;
@@ -571,6 +586,7 @@ class Staged {
 
   void raise_multipliers() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (contacts_[c].law.compliant) continue;
       Multiplier& multiplier = multipliers_[c];
       multiplier.normal = elastic_normal(c);
       multiplier.shear = forces_[c].shear;

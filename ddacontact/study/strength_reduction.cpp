@@ -32,7 +32,9 @@ bool has_strength(const Joint& joint) {
 
 Joint reduced(Joint joint, double factor) {
   constexpr double degree = std::numbers::pi / 180;
-  joint.friction_angle = std::atan(std::tan(joint.friction_angle * degree) / factor) / degree;
+  const auto reduce = [&](double& angle) { angle = std::atan(std::tan(angle * degree) / factor) / degree; };
+  reduce(joint.friction_angle);
+  if (joint.residual_friction_angle) reduce(*joint.residual_friction_angle);
   joint.cohesion /= factor;
   joint.tensile_strength /= factor;
   return joint;

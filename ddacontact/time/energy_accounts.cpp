@@ -1,6 +1,7 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/time/joint_springs.hpp>
 
 namespace ddacontact {
 
@@ -29,7 +30,15 @@ double stored_shear(const ContactProperties& properties, ContactState state, dou
   return stores ? properties.tangential_stiffness * slip * slip / 2 : 0;
 }
 
-void account_contact(const ContactProperties& properties, const Contact& contact, Energy& energy) {
+void account_contact(const ContactProperties& properties, bool means, const Contact& contact,
+                     Energy& energy) {
+  if (contact.law.compliant) {
+    const JointSpringWork work = account_joint_springs(contact, means);
+    energy.friction_dissipated += work.friction;
+    energy.damping_dissipated += work.damping;
+    energy.numerical_dissipated += work.scheme;
+    return;
+  }
   const double by_dashpot = contact.normal != 0 ? -contact.damping * contact.gap_change : 0;
   energy.damping_dissipated -= by_dashpot * contact.gap_change;
   const ContactState before = contact.start_state, after = contact.history.state;
@@ -58,7 +67,12 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
   double energy = sum_over_blocks(blocks.n_blocks(), [&](int b) {
     return blocks.is_present(b) ? blocks.block(b).elastic_energy(state) : 0;
   });
+  const bool any_compliant = properties.joints.any_compliant();
   for (const ContactRecord& contact : contacts) {
+    if (any_compliant && properties.is_compliant(contact)) {
+      energy += energy_of_joint(properties, contact);
+      continue;
+    }
     energy += stored_normal(properties, contact.history.state, contact.end_gap) +
               stored_shear(properties, contact.history.state, contact.end_slip);
   }
@@ -92,7 +106,8 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
     energy.numerical_dissipated += system.held_stiffness() * change * change / 2;
     energy.external -= system.held_stiffness() * spring.form(step.d) * spring.target_change;
   }
-  for (const Contact& contact : step.contacts) account_contact(step.properties, contact, energy);
+  for (const Contact& contact : step.contacts)
+    account_contact(step.properties, system.rule().mean_forces(), contact, energy);
 }
 
 }  // namespace ddacontact

@@ -81,8 +81,8 @@ double least_approach(const BlockSystem& blocks, const Contact& contact, double 
 
 std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
                                      const StepRule& rule) {
-  const std::optional<double>& given = properties.strength(pair).restitution;
-  return given || rule.has_half_steps() ? given : 0;
+  const JointStrength& joint = properties.strength(pair);
+  return joint.restitution || rule.has_half_steps() || joint.is_compliant() ? joint.restitution : 0;
 }
 
 namespace {

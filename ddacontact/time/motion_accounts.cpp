@@ -1,6 +1,7 @@
 #include <ddacontact/time/motion_accounts.hpp>
 
 #include <ddacontact/block/block_motion.hpp>
+#include <ddacontact/time/joint_springs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +13,19 @@ namespace {
 /// What a contact takes or gives: friction, the end of an approach, and pushing out.
 void account_contact(const StepRule& rule, double dt, const BlockState& from, const VectorXd& straight,
                      Contact& contact, StepWork& work) {
-  if (contact.normal == 0 && contact.shear == 0) return;
+  const bool had_force = contact.history.normal != 0 && contact.law.compliant;
+  if (contact.normal == 0 && contact.shear == 0 && !had_force) return;
   const GapAndSlip start = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
   const double slipped = contact.end_slip - start.slip;
   contact.gap_change = contact.motion.change_along(start.by_gap, straight);
   contact.slip_change = contact.motion.change_along(start.by_slip, straight);
+  if (contact.law.compliant) {
+    const JointSpringWork of_joint = account_joint_springs(contact, false);
+    work.friction += of_joint.friction;
+    work.damping += of_joint.damping;
+    work.scheme += of_joint.scheme;
+    return;
+  }
   const double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;
   work.friction += by_friction;
   work.scheme -= contact.shear * contact.slip_change + by_friction;

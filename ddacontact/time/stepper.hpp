@@ -225,6 +225,7 @@ class Stepper {
   void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
   void record_contacts();
+  void dilate(Contact& contact, double shear_before);
   /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
   void assess(double dt, const Solution& solution, const VectorXd& end_velocity);
   bool is_static() const { return analysis_.mode == Mode::statics; }

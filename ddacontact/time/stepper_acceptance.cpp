@@ -3,6 +3,7 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/joint_springs.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <ddacontact/time/support_velocity.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -268,16 +269,45 @@ void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
   }
 }
 
+/// A contact that slides rises: the gap that counts as none grows with what of its slip is not its spring's.
+/// What that lifts is paid for by what friction takes.
+void Stepper::dilate(Contact& contact, double shear_before) {
+  const JointStrength& joint = properties_.strength(contact.pair);
+  ContactHistory& history = contact.history;
+  const double most = joint.dilation * joint.dilation_slip, before = history.gap_offset;
+  if (!contact.closed() || before >= most) return;
+  const double elastic =
+      contact.law.compliant ? (shear_before - history.shear) / contact.law.tangential_stiffness : 0;
+  const double rise = std::min(joint.dilation * std::abs(contact.slip_change - elastic), most - before);
+  history.gap_offset += rise;
+  if (contact.law.compliant) {
+    const double p = contact.law.normal_stiffness, normal = history.normal;
+    history.normal += p * rise;
+    energy_.now.friction_dissipated -= (history.normal + normal) / 2 * rise;
+  } else {
+    energy_.now.friction_dissipated -= contact.normal * rise;
+    energy_.now.numerical_dissipated += contact.normal * rise;
+  }
+}
+
 void Stepper::record_contacts() {
   counts_.contacts = asleep_ ? asleep_->n_closed : 0;
   for (Contact& contact : tried_) {
     ContactHistory& history = contact.history;
     contact.end_gap = contact.gap - history.gap_offset;
-    const bool hands_on = contact.closed() && properties_.has_multipliers();
+    const bool compliant = contact.law.compliant,
+               hands_on = contact.closed() && (properties_.has_multipliers() || compliant);
     const double by_dashpot =
         contact.normal == 0 ? 0 : contact.damping * (contact.gap - contact.motion.start_gap());
+    const double shear_before = history.shear;
+    const ContactForce end = end_forces_of_joint(contact, system_->rule().mean_forces());
     history.normal = hands_on ? contact.normal + by_dashpot : 0;
     history.shear = hands_on ? contact.shear : 0;
+    if (compliant && hands_on) {
+      history.normal = end.normal;
+      history.shear = end.shear;
+    }
+    if (is_slipping(history.state)) dilate(contact, shear_before);
     const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
     if (slid || !contact.closed()) history.bonded = false;
     const bool had_strength = contact.law.cohesion > 0 || contact.law.tension > 0;

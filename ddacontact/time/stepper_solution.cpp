@@ -96,7 +96,7 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   has_tried_ = true;
   for (std::size_t c = 0; c < tried_.size(); ++c) {
     Contact& contact = tried_[c];
-    contact.damping = contact_builder_->dashpot(contact.pair) / dt;
+    contact.damping = contact_builder_->dashpot(contact) / dt;
     if (impact.changes()) {
       contact_builder_->start_from(state_, contact);
       contact.meets = impact.hit[c];

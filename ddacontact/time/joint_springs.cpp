@@ -1,0 +1,43 @@
+#include <ddacontact/time/joint_springs.hpp>
+
+namespace ddacontact {
+
+namespace {
+
+double square(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+ContactForce end_forces_of_joint(const Contact& contact, bool means) {
+  if (!contact.closed()) return {};
+  const bool doubled = means && contact.history.state == ContactState::stick;
+  return {contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap),
+          doubled ? 2 * contact.shear - contact.history.shear : contact.shear};
+}
+
+double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact) {
+  const JointStrength& joint = properties.strength(contact.pair);
+  const ContactHistory& history = contact.history;
+  if (!contact.closed()) return 0;
+  return (square(history.normal) / joint.normal_stiffness + square(history.shear) / joint.shear_stiffness) /
+         (2 * history.length);
+}
+
+JointSpringWork account_joint_springs(const Contact& contact, bool means) {
+  const ContactForce end = end_forces_of_joint(contact, means);
+  const JointLaw& law = contact.law;
+  const double by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change;
+  JointSpringWork work;
+  work.damping = -by_dashpot * contact.gap_change;
+  work.scheme = (square(contact.history.normal) - square(end.normal)) / (2 * law.normal_stiffness) -
+                (contact.normal - by_dashpot) * contact.gap_change;
+  const double from_shear =
+      (square(contact.history.shear) - square(end.shear)) / (2 * law.tangential_stiffness) -
+      contact.shear * contact.slip_change;
+  (is_slipping(contact.history.state) ? work.friction : work.scheme) += from_shear;
+  return work;
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,24 @@
+/// \file The springs that a joint has itself: their forces at the end of a step, and what they store.
+#pragma once
+
+#include <ddacontact/contact/contact_builder.hpp>
+#include <ddacontact/solver/contact_term.hpp>
+
+namespace ddacontact {
+
+/// The forces of the springs of a closed contact, `law.compliant`, at the end of an accepted step, N per m;
+/// without its dashpot. 0 where it has opened. \param[in] means  the step's forces are those of both ends
+ContactForce end_forces_of_joint(const Contact& contact, bool means);
+
+/// What the springs of a contact store, J per m, for which `properties.is_compliant`: by the forces of its
+/// history.
+double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact);
+
+/// What a step takes from the springs of a contact and what moves them.
+struct JointSpringWork {
+  double friction = 0, damping = 0, scheme = 0;
+};
+/// Before the contact's history takes the forces of the end. \param[in] means  see `end_forces_of_joint`
+JointSpringWork account_joint_springs(const Contact& contact, bool means);
+
+}  // namespace ddacontact

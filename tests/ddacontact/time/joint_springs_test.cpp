@@ -1,0 +1,120 @@
+// Joints with a stiffness of their own, residual friction and dilation, against their formulas.
+#include <tests/ddacontact/simple_scenes.hpp>
+
+using namespace support;
+
+namespace {
+
+/// Blocks of 2 x 1 m of 40 kN on a fixed one, stiff against their joint.
+Scene column(int n_blocks, double normal_stiffness, double shear_stiffness) {
+  Scene scene = rock_scene(0.01, 100);
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::midpoint;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.joints[0].friction_angle = 40;
+  scene.joints[0].normal_stiffness = normal_stiffness;
+  scene.joints[0].shear_stiffness = shear_stiffness;
+  scene.blocks = {block(rectangle(-1, -1, 4, 1), true)};
+  for (int k = 0; k < n_blocks; ++k) scene.blocks.push_back(block(rectangle(0, k, 2, 1)));
+  return scene;
+}
+
+double sum_of_shear(const Stepper& stepper) {
+  double sum = 0;
+  for (const ddacontact::ContactRecord& contact : stepper.contacts()) sum += std::abs(contact.shear);
+  return sum;
+}
+
+/// A block of 40 kN pushed along its joint by its support, so far a step.
+Scene shear_box(bool rigid, double step) {
+  Scene scene = column(1, 1e8, 1e8);
+  if (rigid) scene.joints[0].normal_stiffness = scene.joints[0].shear_stiffness = std::nullopt;
+  scene.analysis.mode = Mode::statics;
+  scene.analysis.time_step = 1;
+  scene.analysis.steps = 60;
+  scene.supports = {{1, {0, 1, 2, 3}, true, false, {TimeFunction::Kind::rate, {step, 0}, {}}}};
+  return scene;
+}
+
+}  // namespace
+
+TEST(JointSprings, OfAColumnCloseByTheWeightAboveOverTheirStiffness) {
+  for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying, Scheme::backward_euler}) {
+    Scene scene = column(4, 1e7, 1e6);
+    scene.analysis.mode = Mode::statics;
+    scene.analysis.scheme = scheme;
+    scene.analysis.time_step = 1;
+    scene.analysis.steps = 30;
+    scene.materials[0].young = 1e9;
+    const BuiltScene built = run(scene);
+    ASSERT_EQ(built.stepper->contacts().size(), 8u);
+    for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) {
+      const double above = 40e3 * (5 - std::max(contact.pair.vertex_block, contact.pair.edge_block)),
+                   closure = above / (1e7 * 2);
+      EXPECT_NEAR(contact.end_gap, -closure, 1e-8 * closure);
+    }
+  }
+}
+
+/// The midpoint rule keeps the energy of a linear spring and turns its phase by 2 atan(w dt / 2) a step.
+TEST(JointSprings, CarryABlockAsAnOscillatorOfTheSchemesPeriod) {
+  Scene scene = column(1, 1e6, 1e6);
+  scene.materials[0].young = 1e14;
+  scene.joints[0].cohesion = scene.joints[0].tensile_strength = 1e9;
+  scene.analysis.gravity = Vec2::Zero();
+  scene.blocks[1].velocity = {0, -0.1};
+  const double w = std::sqrt(1e6 * 2 / 4000), phase = 2 * std::atan(w * 0.01 / 2), amplitude = 0.1 / w;
+  const BuiltScene built = build(scene);
+  for (int k = 1; k <= 1000; ++k) {
+    run(*built.stepper, 1);
+    const double y = travel(*built.stepper, 1).y();
+    ASSERT_NEAR(y, -amplitude * std::sin(k * phase), 1e-5 * amplitude) << k;
+    const double v = momentum(*built.stepper, 1).y() / 4000;
+    ASSERT_NEAR(std::hypot(y, v / w), amplitude, 1e-8 * amplitude) << k;
+  }
+  const Energy& now = built.stepper->energy().now;
+  EXPECT_NEAR(now.kinetic + now.elastic, 20, 1e-6);
+}
+
+TEST(JointSprings, TakeShearUpToFrictionAndThenItsResidual) {
+  for (const bool rigid : {false, true}) {
+    Scene scene = shear_box(rigid, 1e-5);
+    scene.joints[0].residual_friction_angle = 25;
+    const BuiltScene built = build(scene);
+    double peak = 0;
+    for (int k = 1; k <= 60; ++k) {
+      run(*built.stepper, 1);
+      const double shear = sum_of_shear(*built.stepper);
+      peak = std::max(peak, shear);
+      if (!rigid && k == 10) {
+        EXPECT_NEAR(shear, 1e8 * 2 * k * 1e-5, 1e-3 * shear);
+      }
+    }
+    EXPECT_NEAR(sum_of_shear(*built.stepper), 40e3 * std::tan(radians(25)), 1e-6 * 40e3);
+    EXPECT_NEAR(peak, 40e3 * std::tan(radians(40)), 1e-3 * 40e3);
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
+  }
+}
+
+/// Friction lifts a block that slides by tan(i) of its slip, and no further when it has slid so far.
+TEST(JointSprings, LiftABlockThatSlidesByTheDilationAngle) {
+  for (const bool rigid : {false, true}) {
+    Scene scene = shear_box(rigid, 1e-3);
+    scene.joints[0].dilation_angle = 8;
+    scene.joints[0].dilation_slip = 0.04;
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 20);
+    const Vec2 before = travel(*built.stepper, 1);
+    run(*built.stepper, 15);
+    const Vec2 way = travel(*built.stepper, 1) - before;
+    EXPECT_NEAR(way.y() / way.x(), std::tan(radians(8)), 1e-3 * std::tan(radians(8)));
+    run(*built.stepper, 25);
+    double gap = 0;
+    for (const ddacontact::ContactRecord& contact : built.stepper->contacts())
+      gap += (contact.end_gap + contact.history.gap_offset) / 2;
+    EXPECT_NEAR(gap, 0.04 * std::tan(radians(8)) - (rigid ? 0 : 40e3 / (1e8 * 2)), 2e-6);
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
+    EXPECT_GT(built.stepper->energy().now.friction_dissipated, 0);
+  }
+}
