@@ -126,7 +126,7 @@ def series(directory, name, times):
 
 
 def main(program, scene, directory, refine):
-    subprocess.run([program, "run", scene, "-o", directory, "--quiet", "--steps", "20", "--set", "output.every=5",
+    subprocess.run([program, "run", scene, "-o", directory, "--quiet", "--force", "--steps", "20", "--set", "output.every=5",
                     "--set", f"output.refine={refine}"], check=True)
     times = [0.0] + [float(row["time"]) for row in table(directory, "energy.csv") if int(row["step"]) in (5, 10, 15, 20)]
     blocks, contacts = series(directory, "results.pvd", times), series(directory, "contacts.pvd", times)
