@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 source tests/support/debian_packages.sh
 install_packages "${site_packages[@]}"
 output=$(realpath --canonicalize-missing "${1:-build/site}")
-/usr/bin/python3 -m sphinx -W --keep-going -q -c doc/site -d "$output.doctrees" doc "$output"
+/usr/bin/python3 -m sphinx -E -a -W --keep-going -q -c doc/site -d "$output.doctrees" doc "$output"
 mathjax=/usr/share/javascript/mathjax
 for part in MathJax.js config/TeX-AMS_CHTML.js extensions jax/element jax/input/TeX jax/output/CommonHTML fonts/HTML-CSS/TeX/woff; do
   mkdir -p "$output/_static/mathjax/$(dirname "$part")"

@@ -15,30 +15,32 @@ import sys
 
 PAGES = ("dda", "mechanics", "blocks", "jointed_rock", "paper", "stability")
 CHECK = re.compile(r"^\| (?P<statement>.*?) \| (?P<passes>yes|\*\*no\*\*) \| (?P<value>.*?) \|$", re.M)
+SECTION = re.compile(r"^#+ (?:\d+\. )?(.*)$", re.M)
 FIGURE = re.compile(r"(<!-- from (?P<page>\S+): (?P<row>.*?) #(?P<column>\d+) -->)(?P<text>.*?)(<!-- end -->)", re.S)
 
 
 def checks(root):
-    """(page, title, statement, passes, value) of every check."""
+    """(page, title, section, statement, passes, value) of every check."""
     for page in PAGES:
         text = (root / f"doc/verification/{page}.md").read_text()
         title = text.split("\n", 1)[0].removeprefix("# ")
         for check in CHECK.finditer(text):
-            yield page, title, check["statement"], check["passes"] == "yes", check["value"]
+            section = SECTION.findall(text[: check.start()])[-1]
+            yield page, title, section, check["statement"], check["passes"] == "yes", check["value"]
 
 
 def scorecard(root):
     """The page."""
     found = list(checks(root))
-    passed = sum(passes for _, _, _, passes, _ in found)
+    passed = sum(check[4] for check in found)
     rows, failures = "", ""
     for page in PAGES:
         mine = [check for check in found if check[0] == page]
-        good = sum(check[3] for check in mine)
+        good = sum(check[4] for check in mine)
         rows += f"| [{mine[0][1]}]({page}.md) | {len(mine)} | {good} | {len(mine) - good} |\n"
         failures += "".join(
-            f"| [{page}]({page}.md) | {statement} | {value} |\n"
-            for _, _, statement, passes, value in mine
+            f"| [{page}]({page}.md): {section} | {statement} | {value} |\n"
+            for _, _, section, statement, passes, value in mine
             if not passes
         )
     return f"""# Scorecard
@@ -52,7 +54,7 @@ Made by `python3 doc/verification/scorecard.py . --write` from the verification 
 
 ## Checks that fail
 
-| page | requirement | value |
+| page and section | requirement | value |
 |---|---|---|
 {failures}"""
 
