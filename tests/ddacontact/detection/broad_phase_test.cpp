@@ -9,7 +9,7 @@ using namespace ddacontact;
 
 namespace {
 
-Box box(const Vec2& low, const Vec2& size) {
+Box box_between(const Vec2& low, const Vec2& size) {
   return {low, low + size};
 }
 
@@ -48,38 +48,42 @@ Vec2 grid_point(int side, std::mt19937& random) {
 }  // namespace
 
 TEST(BroadPhase, FindsThePairsOfBoxesOfEqualSize) {
-  expect_all_pairs("equal", 500, [](auto& r) { return box(point(8, r), {1, 1}); });
+  expect_all_pairs("equal", 500, [](auto& r) { return box_between(point(8, r), {1, 1}); });
 }
 
 TEST(BroadPhase, FindsThePairsOfBoxesOfSizesOneToAHundred) {
   expect_all_pairs("1:100", 500, [](auto& r) {
     const double size = std::pow(10, draw(-1, 1, r));
-    return box(point(60, r), {size * draw(0.1, 1, r), size * draw(0.1, 1, r)});
+    return box_between(point(60, r), {size * draw(0.1, 1, r), size * draw(0.1, 1, r)});
   });
 }
 
 TEST(BroadPhase, FindsBoxesThatTouchInAPointOrALine) {
-  expect_all_pairs("touching", 500, [](auto& r) { return box(grid_point(12, r), {1, 1}); });
-  expect_all_pairs("touching, sizes", 500, [](auto& r) { return box(grid_point(30, r), grid_point(4, r)); });
+  expect_all_pairs("touching", 500, [](auto& r) { return box_between(grid_point(12, r), {1, 1}); });
+  expect_all_pairs("touching, sizes", 500,
+                   [](auto& r) { return box_between(grid_point(30, r), grid_point(4, r)); });
 }
 
 TEST(BroadPhase, FindsPointsAndSegmentsAmongBoxes) {
-  expect_all_pairs("points", 200, [](auto& r) { return box(grid_point(5, r), {0, 0}); });
-  expect_all_pairs("mixed", 500,
-                   [](auto& r) { return box(grid_point(8, r), Vec2(r() % 2 ? 2 : 0, r() % 3 ? 0 : 1)); });
+  expect_all_pairs("points", 200, [](auto& r) { return box_between(grid_point(5, r), {0, 0}); });
+  expect_all_pairs("mixed", 500, [](auto& r) {
+    return box_between(grid_point(8, r), Vec2(r() % 2 ? 2 : 0, r() % 3 ? 0 : 1));
+  });
 }
 
 TEST(BroadPhase, FindsAllPairsOfCoincidentBoxes) {
-  expect_all_pairs("identical", 100, [](auto&) { return box({3, 4}, {1, 2}); });
-  expect_all_pairs("identical points", 100, [](auto&) { return box({3, 4}, {0, 0}); });
+  expect_all_pairs("identical", 100, [](auto&) { return box_between({3, 4}, {1, 2}); });
+  expect_all_pairs("identical points", 100, [](auto&) { return box_between({3, 4}, {0, 0}); });
 }
 
 TEST(BroadPhase, FindsPairsFarFromTheOriginAndFromEachOther) {
-  expect_all_pairs("far away", 300, [](auto& r) { return box(Vec2(5e5, -4e6) + point(8, r), {1, 1}); });
-  expect_all_pairs("two clusters", 300, [](auto& r) {
-    return box(Vec2(r() % 2 ? 0 : 1e12, r() % 2 ? 0 : 1e12) + grid_point(6, r), {1, 1});
+  expect_all_pairs("far away", 300, [](auto& r) {
+    return box_between(Vec2(5e5, -4e6) + point(8, r), {1, 1});
   });
-  expect_all_pairs("on a line", 300, [](auto& r) { return box(Vec2(draw(0, 30, r), 0), {1, 1e-9}); });
+  expect_all_pairs("two clusters", 300, [](auto& r) {
+    return box_between(Vec2(r() % 2 ? 0 : 1e12, r() % 2 ? 0 : 1e12) + grid_point(6, r), {1, 1});
+  });
+  expect_all_pairs("on a line", 300, [](auto& r) { return box_between(Vec2(draw(0, 30, r), 0), {1, 1e-9}); });
 }
 
 TEST(BroadPhase, AWidenedBoxHoldsThePolygonAndItsMargin) {
@@ -96,7 +100,7 @@ TEST(BroadPhase, AWallOfManyBoxesIsFoundInTimeProportionalToThem) {
   std::vector<Box> boxes;
   const int rows = 200, columns = 200;
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) boxes.push_back(box(Vec2(c, r), {1, 1}));
+    for (int c = 0; c < columns; ++c) boxes.push_back(box_between(Vec2(c, r), {1, 1}));
   EXPECT_EQ(overlapping_pairs(boxes).size(),
             std::size_t(rows * (columns - 1) * 2 + 2 * (rows - 1) * (columns - 1)));
 }
