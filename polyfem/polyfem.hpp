@@ -4,8 +4,7 @@
 /// and mean value functions for others; `dunavant_rule(4)` with `GradientCorrection::on` for stiffness (the
 /// patch test holds to round-off); `tabulate_to_tolerance` where an error bound is wanted. Files that build
 /// slowly include the single headers instead: meshes (`mesh/voronoi.hpp`), elements (`element/matrices.hpp`),
-/// problems
-/// (`assembly/field_problem.hpp`).
+/// problems (`assembly/field_problem.hpp`).
 #pragma once
 
 // Shape functions and their integrals.

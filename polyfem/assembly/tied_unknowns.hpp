@@ -24,6 +24,7 @@ struct Reduction {
 /// circle.
 class TiedUnknowns {
  public:
+  /// One relation.
   struct Tie {
     std::vector<TieTerm> terms;
     double constant;

@@ -11,7 +11,7 @@ set(third_party
   "toml\\+\\+|toml\\.hpp"                 "^ddacontact/scene/"
   "nlohmann/"                             "^ddacontact/(output/|scene/json_(parser|schema)\\.cpp$|study/safety_files\\.cpp$)"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
-  "cholmod|suitesparse/|cblas|openblas"   "^polyfem/assembly/"
+  "cholmod|umfpack|suitesparse/|cblas|openblas"  "^polyfem/assembly/"
   "zlib|pugixml"                          "^polyfem/io/"
   "gtest/|gmock/"                         "^polyfem/testing/"
   "pybind11/"                             "^apps/python/"
@@ -25,7 +25,10 @@ foreach(file IN LISTS files)
   string(REGEX MATCH "^([^/]+)/([^/]+)/" place ${file})
   set(library ${CMAKE_MATCH_1})
   set(folder ${CMAKE_MATCH_2})
-  if(NOT library STREQUAL apps)
+  if(file STREQUAL "polyfem/polyfem.hpp")  # all of the library in one header: above its folders, for users alone
+    set(library polyfem)
+    set(rank 1000)
+  elseif(NOT library STREQUAL apps)
     list(FIND ${library}_folders "${folder}" rank)
     if(rank EQUAL -1)
       list(APPEND violations "${file}: is in no folder of ${library} that has a place in the order")
@@ -46,6 +49,8 @@ foreach(file IN LISTS files)
       elseif(library STREQUAL polyfem OR (library STREQUAL ddacontact AND from STREQUAL apps))
         list(APPEND violations "${file}: ${library} must not know of <${header}>")
       endif()
+    elseif(header STREQUAL "polyfem/polyfem.hpp" AND NOT library STREQUAL apps)
+      list(APPEND violations "${file}: <${header}> is for users of the library")
     elseif(header MATCHES "^\\.\\.?/" OR header MATCHES "/\\.\\./")
       list(APPEND violations "${file}: includes by a relative path, \"${header}\"")
     endif()
