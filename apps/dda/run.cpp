@@ -5,6 +5,7 @@
 #include "memory.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
+#include "run_output.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,18 +18,14 @@
 #include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/resumption.hpp>
-#include <ddacontact/scene/words.hpp>
-#include <ddacontact/scene/writer.hpp>
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/core/parallel.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <new>
@@ -64,32 +61,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// In place of an older one once it is whole.
-void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
-  std::filesystem::path part = path;
-  std::ofstream out(part += ".part", std::ios::binary);
-  write_scene(out, scene);
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (!out || error) {
-    std::filesystem::remove(part, error);
-    throw OutputError("cannot write \"" + path.string() + "\"");
-  }
-}
-
-FrameOptions frame_options(const OutputOptions& output, bool skip, int n_threads) {
-  const auto asked_for = [&](const char* field) { return std::ranges::count(output.fields, field) > 0; };
-  return {.every = output.every,
-          .displacement = asked_for("displacement"),
-          .velocity = asked_for("velocity"),
-          .stress = asked_for("stress"),
-          .principal = asked_for("principal"),
-          .n_threads = n_threads,
-          .skip = skip,
-          .refine = output.refine};
-}
-
 std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool goes_on) {
   try {
     auto log = std::make_shared<spdlog::logger>(
@@ -99,15 +70,6 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool
   } catch (const spdlog::spdlog_ex& error) {
     throw OutputError(error.what());
   }
-}
-
-/// Whether the run has made the steps asked for in all, or those of its stages, of which `until` may have
-/// ended some.
-bool is_done(const Stepper& stepper, const std::optional<int>& steps) {
-  if (stepper.is_over()) return true;
-  if (steps) return stepper.counts().steps >= *steps;
-  const bool in_last_stage = stepper.stage() + 1 == static_cast<int>(stepper.stages().size());
-  return in_last_stage && stepper.stage_end().steps >= stepper.stages().back().analysis.steps;
 }
 
 /// Steps until the end, a stop or a signal; fills the summary's status and reason.
@@ -137,13 +99,6 @@ void run_steps(Stepper& stepper, const std::optional<int>& steps, const std::vec
   }
 }
 
-/// As scenes write it.
-std::string word_of(Scheme scheme) {
-  for (const auto& [text, choice] : scene_format::words_of(scheme))
-    if (choice == scheme) return text;
-  return {};
-}
-
 /// Everything that a run ends with: what can be written is, then the first failure is thrown. Where memory
 /// does not suffice for results the run counts as stopped, unless there is no checkpoint either.
 void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& checkpoints,
@@ -167,7 +122,7 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
     attempt([&] { results.write_last_frame(stepper); });
   }
   summary.warnings = warnings_of(stepper);
-  summary.scheme = word_of(stepper.stages()[stepper.stage()].analysis.scheme);
+  summary.scheme = scheme_word(stepper);
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);
   attempt([&] { results.finish(stepper, summary); });
@@ -287,8 +242,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
                                               : std::filesystem::path(arguments.directory);
   keep_older(arguments, directory);
   ResultDirectory results =
-      open_results(arguments, directory, built.labels,
-                   frame_options(scene.output, scene.analysis.skip.output, arguments.threads), from);
+      open_results(arguments, directory, built.labels, frame_options(scene, arguments.threads), from);
   const std::string made_by = fmt::format("dda {}, {}, {}", POLYDDA_VERSION, blas, __VERSION__);
   Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every, made_by);
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt", from.has_value());

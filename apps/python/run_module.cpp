@@ -3,21 +3,16 @@
 #include <pybind11/stl.h>
 #include <apps/dda/checkpoints.hpp>
 #include <apps/dda/memory.hpp>
+#include <apps/dda/run_output.hpp>
 #include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/reader.hpp>
-#include <ddacontact/scene/words.hpp>
-#include <ddacontact/scene/writer.hpp>
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/core/parallel.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 
 namespace polydda_python {
@@ -82,36 +77,6 @@ class Listener {
   std::optional<py::error_already_set> exception_;
 };
 
-bool is_done(const Stepper& stepper) {
-  const bool in_last_stage = stepper.stage() + 1 == static_cast<int>(stepper.stages().size());
-  return stepper.is_over() ||
-         (in_last_stage && stepper.stage_end().steps >= stepper.stages().back().analysis.steps);
-}
-
-FrameOptions frame_options(const OutputOptions& output, bool skip, int n_threads) {
-  const auto has = [&](const char* field) { return std::ranges::count(output.fields, field) > 0; };
-  return {.every = output.every,
-          .displacement = has("displacement"),
-          .velocity = has("velocity"),
-          .stress = has("stress"),
-          .principal = has("principal"),
-          .n_threads = n_threads,
-          .skip = skip,
-          .refine = output.refine};
-}
-
-std::string word_of(Scheme scheme) {
-  for (const auto& [text, choice] : scene_format::words_of(scheme))
-    if (choice == scheme) return text;
-  return {};
-}
-
-void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
-  std::ofstream out(path, std::ios::binary);
-  write_scene(out, scene);
-  if (!out.flush()) throw OutputError("cannot write \"" + path.string() + "\"");
-}
-
 /// Notes and warnings of a run.
 struct Remarks {
   std::vector<std::string> notes, warnings;
@@ -131,14 +96,13 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   summary.domain = scene.domain;
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   if (!force) keep_older_results(directory);
-  ResultDirectory results(directory, built.labels,
-                          frame_options(scene.output, scene.analysis.skip.output, threads));
+  ResultDirectory results(directory, built.labels, dda::frame_options(scene, threads));
   dda::Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every,
                                std::string("dda ") + POLYDDA_VERSION + ", " + blas + ", " + __VERSION__);
-  write_scene_file(results.path() / "scene.toml", scene);
+  dda::write_scene_file(results.path() / "scene.toml", scene);
   results.write_start(stepper, built.probes);
   summary.status = "completed";
-  while (!is_done(stepper)) {
+  while (!dda::is_done(stepper)) {
     bool stepped = false;
     if (!listener.interrupted()) {
       const polyfem::Stopwatch watch(summary.seconds_steps);
@@ -157,7 +121,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   checkpoints.write(stepper, results);
   results.write_last_frame(stepper);
   summary.warnings = warnings_of(stepper);
-  summary.scheme = word_of(stepper.stages()[stepper.stage()].analysis.scheme);
+  summary.scheme = dda::scheme_word(stepper);
   total.reset();
   results.finish(stepper, summary);
   Remarks remarks{built.notes, summary.warnings};

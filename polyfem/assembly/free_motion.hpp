@@ -21,6 +21,6 @@ struct FreeMotion {
 /// each other count as one. `lower` may have its held rows and columns taken out.
 std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
                                            const SparseMatrix& lower, const HeldUnknowns& held,
-                                           const TiedUnknowns& tied = {});
+                                           const TiedUnknowns& tied);
 
 }  // namespace polyfem

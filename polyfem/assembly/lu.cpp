@@ -1,7 +1,6 @@
 #include <polyfem/assembly/lu.hpp>
 
 #include <polyfem/core/error.hpp>
-#include <polyfem/core/out_of_memory.hpp>
 
 #include <umfpack.h>
 

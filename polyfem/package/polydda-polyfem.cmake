@@ -1,7 +1,6 @@
 # What polydda::polyfem needs, and the target. The others are needed for linking only.
 find_dependency(Eigen3 3.4 NO_MODULE)
-find_dependency(CHOLMOD)
-find_dependency(UMFPACK)
+find_dependency(SuiteSparse)
 find_dependency(GEOS)
 find_dependency(Threads)
 find_dependency(OpenMP COMPONENTS CXX)
