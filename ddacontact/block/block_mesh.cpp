@@ -3,6 +3,7 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
+#include <polyfem/mesh/cell_division.hpp>
 #include <polyfem/mesh/generators.hpp>
 #include <polyfem/mesh/vertex_moves.hpp>
 #include <polyfem/mesh/voronoi.hpp>
@@ -45,6 +46,28 @@ PolygonMesh quads(const PointsRef& outline, double cells) {
     return (1 - s.x()) * (1 - s.y()) * outline.col(0) + s.x() * (1 - s.y()) * outline.col(1) +
            s.x() * s.y() * outline.col(2) + (1 - s.x()) * s.y() * outline.col(3);
   });
+}
+
+constexpr int most_cells = 1'000'000;
+
+PolygonMesh graded(PolygonMesh mesh, double size, const std::vector<Vec2>& contact) {
+  const auto is_large = [&](int c) {
+    const Points outline = mesh.outline(c);
+    const double of_cell = std::sqrt(polyfem::signed_area(outline));
+    double distance = std::numeric_limits<double>::infinity();
+    for (const Vec2& x : contact)
+      distance = std::min(distance, (outline.colwise() - x).colwise().norm().minCoeff());
+    return of_cell > size + distance;
+  };
+  for (bool any = true; any;) {
+    std::vector<char> large(static_cast<std::size_t>(mesh.n_cells()));
+    for (int c = 0; c < mesh.n_cells(); ++c) large[c] = is_large(c);
+    any = std::ranges::count(large, 1) > 0;
+    if (any) mesh = polyfem::divide_cells(mesh, large);
+    if (mesh.n_cells() > most_cells)
+      throw Error("more than a million cells (ask for a larger `at_contact`)");
+  }
+  return mesh;
 }
 
 /// The ring of the mesh's boundary, counter-clockwise from its vertex nearest to `start`.
@@ -103,19 +126,25 @@ struct OpenMesh {
 
 }  // namespace
 
-BlockMesh divide(const PointsRef& outline, const MeshOptions& options) {
+BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std::vector<Vec2>& contact) {
   const Vec2 shift = outline.rowwise().mean();
   const Points local = outline.colwise() - shift;
   const double area = polyfem::signed_area(local);
   const double wanted =
       options.cell_size > 0 ? std::max(1.0, area / (options.cell_size * options.cell_size)) : options.cells;
-  if (!(wanted <= 1e6))
+  if (!(wanted <= most_cells))
     throw Error("more than a million cells (ask for fewer `cells` or a larger `cell_size`)");
   polyfem::VoronoiOptions how;
   how.n_cells = static_cast<int>(std::lround(wanted));
   const bool fits_quads = local.cols() == 4 && !polyfem::find_non_convex_corner(local, least_turn_of_quads);
   const bool in_quads = options.kind == CellKind::quads || (options.kind == CellKind::by_shape && fits_quads);
-  OpenMesh mesh(in_quads ? quads(local, wanted) : polyfem::voronoi(local, how), local.col(0));
+  PolygonMesh cells = in_quads ? quads(local, wanted) : polyfem::voronoi(local, how);
+  if (options.at_contact > 0 && !contact.empty()) {
+    std::vector<Vec2> zone;
+    for (const Vec2& x : contact) zone.push_back(x - shift);
+    cells = graded(std::move(cells), options.at_contact, zone);
+  }
+  OpenMesh mesh(cells, local.col(0));
   for (const Vec2& x : local.colwise())
     if (mesh.find_on_ring(x) < 0) mesh.insert(x);
 

@@ -11,7 +11,7 @@ namespace ddacontact {
 namespace {
 
 bool stays(const TimeFunction& motion) {
-  return motion.kind != TimeFunction::Kind::history && motion.value.isZero(0);
+  return !motion.is_history() && motion.value.isZero(0);
 }
 
 }  // namespace
@@ -67,6 +67,7 @@ void BlockSystem::remove(int b) {
   std::erase_if(point_loads, [&](const PointLoad& load) { return load.point.block == b; });
   std::erase_if(pressure_loads, [&](const PressureLoad& load) { return load.block == b; });
   std::erase_if(body_loads, [&](const BodyLoad& load) { return load.block == b; });
+  std::erase_if(water.faces, [&](const WetFace& face) { return face.block == b; });
   std::erase_if(held_vertices, [&](const HeldVertex& held) { return held.block == b; });
   std::erase_if(held_unknowns_, [&](const HeldUnknown& held) { return block_of_place_[held.vertex] == b; });
   std::erase_if(supported_vertices, [&](int place) { return block_of_place_[place] == b; });
@@ -139,15 +140,45 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
     for (int p = 0; p < on.n_places(); ++p)
       if (load.point.weights[p] != 0) on.vertex_map(p).add_force(load.point.weights[p] * force, F);
   }
-  for (const PressureLoad& load : pressure_loads) {
-    const Block& on = block(load.block);
-    const int j = load.edge, k = (load.edge + 1) % on.n_vertices();
-    const Vec2 edge =
-        state.position.col(on.vertices().first + k) - state.position.col(on.vertices().first + j);
-    const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
-    for (int v : {j, k}) on.vertex_map(v).add_force(load.pressure / 2 * inward, F);
-  }
+  add_edge_forces(state, time, [&](int b, int vertex, const Vec2& force) {
+    block(b).vertex_map(vertex).add_force(force, F);
+  });
   for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
+  const Vec2 shaking = ground_acceleration(time);
+  for (int b = 0; !shaking.isZero(0) && b < n_blocks(); ++b)
+    if (present_[b]) block(b).add_body_force(-block(b).mass_total() / block(b).reference_area() * shaking, F);
+}
+
+Vec2 BlockSystem::ground_acceleration(double time) const {
+  Vec2 sum = Vec2::Zero();
+  for (const TimeFunction& of_record : ground)
+    if (time >= of_record.history.front()[0] && time <= of_record.history.back()[0])
+      sum += of_record.at(time, end_time);
+  return sum;
+}
+
+void BlockSystem::add_edge_forces(const BlockState& state, double time, const AddForce& add) const {
+  const auto end_of = [&](int b, int edge) { return (edge + 1) % block(b).n_vertices(); };
+  const auto at = [&](int b, int vertex) -> Vec2 {
+    return state.position.col(block(b).vertices().first + vertex);
+  };
+  for (const PressureLoad& load : pressure_loads) {
+    const Vec2 edge = at(load.block, end_of(load.block, load.edge)) - at(load.block, load.edge);
+    const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
+    for (const int vertex : {load.edge, end_of(load.block, load.edge)})
+      add(load.block, vertex, load.pressure.at(time, end_time).x() / 2 * inward);
+  }
+  const double unit_weight = -water.water.density * gravity.y();
+  for (const WetFace& face : water.faces) {
+    const Points& table = face.in_joint ? water.water.joint_table : water.water.table;
+    if (table.cols() == 0) continue;
+    const int end = end_of(face.block, face.edge);
+    const Vec2 origin = state.origin.col(face.block);
+    const EdgeForces forces = water_forces(table, unit_weight, origin + at(face.block, face.edge),
+                                           origin + at(face.block, end), face.from, face.to);
+    if (!forces.start.isZero(0)) add(face.block, face.edge, forces.start);
+    if (!forces.end.isZero(0)) add(face.block, end, forces.end);
+  }
 }
 
 void BlockSystem::find_coordinates(BlockState& state) const {

@@ -3,8 +3,10 @@
 
 #include <ddacontact/block/block.hpp>
 #include <ddacontact/block/rounded_corners.hpp>
+#include <ddacontact/block/water_pressure.hpp>
 #include <ddacontact/core/time_function.hpp>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,7 +27,12 @@ struct PointLoad {
 /// A pressure on an edge.
 struct PressureLoad {
   int block = 0, edge = 0;
-  double pressure = 0;  ///< Pa, > 0 pushes into the block; follows the edge
+  TimeFunction pressure;  ///< its x, Pa: > 0 pushes into the block; follows the edge
+};
+/// Water at rest on faces.
+struct WaterLoad {
+  Water water;
+  std::vector<WetFace> faces;  ///< all that it may reach
 };
 /// A force on every part of a block.
 struct BodyLoad {
@@ -69,6 +76,8 @@ class BlockSystem {
   std::vector<PointLoad> point_loads;
   std::vector<PressureLoad> pressure_loads;
   std::vector<BodyLoad> body_loads;
+  WaterLoad water;
+  std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2; 0 outside them
   std::vector<HeldVertex> held_vertices;
   /// Every vertex that the scene holds, by its place in the arrays of the state, ascending. Of an affine
   /// block held at more than three vertices three carry the reactions of all.
@@ -112,7 +121,12 @@ class BlockSystem {
 
   /// F += gravity, Eq. (23).
   void add_gravity(VectorXd& F) const;
-  /// F += point, pressure and body loads at `time` on the shape of `state`, Eq. (21), (23).
+  /// The acceleration of what the blocks are seen from, m/s2.
+  Vec2 ground_acceleration(double time) const;
+  using AddForce = std::function<void(int block, int vertex, const Vec2& force)>;
+  /// The forces at the ends of edges of pressures and water, N per m, on the shape of `state`.
+  void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
+  /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21), (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
   /// Finds the motions of the blocks that may move from their places in `state`.
   void find_coordinates(BlockState& state) const;

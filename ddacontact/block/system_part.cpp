@@ -67,6 +67,13 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
       load.block = k;
       system_.body_loads.push_back(std::move(load));
     }
+  system_.water.water = whole.water.water;
+  for (WetFace face : whole.water.faces)
+    if (const int k = taking_part(face.block); k >= 0) {
+      face.block = k;
+      system_.water.faces.push_back(face);
+    }
+  system_.ground = whole.ground;
   for (HeldVertex held : whole.held_vertices)
     if (const int k = taking_part(held.block); k >= 0) {
       held.block = k;

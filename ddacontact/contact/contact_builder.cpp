@@ -204,17 +204,38 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   const auto start_b = shifted.leftCols(of_b.count);
   move(a, start_a, moved_a);
   move(b, start_b, moved_b);
-  if (blocks_.has_rounded_corners())
-    return find_rounded_contacts({a, start_a, moved_a.leftCols(of_a.count)}, blocks_.rounded(a),
-                                 {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits,
-                                 earlier, found, choices);
   const std::size_t first = found.size();
-  find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
-                {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
+  if (blocks_.has_rounded_corners())
+    find_rounded_contacts({a, start_a, moved_a.leftCols(of_a.count)}, blocks_.rounded(a),
+                          {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits, earlier,
+                          found, choices);
+  else
+    find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
+                  {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
+  if (!blocks_.is_free(a) && !blocks_.is_free(b)) {
+    const auto between_held = [&](const VertexEdge& of) { return !can_change(state, of); };
+    found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), between_held),
+                found.end());
+  }
+  if (blocks_.has_rounded_corners()) return;
   const auto is_compliant = [&](const VertexEdge& of) { return properties_.strength(of).is_compliant(); };
   if (any_compliant &&
       std::any_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), is_compliant))
     keep_one_spring(blocks_, state, near_corner * size, previous, first, found);
+}
+
+bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair) const {
+  Contact contact;
+  contact.motion = motion_of(blocks_, state, pair);
+  const VertexEdgePlace place = contact.motion.slip_place();
+  contact.history.lock = edge_fraction(place.i, place.j, place.k);
+  for (const VertexEdgeForm& of : {contact.first_gap(), contact.first_slip()}) {
+    const AffineForm form = contact.motion.form(of.gradient);
+    for (std::size_t k = 0; k < form.unknowns().size(); ++k)
+      if (blocks_.equation()[form.unknowns()[k]] >= 0 && std::abs(form.coefficients()[k]) > coincidence)
+        return true;
+  }
+  return false;
 }
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,

@@ -124,6 +124,9 @@ class ContactBuilder {
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
+  /// Whether unknowns that are not held move the vertex and the edge against each other, by more than the
+  /// tolerance of places. Between held places there is nothing to solve: their force is that of the supports.
+  bool can_change(const BlockState& state, const VertexEdge& pair) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.

@@ -87,6 +87,7 @@ struct MeshOptions {
   int cells = 64;          ///< about how many
   double cell_size = 0;    ///< m; > 0: as many cells as are of this size, instead
   bool edge_nodes = true;  ///< false: the block's edges stay straight
+  double at_contact = 0;   ///< m; > 0: cells are divided to this size where the block touches others
 
   bool operator==(const MeshOptions&) const = default;
 };

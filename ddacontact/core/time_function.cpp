@@ -1,35 +1,133 @@
 #include <ddacontact/core/time_function.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ddacontact {
 
 namespace {
 
-Vec2 interpolate(const std::vector<Vec3>& history, double time) {
+using Curve = std::vector<std::pair<Vec2, Vec2>>;
+
+/// Between entries by `between(number of the one before, fraction)`; the first before them.
+template <class Between, class After>
+Vec2 look_up(const std::vector<Vec3>& history, double time, Between&& between, After&& after_last) {
   const auto after = std::upper_bound(history.begin(), history.end(), time,
                                       [](double t, const Vec3& entry) { return t < entry[0]; });
-  if (after == history.begin()) return history.front().tail<2>();
-  if (after == history.end()) return history.back().tail<2>();
-  const Vec3 &a = *(after - 1), &b = *after;
-  const double s = (time - a[0]) / (b[0] - a[0]);
-  return (1 - s) * a.tail<2>() + s * b.tail<2>();
+  if (after == history.end()) return after_last(time - history.back()[0]);
+  if (after == history.begin()) return between(std::size_t{0}, 0.0);
+  const auto k = static_cast<std::size_t>(after - history.begin()) - 1;
+  return between(k, (time - history[k][0]) / (history[k + 1][0] - history[k][0]));
+}
+
+Vec2 along_lines(const std::vector<Vec3>& history, double time) {
+  return look_up(
+      history, time,
+      [&](std::size_t k, double s) -> Vec2 {
+        if (s == 0) return history[k].tail<2>();
+        return (1 - s) * history[k].tail<2>() + s * history[k + 1].tail<2>();
+      },
+      [&](double) -> Vec2 { return history.back().tail<2>(); });
+}
+
+/// The cubic polynomials with these values and derivatives at the entries; on with the last derivative.
+Vec2 along_curve(const std::vector<Vec3>& history, const Curve& curve, double time) {
+  return look_up(
+      history, time,
+      [&](std::size_t k, double s) -> Vec2 {
+        const auto& [p, u] = curve[k];
+        if (s == 0) return p;
+        const auto& [q, v] = curve[k + 1];
+        const double dt = history[k + 1][0] - history[k][0], r = 1 - s;
+        return p + s * s * (1 + 2 * r) * (q - p) + s * r * dt * (r * u - s * v);
+      },
+      [&](double beyond) -> Vec2 { return curve.back().first + beyond * curve.back().second; });
+}
+
+/// The derivatives of the cubic spline that is at rest at both ends.
+Curve spline(const std::vector<Vec3>& entries) {
+  const std::size_t n = entries.size();
+  Curve curve;
+  for (const Vec3& entry : entries) curve.emplace_back(entry.tail<2>(), Vec2::Zero());
+  // The tridiagonal equations of continuous second derivatives, eliminated downwards.
+  std::vector<double> upper(n, 0);
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    const double a = 1 / (entries[k][0] - entries[k - 1][0]), b = 1 / (entries[k + 1][0] - entries[k][0]);
+    const Vec2 right = 3 * (a * a * (curve[k].first - curve[k - 1].first) +
+                            b * b * (curve[k + 1].first - curve[k].first));
+    const double pivot = 2 * (a + b) - a * upper[k - 1];
+    upper[k] = b / pivot;
+    curve[k].second = (right - a * curve[k - 1].second) / pivot;
+  }
+  for (std::size_t k = n; k-- > 1;) curve[k - 1].second -= upper[k - 1] * curve[k].second;
+  return curve;
+}
+
+/// The integrals of values that are linear between entries, with these as derivatives.
+Curve integral(const std::vector<Vec3>& entries) {
+  Curve curve;
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (k > 0)
+      sum += (entries[k][0] - entries[k - 1][0]) / 2 * (entries[k - 1] + entries[k]).tail<2>();
+    curve.emplace_back(sum, entries[k].tail<2>());
+  }
+  return curve;
+}
+
+/// The integrals of those integrals.
+Curve second_integral(const std::vector<Vec3>& entries) {
+  Curve curve = integral(entries);
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const Vec2 velocity = curve[k].first;
+    if (k > 0) {
+      const double dt = entries[k][0] - entries[k - 1][0];
+      sum += dt * curve[k - 1].second + dt * dt / 6 * (2 * entries[k - 1] + entries[k]).tail<2>();
+    }
+    curve[k] = {sum, velocity};
+  }
+  return curve;
 }
 
 }  // namespace
 
 Vec2 TimeFunction::at(double time, double end_time) const {
+  const double part = rise > 0 ? std::clamp(time / rise, 0.0, 1.0) : 1;
   switch (kind) {
     case Kind::constant:
-      return value;
+      return part * value;
     case Kind::ramp:
-      return value * std::clamp(time / end_time, 0.0, 1.0);
+      return part * std::clamp(time / end_time, 0.0, 1.0) * value;
     case Kind::rate:
-      return value * time;
+      return part * time * value;
     case Kind::history:
-      return interpolate(history, time);
+      return part * along_lines(history, time);
+    default:
+      return part * along_curve(history, curve, time);
   }
-  return value;
+}
+
+TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries) {
+  TimeFunction function{kind, Vec2::Zero(), std::move(entries)};
+  if (kind == TimeFunction::Kind::smooth_history) function.curve = spline(function.history);
+  if (kind == TimeFunction::Kind::velocity_history) function.curve = integral(function.history);
+  if (kind == TimeFunction::Kind::acceleration_history) function.curve = second_integral(function.history);
+  return function;
+}
+
+double sampling_error(const std::vector<Vec3>& entries) {
+  if (entries.size() < 5) return 0;
+  const Curve curve = spline(entries);
+  Vec2 mean = Vec2::Zero();
+  for (const Vec3& entry : entries) mean += entry.tail<2>() / static_cast<double>(entries.size());
+  double errors = 0, values = 0;
+  for (std::size_t k = 2; k + 2 < entries.size(); ++k) {  // the spline is made to rest at its ends
+    const double dt = entries[k + 1][0] - entries[k][0];
+    errors += (dt / 8 * (curve[k].second - curve[k + 1].second)).squaredNorm();
+    values += (curve[k].first - mean).squaredNorm();
+  }
+  return values > 0 ? std::sqrt(errors / values) : 0;
 }
 
 }  // namespace ddacontact

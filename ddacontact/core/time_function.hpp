@@ -3,6 +3,7 @@
 
 #include <ddacontact/core/types.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace ddacontact {
@@ -10,17 +11,31 @@ namespace ddacontact {
 /// A force, displacement or the like as a function of time.
 struct TimeFunction {
   enum class Kind {
-    constant,  ///< `value` at all times
-    ramp,      ///< grows linearly from 0 to `value` at the scene's end time, then constant
-    rate,      ///< `value` times t
-    history    ///< linear between the entries (t, x, y), constant outside
+    constant,              ///< `value` at all times
+    ramp,                  ///< grows linearly from 0 to `value` at the scene's end time, then constant
+    rate,                  ///< `value` times t
+    history,               ///< linear between the entries (t, x, y), constant outside
+    smooth_history,        ///< a cubic spline through the entries, at rest before and after them
+    velocity_history,      ///< the integral of what is linear between the entries, 0 at the first of them
+    acceleration_history,  ///< the integral of that, at rest before the first entry
   };
   Kind kind = Kind::constant;
   Vec2 value{0, 0};
-  std::vector<Vec3> history;
+  std::vector<Vec3> history{};  ///< entries (t, x, y), t ascending
+  /// Values and derivatives at the entries, between which the function is cubic, of kinds after `history`.
+  std::vector<std::pair<Vec2, Vec2>> curve{};
+  double rise = 0;  ///< s, in which all of it grows linearly from nothing at t = 0
 
+  bool is_history() const { return kind >= Kind::history; }
   /// `end_time` is the length the scene itself states: steps times time_step, of all stages.
   Vec2 at(double time, double end_time) const;
 };
+
+/// Of entries in the sense of the kind, one of the histories.
+TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries);
+
+/// How far lines between the entries are from a cubic spline through them, of the entries' deviation from their
+/// mean, both as root mean squares: (2 pi / n)^2 / 8 for a sine with n entries a period. 0 for fewer than five.
+double sampling_error(const std::vector<Vec3>& entries);
 
 }  // namespace ddacontact

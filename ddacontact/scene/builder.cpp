@@ -4,7 +4,9 @@
 #include <ddacontact/classic/affine_block.hpp>
 #include <ddacontact/classic/vertex_block.hpp>
 #include <ddacontact/scene/congruent_shapes.hpp>
+#include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/scene/model_choice.hpp>
+#include <ddacontact/scene/outline_distance.hpp>
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/geometry/area_moments.hpp>
@@ -60,10 +62,40 @@ Vec2 low_corner(const Scene& scene) {
   return low;
 }
 
-Placed place(const BlockDescription& block, const Vec2& origin) {
+/// Points of a block's outline that are no further from another block than its cells are to be there, half of
+/// that apart.
+std::vector<Vec2> contact_zone(const Scene& scene, int block) {
+  const double near = scene.blocks[block].mesh.at_contact;
+  const Points& outline = scene.blocks[block].vertices;
+  const Box own = bounding_box(outline, near);
+  std::vector<const Points*> others;
+  for (int b = 0; b < static_cast<int>(scene.blocks.size()); ++b)
+    if (b != block && touch(own, bounding_box(scene.blocks[b].vertices))) others.push_back(&scene.blocks[b].vertices);
+  std::vector<Vec2> zone;
+  for (Index k = 0; k < outline.cols(); ++k) {
+    const Vec2 start = outline.col(k), edge = outline.col((k + 1) % outline.cols()) - start;
+    const int n = static_cast<int>(std::ceil(2 * edge.norm() / near));
+    for (int i = 0; i < n; ++i) {
+      const Vec2 x = start + static_cast<double>(i) / n * edge;
+      for (const Points* other : others)
+        if (scene_format::distance_to_outline(x, *other) <= near) {
+          zone.push_back(x);
+          break;
+        }
+    }
+  }
+  return zone;
+}
+
+Placed place(const Scene& scene, int index, const Vec2& origin) {
+  const BlockDescription& block = scene.blocks[index];
   Placed placed{block.vertices.colwise() - origin, polyfem::signed_area(block.vertices) < 0, {}};
   if (placed.turned) placed.outline = placed.outline.rowwise().reverse().eval();
-  if (block.model == BlockModel::mesh) placed.mesh = divide(placed.outline, block.mesh);
+  if (block.model != BlockModel::mesh) return placed;
+  std::vector<Vec2> contact;
+  if (block.mesh.at_contact > 0) contact = contact_zone(scene, index);
+  for (Vec2& x : contact) x -= origin;
+  placed.mesh = divide(placed.outline, block.mesh, contact);
   return placed;
 }
 
@@ -151,7 +183,8 @@ class Builder {
   /// \param[in] reasons  why blocks have the models that the scene states; empty ones: it was asked for
   Builder(const Scene& scene, const std::vector<std::string>& reasons)
       : scene_(scene), reasons_(reasons), origin_(low_corner(scene)), shapes_(scene.analysis.skip.congruent) {
-    for (const BlockDescription& block : scene.blocks) placed_.push_back(place(block, origin_));
+    for (std::size_t b = 0; b < scene.blocks.size(); ++b)
+      placed_.push_back(place(scene, static_cast<int>(b), origin_));
     holds_ = collect_holds(scene, placed_);
   }
 
@@ -203,6 +236,7 @@ class Builder {
     system.gravity = scene_.analysis.gravity;
     system.end_time = scene_.end_time();
     add_loads(system);
+    for (const Quake& quake : scene_.quakes) system.ground.push_back(quake.acceleration);
     return system;
   }
 
@@ -356,7 +390,7 @@ class Builder {
           const int edge = on.turned ? (2 * n - 2 - load.edge) % n : load.edge;
           const int end = edge + 1 < n ? on.place(edge + 1) : block.n_vertices();
           for (int part = on.place(edge); part < end; ++part)
-            system.pressure_loads.push_back({load.block, part, load.pressure});
+            system.pressure_loads.push_back({load.block, part, load.force});
           break;
         }
         case Load::Kind::body:
@@ -458,11 +492,16 @@ class Builder {
     return scene_.stages.empty() ? scene_.stage("") : scene_.stages.front();
   }
 
+  Water from_origin(Water water) const {
+    for (Points* table : {&water.table, &water.joint_table}) table->colwise() -= origin_;
+    return water;
+  }
+
   std::vector<Stage> stages() const {
     std::vector<Stage> stages;
     const auto add = [&](const StageDescription& stage) {
       stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements,
-                        stage.until, stage.name});
+                        stage.until, stage.name, from_origin(stage.water)});
     };
     if (scene_.stages.empty()) add(scene_.stage(""));
     for (const StageDescription& stage : scene_.stages) add(stage);

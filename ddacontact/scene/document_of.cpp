@@ -19,6 +19,7 @@ MeshRecord record_of(const MeshOptions& mesh) {
   MeshRecord record;
   record.kind = mesh.kind;
   record.edge_nodes = mesh.edge_nodes;
+  if (mesh.at_contact > 0) record.at_contact = mesh.at_contact;
   if (mesh.cell_size > 0)
     record.cell_size = mesh.cell_size;
   else
@@ -86,14 +87,17 @@ BlockRecord record_of(const BlockDescription& block, const Scene& scene) {
 }
 
 /// The function as a history, for keys that have no other word for it.
-std::vector<Vec3> history_of(const TimeFunction& function, double end_time) {
-  if (function.kind == TimeFunction::Kind::history) return function.history;
-  const auto entry = [&](double t) {
+History history_of(TimeFunction function, double end_time) {
+  History history;
+  history.entries = function.history;
+  function.rise = 0;
+  const auto add = [&](double t) {
     const Vec2 value = function.at(t, end_time);
-    return Vec3(t, value.x(), value.y());
+    history.entries.emplace_back(t, value.x(), value.y());
   };
-  if (function.kind == TimeFunction::Kind::constant) return {entry(0)};
-  return {entry(0), entry(end_time)};
+  if (!function.is_history()) add(0);
+  if (!function.is_history() && function.kind != TimeFunction::Kind::constant) add(end_time);
+  return history;
 }
 
 SupportRecord record_of(const Support& support, const Scene& scene) {
@@ -101,12 +105,18 @@ SupportRecord record_of(const Support& support, const Scene& scene) {
   record.block = reference_to(support.block, scene.blocks);
   record.vertices.some = support.vertices;
   record.axes = support.hold_x && support.hold_y ? Axes::xy : support.hold_x ? Axes::x : Axes::y;
-  if (support.displacement.kind == TimeFunction::Kind::ramp)
+  using Kind = TimeFunction::Kind;
+  const Kind kind = support.displacement.kind;
+  if (kind == Kind::ramp)
     record.displacement = support.displacement.value;
-  else if (support.displacement.kind == TimeFunction::Kind::rate)
+  else if (kind == Kind::rate)
     record.velocity = support.displacement.value;
   else
-    record.history = history_of(support.displacement, scene.end_time());
+    (kind == Kind::velocity_history       ? record.velocity_history
+     : kind == Kind::acceleration_history ? record.acceleration_history
+                                          : record.history) =
+        history_of(support.displacement, scene.end_time());
+  if (kind == Kind::smooth_history) record.interpolation = Interpolation::smooth;
   return record;
 }
 
@@ -115,14 +125,32 @@ LoadRecord record_of(const Load& load, const Scene& scene) {
   record.type = load.kind;
   record.block = reference_to(load.block, scene.blocks);
   if (load.kind == Load::Kind::point) record.at = load.at;
-  if (load.kind == Load::Kind::pressure) {
-    record.edge = EdgeSelection{load.edge};
-    record.value = load.pressure;
-  } else if (load.force.kind == TimeFunction::Kind::constant) {
-    record.force = load.force.value;
-  } else {
+  const bool pressure = load.kind == Load::Kind::pressure;
+  if (pressure) record.edge = EdgeSelection{load.edge};
+  if (load.force.kind != TimeFunction::Kind::constant) {
     record.history = history_of(load.force, scene.end_time());
+    record.history->columns = pressure ? 2 : 3;
+  } else if (pressure) {
+    record.value = load.force.value.x();
+  } else {
+    record.force = load.force.value;
   }
+  if (load.force.rise > 0) record.ramp = load.force.rise;
+  return record;
+}
+
+WaterRecord record_of(const Water& water) {
+  WaterRecord record;
+  if (water.table.cols() > 0) record.table = Outline{water.table, {}};
+  record.density = water.density;
+  record.joints = water.joint_table.cols() > 0;
+  if (*record.joints && water.tells_joints()) record.joint_table = Outline{water.joint_table, {}};
+  return record;
+}
+
+QuakeRecord record_of(const Quake& quake, const Scene&) {
+  QuakeRecord record;
+  record.acceleration.entries = quake.acceleration.history;
   return record;
 }
 
@@ -181,6 +209,7 @@ StageRecord record_of(const StageDescription& stage, const Scene& scene) {
       record.joints.push_back(std::move(*change));
   record.reset_displacements = stage.reset_displacements;
   record.until = stage.until;
+  if (!(stage.water == scene.water)) record.water = record_of(stage.water);
   for (const int block : stage.removed) record.remove.blocks.push_back(reference_to(block, scene.blocks));
   return record;
 }
@@ -206,6 +235,8 @@ Document document_of(const Scene& scene) {
   fill(document.blocks, scene.blocks, scene);
   fill(document.supports, scene.supports, scene);
   fill(document.loads, scene.loads, scene);
+  if (scene.water.any()) document.water = record_of(scene.water);
+  fill(document.quakes, scene.quakes, scene);
   fill(document.monitors, scene.monitors, scene);
   fill(document.stages, scene.stages, scene);
   document.solver.skip = scene.analysis.skip;

@@ -38,7 +38,6 @@ class RowWriter {
   }
   void operator()(const Key&, const OfTheWholeRun&) {}
   void operator()(const Key&, const OfStages&) {}
-  void operator()(const Key&, const NotInThisVersion&) {}
 
   std::vector<KeyRow> take() && { return std::move(rows_); }
 

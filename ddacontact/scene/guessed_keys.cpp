@@ -21,9 +21,9 @@ constexpr std::string_view joint_stiffness =
 constexpr std::string_view strength_of_joints =
     "blocks are linear elastic and do not break: strength is that of contacts, 'friction_angle', 'cohesion' "
     "and 'tensile_strength' of [[joint]]";
-constexpr std::string_view no_moving_acceleration =
-    "this version has no acceleration in time: a constant one is 'gravity' of [analysis], a moving ground is "
-    "a [[support]] with 'history' = [[t, ux, uy], ...]";
+constexpr std::string_view shaking =
+    "a constant acceleration is 'gravity' of [analysis], that of the ground [[quake]] with 'acceleration' = "
+    "[[t, ax, ay], ...] or a file";
 
 constexpr Guess guesses[] = {
     // Laws of contacts.
@@ -92,9 +92,7 @@ constexpr Guess guesses[] = {
     {"[[load]]", " acceleration ",
      "a body force is per volume: density times acceleration; one of all blocks is "
      "'gravity' of [analysis]"},
-    {"[[support]]", " velocity_history acceleration_history ",
-     "this version has displacements in time alone: 'history' = [[t, ux, uy], ...]"},
-    {"[[support]]", " acceleration ", no_moving_acceleration},
+    {"[[support]]", " acceleration ", "write 'acceleration_history' = [[t, ax, ay], ...] or a file"},
     {"[[support]]", " fixed fix ", "'axes' says which directions are held, \"xy\" unless written"},
     {"[[support]]", " vertex node nodes ", "write 'vertices' = [k, ...]"},
     {"[[support]]", " stiffness spring ", "supports are rigid in this version"},
@@ -105,7 +103,7 @@ constexpr Guess guesses[] = {
     {"[analysis]", " time end_time total_time duration t_end tmax ",
      "write 'steps': that many steps of 'time_step'"},
     {"[analysis]", " g ", "write 'gravity' = [0, -9.8] in m/s2"},
-    {"[analysis]", " acceleration quake ", no_moving_acceleration},
+    {"[analysis]", " acceleration quake ", shaking},
     {"[analysis]", " local_damping damp auto_damping viscous_damping damping_ratio alpha alpha_damping ",
      "write 'damping' = { mass, stiffness }, forces mass M v and stiffness K times the rate of deformation; "
      "a "
@@ -121,11 +119,11 @@ constexpr Guess guesses[] = {
     {"[[stage]]", " add ", "stages take blocks out ('remove'); none come in in this version"},
 
     // Tables that there are not.
-    {"the scene", " water pore_pressure groundwater fluid ",
-     "this version has no water: write its pressure as [[load]] of type \"pressure\" on each wet edge"},
+    {"the scene", " pore_pressure groundwater water_table fluid piezometric_line ",
+     "write [water] with 'table' = [[x, y], ...]"},
     {"the scene", " bolt bolts rockbolt anchor anchors cable reinforcement ",
      "this version has no bolts: write their forces as [[load]] of type \"point\""},
-    {"the scene", " quake earthquake seismic acceleration ", no_moving_acceleration},
+    {"the scene", " earthquake seismic acceleration ground_motion ", shaking},
     {"the scene", " quiet_boundary viscous_boundary absorbing_boundary ",
      "this version has no quiet boundaries: 'damping' of [analysis] takes waves out of all blocks"},
     {"the scene", " joint_set jset voronoi region opening tunnel trace ",

@@ -87,8 +87,8 @@ Json schema_of(const VertexSelection&) {
 Json schema_of(const Outline&) {
   return list_of_items(list_of_items(quantity(), 2));
 }
-Json schema_of(const std::vector<Vec3>&) {
-  return list_of_items(list_of_items(quantity(), 3));
+Json schema_of(const History&) {
+  return types({"array", "string"});
 }
 Json schema_of(const std::vector<std::string>&) {
   return list_of_items(of_words(field_words()));
@@ -148,7 +148,6 @@ class ObjectWriter {
   }
   void operator()(const Key&, const OfTheWholeRun&) {}
   void operator()(const Key&, const OfStages&) {}
-  void operator()(const Key&, const NotInThisVersion&) {}
   template <class Record>
   void table(const Key& key, const Record&) {
     add(key, table_schema<Record>(), "");

@@ -44,9 +44,5 @@ struct Key {
 struct OfTheWholeRun {};
 /// Stands for the value of a key of a joint that only a stage may write.
 struct OfStages {};
-/// Stands for the value of a key that others of its table rule out as yet.
-struct NotInThisVersion {
-  const char* cure;  ///< what to write instead
-};
 
 }  // namespace ddacontact::scene_format

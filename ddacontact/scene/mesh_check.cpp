@@ -7,6 +7,9 @@ namespace ddacontact::scene_format {
 
 namespace {
 
+/// Of the block's size: what cells at contacts may be.
+constexpr double smallest_at_contact = 1e-4;
+
 /// Of a key that the block's mesh, or else that of the analysis, states.
 const Place& place_of_key(const char* key, const BlockRecord& block, const MeshRecord& of_all) {
   if (block.mesh && block.mesh->places.written(key)) return block.mesh->places.of(key);
@@ -23,6 +26,7 @@ MeshOptions with_record(MeshOptions options, const MeshRecord& record) {
   }
   if (record.cell_size && record.places.usable("cell_size")) options.cell_size = *record.cell_size;
   options.edge_nodes = record.edge_nodes.value_or(options.edge_nodes);
+  if (record.places.usable("at_contact")) options.at_contact = record.at_contact.value_or(options.at_contact);
   return options;
 }
 
@@ -35,6 +39,11 @@ void check_mesh(const CheckedOutline& outline, const MeshOptions& options, const
                        rounded(outline.size) + " m large, are " + rounded(per_side * per_side) +
                        ", more than can be resolved",
                    "at most 1e6 are possible: write at least " + rounded(1.001e-3 * outline.size) + " m");
+  const double finest = smallest_at_contact * outline.size;
+  if (options.at_contact > 0 && options.at_contact < finest)
+    problems.error(place_of_key("at_contact", block, of_all),
+                   "cells of " + rounded(options.at_contact) + " m where " + title + " touches others are too many",
+                   "write at least " + rounded(1.001 * finest) + " m");
   if (options.kind != CellKind::quads) return;
   const Place& place = place_of_key("kind", block, of_all);
   if (const auto n = outline.polygon.cols(); n != 4)

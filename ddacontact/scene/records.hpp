@@ -110,6 +110,15 @@ struct GridRecord {
 /// A block is copied at most so many times.
 inline constexpr int most_copies = 1'000'000;
 
+/// Entries (t, x, y), or (t, x): a table, or the path of a file of comma-separated values.
+struct History {
+  std::vector<Vec3> entries;
+  int columns = 3;         ///< of an entry; 2: y is 0
+  std::string file;        ///< empty: a table
+  std::string unit;        ///< of plain numbers
+  std::string other_unit;  ///< see Key
+};
+
 /// Stress that changes with height.
 struct InitialStress {
   double level = 0;                         ///< height at which `stress` is, m
@@ -147,6 +156,7 @@ struct MeshRecord {
   std::optional<int> cells;
   std::optional<double> cell_size;  ///< m; at most one of the two
   std::optional<bool> edge_nodes;
+  std::optional<double> at_contact;  ///< m
   Places places;  ///< of the keys
 };
 
@@ -154,6 +164,7 @@ struct MeshRecord {
 inline constexpr int most_cells = 1'000'000;
 
 enum class Axes { xy, x, y };
+enum class Interpolation { linear, smooth };
 
 /// Keys whose default depends on others are kept here, not in the options.
 struct AnalysisRecord {
@@ -231,7 +242,8 @@ struct SupportRecord {
   VertexSelection vertices;
   Axes axes = Axes::xy;
   std::optional<Vec2> displacement, velocity;
-  std::optional<std::vector<Vec3>> history;
+  std::optional<History> history, velocity_history, acceleration_history;
+  std::optional<Interpolation> interpolation;
   Places places;
 };
 
@@ -242,7 +254,14 @@ struct LoadRecord {
   std::optional<EdgeSelection> edge;
   std::optional<double> value;
   std::optional<Vec2> force;
-  std::optional<std::vector<Vec3>> history;
+  std::optional<History> history;
+  std::optional<double> ramp;
+  Places places;
+};
+
+struct QuakeRecord {
+  History acceleration;
+  double scale = 1;
   Places places;
 };
 
@@ -260,6 +279,20 @@ struct BlockList {
   std::vector<Place> places;
 };
 
+/// A table inside another one.
+struct InnerTable {
+  Places places;
+};
+template <class T>
+concept Inner = std::derived_from<T, InnerTable>;
+
+/// [water]; in a stage what is different of it.
+struct WaterRecord : InnerTable {
+  std::optional<Outline> table, joint_table;
+  std::optional<double> density;
+  std::optional<bool> joints;
+};
+
 /// Keys left out stay as the analysis has them.
 struct StageRecord {
   std::optional<std::string> name;
@@ -275,6 +308,7 @@ struct StageRecord {
   bool reset_displacements = false;
   BlockList remove;
   std::optional<RestCriterion> until;
+  std::optional<WaterRecord> water;
   Places places;
 };
 
@@ -287,13 +321,6 @@ struct OutputRecord {
   OutputOptions options;
   Places places;
 };
-
-/// A table inside another one.
-struct InnerTable {
-  Places places;
-};
-template <class T>
-concept Inner = std::derived_from<T, InnerTable>;
 
 /// `boundary`: corners, or a file.
 struct Boundary {
@@ -388,6 +415,8 @@ struct Document {
   bool has_all_blocks = true;                 ///< false when the geometry file could not be read to its end
   std::vector<SupportRecord> supports;
   std::vector<LoadRecord> loads;
+  std::optional<WaterRecord> water;
+  std::vector<QuakeRecord> quakes;
   std::vector<MonitorRecord> monitors;
   std::vector<StageRecord> stages;
   SolverRecord solver;

@@ -7,6 +7,7 @@
 #include <ddacontact/scene/resolve_joints.hpp>
 #include <ddacontact/scene/resolve_options.hpp>
 #include <ddacontact/scene/resolve_stages.hpp>
+#include <ddacontact/scene/resolve_water.hpp>
 #include <ddacontact/scene/rounding_check.hpp>
 #include <ddacontact/scene/scheme_check.hpp>
 #include <ddacontact/scene/static_check.hpp>
@@ -87,6 +88,8 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.blocks = std::move(blocks.descriptions);
   scene.supports = resolve_supports(document, blocks, problems);
   scene.loads = resolve_loads(document, blocks, problems);
+  scene.water = resolve_water(document, problems);
+  scene.quakes = resolve_quakes(document, problems);
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);

@@ -51,9 +51,18 @@ TimeFunction displacement_of(const SupportRecord& record) {
   if (record.velocity) {
     function.kind = TimeFunction::Kind::rate;
     function.value = *record.velocity;
-  } else if (record.history) {
-    function.kind = TimeFunction::Kind::history;
-    function.history = *record.history;
+  }
+  using Kind = TimeFunction::Kind;
+  const auto is_good = [&](const char* key) { return record.places.good(key); };
+  if (is_good("history")) {
+    const bool of_file = !record.history->file.empty();
+    const bool smooth = record.interpolation.value_or(of_file ? Interpolation::smooth : Interpolation::linear) ==
+                        Interpolation::smooth;
+    function = history_function(smooth ? Kind::smooth_history : Kind::history, record.history->entries);
+  } else if (is_good("velocity_history")) {
+    function = history_function(Kind::velocity_history, record.velocity_history->entries);
+  } else if (is_good("acceleration_history")) {
+    function = history_function(Kind::acceleration_history, record.acceleration_history->entries);
   }
   return function;
 }
@@ -62,6 +71,28 @@ bool moves(const Support& support, int axis) {
   for (const Vec3& entry : support.displacement.history)
     if (entry[1 + axis] != 0) return true;
   return support.displacement.value[axis] != 0;
+}
+
+/// Complains of entries of two numbers where a vector is meant, and the other way round.
+void check_columns(const std::optional<History>& history, const char* key, int columns, const Places& places,
+                   ProblemList& problems) {
+  if (!places.good(key) || history->columns == columns) return;
+  problems.error(places.of(key),
+                 "entries of '" + std::string(key) + "' have " + std::to_string(history->columns) + " numbers",
+                 columns == 2 ? "a pressure has entries [t, value]" : "write [t, x, y]");
+}
+
+/// Less than seven entries a period of a sine.
+constexpr double coarse_sampling = 0.1;
+
+void warn_of_sampling(const std::vector<Vec3>& entries, const char* key, const Places& places,
+                      ProblemList& problems) {
+  if (sampling_error(entries) > coarse_sampling)
+    problems.warning(places.of(key),
+                     "'" + std::string(key) + "' is sampled coarsely: lines between its entries are " +
+                         rounded(100 * sampling_error(entries)) +
+                         " % away from a smooth curve through them",
+                     "use a record with a shorter interval, or filter out what is faster");
 }
 
 /// Takes hold of one vertex along one axis.
@@ -87,7 +118,7 @@ struct LoadKeys {
 
 const LoadKeys& keys_of(Load::Kind kind) {
   static const LoadKeys point{"point", "'block', 'at' and 'force' or 'history'", {"edge", "value"}};
-  static const LoadKeys pressure{"pressure", "'block', 'edge' and 'value'", {"at", "force", "history"}};
+  static const LoadKeys pressure{"pressure", "'block', 'edge' and 'value' or 'history'", {"at", "force"}};
   static const LoadKeys body{"body", "'block' and 'force' or 'history'", {"at", "edge", "value"}};
   return kind == Load::Kind::point ? point : kind == Load::Kind::pressure ? pressure : body;
 }
@@ -109,7 +140,7 @@ void check_load_keys(const LoadRecord& record, ProblemList& problems) {
                      std::string("such a load has ") + keys.has);
   if (record.type == Load::Kind::pressure) {
     require(places.written("edge"), "edge", record, problems);
-    require(places.written("value"), "value", record, problems);
+    require(at_most_one({"value", "history"}, places, problems), "value", record, problems);
   } else {
     if (record.type == Load::Kind::point) require(places.written("at"), "at", record, problems);
     require(at_most_one({"force", "history"}, places, problems), "force", record, problems);
@@ -126,8 +157,16 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
     support.block = find_block(record.block, places, blocks, problems);
     support.hold_x = record.axes != Axes::y;
     support.hold_y = record.axes != Axes::x;
-    at_most_one({"displacement", "velocity", "history"}, places, problems);
+    at_most_one({"displacement", "velocity", "history", "velocity_history", "acceleration_history"}, places,
+                problems);
+    check_columns(record.history, "history", 3, places, problems);
+    check_columns(record.velocity_history, "velocity_history", 3, places, problems);
+    check_columns(record.acceleration_history, "acceleration_history", 3, places, problems);
     support.displacement = displacement_of(record);
+    if (support.displacement.kind == TimeFunction::Kind::smooth_history)
+      warn_of_sampling(record.history->entries, "history", places, problems);
+    if (places.written("interpolation") && !places.written("history"))
+      problems.error(places.of("interpolation"), "'interpolation' without 'history'", "leave it out");
     const int n = n_vertices(support.block, document, blocks);
     if (places.good("vertices")) {
       if (record.vertices.some.empty() && !record.vertices.on)
@@ -162,12 +201,28 @@ std::vector<Load> resolve_loads(const Document& document, const BlockTable& bloc
       problems.error(places.of("edge"),
                      blocks.names.title(load.block) + " has no edge '" + std::to_string(load.edge) + "'",
                      "edges run from 0 to " + std::to_string(n - 1));
-    load.pressure = record.value.value_or(0);
-    load.force.value = record.force.value_or(Vec2::Zero());
-    if (record.history) load.force = {TimeFunction::Kind::history, Vec2::Zero(), *record.history};
+    load.force.value = record.type == Load::Kind::pressure ? Vec2(record.value.value_or(0), 0)
+                                                           : record.force.value_or(Vec2::Zero());
+    check_columns(record.history, "history", record.type == Load::Kind::pressure ? 2 : 3, places, problems);
+    if (places.good("history"))
+      load.force = history_function(TimeFunction::Kind::history, record.history->entries);
+    load.force.rise = record.ramp.value_or(0);
     loads.push_back(std::move(load));
   }
   return loads;
+}
+
+std::vector<Quake> resolve_quakes(const Document& document, ProblemList& problems) {
+  std::vector<Quake> quakes;
+  for (const QuakeRecord& record : document.quakes) {
+    check_columns(record.acceleration, "acceleration", 3, record.places, problems);
+    if (!record.places.good("acceleration")) continue;
+    std::vector<Vec3> entries = record.acceleration.entries;
+    for (Vec3& entry : entries) entry.tail<2>() *= record.scale;
+    warn_of_sampling(entries, "acceleration", record.places, problems);
+    quakes.push_back({history_function(TimeFunction::Kind::history, std::move(entries))});
+  }
+  return quakes;
 }
 
 std::vector<Monitor> resolve_monitors(const Document& document, const BlockTable& blocks,

@@ -1,4 +1,4 @@
-/// \file Supports, loads and monitors of a scene file: what acts on blocks and what watches them.
+/// \file Supports, loads, shaking and monitors of a scene file: what acts on blocks and what watches them.
 #pragma once
 
 #include <ddacontact/scene/resolve_blocks.hpp>
@@ -10,6 +10,7 @@ namespace ddacontact::scene_format {
 /// Notes in `blocks.holds` which vertices are held.
 std::vector<Support> resolve_supports(const Document& document, BlockTable& blocks, ProblemList& problems);
 std::vector<Load> resolve_loads(const Document& document, const BlockTable& blocks, ProblemList& problems);
+std::vector<Quake> resolve_quakes(const Document& document, ProblemList& problems);
 std::vector<Monitor> resolve_monitors(const Document& document, const BlockTable& blocks,
                                       ProblemList& problems);
 

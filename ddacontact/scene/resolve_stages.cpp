@@ -1,6 +1,7 @@
 #include <ddacontact/scene/resolve_stages.hpp>
 
 #include <ddacontact/scene/resolve_options.hpp>
+#include <ddacontact/scene/resolve_water.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -79,6 +80,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.joints = changed_joints(record, joints, document.contact, method, problems);
     stage.reset_displacements = record.reset_displacements;
     stage.until = record.until;
+    stage.water = changed_water(record, document, stage.analysis, problems);
     stage.removed = removals(record.remove, index);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(places.of("remove"), names.title(index) + " leaves no block", "leave one at least");

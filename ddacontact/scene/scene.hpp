@@ -8,6 +8,7 @@
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
 #include <ddacontact/core/time_function.hpp>
+#include <ddacontact/core/water.hpp>
 #include <ddacontact/domain/domain_cutting.hpp>
 
 #include <array>
@@ -73,10 +74,14 @@ struct Load {
   enum class Kind { point, pressure, body };
   Kind kind = Kind::point;
   int block = 0;
-  Vec2 at{0, 0};        ///< point: where at the start
-  int edge = 0;         ///< pressure
-  double pressure = 0;  ///< Pa, > 0 pushes into the block
-  TimeFunction force;   ///< point: N per m; body: N/m3
+  Vec2 at{0, 0};       ///< point: where at the start
+  int edge = 0;        ///< pressure
+  TimeFunction force;  ///< point: N per m; body: N/m3; pressure: its x, Pa, > 0 pushes into the block
+};
+
+/// Shaking of the ground, which blocks are told relative to.
+struct Quake {
+  TimeFunction acceleration;  ///< of the ground, m/s2; 0 outside its entries
 };
 
 /// A place whose motion is recorded.
@@ -97,6 +102,7 @@ struct StageDescription {
   bool reset_displacements = false;    ///< at its end displacements are counted anew; stresses stay
   std::vector<int> removed;            ///< blocks taken out at its start
   std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
+  Water water{};                       ///< while it lasts
 };
 
 /// How much is written.
@@ -117,6 +123,8 @@ struct Scene {
   std::vector<BlockDescription> blocks;
   std::vector<Support> supports;
   std::vector<Load> loads;
+  Water water;
+  std::vector<Quake> quakes;
   std::vector<Monitor> monitors;
   std::vector<StageDescription> stages;  ///< run in sequence; none: one part of analysis.steps
   OutputOptions output;
@@ -126,7 +134,7 @@ struct Scene {
   std::string block_name(int block) const;
   /// A stage that changes nothing yet.
   StageDescription stage(std::string of_name) const {
-    return {std::move(of_name), analysis, joints, false, {}, {}};
+    return {std::move(of_name), analysis, joints, false, {}, {}, water};
   }
   /// Over all stages.
   int n_steps() const;

@@ -90,7 +90,7 @@ void describe(AnalysisRecord& r, Visit&& visit) {
         r.block_model);
   visit(Key{.name = "mesh",
             .what = "How blocks of the model \"mesh\" are divided: about `cells` cells, or as many as are of "
-                    "`cell_size` metres.",
+                    "`cell_size` metres; down to `at_contact` metres where they touch others.",
             .default_text = "`{ kind = \"auto\", cells = 64, edge_nodes = true }`"},
         r.mesh);
   visit(Key{.name = "kinematics",
@@ -321,10 +321,24 @@ void describe(SupportRecord& r, Visit&& visit) {
   visit(Key{.name = "velocity", .what = "Of the held vertices.", .unit = "m/s", .default_text = "none"},
         r.velocity);
   visit(Key{.name = "history",
-            .what = "Displacement in time, linear between entries, constant outside.",
+            .what = "Displacement in time, constant outside the entries: see `interpolation`.",
             .unit = "m",
             .default_text = "none"},
         r.history);
+  visit(Key{.name = "velocity_history",
+            .what = "Velocity in time, linear between entries; at rest before them, and on with the last.",
+            .unit = "m/s",
+            .default_text = "none"},
+        r.velocity_history);
+  visit(Key{.name = "acceleration_history",
+            .what = "Acceleration in time, linear between entries; at rest before them, none after them.",
+            .unit = "m/s2",
+            .default_text = "none"},
+        r.acceleration_history);
+  visit(Key{.name = "interpolation",
+            .what = "Of `history`: lines between the entries, or a cubic spline at rest before and after them.",
+            .default_text = "`\"linear\"` in a table, `\"smooth\"` in a file"},
+        r.interpolation);
 }
 
 template <class Visit>
@@ -342,7 +356,7 @@ void describe(LoadRecord& r, Visit&& visit) {
   visit(Key{.name = "value",
             .what = "pressure: pushes into the block when > 0.",
             .unit = "Pa",
-            .default_text = "required by \"pressure\""},
+            .default_text = "this or `history` is required by \"pressure\""},
         r.value);
   visit(Key{.name = "force",
             .what = "point: per metre of thickness; body: per volume, in N/m3.",
@@ -350,18 +364,52 @@ void describe(LoadRecord& r, Visit&& visit) {
             .other_unit = body ? "" : "N",
             .default_text = "this or `history` is required by \"point\" and \"body\""},
         r.force);
-  if (r.type == Load::Kind::pressure) {
-    visit(Key{.name = "history", .what = ""},
-          NotInThisVersion{"a pressure is constant: write its 'value'; forces of type \"point\" and \"body\" "
-                           "have a 'history'"});
-    return;
-  }
+  const bool pressure = r.type == Load::Kind::pressure;
   visit(Key{.name = "history",
-            .what = "The force in time, linear between entries, constant outside.",
-            .unit = body ? "N/m3" : "N/m",
-            .other_unit = body ? "" : "N",
+            .what = "The force in time, or entries [t, value] of a pressure; linear between entries, constant "
+                    "outside.",
+            .unit = pressure ? "Pa" : body ? "N/m3" : "N/m",
+            .other_unit = pressure || body ? "" : "N",
             .default_text = "none"},
         r.history);
+  visit(Key{.name = "ramp",
+            .what = "The load grows linearly from nothing in this time from the start.",
+            .unit = "s",
+            .bounds = positive,
+            .default_text = "none"},
+        r.ramp);
+}
+
+template <class Visit>
+void describe(WaterRecord& r, Visit&& visit) {
+  visit(Key{.name = "table",
+            .what = "Points of the water table, x ascending; level beyond its ends. Faces below it bear the unit "
+                    "weight of water times their depth below it.",
+            .unit = "m",
+            .default_text = "required in `[water]`"},
+        r.table);
+  visit(Key{.name = "density", .what = "Of water.", .unit = "kg/m3", .bounds = positive, .default_text = "`1000.0`"},
+        r.density);
+  visit(Key{.name = "joints",
+            .what = "Whether faces that touch another block at the start bear it too.",
+            .default_text = "`true`"},
+        r.joints);
+  visit(Key{.name = "joint_table",
+            .what = "The table of those faces: the head in joints, such as uplift below a dam.",
+            .unit = "m",
+            .default_text = "`table`"},
+        r.joint_table);
+}
+
+template <class Visit>
+void describe(QuakeRecord& r, Visit&& visit) {
+  visit(Key{.name = "acceleration",
+            .what = "Of the ground in time, [[t, ax, ay], ...] or a file; linear between entries, 0 outside. "
+                    "Blocks move relative to the ground.",
+            .unit = "m/s2",
+            .required = true},
+        r.acceleration);
+  visit(Key{.name = "scale", .what = "Times all accelerations."}, r.scale);
 }
 
 template <class Visit>
@@ -411,6 +459,10 @@ void describe(StageRecord& r, Visit&& visit) {
                 "`displacement` times its size in a second.",
             .bounds = positive},
         r.until);
+  visit(Key{.name = "water",
+            .what = "What is different of `[water]` while the stage lasts.",
+            .default_text = "as in `[water]`"},
+        r.water);
 }
 
 template <class Visit>
@@ -505,6 +557,8 @@ void describe(Document& d, Visit&& visit) {
   visit.tables(Key{.name = "support", .what = "Vertices held or moved; more general than `fixed`."},
                d.supports);
   visit.tables(Key{.name = "load", .what = "Forces."}, d.loads);
+  visit.table(Key{.name = "water", .what = "Pressure of water at rest on the faces of blocks."}, d.water);
+  visit.tables(Key{.name = "quake", .what = "Shaking of the ground."}, d.quakes);
   visit.tables(Key{.name = "monitor", .what = "Points whose motion is written at every step."}, d.monitors);
   visit.tables(Key{.name = "stage", .what = "Parts of a run with other options, one after the other."},
                d.stages);

@@ -16,10 +16,6 @@ void TableReader::operator()(const Key& key, OfStages) {
          "write joints = { NAME = { " + std::string(key.name) + " = true } } in the [[stage]]");
 }
 
-void TableReader::operator()(const Key& key, NotInThisVersion not_here) {
-  refuse(key, "in " + std::string(title_) + " is not in this version", not_here.cure);
-}
-
 void TableReader::operator()(const Key& key, Skips& skips) {
   const toml::node* node = find(key);
   if (!node) return;

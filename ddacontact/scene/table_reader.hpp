@@ -59,7 +59,6 @@ class TableReader {
 
   void operator()(const Key& key, OfTheWholeRun);
   void operator()(const Key& key, OfStages);
-  void operator()(const Key& key, NotInThisVersion not_here);
   void operator()(const Key& key, Skips& skips);
   void operator()(const Key& key, std::vector<JointChange>& changes);
 

@@ -165,6 +165,9 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
     } else if (name == "cell_size") {
       good &= read({.name = "mesh.cell_size", .what = "", .unit = "m", .bounds = positive}, part, "cell_size",
                    value.cell_size);
+    } else if (name == "at_contact") {
+      good &= read({.name = "mesh.at_contact", .what = "", .unit = "m", .bounds = positive}, part, "at_contact",
+                   value.at_contact);
     } else if (name == "edge_nodes") {
       const auto* flag = part.as_boolean();
       if (flag)
@@ -173,7 +176,7 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
         good = wrong_type(part, "mesh.edge_nodes", "true or false");
     } else {
       problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'mesh'",
-                      suggestion(name.str(), "key", {"kind", "cells", "cell_size", "edge_nodes"}));
+                      suggestion(name.str(), "key", {"kind", "cells", "cell_size", "edge_nodes", "at_contact"}));
       good = false;
     }
   }
@@ -283,31 +286,37 @@ bool ValueReader::operator()(const toml::node& node, std::vector<int>& value) co
   return good;
 }
 
-bool ValueReader::operator()(const toml::node& node, std::vector<Vec3>& value) const {
+bool ValueReader::operator()(const toml::node& node, History& value) const {
+  value.unit = key_.unit;
+  value.other_unit = key_.other_unit;
+  if (node.is_string()) return (*this)(node, value.file);
   const toml::array* array = node.as_array();
   if (!array || array->empty()) return wrong_type(node, key_.name, expected_text(key_, value));
   Key time = key_;
   time.unit = "s";
   time.other_unit = "";
+  const toml::array* first = array->front().as_array();
+  value.columns = first && first->size() == 2 ? 2 : 3;
   bool good = true;
   for (int i = 0; i < static_cast<int>(array->size()); ++i) {
     const toml::array* row = (*array)[i].as_array();
-    if (!row || row->size() != 3) {
-      good = wrong_type((*array)[i], element_name(i, -1), std::string("[t, x, y] in s and ") + key_.unit);
+    if (!row || static_cast<int>(row->size()) != value.columns) {
+      good = wrong_type((*array)[i], element_name(i, -1),
+                        (value.columns == 2 ? "[t, value] in s and " : "[t, x, y] in s and ") +
+                            std::string(key_.unit));
       continue;
     }
-    Vec3 entry;
-    if (!read_number((*row)[0], time, entry[0], i, 0)) good = false;
-    if (!read_number((*row)[1], key_, entry[1], i, 1)) good = false;
-    if (!read_number((*row)[2], key_, entry[2], i, 2)) good = false;
-    if (good && !value.empty() && !(value.back()[0] < entry[0])) {
+    Vec3 entry = Vec3::Zero();
+    for (int k = 0; k < value.columns; ++k)
+      if (!read_number((*row)[k], k == 0 ? time : key_, entry[k], i, k)) good = false;
+    if (good && !value.entries.empty() && !(value.entries.back()[0] < entry[0])) {
       problems_.error(place_of((*row)[0], problems_),
                       "'" + element_name(i, 0) + "' = '" + short_number(entry[0]) +
                           "' is not later than the entry before",
                       "times must increase");
       good = false;
     }
-    value.push_back(entry);
+    value.entries.push_back(entry);
   }
   return good;
 }

@@ -33,7 +33,7 @@ class ValueReader {
   bool operator()(const toml::node& node, FixedVertices& value) const;
   bool operator()(const toml::node& node, Outline& value) const;
   bool operator()(const toml::node& node, std::vector<int>& value) const;
-  bool operator()(const toml::node& node, std::vector<Vec3>& value) const;
+  bool operator()(const toml::node& node, History& value) const;
   bool operator()(const toml::node& node, std::vector<std::string>& value) const;
   bool operator()(const toml::node& node, std::array<Reference, 2>& value) const;
   bool operator()(const toml::node& node, BlockList& value) const;

@@ -62,6 +62,7 @@ std::string value_text(const MeshRecord& value) {
   if (value.cells) keys.emplace_back("cells", value_text(*value.cells));
   if (value.cell_size) keys.emplace_back("cell_size", value_text(*value.cell_size));
   if (value.edge_nodes) keys.emplace_back("edge_nodes", value_text(*value.edge_nodes));
+  if (value.at_contact) keys.emplace_back("at_contact", value_text(*value.at_contact));
   return table_text(keys);
 }
 std::string value_text(const RestCriterion& value) {
@@ -88,8 +89,11 @@ std::string value_text(const Location& value) {
 std::string value_text(const std::vector<int>& value) {
   return array_text(value);
 }
-std::string value_text(const std::vector<Vec3>& value) {
-  return array_text(value);
+std::string value_text(const History& value) {
+  if (value.columns == 3) return array_text(value.entries);
+  std::vector<Vec2> entries;
+  for (const Vec3& entry : value.entries) entries.emplace_back(entry.head<2>());
+  return array_text(entries);
 }
 std::string value_text(const std::vector<std::string>& value) {
   return array_text(value);
@@ -182,7 +186,7 @@ std::string type_text(const RayleighDamping&) {
   return "{ mass, stiffness }";
 }
 std::string type_text(const MeshRecord&) {
-  return "{ kind, cells or cell_size, edge_nodes }";
+  return "{ kind, cells or cell_size, edge_nodes, at_contact }";
 }
 std::string type_text(const RestCriterion&) {
   return "{ kinetic, displacement }";
@@ -211,8 +215,8 @@ std::string type_text(const Outline&) {
 std::string type_text(const std::vector<int>&) {
   return "a list of vertex indices";
 }
-std::string type_text(const std::vector<Vec3>&) {
-  return "[[t, x, y], ...]";
+std::string type_text(const History&) {
+  return "[[t, x, y], ...] or the path of a .csv file";
 }
 std::string type_text(const std::vector<std::string>&) {
   return "a list of " + list_of(field_words());

@@ -27,7 +27,7 @@ std::string value_text(const Location& value);
 std::string value_text(const FixedVertices& value);
 std::string value_text(const Outline& value);
 std::string value_text(const std::vector<int>& value);
-std::string value_text(const std::vector<Vec3>& value);
+std::string value_text(const History& value);
 std::string value_text(const std::vector<std::string>& value);
 std::string value_text(const std::array<Reference, 2>& value);
 std::string value_text(const BlockList& value);
@@ -66,7 +66,7 @@ std::string type_text(const Location&);
 std::string type_text(const FixedVertices&);
 std::string type_text(const Outline&);
 std::string type_text(const std::vector<int>&);
-std::string type_text(const std::vector<Vec3>&);
+std::string type_text(const History&);
 std::string type_text(const std::vector<std::string>&);
 std::string type_text(const std::array<Reference, 2>&);
 std::string type_text(const BlockList&);
@@ -97,6 +97,17 @@ std::string type_text(const Record& record) {
   Record described = record;
   describe(described,
            [&](const Key& key, const auto&) { keys += (keys.empty() ? "" : ", ") + std::string(key.name); });
+  return "{ " + keys + " }";
+}
+
+/// The keys that are written.
+template <Inner Record>
+std::string value_text(const Record& record) {
+  std::string keys;
+  Record described = record;
+  describe(described, [&](const Key& key, const auto& value) {
+    if (value) keys += (keys.empty() ? "" : ", ") + std::string(key.name) + " = " + value_text(*value);
+  });
   return "{ " + keys + " }";
 }
 

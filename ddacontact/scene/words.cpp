@@ -52,6 +52,12 @@ const std::vector<Word<ContactMethod>>& words_of(ContactMethod) {
   return words;
 }
 
+const std::vector<Word<Interpolation>>& words_of(Interpolation) {
+  static const std::vector<Word<Interpolation>> words{{"linear", Interpolation::linear},
+                                                      {"smooth", Interpolation::smooth}};
+  return words;
+}
+
 const std::vector<Word<Axes>>& words_of(Axes) {
   static const std::vector<Word<Axes>> words{{"xy", Axes::xy}, {"x", Axes::x}, {"y", Axes::y}};
   return words;

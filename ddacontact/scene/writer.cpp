@@ -27,7 +27,6 @@ class DocumentWriter {
   void operator()(const Key&, const Parameters&) {}
   void operator()(const Key&, const OfTheWholeRun&) {}
   void operator()(const Key&, const OfStages&) {}
-  void operator()(const Key&, const NotInThisVersion&) {}
 
   template <class Record>
   void table(const Key& key, Record& record) {
@@ -36,6 +35,10 @@ class DocumentWriter {
   }
   /// A domain is written as the blocks that it was cut into.
   void table(const Key&, std::optional<DomainRecord>&) {}
+  template <class Record>
+  void table(const Key& key, std::optional<Record>& record) {
+    if (record) table(key, *record);
+  }
   template <class Record>
   void tables(const Key& key, std::vector<Record>& records) {
     for (Record& record : records) {

@@ -1,6 +1,7 @@
 #include <ddacontact/study/scene_picture.hpp>
 
 #include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/touching_edges.hpp>
 #include <ddacontact/picture/legend.hpp>
 #include <ddacontact/picture/svg.hpp>
 #include <ddacontact/picture/view.hpp>
@@ -14,14 +15,12 @@ namespace ddacontact {
 
 namespace {
 
-/// Edges lie on each other within this part of the smaller block's size, as contacts at the start do.
-constexpr double touching = 1e-6;
 constexpr double margin = 0.08;           // of the larger side of the scene
 constexpr double symbol = 9, arrow = 34;  // px
 constexpr double caption_height = 34, border = 12;
 constexpr double smallest_text = 5, number_size = 8, name_size = 12;
 
-const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110};
+const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110}, blue{20, 90, 200};
 
 double size_of(const Points& polygon) {
   return std::sqrt(std::abs(polyfem::signed_area(polygon)));
@@ -47,19 +46,10 @@ int joint_between(const Scene& scene, int a, Index edge_a, int b, Index edge_b) 
 
 void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces) {
   const Points &p = scene.blocks[a].vertices, &q = scene.blocks[b].vertices;
-  const double near = touching * std::min(size_of(p), size_of(q));
-  for (Index i = 0; i < p.cols(); ++i) {
-    const Vec2 start = p.col(i), along = p.col((i + 1) % p.cols()) - start;
-    const double length = along.norm();
-    const Vec2 t = along / length, n(-t.y(), t.x());
-    for (Index k = 0; k < q.cols(); ++k) {
-      const Vec2 u = q.col(k) - start, v = q.col((k + 1) % q.cols()) - start;
-      if (std::abs(n.dot(u)) > near || std::abs(n.dot(v)) > near) continue;
-      const double from = std::max(0.0, std::min(t.dot(u), t.dot(v)));
-      const double to = std::min(length, std::max(t.dot(u), t.dot(v)));
-      if (to - from > near)
-        faces.push_back({a, b, joint_between(scene, a, i, b, k), start + from * t, start + to * t});
-    }
+  for (const auto& [edge, other, from, to] :
+       touching_edges(p, q, edges_touch * std::min(size_of(p), size_of(q)))) {
+    const Vec2 start = p.col(edge), along = p.col((edge + 1) % p.cols()) - start;
+    faces.push_back({a, b, joint_between(scene, a, edge, b, other), start + from * along, start + to * along});
   }
 }
 
@@ -84,6 +74,8 @@ class ScenePicture {
     for (const Support& support : scene_.supports) draw_support(support);
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) draw_fixed(static_cast<int>(b));
     for (const Load& load : scene_.loads) draw_load(load);
+    draw_table(scene_.water.table, "");
+    if (scene_.water.tells_joints()) draw_table(scene_.water.joint_table, " stroke-dasharray=\"6 4\"");
     if (options_.numbers)
       for (const BlockDescription& block : scene_.blocks) draw_numbers(block);
     if (options_.names)
@@ -136,7 +128,7 @@ class ScenePicture {
 
   void draw_support(const Support& support) {
     const TimeFunction& motion = support.displacement;
-    const bool moves = !motion.value.isZero(0) || motion.kind == TimeFunction::Kind::history;
+    const bool moves = !motion.value.isZero(0) || motion.is_history();
     for (const int k : support.vertices)
       held(scene_.blocks[support.block].vertices.col(k), support.hold_y, moves);
     (moves ? any_moving_ : any_held_) |= !support.vertices.empty();
@@ -174,12 +166,28 @@ class ScenePicture {
       const double side = polyfem::signed_area(polygon) > 0 ? 1 : -1;
       const Vec2 inwards = side * Vec2(start.y() - end.y(), end.x() - start.x());
       for (const double part : {1.0 / 6, 0.5, 5.0 / 6})
-        arrow_to((1 - part) * start + part * end, load.pressure < 0 ? Vec2(-inwards) : inwards);
+        arrow_to((1 - part) * start + part * end, direction_of(load.force).x() < 0 ? Vec2(-inwards) : inwards);
       return;
     }
     const Vec2 direction = direction_of(load.force);
     if (!direction.isZero(0))
       arrow_to(load.kind == Load::Kind::point ? load.at : centroid(load.block), direction);
+  }
+
+  /// A water table within the picture, level beyond its ends.
+  void draw_table(const Points& table, const std::string& dashes) {
+    if (table.cols() == 0) return;
+    std::vector<Vec2> points{{view_.box.low.x(), table(1, 0)}};
+    for (Index k = 0; k < table.cols(); ++k) points.emplace_back(table.col(k));
+    points.emplace_back(view_.box.high.x(), table(1, table.cols() - 1));
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      Vec2 from = points[k - 1], to = points[k];
+      const Vec2 along = to - from;
+      if (from.x() < view_.box.low.x()) from += (view_.box.low.x() - from.x()) / along.x() * along;
+      if (to.x() > view_.box.high.x()) to -= (to.x() - view_.box.high.x()) / along.x() * along;
+      if (from.x() < to.x())
+        page_.line(view_(from), view_(to), "stroke=\"" + hex(blue) + "\" stroke-width=\"1.5\"" + dashes);
+    }
   }
 
   /// Beside the vertices and the middles of edges, inwards.
@@ -230,6 +238,7 @@ class ScenePicture {
     if (any_held_) items.push_back(swatch(green, "held"));
     if (any_moving_) items.push_back(swatch(red, "moved"));
     if (any_load_) items.push_back(swatch(red, "load"));
+    if (scene_.water.any()) items.push_back(swatch(blue, "water table"));
     if (!scene_.monitors.empty()) items.push_back(swatch({34, 34, 34}, "monitor"));
     return items;
   }
@@ -247,7 +256,7 @@ class ScenePicture {
 std::vector<SharedFace> shared_faces(const Scene& scene) {
   std::vector<Box> boxes;
   for (const BlockDescription& block : scene.blocks)
-    boxes.push_back(bounding_box(PointsRef(block.vertices), touching * size_of(block.vertices)));
+    boxes.push_back(bounding_box(PointsRef(block.vertices), edges_touch * size_of(block.vertices)));
   std::vector<SharedFace> faces;
   if (scene.joints.empty()) return faces;
   BroadPhase broad_phase;

@@ -120,12 +120,9 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
                                                     blocks.block(load.point.block).n_places());
     add(load.point.block, places * load.point.weights, load.force.at(blocks.end_time, blocks.end_time));
   }
-  for (const PressureLoad& load : blocks.pressure_loads) {
-    const auto [first, count] = blocks.block(load.block).vertices();
-    const Vec2 j = initial.position.col(first + load.edge),
-               k = initial.position.col(first + (load.edge + 1) % count), edge = k - j;
-    for (const Vec2& end : {j, k}) add(load.block, end, load.pressure / 2 * Vec2(-edge.y(), edge.x()));
-  }
+  blocks.add_edge_forces(initial, blocks.end_time, [&](int block, int vertex, const Vec2& force) {
+    add(block, initial.position.col(blocks.block(block).vertices().first + vertex), force);
+  });
   add_stresses(blocks, initial, start, d, result);
   return result;
 }

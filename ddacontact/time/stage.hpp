@@ -4,6 +4,7 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
+#include <ddacontact/core/water.hpp>
 #include <ddacontact/time/equilibrium.hpp>
 
 #include <optional>
@@ -21,6 +22,7 @@ struct Stage {
   bool reset_displacements = false;    ///< at its end: displacements are counted anew
   std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
   std::string name;                    ///< for messages; may be empty
+  Water water{};                       ///< relative to the model's origin
 };
 
 /// How a stage ended, or where it stands.

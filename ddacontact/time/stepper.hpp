@@ -9,6 +9,7 @@
 #include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
+#include <ddacontact/time/face_parts.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/motion_accounts.hpp>
 #include <ddacontact/time/motion_limits.hpp>
@@ -266,6 +267,7 @@ class Stepper {
 
   BlockSystem blocks_;
   std::vector<Stage> stages_;
+  std::vector<FacePart> faces_;  ///< empty where no stage has water
   StageProgress progress_;
   AnalysisOptions analysis_;  ///< of the present stage
   MotionLimits limits_;

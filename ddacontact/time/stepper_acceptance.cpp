@@ -63,7 +63,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
     // Where the trapezoidal rule goes on with this velocity d - dt v0 is a contact's force: a mean over the
     // step would be half a step late, and make it twice as large as the support's acceleration does.
-    const bool of_both_sides = rule.mean_forces() && held.motion.kind == TimeFunction::Kind::history;
+    const bool of_both_sides = rule.mean_forces() && held.motion.is_history();
     next.velocity[held.unknown] =
         of_both_sides ? support_velocity(held, next.time, dt, blocks_.end_time) : d[held.unknown] / dt;
   }

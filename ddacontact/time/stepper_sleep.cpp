@@ -15,8 +15,12 @@ namespace {
 /// Neighbours are looked for as far as this times a block's size, and its reach, around it.
 constexpr double neighbourhood = 1;
 
+bool is_steady(const TimeFunction& function) {
+  return function.kind == TimeFunction::Kind::constant && function.rise == 0;
+}
+
 bool varies(const TimeFunction& function, double from, double to, double end_time) {
-  if (function.kind == TimeFunction::Kind::constant) return false;
+  if (is_steady(function)) return false;
   const Vec2 before = function.at(from, end_time);
   const double round_off = 8 * std::numeric_limits<double>::epsilon() * before.norm();
   return (function.at((from + to) / 2, end_time) - before).norm() > round_off ||
@@ -90,8 +94,12 @@ std::vector<char> Stepper::find_restless(double dt) const {
   const double to = state_.time, from = to - dt, end_time = blocks_.end_time;
   for (const PointLoad& load : blocks_.point_loads)
     if (varies(load.force, from, to, end_time)) restless[load.point.block] = 1;
+  for (const PressureLoad& load : blocks_.pressure_loads)
+    if (varies(load.pressure, from, to, end_time)) restless[load.block] = 1;
   for (const BodyLoad& load : blocks_.body_loads)
     if (varies(load.force, from, to, end_time)) restless[load.block] = 1;
+  for (const TimeFunction& of_record : blocks_.ground)
+    if (varies(of_record, from, to, end_time)) restless.assign(restless.size(), 1);
   for (const HeldUnknown& held : blocks_.held_unknowns())
     if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_place(held.vertex)] = 1;
   for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
@@ -254,7 +262,7 @@ void Stepper::survey() {
   }
   asleep.reactions = Points::Zero(2, state_.position.cols());
   const auto watch = [&](int block, const TimeFunction& function) {
-    if (watched[block] && function.kind != TimeFunction::Kind::constant)
+    if (watched[block] && !is_steady(function))
       asleep.watched.push_back({block, &function});
   };
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
@@ -263,7 +271,10 @@ void Stepper::survey() {
     watch(b, held.motion);
   }
   for (const PointLoad& load : blocks_.point_loads) watch(load.point.block, load.force);
+  for (const PressureLoad& load : blocks_.pressure_loads) watch(load.block, load.pressure);
   for (const BodyLoad& load : blocks_.body_loads) watch(load.block, load.force);
+  for (const TimeFunction& of_record : blocks_.ground)
+    for (int b = 0; b < blocks_.n_blocks(); ++b) watch(b, of_record);
 }
 
 void Stepper::form_part(const std::vector<Box>* around) {

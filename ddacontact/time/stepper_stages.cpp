@@ -36,7 +36,7 @@ bool are_same(const JointStrength& a, const JointStrength& b) {
 bool have_same_forces(const Stage& a, const Stage& b) {
   const auto &x = a.analysis, &y = b.analysis;
   return x.scheme == y.scheme && x.mode == y.mode && x.gravity == y.gravity &&
-         x.damping.mass == y.damping.mass && x.damping.stiffness == y.damping.stiffness &&
+         a.water == b.water && x.damping.mass == y.damping.mass && x.damping.stiffness == y.damping.stiffness &&
          std::ranges::equal(a.joints.entries(), b.joints.entries(),
                             [](const JointTable::Entry& one, const JointTable::Entry& other) {
                               return one.between == other.between && are_same(one.strength, other.strength);
@@ -59,6 +59,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       warnings_(blocks_.n_blocks()),
       sleeping_(blocks_.n_blocks()) {
   contact_builder_.emplace(blocks_, properties_);
+  if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
+    faces_ = divide_faces(blocks_);
   apply(stages_.front());
   blocks_.prepare(state_, true);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
@@ -79,6 +81,7 @@ void Stepper::apply(const Stage& stage) {
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
+  blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
   if (!system_ || !stage.removed.empty()) make_system();
   std::erase_if(contacts_, [&](const ContactRecord& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);

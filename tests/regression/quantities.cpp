@@ -64,7 +64,7 @@ double largest_load(const Scene& scene, const Stepper& stepper) {
       size = std::max(size, largest(load.force) * stepper.blocks().block(load.block).reference_area());
     if (load.kind == Load::Kind::pressure) {
       const Vec2 edge = block.vertices.col((load.edge + 1) % n) - block.vertices.col(load.edge);
-      size = std::max(size, std::abs(load.pressure) * edge.norm());
+      size = std::max(size, largest(load.force) * edge.norm());
     }
   }
   return size;

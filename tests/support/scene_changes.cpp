@@ -92,9 +92,10 @@ Scene scaled(Scene scene, const Units& by) {
     change(support.displacement, T, [&](const Vec2& value) -> Vec2 { return by_length * value; });
   }
   for (Load& load : scene.loads) {
-    const double by_force = load.kind == Load::Kind::body ? force / L / L : force;
+    const double by_force = load.kind == Load::Kind::body       ? force / L / L
+                            : load.kind == Load::Kind::pressure ? stress
+                                                                : force;
     load.at *= L;
-    load.pressure *= stress;
     change(load.force, T, [&](const Vec2& value) -> Vec2 { return by_force * value; });
   }
   for (Monitor& monitor : scene.monitors) monitor.at *= L;
@@ -122,7 +123,7 @@ Scene turned(Scene scene, const Mat2& by) {
   }
   for (Load& load : scene.loads) {
     load.at = turn(load.at);
-    change(load.force, 1, turn);
+    if (load.kind != Load::Kind::pressure) change(load.force, 1, turn);
   }
   for (Monitor& monitor : scene.monitors) monitor.at = turn(monitor.at);
   return scene;

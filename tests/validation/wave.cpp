@@ -87,7 +87,7 @@ Scene bar_scene(const Setting& setting) {
     load.kind = Load::Kind::pressure;
     load.block = part;
     load.edge = edge;
-    load.pressure = with;
+    load.force.value.x() = with;
     scene.loads.push_back(load);
   };
   push(0, 3, before + pressure);

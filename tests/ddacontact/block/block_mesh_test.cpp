@@ -107,4 +107,24 @@ TEST(BlockMesh, QuadsDoNotDependOnTheNumberingOfTheOutline) {
     }
 }
 
+TEST(BlockMesh, CellsAreSmallWhereTheBlockTouchesOthersAndGrowAwayFromThere) {
+  const double fine = 0.02;
+  for (const Points& outline : outlines()) {
+    MeshOptions mesh_options = options(CellKind::voronoi, 20);
+    mesh_options.at_contact = fine;
+    const Vec2 touched = outline.col(0);
+    const BlockMesh mesh = divide(outline, mesh_options, {touched});
+    double sum = 0;
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+      const Points corners = cell(mesh, c);
+      const double area = polyfem::signed_area(corners),
+                   distance = (corners.colwise() - touched).colwise().norm().minCoeff();
+      EXPECT_LE(std::sqrt(area), fine + distance);
+      sum += area;
+    }
+    EXPECT_NEAR(sum, polyfem::signed_area(outline), 1e-11 * sum);
+    EXPECT_LT(mesh.cells.size(), 400u);
+  }
+}
+
 }  // namespace

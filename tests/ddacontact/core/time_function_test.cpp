@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 using namespace ddacontact;
 using Kind = TimeFunction::Kind;
 
@@ -46,4 +49,59 @@ TEST(TimeFunction, HistoryMayJump) {
   EXPECT_EQ(f.at(0.999, 9), Vec2(0, 0));
   EXPECT_EQ(f.at(1, 9), Vec2(5, 5));
   EXPECT_EQ(f.at(1.001, 9), Vec2(5, 5));
+}
+
+TEST(TimeFunction, HistoryOfAVelocityIsItsIntegral) {
+  const TimeFunction f = history_function(Kind::velocity_history, {{1, 0, 2}, {2, 4, 2}, {4, 4, -2}});
+  EXPECT_EQ(f.at(0, 9), Vec2(0, 0));
+  EXPECT_EQ(f.at(1, 9), Vec2(0, 0));
+  EXPECT_NEAR((f.at(1.5, 9) - Vec2(0.5, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((f.at(2, 9) - Vec2(2, 2)).norm(), 0, 1e-15);
+  EXPECT_NEAR((f.at(3, 9) - Vec2(6, 3)).norm(), 0, 1e-15);
+  EXPECT_NEAR((f.at(5, 9) - Vec2(14, 0)).norm(), 0, 1e-15);  // on with (4, -2)
+}
+
+TEST(TimeFunction, HistoryOfAnAccelerationIsItsDoubleIntegral) {
+  const TimeFunction f = history_function(Kind::acceleration_history, {{1, 6, 0}, {2, 12, 6}, {3, 0, 0}});
+  EXPECT_EQ(f.at(0.5, 9), Vec2(0, 0));
+  // a = 6 + 6 s: v = 6 s + 3 s^2, u = 3 s^2 + s^3; then a = 12 - 12 s: v = 9 + 12 s - 6 s^2.
+  EXPECT_NEAR((f.at(1.5, 9) - Vec2(0.875, 0.125)).norm(), 0, 1e-15);
+  EXPECT_NEAR((f.at(2, 9) - Vec2(4, 1)).norm(), 0, 1e-14);
+  EXPECT_NEAR((f.at(2.5, 9) - Vec2(4 + 4.5 + 1.5 - 0.25, 1 + 1.5 + 0.75 - 0.125)).norm(), 0, 1e-14);
+  EXPECT_NEAR((f.at(3, 9) - Vec2(17, 6)).norm(), 0, 1e-14);
+  EXPECT_NEAR((f.at(4, 9) - Vec2(17 + 15, 6 + 6)).norm(), 0, 1e-14);
+}
+
+/// Of a smooth motion at rest at both ends a spline is accurate to fourth order, its velocity to third.
+TEST(TimeFunction, SmoothHistoryConvergesToTheMotionThatWasSampled) {
+  const auto motion = [](double t) { return std::pow(std::sin(t), 4); };
+  double before = 0;
+  for (const int n : {20, 40, 80}) {
+    std::vector<Vec3> entries;
+    for (int k = 0; k <= n; ++k) entries.emplace_back(std::numbers::pi * k / n, motion(std::numbers::pi * k / n), 0);
+    const TimeFunction f = history_function(Kind::smooth_history, entries);
+    double error = 0;
+    for (double t = 0; t < std::numbers::pi; t += 0.01)
+      error = std::max(error, std::abs(f.at(t, 9).x() - motion(t)));
+    if (before > 0) EXPECT_NEAR(std::log2(before / error), 4, 0.4) << n;
+    before = error;
+  }
+}
+
+TEST(TimeFunction, SamplingErrorOfASineIsThatOfItsCurvature) {
+  for (const int per_period : {8, 16, 32}) {
+    std::vector<Vec3> entries;
+    for (int k = 0; k <= 20 * per_period; ++k)
+      entries.emplace_back(k, std::sin(2 * std::numbers::pi * k / per_period), 0);
+    const double expected = std::pow(2 * std::numbers::pi / per_period, 2) / 8;
+    EXPECT_NEAR(ddacontact::sampling_error(entries), expected, 0.15 * expected) << per_period;
+  }
+}
+
+TEST(TimeFunction, RisesFromNothing) {
+  TimeFunction f{Kind::constant, {8, -4}, {}};
+  f.rise = 2;
+  EXPECT_EQ(f.at(0, 9), Vec2(0, 0));
+  EXPECT_EQ(f.at(0.5, 9), Vec2(2, -1));
+  EXPECT_EQ(f.at(3, 9), Vec2(8, -4));
 }

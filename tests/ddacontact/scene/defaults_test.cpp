@@ -210,7 +210,7 @@ TEST(Reading, ResolvesEveryTable) {
   EXPECT_EQ(scene.loads[0].kind, Load::Kind::point);
   EXPECT_EQ(scene.loads[0].force.value, Vec2(1000, -50));
   EXPECT_EQ(scene.loads[1].edge, 1);
-  EXPECT_EQ(scene.loads[1].pressure, 2000);
+  EXPECT_EQ(scene.loads[1].force.value.x(), 2000);
   EXPECT_EQ(scene.loads[2].block, 2);
   EXPECT_EQ(scene.loads[2].force.value, Vec2(1000, 0));
 

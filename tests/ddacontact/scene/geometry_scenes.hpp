@@ -37,6 +37,7 @@ class GeometryScenes : public testing::Test {
   }
   ~GeometryScenes() override { std::filesystem::remove_all(directory_); }
 
+  const std::filesystem::path& directory() const { return directory_; }
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
   void write(const std::string& name, std::string_view text) const {
     // A new file: some file systems flush one that is cut to nothing and written again.

@@ -306,3 +306,30 @@ TEST(Glue, GoesOnFromARecordToTheBit) {
     }
   }
 }
+
+/// A region cut by three slanting joints into blocks some of whose held corners touch each other: these
+/// bear nothing that could be found, and whatever is wrong about them in the last digit must not grow.
+TEST(Glue, BlocksWhoseHeldCornersTouchStandAsOne) {
+  const auto polygon = [](std::initializer_list<Vec2> corners) {
+    Points p(2, static_cast<Index>(corners.size()));
+    Index k = 0;
+    for (const Vec2& corner : corners) p.col(k++) = corner;
+    return p;
+  };
+  Scene scene = rock({block(polygon({{0, 0}, {5.230340386863304, 0}, {8, 1.9393365393933664}, {8, 5.601660305677683}})),
+                      block(polygon({{5.230340386863304, 0}, {8, 0}, {8, 1.9393365393933664}})),
+                      block(polygon({{0, 3.6623237662843167}, {3.338547653589444, 6}, {0, 6}})),
+                      block(polygon({{0, 0}, {8, 5.601660305677683}, {8, 6}, {3.338547653589444, 6}, {0, 3.6623237662843167}}))});
+  scene.supports = {{0, {0, 1}, true, true, {}}, {1, {0, 1}, true, true, {}}, {3, {0}, true, true, {}}};
+  for (const BlockModel model : {BlockModel::affine, BlockModel::mesh}) {
+    scene.analysis.block_model = model;
+    for (BlockDescription& one : scene.blocks) one.model = model;
+    scene.stages = {stage_of(scene, true, Mode::statics, 10)};
+    const BuiltScene built = run(scene);
+    Vec2 reactions = Vec2::Zero();
+    for (const Vec2& reaction : built.stepper->reactions().colwise()) reactions += reaction;
+    EXPECT_NEAR(reactions.y(), 48 * weight, 1e-6 * 48 * weight);
+    EXPECT_NEAR(reactions.x(), 0, 1e-6 * 48 * weight);
+    for (int b = 0; b < 4; ++b) EXPECT_LT(furthest(*built.stepper, b), 1e-4);
+  }
+}

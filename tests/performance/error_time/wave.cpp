@@ -39,7 +39,7 @@ Scene scene(const Method& method, double n_blocks) {
   Load push;
   push.kind = Load::Kind::pressure;
   push.edge = 3;
-  push.pressure = pressure;
+  push.force.value.x() = pressure;
   scene.loads = {push};
   apply(method, scene);
   return scene;

@@ -1,0 +1,22 @@
+/// \file Which parts of the blocks' faces touch others.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// A part of an edge and the block that touches it at the start.
+struct FacePart {
+  WetFace face;
+  int neighbour = -1;  ///< < 0: none
+};
+
+/// All edges, divided where blocks that touch them begin and end, in the places of the start.
+std::vector<FacePart> divide_faces(const BlockSystem& blocks);
+
+/// Those of the blocks that are there, in a joint where the neighbour is there too.
+std::vector<WetFace> present_faces(const BlockSystem& blocks, const std::vector<FacePart>& parts);
+
+}  // namespace ddacontact

@@ -1,0 +1,105 @@
+// Shaking of the ground: against Newmark's block, against a support that moves, and with smaller steps.
+#include <tests/ddacontact/simple_scenes.hpp>
+
+using namespace support;
+
+namespace {
+
+constexpr double friction = 0.2, fall = 10;  // of the block, m/s2
+
+/// Like a record: waves that come and go, sampled every 10 ms.
+std::vector<Vec3> record() {
+  std::vector<Vec3> entries;
+  for (int k = 0; k <= 300; ++k) {
+    const double t = 0.01 * k, envelope = std::sin(std::numbers::pi * t / 3);
+    entries.emplace_back(t, envelope * (4 * std::sin(9 * t) + 2 * std::sin(23 * t + 1)), 0);
+  }
+  return entries;
+}
+
+/// A stiff block of 2 x 1 m on a base.
+Scene block_on_ground(double time_step) {
+  Scene scene = rock_scene(time_step, static_cast<int>(std::round(3 / time_step)));
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.analysis.block_model = BlockModel::affine;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.materials[0].young = 1e10;
+  scene.contact.normal_stiffness = 4e11;
+  scene.contact.tangential_stiffness = 1.6e11;
+  scene.joints[0].friction_angle = std::atan(friction) * 180 / std::numbers::pi;
+  scene.blocks = {block(rectangle(-5, -1, 12, 1)), block(rectangle(0, 0, 2, 1))};
+  scene.blocks[0].fixed = true;
+  return scene;
+}
+
+Scene shaken_ground(double time_step) {
+  Scene scene = block_on_ground(time_step);
+  scene.quakes = {{ddacontact::history_function(TimeFunction::Kind::history, record())}};
+  return scene;
+}
+
+/// How far a rigid block slides relative to the ground by Coulomb's law, by small steps.
+double newmark_block() {
+  const TimeFunction ground = ddacontact::history_function(TimeFunction::Kind::history, record());
+  const double dt = 1e-5, most = friction * fall;
+  double v = 0, u = 0;
+  for (double t = dt / 2; t < 3; t += dt) {
+    const double pull = -ground.at(t, 0).x();
+    if (v == 0 && std::abs(pull) <= most) continue;
+    const double drag = v != 0 ? -std::copysign(most, v) : -std::copysign(most, pull), next = v + dt * (pull + drag);
+    const bool stops = v * next < 0;
+    u += stops ? 0 : dt * (v + next) / 2;
+    v = stops ? 0 : next;
+  }
+  return u;
+}
+
+double slid(const Scene& scene) {
+  const BuiltScene built = run(scene);
+  return travel(*built.stepper, 1).x() - travel(*built.stepper, 0).x();
+}
+
+}  // namespace
+
+TEST(Quake, ABlockSlidesAsNewmarkSays) {
+  const double exact = newmark_block(), half = slid(shaken_ground(0.005)), quarter = slid(shaken_ground(0.0025));
+  ASSERT_GT(std::abs(exact), 0.02);
+  EXPECT_NEAR(half, quarter, 0.01 * std::abs(quarter));
+  EXPECT_NEAR(quarter, exact, 0.01 * std::abs(exact));
+}
+
+TEST(Quake, IsTheSameAsAGroundThatMoves) {
+  Scene moving = block_on_ground(0.0025);
+  moving.blocks[0].fixed = false;
+  moving.supports = {{0, {0, 1, 2, 3}, true, true,
+                      ddacontact::history_function(TimeFunction::Kind::acceleration_history, record())}};
+  const double relative = slid(shaken_ground(0.0025));
+  EXPECT_NEAR(slid(moving), relative, 0.01 * std::abs(relative));
+}
+
+/// Free of the ground a block falls away from it by the double integral of the acceleration.
+TEST(Quake, LeavesABlockBehindThatNothingHolds) {
+  Scene scene = shaken_ground(0.0025);
+  scene.analysis.gravity.setZero();
+  scene.blocks[1] = block(rectangle(0, 3, 2, 1));
+  const TimeFunction ground =
+      ddacontact::history_function(TimeFunction::Kind::acceleration_history, record());
+  const BuiltScene built = run(scene);
+  EXPECT_NEAR(travel(*built.stepper, 1).x(), -ground.at(3, 0).x(), 1e-4 * std::abs(ground.at(3, 0).x()));
+}
+
+TEST(Quake, WakesWhatSleeps) {
+  Scene scene = shaken_ground(0.005);
+  std::vector<Vec3> late = record();
+  for (Vec3& entry : late) entry[0] += 1;
+  scene.quakes = {{ddacontact::history_function(TimeFunction::Kind::history, late)}};
+  scene.analysis.steps = 800;
+  BuiltScene built = build(scene);
+  run(*built.stepper, 200);
+  EXPECT_LT(travel(*built.stepper, 1).norm(), 1e-6);
+  run(*built.stepper, 600);
+  const double exact = newmark_block();
+  EXPECT_NEAR(travel(*built.stepper, 1).x(), exact, 0.02 * std::abs(exact));
+}

@@ -1,0 +1,190 @@
+// Water at rest on faces, against hydrostatics and against the formulas of slopes and dams.
+#include <tests/ddacontact/simple_scenes.hpp>
+
+using namespace support;
+
+namespace {
+
+constexpr double unit_weight_of_water = 1e4;  // N/m3
+
+Points line(std::initializer_list<Vec2> points) {
+  Points result(2, static_cast<Index>(points.size()));
+  Index k = 0;
+  for (const Vec2& point : points) result.col(k++) = point;
+  return result;
+}
+
+/// Rock under the default mechanics, water of the table in joints too.
+Scene wet_scene(double time_step, int steps, const Points& table) {
+  Scene scene = rock_scene(time_step, steps);
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.analysis.block_model = BlockModel::affine;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.water = {table, table, 1000};
+  return scene;
+}
+
+Vec2 force_on(const Stepper& stepper, int b) {
+  Vec2 sum = Vec2::Zero();
+  for (const ddacontact::ContactRecord& contact : stepper.contacts()) {
+    if (!contact.closed()) continue;
+    const Points x = stepper.blocks().positions(stepper.state());
+    const auto [first, count] = stepper.blocks().block(contact.pair.edge_block).vertices();
+    const Vec2 along = (x.col(first + (contact.pair.edge + 1) % count) - x.col(first + contact.pair.edge)).normalized();
+    const Vec2 on_vertex = contact.normal * Vec2(along.y(), -along.x()) + contact.shear * along;
+    if (contact.pair.vertex_block == b) sum += on_vertex;
+    if (contact.pair.edge_block == b) sum -= on_vertex;
+  }
+  return sum;
+}
+
+/// Of the wedge on a plane with a crack full of water behind it: Hoek and Bray's formula.
+struct PlaneFailure {
+  double dip = radians(35), length = 20, crack = 8;  // m along the plane, m of water in the crack
+
+  /// Corners: toe, foot of the crack, its top, the crest.
+  Points wedge() const {
+    const Vec2 foot = length * Vec2(std::cos(dip), std::sin(dip));
+    return line({{0, 0}, foot, foot + Vec2(0, crack), Vec2(5, foot.y() + crack)});
+  }
+  Points ground() const {
+    const Vec2 foot = wedge().col(1);
+    return line({{-5, 0}, {-5, -5}, {30, -5}, {30, foot.y() + crack}, foot + Vec2(0, crack), foot, {0, 0}});
+  }
+  /// The head falls along the plane from the crack's to none at the toe.
+  Points table() const {
+    const Vec2 foot = wedge().col(1);
+    return line({{0, 0}, foot + Vec2(0, crack)});
+  }
+  double tangent_at_the_limit(double weight) const {
+    const double along_crack = unit_weight_of_water * crack * crack / 2,
+                 uplift = unit_weight_of_water * crack * length / 2;
+    return (weight * std::sin(dip) + along_crack * std::cos(dip)) /
+           (weight * std::cos(dip) - uplift - along_crack * std::sin(dip));
+  }
+};
+
+}  // namespace
+
+TEST(Water, OfALevelTableCarriesWhatItDisplaces) {
+  for (const double depth : {0.0, 0.5, 3.0}) {  // above the top; the block is 1 m high
+    Scene scene = wet_scene(0.01, 100, line({{0, 1 + depth}}));
+    scene.analysis.mode = Mode::statics;
+    scene.blocks = {block(rectangle(-1, -1, 4, 1), true), block(rectangle(0, 0, 2, 1))};
+    const BuiltScene built = run(scene);
+    EXPECT_NEAR(force_on(*built.stepper, 1).y(), 2 * (2e4 - unit_weight_of_water), 1e-3) << depth;
+    EXPECT_NEAR(force_on(*built.stepper, 1).x(), 0, 1e-3);
+  }
+}
+
+TEST(Water, OnOuterFacesAlonePressesABlockDown) {
+  Scene scene = wet_scene(0.01, 100, line({{0, 4}}));
+  scene.water.joint_table.resize(2, 0);
+  scene.analysis.mode = Mode::statics;
+  scene.blocks = {block(rectangle(-1, -1, 4, 1), true), block(rectangle(0, 0, 2, 1))};
+  const BuiltScene built = run(scene);
+  EXPECT_NEAR(force_on(*built.stepper, 1).y(), 2 * (2e4 + 3 * unit_weight_of_water), 1e-3);
+}
+
+TEST(Water, OfAnyPolygonUnderWaterIsTheWeightOfItsVolume) {
+  const Points polygon = line({{0, 0}, {3, -1}, {4, 2}, {1.5, 1}, {-1, 3}});
+  for (const Points& table : {line({{0, 9}}), line({{-2, 8}, {1, 8}, {6, 8}})}) {
+    Vec2 sum = Vec2::Zero();
+    double moment = 0;
+    for (Index k = 0; k < polygon.cols(); ++k) {
+      const Vec2 start = polygon.col(k), end = polygon.col((k + 1) % polygon.cols());
+      // Parts of an edge add up to it.
+      for (const auto& [from, to] : {std::pair{0.0, 0.3}, {0.3, 1.0}}) {
+        const ddacontact::EdgeForces forces = ddacontact::water_forces(table, 10, start, end, from, to);
+        sum += forces.start + forces.end;
+        moment += cross(start, forces.start) + cross(end, forces.end);
+      }
+    }
+    const polyfem::AreaMoments moments = polyfem::area_moments(polygon);
+    EXPECT_NEAR((sum - Vec2(0, 10 * moments.area)).norm(), 0, 1e-11);
+    EXPECT_NEAR(moment, 10 * moments.area * moments.centroid.x(), 1e-11);
+  }
+}
+
+TEST(Water, AboveTheTableThereIsNone) {
+  const Points table = line({{0, 1}, {2, 0}});
+  const auto on_wall = [&](double x, double low, double high) {
+    return ddacontact::water_forces(table, 10, {x, high}, {x, low}, 0, 1);
+  };
+  EXPECT_EQ(on_wall(0.5, 1, 2).start, Vec2(0, 0));
+  const ddacontact::EdgeForces half = on_wall(1, -1, 2);  // wet from -1 to .5
+  EXPECT_NEAR((half.start + half.end).x(), 10 * 1.5 * 1.5 / 2, 1e-12);
+  EXPECT_NEAR(half.start.x() * 3, 10 * 1.5 * 1.5 / 2 * 0.5, 1e-12);  // its centre is .5 m above the foot
+  // Beyond the ends the table is level.
+  EXPECT_NEAR((on_wall(-5, 0, 1).start + on_wall(-5, 0, 1).end).x(), 5, 1e-12);
+  EXPECT_EQ(on_wall(7, 0, 1).end, Vec2(0, 0));
+}
+
+/// A float of half the density of water bobs with the frequency of its water plane.
+TEST(Water, AFloatBobs) {
+  Scene scene = wet_scene(1e-3, 0, line({{0, 0}}));
+  scene.materials[0].density = 500;
+  scene.blocks = {block(rectangle(0, -0.95, 4, 2))};  // 5 cm too high
+  const double omega = std::sqrt(unit_weight_of_water * 4 / (500 * 4 * 2));
+  scene.analysis.steps = static_cast<int>(std::round(std::numbers::pi / omega / 1e-3));
+  const BuiltScene built = run(scene);
+  EXPECT_NEAR(travel(*built.stepper, 0).y(), -0.1, 1e-4);
+  EXPECT_NEAR(travel(*built.stepper, 0).x(), 0, 1e-12);
+}
+
+TEST(Water, InACrackBehindAWedgeDecidesWhetherItSlides) {
+  const PlaneFailure plane;
+  for (const double part : {0.995, 1.005}) {
+    Scene scene = wet_scene(0.01, 100, plane.table());
+    scene.materials[0].young = 1e10;
+    scene.contact.normal_stiffness = 4e11;
+    scene.contact.tangential_stiffness = 1.6e11;
+    scene.blocks = {block(plane.ground(), true), block(plane.wedge())};
+    const double weight = 2e4 * polyfem::area_moments(plane.wedge()).area,
+                 tangent = plane.tangent_at_the_limit(weight);
+    scene.joints[0].friction_angle = std::atan(part * tangent) * 180 / std::numbers::pi;
+    const BuiltScene built = run(scene);
+    const double along = travel(*built.stepper, 1).norm();
+    // Sliding for a second it would go about 2.7 cm.
+    if (part < 1)
+      EXPECT_GT(along, 0.01);
+    else
+      EXPECT_LT(along, 1e-3);
+  }
+}
+
+TEST(Water, LeftOutOfJointsThatOpenWhenTheirNeighbourIsTakenOut) {
+  Scene scene = wet_scene(0.01, 0, line({{0, 4}}));
+  scene.water.joint_table.resize(2, 0);
+  scene.blocks = {block(rectangle(-1, -1, 6, 1), true), block(rectangle(0, 0, 1, 1)),
+                  block(rectangle(1, 0, 1, 1), true)};
+  scene.joints[0].friction_angle = 60;
+  ddacontact::StageDescription settle = scene.stage("settle"), open = scene.stage("open");
+  settle.analysis.mode = open.analysis.mode = Mode::statics;
+  settle.analysis.steps = open.analysis.steps = 20;
+  open.removed = {2};
+  scene.stages = {settle, open};
+  BuiltScene built = build(scene);
+  run(*built.stepper, 20);
+  // Water pushes from the left alone: 3.5 m of it over 1 m.
+  EXPECT_NEAR(force_on(*built.stepper, 1).x(), -3.5 * unit_weight_of_water, 1e-3);
+  run(*built.stepper, 20);
+  EXPECT_NEAR(force_on(*built.stepper, 1).x(), 0, 1e-3);
+}
+
+TEST(Water, ChangesWithTheStage) {
+  Scene scene = wet_scene(0.01, 0, line({{0, 4}}));
+  scene.blocks = {block(rectangle(-1, -1, 4, 1), true), block(rectangle(0, 0, 2, 1))};
+  ddacontact::StageDescription wet = scene.stage("wet"), dry = scene.stage("dry");
+  wet.analysis.mode = dry.analysis.mode = Mode::statics;
+  wet.analysis.steps = dry.analysis.steps = 10;
+  dry.water = {};
+  scene.stages = {wet, dry};
+  BuiltScene built = build(scene);
+  run(*built.stepper, 10);
+  EXPECT_NEAR(force_on(*built.stepper, 1).y(), 2e4, 1e-3);
+  run(*built.stepper, 10);
+  EXPECT_NEAR(force_on(*built.stepper, 1).y(), 4e4, 1e-3);
+}
