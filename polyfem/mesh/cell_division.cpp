@@ -10,8 +10,10 @@
 namespace polyfem {
 namespace {
 
-/// The sine of a turn below which a vertex is on a side, and the part of a side to which its middle is found.
-constexpr double straight = 1e-9;
+/// The sine of the turn from which on a vertex ends a side; where fewer than three turn so, that of any turn.
+constexpr double corner_turn = 0.25, any_turn = 1e-9;
+/// A vertex this near to the middle of a side, as a part of it, serves as its middle.
+constexpr double near_middle = 0.2;
 
 class Division {
  public:
@@ -75,12 +77,17 @@ class Division {
   static std::array<int, 2> edge(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
   std::vector<std::size_t> corners_of(std::span<const int> cell) const {
+    std::vector<std::size_t> corners = vertices_that_turn(cell, corner_turn);
+    return corners.size() < 3 ? vertices_that_turn(cell, any_turn) : corners;
+  }
+  std::vector<std::size_t> vertices_that_turn(std::span<const int> cell, double least) const {
     std::vector<std::size_t> corners;
     const std::size_t n = cell.size();
     for (std::size_t k = 0; k < n; ++k) {
       const Vec2 before = place(cell[k]) - place(cell[(k + n - 1) % n]),
                  after = place(cell[(k + 1) % n]) - place(cell[k]);
-      if (std::abs(cross(before, after)) > straight * before.norm() * after.norm()) corners.push_back(k);
+      if (std::abs(cross(before, after)) > least * before.norm() * after.norm() || before.dot(after) < 0)
+        corners.push_back(k);
     }
     return corners;
   }
@@ -95,15 +102,17 @@ class Division {
   }
 
   void halve(std::span<const int> cell, std::size_t first, std::size_t last) {
-    const Vec2 a = place(cell[first]), side = place(cell[last]) - a, middle = a + side / 2;
+    const Vec2 a = place(cell[first]), side = place(cell[last]) - a;
+    const auto along = [&](int vertex) { return (place(vertex) - a).dot(side) / side.squaredNorm(); };
+    for (std::size_t k = first; k != last; k = (k + 1) % cell.size())
+      if (std::abs(along(cell[k]) - 0.5) < near_middle) return;
     for (std::size_t k = first; k != last; k = (k + 1) % cell.size()) {
       const int from = cell[k], to = cell[(k + 1) % cell.size()];
-      const double start = (place(from) - a).dot(side) / side.squaredNorm(),
-                   end = (place(to) - a).dot(side) / side.squaredNorm();
-      if (std::abs(start - 0.5) < straight || std::abs(end - 0.5) < straight) return;
+      const double start = along(from), end = along(to);
       if (start > 0.5 || end < 0.5) continue;
       const auto [at, is_new] = middles_.try_emplace(edge(from, to), static_cast<int>(vertices_.size()));
-      if (is_new) vertices_.push_back(middle);
+      if (is_new)
+        vertices_.push_back(place(from) + (0.5 - start) / (end - start) * (place(to) - place(from)));
       return;
     }
   }

@@ -5,6 +5,10 @@
 #include <ddacontact/study/strength_reduction.hpp>
 #include <ddacontact/time/probe.hpp>
 
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
 namespace {
 
 using namespace ddacontact;
@@ -58,4 +62,54 @@ TEST(Practice, RocksComeToRestOnTheBenches) {
     EXPECT_LT(travel.y(), -5) << name;
     EXPECT_GT(travel.y(), -23) << name;
   }
+}
+
+/// A disk of radius 1 m on a rigid plate under its weight, its cells graded towards the contact: half width and
+/// largest pressure by Hertz, a = sqrt(4 P R (1 - nu^2) / (pi E)), p = 2 P / (pi a).
+TEST(Practice, DiskOnAPlateHasHertzsPressure) {
+  constexpr double young = 18.7e6, poisson = 0.3;
+  std::vector<double> degrees;
+  for (int k = -16; k <= 16; ++k) degrees.push_back(0.5 * k);
+  for (int k = 13; k < 352; k += 5) degrees.push_back(k);
+  std::ostringstream disk;
+  std::size_t top = 0;
+  for (std::size_t k = 0; k < degrees.size(); ++k) {
+    const double angle = degrees[k] * std::numbers::pi / 180;
+    disk << (k > 0 ? ", [" : "[") << std::sin(angle) << ", " << 1 - std::cos(angle) << "]";
+    if (std::abs(degrees[k] - 180) < std::abs(degrees[top] - 180)) top = k;
+  }
+  std::ostringstream scene;
+  scene << "[analysis]\nsteps = 40\ntime_step = 0.05\nmode = \"static\"\n"
+           "mesh = { kind = \"voronoi\", cells = 64, at_contact = \"8 mm\" }\n"
+           "[[material]]\nname = \"soft\"\ndensity = 2500\nyoung = 18.7e6\npoisson = 0.3\n"
+           "[[block]]\nname = \"plate\"\nmaterial = \"soft\"\nmodel = \"affine\"\nfixed = true\n"
+           "vertices = [[-2, -1], [2, -1], [2, 0], [-2, 0]]\n"
+           "[[block]]\nname = \"disk\"\nmaterial = \"soft\"\nmodel = \"mesh\"\nvertices = ["
+        << disk.str() << "]\n[[support]]\nblock = \"disk\"\nvertices = [" << top << "]\naxes = \"x\"\n";
+  const SceneReading reading = read_scene_text(scene.str(), "disk.toml");
+  for (const Problem& problem : reading.problems) ADD_FAILURE() << problem.text();
+  ASSERT_TRUE(reading.scene);
+  const BuiltScene built = build(*reading.scene);
+  ASSERT_TRUE(support::run(*built.stepper, 40)) << built.stepper->stop_reason();
+  EXPECT_LE(built.stepper->blocks().block(1).n_cells(), 1000);
+
+  // Places and forces of the nodes in contact; each bears the pressure over half the way to its neighbours.
+  const Block& of_disk = built.stepper->blocks().block(1);
+  const Points x = built.stepper->blocks().positions(built.stepper->state());
+  const auto place = [&](int k) -> Vec2 {
+    return x.col(of_disk.vertices().first + (k + of_disk.n_vertices()) % of_disk.n_vertices());
+  };
+  double force = 0, first = 0, second = 0, most = 0;
+  for (const ContactRecord& contact : built.stepper->contacts()) {
+    ASSERT_EQ(contact.pair.vertex_block, 1);
+    const int k = contact.pair.vertex;
+    force += contact.normal;
+    first += contact.normal * place(k).x();
+    second += contact.normal * place(k).x() * place(k).x();
+    most = std::max(most, 2 * contact.normal / std::abs(place(k + 1).x() - place(k - 1).x()));
+  }
+  const double half_width = std::sqrt(4 * force * (1 - poisson * poisson) / (std::numbers::pi * young));
+  // The second moment of Hertz's pressure is a^2 / 4.
+  EXPECT_NEAR(2 * std::sqrt(second / force - std::pow(first / force, 2)), half_width, 0.05 * half_width);
+  EXPECT_NEAR(most, 2 * force / (std::numbers::pi * half_width), 0.05 * most);
 }

@@ -83,7 +83,9 @@ TEST(TimeFunction, SmoothHistoryConvergesToTheMotionThatWasSampled) {
     double error = 0;
     for (double t = 0; t < std::numbers::pi; t += 0.01)
       error = std::max(error, std::abs(f.at(t, 9).x() - motion(t)));
-    if (before > 0) EXPECT_NEAR(std::log2(before / error), 4, 0.4) << n;
+    if (before > 0) {
+      EXPECT_NEAR(std::log2(before / error), 4, 0.4) << n;
+    }
     before = error;
   }
 }

@@ -12,7 +12,7 @@ std::vector<Vec3> record() {
   std::vector<Vec3> entries;
   for (int k = 0; k <= 300; ++k) {
     const double t = 0.01 * k, envelope = std::sin(std::numbers::pi * t / 3);
-    entries.emplace_back(t, envelope * (4 * std::sin(9 * t) + 2 * std::sin(23 * t + 1)), 0);
+    entries.emplace_back(t, envelope * (4 * std::sin(4 * t) + 2 * std::sin(9 * t + 1)), 0);
   }
   return entries;
 }
