@@ -64,8 +64,7 @@ PolygonMesh graded(PolygonMesh mesh, double size, const std::vector<Vec2>& conta
     for (int c = 0; c < mesh.n_cells(); ++c) large[c] = is_large(c);
     any = std::ranges::count(large, 1) > 0;
     if (any) mesh = polyfem::divide_cells(mesh, large);
-    if (mesh.n_cells() > most_cells)
-      throw Error("more than a million cells (ask for a larger `at_contact`)");
+    if (mesh.n_cells() > most_cells) throw Error("more than a million cells (ask for a larger `at_contact`)");
   }
   return mesh;
 }

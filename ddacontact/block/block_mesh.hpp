@@ -25,8 +25,8 @@ struct BlockMesh {
 
 /// Divides a simple, counter-clockwise outline. Voronoi cells are strictly convex but for corners where the
 /// outline has a straight one; quads need a convex outline of four corners and are a grid mapped
-/// bilinearly. Cells larger than `options.at_contact` and their distance from the points of `contact` together
-/// are divided at their corners. Throws Error for what cannot be divided so.
+/// bilinearly. Cells larger than `options.at_contact` and their distance from the points of `contact`
+/// together are divided at their corners. Throws Error for what cannot be divided so.
 BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std::vector<Vec2>& contact = {});
 
 }  // namespace ddacontact

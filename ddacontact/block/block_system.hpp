@@ -126,7 +126,8 @@ class BlockSystem {
   using AddForce = std::function<void(int block, int vertex, const Vec2& force)>;
   /// The forces at the ends of edges of pressures and water, N per m, on the shape of `state`.
   void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
-  /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21), (23).
+  /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21),
+  /// (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
   /// Finds the motions of the blocks that may move from their places in `state`.
   void find_coordinates(BlockState& state) const;

@@ -32,8 +32,8 @@ enum class Scheme {
   central_difference,  ///< written "explicit": the decaying one with elastic forces of the start of a step,
                        ///< stable below a critical step: what vibrates goes on
   midpoint,            ///< momenta and energy kept exactly
-  dda,       ///< Newmark (1/2, 1), Eq. (24)-(27)
-  newmark,   ///< Newmark (beta, gamma)
+  dda,                 ///< Newmark (1/2, 1), Eq. (24)-(27)
+  newmark,             ///< Newmark (beta, gamma)
   backward_euler
 };
 /// How contact states are found: the staged method | Shi's open-close iteration.

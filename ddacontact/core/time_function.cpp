@@ -53,8 +53,8 @@ Curve spline(const std::vector<Vec3>& entries) {
   std::vector<double> upper(n, 0);
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const double a = 1 / (entries[k][0] - entries[k - 1][0]), b = 1 / (entries[k + 1][0] - entries[k][0]);
-    const Vec2 right = 3 * (a * a * (curve[k].first - curve[k - 1].first) +
-                            b * b * (curve[k + 1].first - curve[k].first));
+    const Vec2 right =
+        3 * (a * a * (curve[k].first - curve[k - 1].first) + b * b * (curve[k + 1].first - curve[k].first));
     const double pivot = 2 * (a + b) - a * upper[k - 1];
     upper[k] = b / pivot;
     curve[k].second = (right - a * curve[k - 1].second) / pivot;
@@ -68,8 +68,7 @@ Curve integral(const std::vector<Vec3>& entries) {
   Curve curve;
   Vec2 sum = Vec2::Zero();
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (k > 0)
-      sum += (entries[k][0] - entries[k - 1][0]) / 2 * (entries[k - 1] + entries[k]).tail<2>();
+    if (k > 0) sum += (entries[k][0] - entries[k - 1][0]) / 2 * (entries[k - 1] + entries[k]).tail<2>();
     curve.emplace_back(sum, entries[k].tail<2>());
   }
   return curve;

@@ -34,8 +34,9 @@ struct TimeFunction {
 /// Of entries in the sense of the kind, one of the histories.
 TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries);
 
-/// How far lines between the entries are from a cubic spline through them, of the entries' deviation from their
-/// mean, both as root mean squares: (2 pi / n)^2 / 8 for a sine with n entries a period. 0 for fewer than five.
+/// How far lines between the entries are from a cubic spline through them, of the entries' deviation from
+/// their mean, both as root mean squares: (2 pi / n)^2 / 8 for a sine with n entries a period. 0 for fewer
+/// than five.
 double sampling_error(const std::vector<Vec3>& entries);
 
 }  // namespace ddacontact

@@ -5,11 +5,11 @@
 
 namespace ddacontact {
 
-/// Water below a table. Its pressure is the unit weight of water times the depth below the table, whatever the
-/// table's slope: flow is not computed.
+/// Water below a table. Its pressure is the unit weight of water times the depth below the table, whatever
+/// the table's slope: flow is not computed.
 struct Water {
-  Points table;        ///< m, x ascending, constant beyond its ends; empty: no water
-  Points joint_table;  ///< the same for faces that touch another block; empty: no water in joints
+  Points table;           ///< m, x ascending, constant beyond its ends; empty: no water
+  Points joint_table;     ///< the same for faces that touch another block; empty: no water in joints
   double density = 1000;  ///< kg/m3
 
   bool any() const { return table.cols() > 0 || joint_table.cols() > 0; }

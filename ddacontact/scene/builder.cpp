@@ -3,8 +3,8 @@
 #include <ddacontact/block/corotational_block.hpp>
 #include <ddacontact/classic/affine_block.hpp>
 #include <ddacontact/classic/vertex_block.hpp>
-#include <ddacontact/scene/congruent_shapes.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/scene/congruent_shapes.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <ddacontact/scene/outline_distance.hpp>
 #include <polyfem/basis/mean_value.hpp>
@@ -70,7 +70,8 @@ std::vector<Vec2> contact_zone(const Scene& scene, int block) {
   const Box own = bounding_box(outline, near);
   std::vector<const Points*> others;
   for (int b = 0; b < static_cast<int>(scene.blocks.size()); ++b)
-    if (b != block && touch(own, bounding_box(scene.blocks[b].vertices))) others.push_back(&scene.blocks[b].vertices);
+    if (b != block && touch(own, bounding_box(scene.blocks[b].vertices)))
+      others.push_back(&scene.blocks[b].vertices);
   std::vector<Vec2> zone;
   for (Index k = 0; k < outline.cols(); ++k) {
     const Vec2 start = outline.col(k), edge = outline.col((k + 1) % outline.cols()) - start;

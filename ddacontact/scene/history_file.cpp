@@ -64,7 +64,8 @@ class HistoryReader {
         read_row(cells_of(line), number);
     }
     if (problems_.size() == before && history_.entries.empty())
-      problems_.error({source_, 1, 1}, "the file has no entries", "give it rows of numbers below a header 't,x,y'");
+      problems_.error({source_, 1, 1}, "the file has no entries",
+                      "give it rows of numbers below a header 't,x,y'");
   }
 
  private:
@@ -94,7 +95,7 @@ class HistoryReader {
         const bool gravities = unit == "g" && history_.unit == "m/s2";
         const QuantityReading one = gravities ? QuantityReading{standard_gravity, ""}
                                               : read_quantity("1 " + unit, k == 0 ? "s" : history_.unit,
-                                                  k == 0 ? "" : history_.other_unit);
+                                                              k == 0 ? "" : history_.other_unit);
         if (!one.error.empty())
           return problems_.error({source_, line, cells[k].column}, "'" + unit + "' " + one.error,
                                  "expected a unit such as " + (k == 0 ? "s" : history_.unit));
@@ -121,9 +122,10 @@ class HistoryReader {
       entry[columns_[k].component] = columns_[k].factor * value;
     }
     if (!history_.entries.empty() && !(history_.entries.back()[0] < entry[0]))
-      return problems_.error({source_, line, 1},
-                             "the time " + short_number(entry[0]) + " s is not later than that of the row before",
-                             "times must increase");
+      return problems_.error(
+          {source_, line, 1},
+          "the time " + short_number(entry[0]) + " s is not later than that of the row before",
+          "times must increase");
     history_.entries.push_back(entry);
   }
 
@@ -144,7 +146,8 @@ bool read_histories(const std::filesystem::path& directory, Document& document, 
     history.columns = columns;
     if (file.text) return HistoryReader(path, history, problems).read(*file.text);
     readable = false;
-    problems.error(places.of(key), "'" + std::string(key) + "' = '" + path + "' cannot be read: " + file.reason,
+    problems.error(places.of(key),
+                   "'" + std::string(key) + "' = '" + path + "' cannot be read: " + file.reason,
                    "the path is relative to the scene's");
   };
   for (SupportRecord& support : document.supports)

@@ -1,8 +1,8 @@
 /// \file Histories of supports, loads and the ground from files of comma-separated values.
 ///
 /// The first line names the columns, each with its unit in brackets where it is not SI: `t,ax [g]`, or
-/// `t [ms],ax [cm/s2],ay [cm/s2]`. The first column is the time; names that end in x or y say which component a
-/// column is, others follow in that order. Lines that begin with # are comments.
+/// `t [ms],ax [cm/s2],ay [cm/s2]`. The first column is the time; names that end in x or y say which component
+/// a column is, others follow in that order. Lines that begin with # are comments.
 #pragma once
 
 #include <ddacontact/scene/records.hpp>

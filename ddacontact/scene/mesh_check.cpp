@@ -41,9 +41,10 @@ void check_mesh(const CheckedOutline& outline, const MeshOptions& options, const
                    "at most 1e6 are possible: write at least " + rounded(1.001e-3 * outline.size) + " m");
   const double finest = smallest_at_contact * outline.size;
   if (options.at_contact > 0 && options.at_contact < finest)
-    problems.error(place_of_key("at_contact", block, of_all),
-                   "cells of " + rounded(options.at_contact) + " m where " + title + " touches others are too many",
-                   "write at least " + rounded(1.001 * finest) + " m");
+    problems.error(
+        place_of_key("at_contact", block, of_all),
+        "cells of " + rounded(options.at_contact) + " m where " + title + " touches others are too many",
+        "write at least " + rounded(1.001 * finest) + " m");
   if (options.kind != CellKind::quads) return;
   const Place& place = place_of_key("kind", block, of_all);
   if (const auto n = outline.polygon.cols(); n != 4)

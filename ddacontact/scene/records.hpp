@@ -157,7 +157,7 @@ struct MeshRecord {
   std::optional<double> cell_size;  ///< m; at most one of the two
   std::optional<bool> edge_nodes;
   std::optional<double> at_contact;  ///< m
-  Places places;  ///< of the keys
+  Places places;                     ///< of the keys
 };
 
 /// A block has at most as many cells.

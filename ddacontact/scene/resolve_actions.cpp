@@ -56,8 +56,8 @@ TimeFunction displacement_of(const SupportRecord& record) {
   const auto is_good = [&](const char* key) { return record.places.good(key); };
   if (is_good("history")) {
     const bool of_file = !record.history->file.empty();
-    const bool smooth = record.interpolation.value_or(of_file ? Interpolation::smooth : Interpolation::linear) ==
-                        Interpolation::smooth;
+    const bool smooth = record.interpolation.value_or(
+                            of_file ? Interpolation::smooth : Interpolation::linear) == Interpolation::smooth;
     function = history_function(smooth ? Kind::smooth_history : Kind::history, record.history->entries);
   } else if (is_good("velocity_history")) {
     function = history_function(Kind::velocity_history, record.velocity_history->entries);
@@ -77,9 +77,10 @@ bool moves(const Support& support, int axis) {
 void check_columns(const std::optional<History>& history, const char* key, int columns, const Places& places,
                    ProblemList& problems) {
   if (!places.good(key) || history->columns == columns) return;
-  problems.error(places.of(key),
-                 "entries of '" + std::string(key) + "' have " + std::to_string(history->columns) + " numbers",
-                 columns == 2 ? "a pressure has entries [t, value]" : "write [t, x, y]");
+  problems.error(
+      places.of(key),
+      "entries of '" + std::string(key) + "' have " + std::to_string(history->columns) + " numbers",
+      columns == 2 ? "a pressure has entries [t, value]" : "write [t, x, y]");
 }
 
 /// Less than seven entries a period of a sine.
@@ -90,8 +91,7 @@ void warn_of_sampling(const std::vector<Vec3>& entries, const char* key, const P
   if (sampling_error(entries) > coarse_sampling)
     problems.warning(places.of(key),
                      "'" + std::string(key) + "' is sampled coarsely: lines between its entries are " +
-                         rounded(100 * sampling_error(entries)) +
-                         " % away from a smooth curve through them",
+                         rounded(100 * sampling_error(entries)) + " % away from a smooth curve through them",
                      "use a record with a shorter interval, or filter out what is faster");
 }
 

@@ -21,7 +21,9 @@ void check_table(const std::optional<Outline>& table, const char* key, const Pla
 /// Where a key is written, in the stage or else in [water].
 Water water_of(const WaterRecord& record, const WaterRecord* before, const Vec2& gravity,
                ProblemList& problems) {
-  const auto chosen = [&](auto WaterRecord::*key) { return record.*key || !before ? record.*key : before->*key; };
+  const auto chosen = [&](auto WaterRecord::*key) {
+    return record.*key || !before ? record.*key : before->*key;
+  };
   check_table(record.table, "table", record.places, problems);
   check_table(record.joint_table, "joint_table", record.places, problems);
   const std::optional<Outline> table = chosen(&WaterRecord::table),

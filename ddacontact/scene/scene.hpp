@@ -38,10 +38,10 @@ struct Joint {
   bool glued = false;                         ///< closed contacts neither open nor slide; in stages alone
   std::optional<double> residual_friction_angle{};  ///< degrees, of contacts that have slid or opened, or
                                                     ///< closed after the start; none: `friction_angle`
-  std::optional<double> normal_stiffness{};  ///< Pa/m; none: rigid, as along the joint then
-  std::optional<double> shear_stiffness{};   ///< Pa/m; none: rigid
-  std::optional<double> dilation_angle{};    ///< degrees, of contacts that slide; none: 0
-  std::optional<double> dilation_slip{};     ///< m, of the slip that dilates
+  std::optional<double> normal_stiffness{};         ///< Pa/m; none: rigid, as along the joint then
+  std::optional<double> shear_stiffness{};          ///< Pa/m; none: rigid
+  std::optional<double> dilation_angle{};           ///< degrees, of contacts that slide; none: 0
+  std::optional<double> dilation_slip{};            ///< m, of the slip that dilates
 };
 
 /// One block as the scene states it.

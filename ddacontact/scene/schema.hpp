@@ -335,10 +335,11 @@ void describe(SupportRecord& r, Visit&& visit) {
             .unit = "m/s2",
             .default_text = "none"},
         r.acceleration_history);
-  visit(Key{.name = "interpolation",
-            .what = "Of `history`: lines between the entries, or a cubic spline at rest before and after them.",
-            .default_text = "`\"linear\"` in a table, `\"smooth\"` in a file"},
-        r.interpolation);
+  visit(
+      Key{.name = "interpolation",
+          .what = "Of `history`: lines between the entries, or a cubic spline at rest before and after them.",
+          .default_text = "`\"linear\"` in a table, `\"smooth\"` in a file"},
+      r.interpolation);
 }
 
 template <class Visit>
@@ -365,13 +366,16 @@ void describe(LoadRecord& r, Visit&& visit) {
             .default_text = "this or `history` is required by \"point\" and \"body\""},
         r.force);
   const bool pressure = r.type == Load::Kind::pressure;
-  visit(Key{.name = "history",
-            .what = "The force in time, or entries [t, value] of a pressure; linear between entries, constant "
-                    "outside.",
-            .unit = pressure ? "Pa" : body ? "N/m3" : "N/m",
-            .other_unit = pressure || body ? "" : "N",
-            .default_text = "none"},
-        r.history);
+  visit(
+      Key{.name = "history",
+          .what = "The force in time, or entries [t, value] of a pressure; linear between entries, constant "
+                  "outside.",
+          .unit = pressure ? "Pa"
+                  : body   ? "N/m3"
+                           : "N/m",
+          .other_unit = pressure || body ? "" : "N",
+          .default_text = "none"},
+      r.history);
   visit(Key{.name = "ramp",
             .what = "The load grows linearly from nothing in this time from the start.",
             .unit = "s",
@@ -383,12 +387,17 @@ void describe(LoadRecord& r, Visit&& visit) {
 template <class Visit>
 void describe(WaterRecord& r, Visit&& visit) {
   visit(Key{.name = "table",
-            .what = "Points of the water table, x ascending; level beyond its ends. Faces below it bear the unit "
-                    "weight of water times their depth below it.",
+            .what =
+                "Points of the water table, x ascending; level beyond its ends. Faces below it bear the unit "
+                "weight of water times their depth below it.",
             .unit = "m",
             .default_text = "required in `[water]`"},
         r.table);
-  visit(Key{.name = "density", .what = "Of water.", .unit = "kg/m3", .bounds = positive, .default_text = "`1000.0`"},
+  visit(Key{.name = "density",
+            .what = "Of water.",
+            .unit = "kg/m3",
+            .bounds = positive,
+            .default_text = "`1000.0`"},
         r.density);
   visit(Key{.name = "joints",
             .what = "Whether faces that touch another block at the start bear it too.",

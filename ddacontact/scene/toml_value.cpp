@@ -166,8 +166,8 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
       good &= read({.name = "mesh.cell_size", .what = "", .unit = "m", .bounds = positive}, part, "cell_size",
                    value.cell_size);
     } else if (name == "at_contact") {
-      good &= read({.name = "mesh.at_contact", .what = "", .unit = "m", .bounds = positive}, part, "at_contact",
-                   value.at_contact);
+      good &= read({.name = "mesh.at_contact", .what = "", .unit = "m", .bounds = positive}, part,
+                   "at_contact", value.at_contact);
     } else if (name == "edge_nodes") {
       const auto* flag = part.as_boolean();
       if (flag)
@@ -175,8 +175,9 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
       else
         good = wrong_type(part, "mesh.edge_nodes", "true or false");
     } else {
-      problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'mesh'",
-                      suggestion(name.str(), "key", {"kind", "cells", "cell_size", "edge_nodes", "at_contact"}));
+      problems_.error(
+          place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'mesh'",
+          suggestion(name.str(), "key", {"kind", "cells", "cell_size", "edge_nodes", "at_contact"}));
       good = false;
     }
   }
@@ -301,9 +302,9 @@ bool ValueReader::operator()(const toml::node& node, History& value) const {
   for (int i = 0; i < static_cast<int>(array->size()); ++i) {
     const toml::array* row = (*array)[i].as_array();
     if (!row || static_cast<int>(row->size()) != value.columns) {
-      good = wrong_type((*array)[i], element_name(i, -1),
-                        (value.columns == 2 ? "[t, value] in s and " : "[t, x, y] in s and ") +
-                            std::string(key_.unit));
+      good = wrong_type(
+          (*array)[i], element_name(i, -1),
+          (value.columns == 2 ? "[t, value] in s and " : "[t, x, y] in s and ") + std::string(key_.unit));
       continue;
     }
     Vec3 entry = Vec3::Zero();

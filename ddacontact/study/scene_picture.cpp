@@ -49,7 +49,8 @@ void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces)
   for (const auto& [edge, other, from, to] :
        touching_edges(p, q, edges_touch * std::min(size_of(p), size_of(q)))) {
     const Vec2 start = p.col(edge), along = p.col((edge + 1) % p.cols()) - start;
-    faces.push_back({a, b, joint_between(scene, a, edge, b, other), start + from * along, start + to * along});
+    faces.push_back(
+        {a, b, joint_between(scene, a, edge, b, other), start + from * along, start + to * along});
   }
 }
 
@@ -166,7 +167,8 @@ class ScenePicture {
       const double side = polyfem::signed_area(polygon) > 0 ? 1 : -1;
       const Vec2 inwards = side * Vec2(start.y() - end.y(), end.x() - start.x());
       for (const double part : {1.0 / 6, 0.5, 5.0 / 6})
-        arrow_to((1 - part) * start + part * end, direction_of(load.force).x() < 0 ? Vec2(-inwards) : inwards);
+        arrow_to((1 - part) * start + part * end,
+                 direction_of(load.force).x() < 0 ? Vec2(-inwards) : inwards);
       return;
     }
     const Vec2 direction = direction_of(load.force);

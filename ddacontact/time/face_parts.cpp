@@ -20,7 +20,9 @@ using Touches = std::vector<std::vector<std::vector<Touch>>>;
 
 std::vector<FacePart> divide_faces(const BlockSystem& blocks) {
   const Points x = blocks.reference();
-  const auto outline = [&](int b) { return x.middleCols(blocks.block(b).vertices().first, blocks.block(b).n_vertices()); };
+  const auto outline = [&](int b) {
+    return x.middleCols(blocks.block(b).vertices().first, blocks.block(b).n_vertices());
+  };
   std::vector<Box> boxes;
   Touches touches;
   for (int b = 0; b < blocks.n_blocks(); ++b) {

@@ -262,8 +262,7 @@ void Stepper::survey() {
   }
   asleep.reactions = Points::Zero(2, state_.position.cols());
   const auto watch = [&](int block, const TimeFunction& function) {
-    if (watched[block] && !is_steady(function))
-      asleep.watched.push_back({block, &function});
+    if (watched[block] && !is_steady(function)) asleep.watched.push_back({block, &function});
   };
   for (const HeldUnknown& held : blocks_.held_unknowns()) {
     const int b = blocks_.block_of_place(held.vertex);

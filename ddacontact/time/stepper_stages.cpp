@@ -35,8 +35,8 @@ bool are_same(const JointStrength& a, const JointStrength& b) {
 /// Whether the same forces act under both on the same blocks in the same motion.
 bool have_same_forces(const Stage& a, const Stage& b) {
   const auto &x = a.analysis, &y = b.analysis;
-  return x.scheme == y.scheme && x.mode == y.mode && x.gravity == y.gravity &&
-         a.water == b.water && x.damping.mass == y.damping.mass && x.damping.stiffness == y.damping.stiffness &&
+  return x.scheme == y.scheme && x.mode == y.mode && x.gravity == y.gravity && a.water == b.water &&
+         x.damping.mass == y.damping.mass && x.damping.stiffness == y.damping.stiffness &&
          std::ranges::equal(a.joints.entries(), b.joints.entries(),
                             [](const JointTable::Entry& one, const JointTable::Entry& other) {
                               return one.between == other.between && are_same(one.strength, other.strength);

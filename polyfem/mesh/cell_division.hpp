@@ -10,8 +10,9 @@ namespace polyfem {
 /// The mesh with the marked cells divided: a new vertex in the mean of the middles of a cell's sides is
 /// joined to them. Parts of convex cells are convex. A side goes from corner to corner; vertices on it where
 /// the cell turns by less than 14 degrees, as the middles that finer neighbours have and those of a curved
-/// outline, belong to it, and one near its middle is used. Neighbours that are not divided get the new middles as such vertices, so the mesh stays conforming:
-/// functions of `suitable_basis` are linear along each part of a side.
+/// outline, belong to it, and one near its middle is used. Neighbours that are not divided get the new
+/// middles as such vertices, so the mesh stays conforming: functions of `suitable_basis` are linear along
+/// each part of a side.
 ///
 /// Vertices and cells keep their order; the parts of a cell take its place. Throws Error for a number of
 /// marks other than that of the cells, and for a marked cell that is not seen whole from there.

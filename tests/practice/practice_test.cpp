@@ -27,28 +27,30 @@ TEST(Practice, DamSlidesAtItsFactorOfSafety) {
   ASSERT_TRUE(reading.scene);
   const StrengthReduction reduction(*reading.scene, {0});
   EXPECT_EQ(reduction.unsettled(), "");
-  const FactorBracket bracket = bracket_factor([&](double f) { return reduction.try_factor(f).verdict; }, std::nullopt, 0.004);
+  const FactorBracket bracket =
+      bracket_factor([&](double f) { return reduction.try_factor(f).verdict; }, std::nullopt, 0.004);
   const double exact = (4233.6 + 11.76 - 1470) / (1587.6 - 19.6);
   EXPECT_NEAR(bracket.low, exact, 0.005 * exact);
   EXPECT_NEAR(bracket.high, exact, 0.005 * exact);
 }
 
-/// Half and a quarter of the step agree on how far the top of the column has moved, and the energy that the
-/// ground put in is accounted for.
-TEST(Practice, DrumsAnswerTheSameInShorterSteps) {
-  std::vector<Vec2> travels;
-  for (const char* refined : {"1", "2"}) {
-    const int factor = std::atoi(refined);
-    BuiltScene built = support::build_example(
-        "practice/drums.toml",
-        {"analysis.time_step=" + std::to_string(0.0025 / factor), "stage.shake.steps=" + std::to_string(3200 * factor),
-         "stage.settle.steps=" + std::to_string(10 * factor)});
-    ASSERT_TRUE(support::run(*built.stepper, 3210 * factor)) << built.stepper->stop_reason();
-    travels.push_back(travel_of(built, "top"));
-    EXPECT_LT(std::abs(travels.back().x()), 1);
+/// Half and a quarter of the step agree on how far the top drum sways; the column stands in the end.
+TEST(Practice, DrumsSwayTheSameInShorterSteps) {
+  std::vector<double> sways;
+  for (const int factor : {2, 4}) {
+    BuiltScene built = support::build_example("practice/drums.toml",
+                                              {"analysis.time_step=" + std::to_string(0.0025 / factor),
+                                               "stage.settle.steps=" + std::to_string(10 * factor),
+                                               "stage.shake.steps=" + std::to_string(3200 * factor)});
+    double& sway = sways.emplace_back(0);
+    for (int step = 0; step < 3210 * factor; ++step) {
+      ASSERT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
+      sway = std::max(sway, std::abs(travel_of(built, "top").x()));
+    }
+    EXPECT_LT(travel_of(built, "top").norm(), 0.01);
   }
-  std::cout << travels[0].transpose() << " / " << travels[1].transpose() << '\n';
-  EXPECT_NEAR((travels[0] - travels[1]).norm(), 0, 0.01 * travels[1].norm());
+  EXPECT_GT(sways[1], 0.1);
+  EXPECT_NEAR(sways[0], sways[1], 0.01 * sways[1]);
 }
 
 /// Boulders come to rest below where they began, and fall no further than the foot.
@@ -64,8 +66,8 @@ TEST(Practice, RocksComeToRestOnTheBenches) {
   }
 }
 
-/// A disk of radius 1 m on a rigid plate under its weight, its cells graded towards the contact: half width and
-/// largest pressure by Hertz, a = sqrt(4 P R (1 - nu^2) / (pi E)), p = 2 P / (pi a).
+/// A disk of radius 1 m on a rigid plate under its weight, its cells graded towards the contact: half width
+/// and largest pressure by Hertz, a = sqrt(4 P R (1 - nu^2) / (pi E)), p = 2 P / (pi a).
 TEST(Practice, DiskOnAPlateHasHertzsPressure) {
   constexpr double young = 18.7e6, poisson = 0.3;
   std::vector<double> degrees;

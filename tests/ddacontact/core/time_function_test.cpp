@@ -78,7 +78,8 @@ TEST(TimeFunction, SmoothHistoryConvergesToTheMotionThatWasSampled) {
   double before = 0;
   for (const int n : {20, 40, 80}) {
     std::vector<Vec3> entries;
-    for (int k = 0; k <= n; ++k) entries.emplace_back(std::numbers::pi * k / n, motion(std::numbers::pi * k / n), 0);
+    for (int k = 0; k <= n; ++k)
+      entries.emplace_back(std::numbers::pi * k / n, motion(std::numbers::pi * k / n), 0);
     const TimeFunction f = history_function(Kind::smooth_history, entries);
     double error = 0;
     for (double t = 0; t < std::numbers::pi; t += 0.01)

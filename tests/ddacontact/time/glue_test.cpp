@@ -316,10 +316,12 @@ TEST(Glue, BlocksWhoseHeldCornersTouchStandAsOne) {
     for (const Vec2& corner : corners) p.col(k++) = corner;
     return p;
   };
-  Scene scene = rock({block(polygon({{0, 0}, {5.230340386863304, 0}, {8, 1.9393365393933664}, {8, 5.601660305677683}})),
-                      block(polygon({{5.230340386863304, 0}, {8, 0}, {8, 1.9393365393933664}})),
-                      block(polygon({{0, 3.6623237662843167}, {3.338547653589444, 6}, {0, 6}})),
-                      block(polygon({{0, 0}, {8, 5.601660305677683}, {8, 6}, {3.338547653589444, 6}, {0, 3.6623237662843167}}))});
+  Scene scene =
+      rock({block(polygon({{0, 0}, {5.230340386863304, 0}, {8, 1.9393365393933664}, {8, 5.601660305677683}})),
+            block(polygon({{5.230340386863304, 0}, {8, 0}, {8, 1.9393365393933664}})),
+            block(polygon({{0, 3.6623237662843167}, {3.338547653589444, 6}, {0, 6}})),
+            block(polygon(
+                {{0, 0}, {8, 5.601660305677683}, {8, 6}, {3.338547653589444, 6}, {0, 3.6623237662843167}}))});
   scene.supports = {{0, {0, 1}, true, true, {}}, {1, {0, 1}, true, true, {}}, {3, {0}, true, true, {}}};
   for (const BlockModel model : {BlockModel::affine, BlockModel::mesh}) {
     scene.analysis.block_model = model;

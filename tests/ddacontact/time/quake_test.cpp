@@ -48,7 +48,8 @@ double newmark_block() {
   for (double t = dt / 2; t < 3; t += dt) {
     const double pull = -ground.at(t, 0).x();
     if (v == 0 && std::abs(pull) <= most) continue;
-    const double drag = v != 0 ? -std::copysign(most, v) : -std::copysign(most, pull), next = v + dt * (pull + drag);
+    const double drag = v != 0 ? -std::copysign(most, v) : -std::copysign(most, pull),
+                 next = v + dt * (pull + drag);
     const bool stops = v * next < 0;
     u += stops ? 0 : dt * (v + next) / 2;
     v = stops ? 0 : next;
@@ -64,7 +65,8 @@ double slid(const Scene& scene) {
 }  // namespace
 
 TEST(Quake, ABlockSlidesAsNewmarkSays) {
-  const double exact = newmark_block(), half = slid(shaken_ground(0.005)), quarter = slid(shaken_ground(0.0025));
+  const double exact = newmark_block(), half = slid(shaken_ground(0.005)),
+               quarter = slid(shaken_ground(0.0025));
   ASSERT_GT(std::abs(exact), 0.02);
   EXPECT_NEAR(half, quarter, 0.01 * std::abs(quarter));
   EXPECT_NEAR(quarter, exact, 0.01 * std::abs(exact));
@@ -73,7 +75,10 @@ TEST(Quake, ABlockSlidesAsNewmarkSays) {
 TEST(Quake, IsTheSameAsAGroundThatMoves) {
   Scene moving = block_on_ground(0.0025);
   moving.blocks[0].fixed = false;
-  moving.supports = {{0, {0, 1, 2, 3}, true, true,
+  moving.supports = {{0,
+                      {0, 1, 2, 3},
+                      true,
+                      true,
                       ddacontact::history_function(TimeFunction::Kind::acceleration_history, record())}};
   const double relative = slid(shaken_ground(0.0025));
   EXPECT_NEAR(slid(moving), relative, 0.01 * std::abs(relative));

@@ -35,7 +35,8 @@ Vec2 force_on(const Stepper& stepper, int b) {
     if (!contact.closed()) continue;
     const Points x = stepper.blocks().positions(stepper.state());
     const auto [first, count] = stepper.blocks().block(contact.pair.edge_block).vertices();
-    const Vec2 along = (x.col(first + (contact.pair.edge + 1) % count) - x.col(first + contact.pair.edge)).normalized();
+    const Vec2 along =
+        (x.col(first + (contact.pair.edge + 1) % count) - x.col(first + contact.pair.edge)).normalized();
     const Vec2 on_vertex = contact.normal * Vec2(along.y(), -along.x()) + contact.shear * along;
     if (contact.pair.vertex_block == b) sum += on_vertex;
     if (contact.pair.edge_block == b) sum -= on_vertex;
