@@ -67,6 +67,7 @@ void BlockSystem::remove(int b) {
   std::erase_if(point_loads, [&](const PointLoad& load) { return load.point.block == b; });
   std::erase_if(pressure_loads, [&](const PressureLoad& load) { return load.block == b; });
   std::erase_if(body_loads, [&](const BodyLoad& load) { return load.block == b; });
+  std::erase_if(quiet_faces, [&](const QuietFace& face) { return face.block == b; });
   std::erase_if(water.faces, [&](const WetFace& face) { return face.block == b; });
   std::erase_if(held_vertices, [&](const HeldVertex& held) { return held.block == b; });
   std::erase_if(held_unknowns_, [&](const HeldUnknown& held) { return block_of_place_[held.vertex] == b; });
@@ -157,16 +158,41 @@ Vec2 BlockSystem::ground_acceleration(double time) const {
   return sum;
 }
 
+Vec2 BlockSystem::inward(int b, int edge, const BlockState& state) const {
+  const Range& v = block(b).vertices();
+  const Vec2 along = state.position.col(v.first + (edge + 1) % block(b).n_vertices()) -
+                     state.position.col(v.first + edge);
+  return {-along.y(), along.x()};
+}
+
+Mat2 BlockSystem::impedance_at_ends(const QuietFace& face, const BlockState& state) const {
+  const Vec2 normal = inward(face.block, face.edge, state);
+  const double length = normal.norm();
+  const BlockMaterial& material = block(face.block).material();
+  const double density = block(face.block).mass_total() / block(face.block).reference_area(),
+               pressure_wave = std::sqrt(density * material.elasticity(0, 0)),
+               shear_wave = std::sqrt(density * material.elasticity(2, 2));
+  const Mat2 across = normal * normal.transpose() / (length * length);
+  return length / 2 * (pressure_wave * across + shear_wave * (Mat2::Identity() - across));
+}
+
 void BlockSystem::add_edge_forces(const BlockState& state, double time, const AddForce& add) const {
   const auto end_of = [&](int b, int edge) { return (edge + 1) % block(b).n_vertices(); };
   const auto at = [&](int b, int vertex) -> Vec2 {
     return state.position.col(block(b).vertices().first + vertex);
   };
-  for (const PressureLoad& load : pressure_loads) {
-    const Vec2 edge = at(load.block, end_of(load.block, load.edge)) - at(load.block, load.edge);
-    const Vec2 inward(-edge.y(), edge.x());  // times the edge's length
-    for (const int vertex : {load.edge, end_of(load.block, load.edge)})
-      add(load.block, vertex, load.pressure.at(time, end_time).x() / 2 * inward);
+  const auto add_at_ends = [&](int b, int edge, const Vec2& force) {
+    for (const int vertex : {edge, end_of(b, edge)}) add(b, vertex, force / 2);
+  };
+  for (const PressureLoad& load : pressure_loads)
+    add_at_ends(load.block, load.edge,
+                load.pressure.at(time, end_time).x() * inward(load.block, load.edge, state));
+  for (const QuietFace& face : quiet_faces) {
+    const Vec2 outward = -inward(face.block, face.edge, state);
+    const Vec3& s = face.stress;
+    const Vec2 of_stress(s[0] * outward.x() + s[2] * outward.y(), s[2] * outward.x() + s[1] * outward.y());
+    add_at_ends(face.block, face.edge,
+                of_stress + 4 * impedance_at_ends(face, state) * face.incoming.at(time, end_time));
   }
   const double unit_weight = -water.water.density * gravity.y();
   for (const WetFace& face : water.faces) {

@@ -29,6 +29,14 @@ struct PressureLoad {
   int block = 0, edge = 0;
   TimeFunction pressure;  ///< its x, Pa: > 0 pushes into the block; follows the edge
 };
+/// An edge on which the surroundings go on: it bears the stress that they have at the start, lets waves out and
+/// others in. Tractions Z (2 v_in - v) besides those of the stress, Z = density times the speed of pressure waves
+/// normal to the edge and of shear waves along it.
+struct QuietFace {
+  int block = 0, edge = 0;
+  Vec3 stress{0, 0, 0};   ///< xx, yy, xy of the surroundings, Pa
+  TimeFunction incoming;  ///< velocity of the wave that comes in, m/s
+};
 /// Water at rest on faces.
 struct WaterLoad {
   Water water;
@@ -77,6 +85,7 @@ class BlockSystem {
   std::vector<PressureLoad> pressure_loads;
   std::vector<BodyLoad> body_loads;
   WaterLoad water;
+  std::vector<QuietFace> quiet_faces;
   std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2; 0 outside them
   std::vector<HeldVertex> held_vertices;
   /// Every vertex that the scene holds, by its place in the arrays of the state, ascending. Of an affine
@@ -123,8 +132,10 @@ class BlockSystem {
   void add_gravity(VectorXd& F) const;
   /// The acceleration of what the blocks are seen from, m/s2.
   Vec2 ground_acceleration(double time) const;
+  /// Force by velocity at either end of a quiet face, N s/m per m.
+  Mat2 impedance_at_ends(const QuietFace& face, const BlockState& state) const;
   using AddForce = std::function<void(int block, int vertex, const Vec2& force)>;
-  /// The forces at the ends of edges of pressures and water, N per m, on the shape of `state`.
+  /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of `state`.
   void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
   /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21),
   /// (23).
@@ -164,6 +175,8 @@ class BlockSystem {
 
   BlockSystem() = default;
   void number_equations();
+  /// Into the block across an edge, times its length.
+  Vec2 inward(int b, int edge, const BlockState& state) const;
 
   std::vector<std::unique_ptr<Block>> blocks_;
   std::vector<RoundedBlock> rounded_;  ///< empty: corners are sharp

@@ -73,6 +73,11 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
       face.block = k;
       system_.water.faces.push_back(face);
     }
+  for (QuietFace face : whole.quiet_faces)
+    if (const int k = taking_part(face.block); k >= 0) {
+      face.block = k;
+      system_.quiet_faces.push_back(std::move(face));
+    }
   system_.ground = whole.ground;
   for (HeldVertex held : whole.held_vertices)
     if (const int k = taking_part(held.block); k >= 0) {

@@ -237,6 +237,7 @@ class Builder {
     system.gravity = scene_.analysis.gravity;
     system.end_time = scene_.end_time();
     add_loads(system);
+    add_quiet_faces(system);
     for (const Quake& quake : scene_.quakes) system.ground.push_back(quake.acceleration);
     return system;
   }
@@ -378,22 +379,35 @@ class Builder {
                            "; T-vertices " + n(cut.t_vertices));
   }
 
+  /// visit(edge) for all edges of the block, as it numbers them, that an edge of the scene is divided into.
+  template <class Visit>
+  static void for_parts(const Block& block, const Placed& on, int scene_edge, Visit&& visit) {
+    const int n = static_cast<int>(on.outline.cols());
+    const int edge = on.turned ? (2 * n - 2 - scene_edge) % n : scene_edge;
+    const int end = edge + 1 < n ? on.place(edge + 1) : block.n_vertices();
+    for (int part = on.place(edge); part < end; ++part) visit(part);
+  }
+
+  void add_quiet_faces(BlockSystem& system) const {
+    for (const QuietBoundary& boundary : scene_.quiet_boundaries)
+      for (const auto& [block, edge] : boundary.faces)
+        for_parts(system.block(block), placed_[block], edge, [&, b = block](int part) {
+          system.quiet_faces.push_back({b, part, scene_.blocks[b].stress, boundary.incoming});
+        });
+  }
+
   void add_loads(BlockSystem& system) const {
     for (const Load& load : scene_.loads) {
       const Placed& on = placed_[load.block];
       const Block& block = system.block(load.block);
-      const int n = static_cast<int>(on.outline.cols());
       switch (load.kind) {
         case Load::Kind::point:
           system.point_loads.push_back({{load.block, block.place_weights(load.at - origin_)}, load.force});
           break;
-        case Load::Kind::pressure: {
-          const int edge = on.turned ? (2 * n - 2 - load.edge) % n : load.edge;
-          const int end = edge + 1 < n ? on.place(edge + 1) : block.n_vertices();
-          for (int part = on.place(edge); part < end; ++part)
-            system.pressure_loads.push_back({load.block, part, load.force});
+        case Load::Kind::pressure:
+          for_parts(block, on, load.edge,
+                    [&](int part) { system.pressure_loads.push_back({load.block, part, load.force}); });
           break;
-        }
         case Load::Kind::body:
           system.body_loads.push_back({load.block, load.force});
           break;

@@ -148,6 +148,13 @@ WaterRecord record_of(const Water& water) {
   return record;
 }
 
+QuietRecord record_of(const QuietBoundary& boundary, const Scene& scene) {
+  QuietRecord record;
+  record.on = {boundary.from, boundary.to};
+  if (boundary.incoming.is_history()) record.incoming = history_of(boundary.incoming, scene.end_time());
+  return record;
+}
+
 QuakeRecord record_of(const Quake& quake, const Scene&) {
   QuakeRecord record;
   record.acceleration.entries = quake.acceleration.history;
@@ -237,6 +244,7 @@ Document document_of(const Scene& scene) {
   fill(document.loads, scene.loads, scene);
   if (scene.water.any()) document.water = record_of(scene.water);
   fill(document.quakes, scene.quakes, scene);
+  fill(document.quiet_boundaries, scene.quiet_boundaries, scene);
   fill(document.monitors, scene.monitors, scene);
   fill(document.stages, scene.stages, scene);
   document.solver.skip = scene.analysis.skip;

@@ -157,6 +157,8 @@ bool read_histories(const std::filesystem::path& directory, Document& document, 
       if (*history) read(**history, key, 3, support.places);
   for (LoadRecord& load : document.loads)
     if (load.history) read(*load.history, "history", load.type == Load::Kind::pressure ? 2 : 3, load.places);
+  for (QuietRecord& quiet : document.quiet_boundaries)
+    if (quiet.incoming) read(*quiet.incoming, "incoming", 3, quiet.places);
   for (QuakeRecord& quake : document.quakes) read(quake.acceleration, "acceleration", 3, quake.places);
   return readable;
 }

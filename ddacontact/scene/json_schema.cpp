@@ -87,6 +87,9 @@ Json schema_of(const VertexSelection&) {
 Json schema_of(const Outline&) {
   return list_of_items(list_of_items(quantity(), 2));
 }
+Json schema_of(const LineSegment&) {
+  return list_of_items(list_of_items(quantity(), 2), 2);
+}
 Json schema_of(const History&) {
   return types({"array", "string"});
 }

@@ -259,6 +259,13 @@ struct LoadRecord {
   Places places;
 };
 
+struct QuietRecord {
+  LineSegment on;
+  std::vector<QuietBoundary::Face> faces;  ///< that lie on it, once they are looked for
+  std::optional<History> incoming;
+  Places places;
+};
+
 struct QuakeRecord {
   History acceleration;
   double scale = 1;
@@ -417,6 +424,7 @@ struct Document {
   std::vector<LoadRecord> loads;
   std::optional<WaterRecord> water;
   std::vector<QuakeRecord> quakes;
+  std::vector<QuietRecord> quiet_boundaries;
   std::vector<MonitorRecord> monitors;
   std::vector<StageRecord> stages;
   SolverRecord solver;

@@ -90,6 +90,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.loads = resolve_loads(document, blocks, problems);
   scene.water = resolve_water(document, problems);
   scene.quakes = resolve_quakes(document, problems);
+  scene.quiet_boundaries = resolve_quiet_boundaries(document, blocks, problems);
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);

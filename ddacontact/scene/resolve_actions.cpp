@@ -212,6 +212,36 @@ std::vector<Load> resolve_loads(const Document& document, const BlockTable& bloc
   return loads;
 }
 
+std::vector<QuietBoundary> resolve_quiet_boundaries(const Document& document, BlockTable& blocks,
+                                                    ProblemList& problems) {
+  std::vector<QuietBoundary> boundaries;
+  for (const QuietRecord& record : document.quiet_boundaries) {
+    QuietBoundary& boundary = boundaries.emplace_back();
+    boundary.from = record.on.from;
+    boundary.to = record.on.to;
+    boundary.faces = record.faces;
+    check_columns(record.incoming, "incoming", 3, record.places, problems);
+    if (record.places.good("incoming")) {
+      boundary.incoming = history_function(TimeFunction::Kind::history, record.incoming->entries);
+      warn_of_sampling(record.incoming->entries, "incoming", record.places, problems);
+    }
+    for (const QuietBoundary::Face& face : boundary.faces) {
+      const int n = n_vertices(face.block, document, blocks);
+      if (n == 0) continue;
+      for (int axis = 0; axis < 2; ++axis)
+        if (blocks.holds.by(face.block, face.edge, axis) != Holds::nobody &&
+            blocks.holds.by(face.block, (face.edge + 1) % n, axis) != Holds::nobody) {
+          problems.error(record.places.table,
+                         "edge '" + std::to_string(face.edge) + "' of " + blocks.names.title(face.block) +
+                             " is quiet and held in " + "xy"[axis],
+                         "what is held lets no waves out: take it out of the support, 'fixed' or this line");
+          break;
+        }
+    }
+  }
+  return boundaries;
+}
+
 std::vector<Quake> resolve_quakes(const Document& document, ProblemList& problems) {
   std::vector<Quake> quakes;
   for (const QuakeRecord& record : document.quakes) {

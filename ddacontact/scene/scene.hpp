@@ -84,6 +84,16 @@ struct Quake {
   TimeFunction acceleration;  ///< of the ground, m/s2; 0 outside its entries
 };
 
+/// A boundary on which the surroundings go on.
+struct QuietBoundary {
+  struct Face {
+    int block = 0, edge = 0;
+  };
+  Vec2 from{0, 0}, to{0, 0};  ///< the line that its faces lie on, m
+  std::vector<Face> faces;
+  TimeFunction incoming;  ///< velocity of the wave that comes in, m/s
+};
+
 /// A place whose motion is recorded.
 struct Monitor {
   enum class Kind { point, vertex, centroid };
@@ -125,6 +135,7 @@ struct Scene {
   std::vector<Load> loads;
   Water water;
   std::vector<Quake> quakes;
+  std::vector<QuietBoundary> quiet_boundaries;
   std::vector<Monitor> monitors;
   std::vector<StageDescription> stages;  ///< run in sequence; none: one part of analysis.steps
   OutputOptions output;

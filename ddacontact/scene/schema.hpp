@@ -411,6 +411,16 @@ void describe(WaterRecord& r, Visit&& visit) {
 }
 
 template <class Visit>
+void describe(QuietRecord& r, Visit&& visit) {
+  visit(Key{.name = "on", .what = "All edges that lie on this line.", .unit = "m", .required = true}, r.on);
+  visit(Key{.name = "incoming",
+            .what = "Velocity in time of a wave that comes in, [[t, vx, vy], ...] or a file.",
+            .unit = "m/s",
+            .default_text = "none"},
+        r.incoming);
+}
+
+template <class Visit>
 void describe(QuakeRecord& r, Visit&& visit) {
   visit(Key{.name = "acceleration",
             .what = "Of the ground in time, [[t, ax, ay], ...] or a file; linear between entries, 0 outside. "
@@ -567,6 +577,8 @@ void describe(Document& d, Visit&& visit) {
                d.supports);
   visit.tables(Key{.name = "load", .what = "Forces."}, d.loads);
   visit.table(Key{.name = "water", .what = "Pressure of water at rest on the faces of blocks."}, d.water);
+  visit.tables(Key{.name = "quiet_boundary", .what = "Edges that let waves out, and others in."},
+               d.quiet_boundaries);
   visit.tables(Key{.name = "quake", .what = "Shaking of the ground."}, d.quakes);
   visit.tables(Key{.name = "monitor", .what = "Points whose motion is written at every step."}, d.monitors);
   visit.tables(Key{.name = "stage", .what = "Parts of a run with other options, one after the other."},

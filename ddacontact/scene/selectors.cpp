@@ -177,6 +177,18 @@ class Expansion {
       complain_of_line(*record.edge->on, blocks, "edge", document_, record.places.of("edge"), problems_);
   }
 
+  void quiet_boundary(QuietRecord& record) const {
+    if (!record.places.good("on")) return;
+    std::vector<int> blocks;
+    for (int b = 0; b < static_cast<int>(document_.blocks.size()); ++b) {
+      if (!has_outline(document_.blocks[b])) continue;
+      blocks.push_back(b);
+      for (const int edge : edges_on(record.on, document_.blocks[b])) record.faces.push_back({b, edge});
+    }
+    if (record.faces.empty() && document_.has_all_blocks)
+      complain_of_line(record.on, blocks, "edge", document_, record.places.of("on"), problems_);
+  }
+
   void monitor(const MonitorRecord& record, const std::vector<int>& blocks, std::vector<MonitorRecord>& all) {
     for (const int b : blocks) {
       all.push_back(with_block(record, b));
@@ -263,6 +275,7 @@ void expand_selectors(Document& document, ProblemList& problems) {
   document.monitors = expansion.of(document.monitors, [&](const auto& record, const auto& blocks, auto& all) {
     expansion.monitor(record, blocks, all);
   });
+  for (QuietRecord& record : document.quiet_boundaries) expansion.quiet_boundary(record);
   for (StageRecord& stage : document.stages) expansion.list(stage.remove);
 }
 

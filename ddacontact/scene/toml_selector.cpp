@@ -116,29 +116,32 @@ bool ValueReader::operator()(const toml::node& node, BlockReference& value) cons
 }
 
 bool ValueReader::operator()(const toml::node& node, LineSegment& value) const {
-  const toml::table& table = *node.as_table();
-  const std::string expected = "{ on = [[x, y], [x, y]] } in m";
+  const toml::array* ends = node.as_array();
+  if (!ends || ends->size() != 2) return wrong_type(node, key_.name, type_text(value) + " in m");
   const Key metres{.name = key_.name, .what = "", .unit = "m"};
   const ValueReader read(metres, problems_);
+  const bool from = read((*ends)[0], value.from), to = read((*ends)[1], value.to);
+  return from && to;
+}
+
+bool ValueReader::read_on(const toml::node& node, LineSegment& value) const {
+  const toml::table& table = *node.as_table();
   const bool good =
       read_parts(table, {"on"}, [&](std::string_view name, const toml::node& part) -> std::optional<bool> {
         if (name != "on") return std::nullopt;
-        const toml::array* ends = part.as_array();
-        if (!ends || ends->size() != 2) return wrong_type(part, key_.name, expected);
-        const bool from = read((*ends)[0], value.from), to = read((*ends)[1], value.to);
-        return from && to;
+        return (*this)(part, value);
       });
-  return table.empty() ? wrong_type(node, key_.name, expected) : good;
+  return table.empty() ? wrong_type(node, key_.name, "{ on = [[x, y], [x, y]] } in m") : good;
 }
 
 bool ValueReader::operator()(const toml::node& node, VertexSelection& value) const {
-  return node.is_table()   ? (*this)(node, value.on.emplace())
+  return node.is_table()   ? read_on(node, value.on.emplace())
          : node.is_array() ? (*this)(node, value.some)
                            : wrong_type(node, key_.name, expected_text(key_, value));
 }
 
 bool ValueReader::operator()(const toml::node& node, EdgeSelection& value) const {
-  return node.is_table() ? (*this)(node, value.on.emplace()) : (*this)(node, value.edge);
+  return node.is_table() ? read_on(node, value.on.emplace()) : (*this)(node, value.edge);
 }
 
 }  // namespace ddacontact::scene_format

@@ -46,6 +46,7 @@ class ValueReader {
   bool operator()(const toml::node& node, BlockReference& value) const;
   bool operator()(const toml::node& node, VertexSelection& value) const;
   bool operator()(const toml::node& node, EdgeSelection& value) const;
+  bool operator()(const toml::node& node, LineSegment& value) const;
 
   template <Choice T>
   bool operator()(const toml::node& node, T& value) const {
@@ -76,7 +77,8 @@ class ValueReader {
   std::string element_name(int row, int column) const;
 
   bool operator()(const toml::node& node, BlockSelector& value) const;
-  bool operator()(const toml::node& node, LineSegment& value) const;
+  /// { on = LINE }
+  bool read_on(const toml::node& node, LineSegment& value) const;
   /// An inner table of this key: read_part(name, node) says whether the value is good, or nothing for a name
   /// that is not among `known`.
   template <class ReadPart>

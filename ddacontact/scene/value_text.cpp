@@ -163,6 +163,9 @@ std::string value_text(const VertexSelection& value) {
 std::string value_text(const EdgeSelection& value) {
   return value_text(value.edge);
 }
+std::string value_text(const LineSegment& value) {
+  return array_text(std::array{value.from, value.to});
+}
 std::string value_text(const Parameters&) {
   return "{}";
 }
@@ -244,6 +247,9 @@ std::string type_text(const VertexSelection&) {
 }
 std::string type_text(const EdgeSelection&) {
   return "an index or { on = [[x, y], [x, y]] }";
+}
+std::string type_text(const LineSegment&) {
+  return "[[x, y], [x, y]]";
 }
 std::string type_text(const Parameters&) {
   return "{ NAME = a number, ... }";

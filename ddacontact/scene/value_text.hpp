@@ -40,6 +40,7 @@ std::string value_text(const InitialStress& value);
 std::string value_text(const BlockReference& value);
 std::string value_text(const VertexSelection& value);
 std::string value_text(const EdgeSelection& value);
+std::string value_text(const LineSegment& value);
 std::string value_text(const Parameters& value);
 
 template <Choice T>
@@ -79,6 +80,7 @@ std::string type_text(const InitialStress&);
 std::string type_text(const BlockReference&);
 std::string type_text(const VertexSelection&);
 std::string type_text(const EdgeSelection&);
+std::string type_text(const LineSegment&);
 std::string type_text(const Parameters&);
 std::string type_text(const std::vector<JointChange>&);
 

@@ -51,6 +51,9 @@ StepSystem::StepSystem(BlockSystem& blocks)
     }
   }
   for (std::vector<int>* numbers : {&active_, &assembled_, &first_element_}) numbers->shrink_to_fit();
+  for (const QuietFace& face : blocks.quiet_faces)
+    if (!blocks.is_unchanging(face.block))
+      elements.append(quiet_faces_.emplace_back(blocks, face).unknowns());
   problem_.set_matrices(std::move(elements));
 }
 
@@ -74,6 +77,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
       held_springs_.push_back(spring);
     }
   }
+  for (StepQuietFace& face : quiet_faces_) face.begin(blocks_, state, start);
   blocks_.begin_step(state, start);
   own_at_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
@@ -127,6 +131,15 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     stiffest_[b] = std::max(stiffest_[b], held_stiffness_);
   }
 
+  if (!quiet_faces_.empty()) {
+    const VectorXd of_faces = quiet_forces(d);
+    residual.external += of_faces;
+    for (const StepQuietFace& face : quiet_faces_) {
+      const Range& u = blocks_.block(face.block()).unknowns();
+      magnitude_[face.block()] += of_faces.segment(u.first, u.count).lpNorm<Eigen::Infinity>();
+    }
+  }
+
   find_own_forces(d);
   residual.force = -residual.external;
   sums_.assign(static_cast<std::size_t>(blocks_.n_blocks()), {0, std::numeric_limits<double>::infinity(), 0});
@@ -176,6 +189,12 @@ VectorXd StepSystem::displacement(VectorXd& d) const {
   return blocks_.displacement(prescribed_, d);
 }
 
+VectorXd StepSystem::quiet_forces(const VectorXd& d) const {
+  VectorXd F = VectorXd::Zero(d.size());
+  for (const StepQuietFace& face : quiet_faces_) face.add_forces(d, F);
+  return F;
+}
+
 VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
   for_blocks(static_cast<int>(active_.size()), [&](int a) {
@@ -187,7 +206,7 @@ VectorXd StepSystem::free_path() const {
 }
 
 VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
-  VectorXd r = -load_forces_ - gravity_forces_;
+  VectorXd r = -load_forces_ - gravity_forces_ - quiet_forces(d);
   for (const HeldSpring& spring : held_springs_)
     spring.form.add_gradient(held_stiffness_ * spring.form(d), r);
   for (int b : active_) {
@@ -216,6 +235,8 @@ void StepSystem::linearize(const VectorXd& d) {
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
   const polyfem::Connectivity& elements = problem_.unknowns();
+  int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size());
+  for (const StepQuietFace& face : quiet_faces_) problem_.elements()[of_faces++] = face.tangent();
   for (int e = 0; e < elements.n_elements(); ++e)
     diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
   problem_.matrices_changed();

@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/solver/friction_problem.hpp>
+#include <ddacontact/solver/quiet_face.hpp>
 
 #include <vector>
 
@@ -81,6 +82,8 @@ class StepSystem {
   };
   const std::vector<HeldSpring>& held_springs() const { return held_springs_; }
   double held_stiffness() const { return held_stiffness_; }
+  /// Forces of the dashpots of quiet faces on all unknowns for displacements d.
+  VectorXd quiet_forces(const VectorXd& d) const;
   /// Forces of all unknowns within the step: of loads (21), (23) other than gravity, and of gravity.
   const VectorXd& load_forces() const { return load_forces_; }
   const VectorXd& gravity_forces() const { return gravity_forces_; }
@@ -101,6 +104,7 @@ class StepSystem {
   FrictionProblem problem_;
   VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
+  std::vector<StepQuietFace> quiet_faces_;
   double held_stiffness_ = 0;
   double dt_ = 0;
   StepRule rule_;

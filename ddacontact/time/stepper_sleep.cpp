@@ -98,6 +98,8 @@ std::vector<char> Stepper::find_restless(double dt) const {
     if (varies(load.pressure, from, to, end_time)) restless[load.block] = 1;
   for (const BodyLoad& load : blocks_.body_loads)
     if (varies(load.force, from, to, end_time)) restless[load.block] = 1;
+  for (const QuietFace& face : blocks_.quiet_faces)
+    if (varies(face.incoming, from, to, end_time)) restless[face.block] = 1;
   for (const TimeFunction& of_record : blocks_.ground)
     if (varies(of_record, from, to, end_time)) restless.assign(restless.size(), 1);
   for (const HeldUnknown& held : blocks_.held_unknowns())
@@ -272,6 +274,7 @@ void Stepper::survey() {
   for (const PointLoad& load : blocks_.point_loads) watch(load.point.block, load.force);
   for (const PressureLoad& load : blocks_.pressure_loads) watch(load.block, load.pressure);
   for (const BodyLoad& load : blocks_.body_loads) watch(load.block, load.force);
+  for (const QuietFace& face : blocks_.quiet_faces) watch(face.block, face.incoming);
   for (const TimeFunction& of_record : blocks_.ground)
     for (int b = 0; b < blocks_.n_blocks(); ++b) watch(b, of_record);
 }

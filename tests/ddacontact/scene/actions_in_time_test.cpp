@@ -143,4 +143,20 @@ TEST_F(ActionsInTime, WaterIsRefusedWithACure) {
             std::string::npos);
 }
 
+TEST_F(ActionsInTime, QuietBoundariesAreFoundWrittenAndRefused) {
+  const std::string on = "[[quiet_boundary]]\non = [[-1, 0], [2, 0]]\n";
+  const Scene scene = scene_with_more(on + "incoming = [[0, 0, 0], [1, 0, 0.1]]\n"), again = scene_of(written(scene));
+  for (const Scene* one : {&scene, &again}) {
+    ASSERT_EQ(one->quiet_boundaries.size(), 1u);
+    ASSERT_EQ(one->quiet_boundaries[0].faces.size(), 1u);
+    EXPECT_EQ(one->quiet_boundaries[0].faces[0].edge, 0);
+    EXPECT_EQ(one->quiet_boundaries[0].incoming.at(0.5, 1), Vec2(0, 0.05));
+  }
+  EXPECT_NE(problem_of(on + "[[support]]\nblock = 0\nvertices = [0, 1]\n").find("quiet and held in x"),
+            std::string::npos);
+  EXPECT_NE(problem_of("[[quiet_boundary]]\non = [[5, 5], [6, 6]]\n").find("no edge lies on the line"),
+            std::string::npos);
+  EXPECT_NE(problem_of("[[quiet_boundary]]\non = [[5, 5]]\n").find("[[x, y], [x, y]]"), std::string::npos);
+}
+
 }  // namespace
