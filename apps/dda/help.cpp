@@ -86,6 +86,7 @@ std::string help_footer() {
   dda run rock.toml                       results in rock-out/
   dda info rock-out                       how it went, in words
   dda plot rock-out --field s1 -o s1.svg  a picture of the last frame
+  dda view rock-out -o rock.html          all frames in one page for the browser
 
 Exit status: 0 done; 2 wrong input or call, nothing written; 3 the analysis stopped, results kept;
   4 a file could not be read or written; 130 and 143 interrupted.

@@ -10,6 +10,7 @@
 #include "run.hpp"
 #include "safety.hpp"
 #include "sweep.hpp"
+#include "view.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,13 +31,13 @@ struct Call {
   dda::PlotArguments plot;
   dda::SafetyArguments safety;
   dda::SweepArguments sweep;
+  dda::ViewArguments view;
   std::string info, help_topic;
   std::vector<std::string> scenes_to_check, check_settings;
   int steps = 0;
 };
 
-constexpr const char* not_available = "is not available in this version";
-constexpr std::array<std::string_view, 10> known_verbs{"run",  "check",  "make",  "cut",  "plot",
+constexpr std::array<std::string_view, 11> known_verbs{"run",  "check",  "make",  "cut",  "plot",  "view",
                                                        "info", "safety", "sweep", "help", "schema"};
 
 bool is_known(std::string_view verb) {
@@ -48,6 +49,7 @@ int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("make")) return dda::make(call.make);
   if (app.got_subcommand("cut")) return dda::cut(call.cut);
   if (app.got_subcommand("plot")) return dda::plot(call.plot);
+  if (app.got_subcommand("view")) return dda::view(call.view);
   if (app.got_subcommand("safety")) return dda::safety(call.safety);
   if (app.got_subcommand("sweep")) return dda::sweep(call.sweep);
   if (app.got_subcommand("info")) return dda::info(call.info);
@@ -91,6 +93,7 @@ int parse_and_execute(int argc, char** argv) {
   dda::add_make(app, call.make);
   dda::add_cut(app, call.cut);
   dda::declare_plot(app, call.plot);
+  dda::add_view(app, call.view);
   dda::add_safety(app, call.safety);
   dda::add_sweep(app, call.sweep);
   CLI::App* info = app.add_subcommand("info", "Tell a result in words");
@@ -102,10 +105,6 @@ int parse_and_execute(int argc, char** argv) {
   app.footer(dda::help_footer());  // after the verbs, which would inherit it
 
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (verb == "view") {
-    dda::print_error(fmt::format("\"{}\" {} (known: {})", verb, not_available, fmt::join(known_verbs, ", ")));
-    return dda::wrong_input;
-  }
   if (!verb.empty() && verb.front() != '-' && !is_known(verb)) {
     dda::print_error(fmt::format("unknown verb \"{}\" (known: {})", verb, fmt::join(known_verbs, ", ")));
     return dda::wrong_input;

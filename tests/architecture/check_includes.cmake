@@ -3,13 +3,13 @@
 # Folders of a library include themselves and what stands before them; polyfem knows nothing of ddacontact, the
 # libraries nothing of apps, and each third-party library has its place.
 set(polyfem_folders core geometry quadrature basis material element mesh assembly io dealii testing)
-set(ddacontact_folders core domain block detection contact solver classic time output picture scene study)
+set(ddacontact_folders core domain block detection contact solver classic time output picture page scene study)
 
 # What may include it, as a pattern of paths, for each third-party header.
 set(third_party
   "deal\\.II/"                            "^polyfem/dealii/"
   "toml\\+\\+|toml\\.hpp"                 "^ddacontact/scene/"
-  "nlohmann/"                             "^ddacontact/(output/|scene/json_(parser|schema)\\.cpp$|study/safety_files\\.cpp$)"
+  "nlohmann/"                             "^ddacontact/(output/|page/|scene/json_(parser|schema)\\.cpp$|study/safety_files\\.cpp$)"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
   "cholmod|umfpack|suitesparse/|cblas|openblas"  "^polyfem/assembly/"
   "zlib|pugixml"                          "^polyfem/io/"

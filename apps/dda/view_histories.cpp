@@ -1,0 +1,81 @@
+#include "view_histories.hpp"
+
+#include <fmt/format.h>
+#include <ddacontact/output/csv_table.hpp>
+#include <ddacontact/output/summary_reader.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dda {
+
+namespace fs = std::filesystem;
+using namespace ddacontact;
+
+namespace {
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+void add_monitors(const fs::path& path, std::vector<PageHistory>& histories) {
+  const CsvTable table(path);
+  const std::vector<std::string> monitors = table.texts("monitor");
+  const std::vector<double> times = table.numbers("time");
+  for (const auto& [column, unit] : {std::pair{"ux", "m"}, {"uy", "m"}, {"vx", "m/s"}, {"vy", "m/s"}}) {
+    const std::vector<double> values = table.numbers(column);
+    std::vector<PageHistory> curves;
+    std::map<std::string, std::size_t> curve_of;
+    for (std::size_t row = 0; row < monitors.size(); ++row) {
+      const auto [place, is_new] = curve_of.try_emplace(monitors[row], curves.size());
+      if (is_new) curves.push_back({monitors[row], unit, std::string("monitors: ") + column, {}, {}});
+      curves[place->second].times.push_back(times[row]);
+      curves[place->second].values.push_back(values[row]);
+    }
+    for (PageHistory& curve : curves) histories.push_back(std::move(curve));
+  }
+}
+
+void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
+  const CsvTable table(path);
+  const std::vector<double> times = table.numbers("time");
+  for (const std::string& column : table.header()) {
+    if (column == "step" || column == "time" || column == "balance_error") continue;
+    std::vector<double> values = table.numbers(column);
+    if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
+    std::string name = column;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    histories.push_back({name, "J/m", "energy", times, std::move(values)});
+  }
+}
+
+}  // namespace
+
+std::vector<PageHistory> histories_of(const fs::path& directory) {
+  std::vector<PageHistory> histories;
+  if (is_there(directory / "monitors.csv")) add_monitors(directory / "monitors.csv", histories);
+  if (is_there(directory / "energy.csv")) add_energies(directory / "energy.csv", histories);
+  return histories;
+}
+
+std::vector<std::string> verdict_of(const fs::path& directory) {
+  if (!is_there(directory / "summary.json")) return {};
+  const SummaryTable summary = read_summary(directory / "summary.json");
+  std::vector<std::string> lines;
+  std::string ended = summary.text("status");
+  if (const auto steps = summary.number("steps_completed")) ended += fmt::format(", {:.0f} steps", *steps);
+  if (const auto time = summary.number("time")) ended += fmt::format(", t = {:.4g} s", *time);
+  lines.push_back(ended);
+  if (const std::string reason = summary.text("reason"); !reason.empty()) lines.push_back(reason);
+  if (const auto at_rest = summary.number("at_rest"))
+    lines.push_back(*at_rest != 0 ? "at rest" : "not at rest");
+  for (int k = 0;; ++k) {
+    const std::string warning = summary.text("warnings." + std::to_string(k));
+    if (warning.empty()) return lines;
+    lines.push_back("warning: " + warning);
+  }
+}
+
+}  // namespace dda
