@@ -3,21 +3,18 @@
 #include "call_error.hpp"
 #include "exit_status.hpp"
 #include "messages.hpp"
+#include "picture_file.hpp"
 #include "plot_curves.hpp"
 #include "plot_numbers.hpp"
 #include "result.hpp"
 
 #include <fmt/format.h>
-#include <ddacontact/output/output_error.hpp>
 #include <ddacontact/picture/magnified.hpp>
 #include <ddacontact/picture/picture.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/study/scene_picture.hpp>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 namespace dda {
 
@@ -149,9 +146,7 @@ std::string blocks_picture(const PlotArguments& arguments) {
 }
 
 void check_call(const PlotArguments& arguments) {
-  if (fs::path(arguments.output).extension() != ".svg")
-    throw CallError(
-        fmt::format("-o \"{}\": pictures are SVG, so the name must end in .svg", arguments.output));
+  expect_picture_name(arguments.output);
   const bool curves = arguments.energy || !arguments.history.empty();
   const bool blocks = !arguments.fields.empty() || !arguments.frames.empty() || arguments.reference ||
                       arguments.forces || arguments.crosses || arguments.names || arguments.magnify != 1 ||
@@ -168,15 +163,6 @@ bool are_of_scenes(const PlotArguments& a) {
   return a.fields.empty() && a.frames.empty() && !a.reference && !a.forces && !a.crosses && !a.own_range &&
          a.magnify == 1 && a.vectors.empty() && a.range.empty() && a.window.empty() && a.history.empty() &&
          a.monitors.empty() && !a.energy;
-}
-
-void write_picture(const std::string& path, const std::string& svg) {
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out << svg;
-  out.close();
-  if (!out)
-    throw OutputError(fmt::format("cannot write \"{}\": {}", path, std::strerror(errno != 0 ? errno : EIO)));
 }
 
 /// A scene has no results: options of these are refused.

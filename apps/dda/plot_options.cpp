@@ -9,8 +9,9 @@ void declare_what(CLI::App& plot, PlotArguments& call) {
           "DIR", call.directories,
           "Result directories, drawn beside each other; or one scene (TOML), drawn as it is before it is run")
       ->required();
-  plot.add_option("-o,--output", call.output, "The picture to write, FILE.svg")->required();
-  plot.add_option("--width", call.width, "Pixels; a picture may come out narrower")
+  plot.add_option("-o,--output", call.output, "The picture to write: FILE.svg, FILE.png or FILE.pdf")
+      ->required();
+  plot.add_option("--width", call.width, "Pixels; a picture may come out narrower; PNG has two dots a pixel")
       ->check(CLI::Range(200, 20000));
 }
 

@@ -68,6 +68,21 @@ TEST_F(Results, AreDrawnWithMagnifiedDisplacements) {
   expect_refused("plot result --energy --magnify 2 -o x.svg", 2, {"curves"});
 }
 
+TEST_F(Results, AreDrawnAsPngAndPdf) {
+  if (dda("plot result -o a.png") == 2) {  // built without librsvg
+    EXPECT_NE(err_.find("librsvg2-dev"), std::string::npos) << err_;
+    return;
+  }
+  ASSERT_EQ(dda("plot result --energy -o a.pdf"), 0) << err_;
+  ASSERT_EQ(dda("plot '" POLYDDA_EXAMPLES "/paper/arch_friction30.toml' -o scene.png"), 0) << err_;
+  EXPECT_EQ(read_file(directory_ / "a.png").substr(1, 3), "PNG");
+  EXPECT_EQ(read_file(directory_ / "scene.png").substr(1, 3), "PNG");
+  EXPECT_EQ(read_file(directory_ / "a.pdf").substr(0, 5), "%PDF-");
+  EXPECT_EQ(dda("plot result -o nowhere/x.png"), 4);
+  EXPECT_NE(err_.find("nowhere/x.png"), std::string::npos) << err_;
+  EXPECT_EQ(dda("plot result -o nowhere/x.pdf"), 4);
+}
+
 TEST_F(Results, HaveTheirHistoriesDrawn) {
   ASSERT_EQ(dda("plot result --history ux,vy --energy -o d.svg"), 0) << err_;
   const std::string picture = svg("d.svg");
@@ -79,7 +94,7 @@ TEST_F(Results, HaveTheirHistoriesDrawn) {
 TEST_F(Results, WrongCallsAreRefusedWithACure) {
   expect_refused("plot", 2, {"DIR"});
   expect_refused("plot result", 2, {"--output"});
-  expect_refused("plot result -o x.png", 2, {"x.png", ".svg"});
+  expect_refused("plot result -o x.gif", 2, {"x.gif", ".svg, .png or .pdf"});
   expect_refused("plot result --field stress -o x.svg", 2, {"\"stress\"", "known"});
   expect_refused("plot result --field displacment -o x.svg", 2,
                  {"did you mean \"displacement\"? there are: none, sxx"});

@@ -14,6 +14,7 @@ set(third_party
   "cholmod|umfpack|suitesparse/|cblas|openblas"  "^polyfem/assembly/"
   "zlib|pugixml"                          "^polyfem/io/"
   "gtest/|gmock/"                         "^polyfem/testing/"
+  "librsvg/|cairo"                        "^apps/dda/rendered_svg\\.cpp$"
   "pybind11/"                             "^apps/python/"
   "geos_c\\.h|geos/"                      "^polyfem/mesh/(.*\\.cpp|geos_context\\.hpp)$")
 
