@@ -10,7 +10,7 @@ namespace ddacontact {
 namespace {
 
 constexpr double least_bar_height = 110, bar_width = 13, title_height = 25, tip = 9, tick_length = 4,
-                 tick_size = 11, title_size = 12.5;
+                 tick_size = 11, title_size = 12.5, remark_size = 10, remark_height = 13;
 
 /// Ticks in the prefixed unit.
 struct Marks {
@@ -56,6 +56,16 @@ void draw_constant(SvgPage& page, const Vec2& corner, const ColourScale& scale, 
   page.text(corner + Vec2(0, bar_width + 16), "everywhere", {.size = tick_size});
 }
 
+/// Below a bar that does not reach all values: how its ends were chosen, and the values.
+std::vector<std::string> remarks_on(const ColourScale& scale, const Prefix& prefix) {
+  std::vector<std::string> remarks;
+  if (!scale.cut_below() && !scale.cut_above()) return remarks;
+  if (!scale.note().empty()) remarks.push_back(scale.note());
+  remarks.push_back("min " + number_text(scale.data().low / prefix.factor, 3));
+  remarks.push_back("max " + number_text(scale.data().high / prefix.factor, 3));
+  return remarks;
+}
+
 /// Each band reaches to the top and is covered by the next, so that no gap shows between them.
 void draw_bands(SvgPage& page, const Vec2& top, double height, const ColourScale& scale) {
   const double low = scale.bounds().front(), high = scale.bounds().back();
@@ -88,7 +98,9 @@ void draw_rim(SvgPage& page, const Vec2& top, double height, const ColourScale& 
 }  // namespace
 
 double least_bar_height_of(const ColourScale& scale) {
-  return scale.is_constant() ? 60 : least_bar_height;
+  if (scale.is_constant()) return 60;
+  const bool is_cut = scale.cut_below() || scale.cut_above();
+  return least_bar_height + (is_cut ? 3 * remark_height : 0);
 }
 
 double colour_bar_width(const ColourScale& scale) {
@@ -97,12 +109,22 @@ double colour_bar_width(const ColourScale& scale) {
   for (const std::string& text : marks.texts) width = std::max(width, text_width(text, tick_size));
   const double ticks = bar_width + tick_length + 3 + width;
   const double constant = scale.is_constant() ? text_width("everywhere", tick_size) : 0;
-  return std::max({ticks, constant, text_width(title_of(scale, marks.prefix), title_size)});
+  double remarks = 0;
+  for (const std::string& remark : remarks_on(scale, marks.prefix))
+    remarks = std::max(remarks, text_width(remark, remark_size));
+  return std::max({ticks, constant, remarks, text_width(title_of(scale, marks.prefix), title_size)});
 }
 
 void draw_colour_bar(SvgPage& page, const Vec2& corner, double height, const ColourScale& scale) {
-  double bar_height = std::max(height, least_bar_height) - title_height - 6;
+  double bar_height = std::max(height, least_bar_height_of(scale)) - title_height - 6;
   Vec2 top = corner + Vec2(0, title_height);
+  const Prefix prefix = marks_of(scale, most_ticks(bar_height)).prefix;
+  const std::vector<std::string> remarks = remarks_on(scale, prefix);
+  for (std::size_t k = 0; k < remarks.size(); ++k) {
+    const double below = bar_height - remark_height * static_cast<double>(remarks.size() - 1 - k);
+    page.text(top + Vec2(0, below), remarks[k], {.size = remark_size});
+  }
+  if (!remarks.empty()) bar_height -= remark_height * static_cast<double>(remarks.size()) + 6;
   const Marks marks = marks_of(scale, most_ticks(bar_height));
   page.text(corner + Vec2(0, title_size), title_of(scale, marks.prefix), {.size = title_size});
   if (scale.is_constant()) return draw_constant(page, top, scale, marks);

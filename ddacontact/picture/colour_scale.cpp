@@ -10,20 +10,21 @@ namespace ddacontact {
 namespace {
 
 constexpr int most_bands = 60;
-/// Ranges narrower than this, relative to the values, are round-off.
-constexpr double round_off = 1e-9;
+/// Ranges narrower than this, relative to the values, are one value: in colours they would look like
+/// extremes.
+constexpr double least_range = 1e-3;
 constexpr double slack = 1e-6;  // of a band
-
-bool is_narrow(const ValueRange& range) {
-  return !(range.high - range.low > round_off * std::max(std::abs(range.low), std::abs(range.high)));
-}
 
 }  // namespace
 
-ColourScale::ColourScale(Field field, const ValueRange& data, const ValueRange* shown)
-    : field_(field), data_(data) {
+bool is_one_value(const ValueRange& range) {
+  return !(range.high - range.low > least_range * std::max(std::abs(range.low), std::abs(range.high)));
+}
+
+ColourScale::ColourScale(Field field, const ValueRange& data, const ValueRange* shown, std::string note)
+    : field_(field), data_(data), note_(std::move(note)) {
   const ValueRange& range = shown != nullptr ? *shown : data;
-  if (is_narrow(range)) {
+  if (shown == nullptr ? is_one_value(range) : !(range.low < range.high)) {
     bounds_ = {range.low};
     return;
   }

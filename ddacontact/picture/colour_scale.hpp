@@ -3,6 +3,7 @@
 
 #include <ddacontact/picture/field.hpp>
 
+#include <string>
 #include <vector>
 
 namespace ddacontact {
@@ -13,13 +14,17 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+/// Whether a range is below a thousandth of its values: in colours it would look like extremes.
+bool is_one_value(const ValueRange& range);
+
 /// Bands of equal height; those of signed fields lie about round values, so that zero has one, others between
 /// them.
 class ColourScale {
  public:
   /// Covers the range of the data, or `shown` where that is given: then values beyond it take the colour of
-  /// the nearest end. Signed fields get colours symmetric about zero.
-  ColourScale(Field field, const ValueRange& data, const ValueRange* shown = nullptr);
+  /// the nearest end. Signed fields get colours symmetric about zero. Data that are one value get one
+  /// band. \param[in] note  how `shown` was chosen, for the reader; may be empty
+  ColourScale(Field field, const ValueRange& data, const ValueRange* shown = nullptr, std::string note = {});
 
   Field field() const { return field_; }
   /// Whether there is but one value, `bounds()[0]`, and one band.
@@ -34,12 +39,16 @@ class ColourScale {
   bool cut_below() const { return !is_constant() && data_.low < bounds_.front(); }
   bool cut_above() const { return !is_constant() && data_.high > bounds_.back(); }
 
+  const ValueRange& data() const { return data_; }
+  const std::string& note() const { return note_; }
+
   bool operator==(const ColourScale&) const = default;
 
  private:
   Field field_;
   ValueRange data_;
   std::vector<double> bounds_;
+  std::string note_;
 };
 
 }  // namespace ddacontact

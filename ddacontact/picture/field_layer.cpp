@@ -12,6 +12,8 @@ namespace {
 
 constexpr double triangle_pixels = 7;
 constexpr int fewest_rings = 4, most_rings = 120;
+constexpr double tail = 0.01;          // of the area, that colours need not tell apart at either end
+constexpr double worth_cutting = 1.5;  // how much longer the range of all values is then
 
 /// How finely each triangle of the centroid fan is divided; blocks of a few pixels need less.
 int rings_for(const Points& outline, double pixels_per_metre) {
@@ -84,6 +86,32 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       widen(telling_range_, piece.values.head(FanMesh(mesh.n_corners(), rings).n_nodes()), first);
     }
   }
+  const ValueRange most = percentiles(is_divided);
+  has_peaks_ = telling_range_.high - telling_range_.low > worth_cutting * (most.high - most.low);
+  if (has_peaks_) telling_range_ = most;
+}
+
+/// Nodes stand for equal parts of their piece's area.
+ValueRange FieldSamples::percentiles(const std::vector<bool>& is_divided) const {
+  std::vector<std::pair<double, double>> weighed;  // value and area
+  double total = 0;
+  for (const Piece& piece : pieces_) {
+    const bool inner = is_divided[static_cast<std::size_t>(piece.cell)];
+    const int rings = inner ? (piece.mesh.rings() + 1) / 2 : piece.mesh.rings();
+    const Index n = FanMesh(piece.mesh.n_corners(), rings).n_nodes();
+    const Points outline = piece.nodes.rightCols(piece.mesh.n_outline_nodes());
+    const double area = std::abs(polyfem::signed_area(outline)) / static_cast<double>(n);
+    for (Index i = 0; i < n; ++i) weighed.emplace_back(piece.values[i], area);
+    total += area * static_cast<double>(n);
+  }
+  if (!(total > 0)) return range_;
+  std::sort(weighed.begin(), weighed.end());
+  const auto value_at = [&](double area) {
+    for (const auto& [value, weight] : weighed)
+      if ((area -= weight) <= 0) return value;
+    return weighed.back().first;
+  };
+  return {value_at(tail * total), value_at((1 - tail) * total)};
 }
 
 /// The lowest band of each piece and its neighbours: painted under all of them, it closes the seams between

@@ -64,13 +64,17 @@ std::vector<PanelContent> make_contents(const std::vector<Panel>& panels, const 
       range.low = std::min(range.low, other.low);
       range.high = std::max(range.high, other.high);
     };
+    bool has_peaks = false;
     for (std::size_t j = 0; j < panels.size(); ++j)
       if (share_colours(i, j, panels, options.sharing, static_cast<std::size_t>(columns))) {
         include(data, contents[j].samples->range());
         include(telling, contents[j].samples->telling_range());
+        has_peaks = has_peaks || contents[j].samples->has_peaks();
       }
+    if (!options.range && is_one_value(telling)) data = telling;  // peaks on a uniform field are no field
     const ValueRange* shown = options.range ? &*options.range : telling == data ? nullptr : &telling;
-    contents[i].scale.emplace(panels[i].field, data, shown);
+    const bool by_percentiles = has_peaks && !options.range;
+    contents[i].scale.emplace(panels[i].field, data, shown, by_percentiles ? "1\u201399 % of area" : "");
   }
   return contents;
 }

@@ -164,6 +164,20 @@ TEST(Picture, ColoursTellTheInsideOfCellsApart) {
   EXPECT_LT(telling.high - telling.low, all.high - all.low);
 }
 
+/// One brick of a thousand with a thousand times the stress, as at a corner that something cuts into.
+TEST(Picture, APeakDoesNotTakeTheColours) {
+  Frame frame = wall(40, 25);
+  frame.strain_displacement.leftCols(4) *= 1e3;
+  const FieldSamples samples(frame, Field::sxx, 20);
+  EXPECT_TRUE(samples.has_peaks());
+  EXPECT_LT(samples.telling_range().high - samples.telling_range().low,
+            0.1 * (samples.range().high - samples.range().low));
+  const std::string svg = draw({{.frame = &frame, .field = Field::sxx}}, {});
+  const std::string said = texts(parsed(svg));
+  for (const char* words : {"99 % of area", "min ", "max "})
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+}
+
 TEST(Picture, ConcaveCellsHaveTheirOwnFunctions) {
   const Frame frame = random_cell_frame(4);
   const int u_shape = 2;
