@@ -2,6 +2,7 @@
 
 #include <ddacontact/picture/number_text.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -64,7 +65,10 @@ void tell_size(Answer& answer, const SummaryTable& summary) {
   };
   add("blocks", "block", "blocks");
   add("dofs", "unknown", "unknowns");
-  add("contacts_max", "contact at most", "contacts at most");
+  if (summary.number("contacts_max").value_or(0) > 0)
+    add("contacts_max", "contact at most", "contacts at most");
+  else
+    text += text.empty() ? "no contacts" : ", no contacts";
   if (!text.empty()) answer.line(text);
 }
 
@@ -81,7 +85,7 @@ void tell_work(Answer& answer, const SummaryTable& summary) {
     answer.line(*unconverged == 0
                     ? "every substep converged"
                     : plural(*unconverged, "substep", "substeps") + " accepted without convergence");
-  if (const auto residual = summary.number("max_residual"))
+  if (const auto residual = summary.number("max_residual"); residual && *residual > 0)
     answer.line(fmt::format("residual at most {} of the forces", number_text(*residual, 2)));
   if (passes && substeps && *substeps > 0)
     answer.line(fmt::format("{}, {} a substep",
@@ -106,22 +110,64 @@ void tell_impacts(Answer& answer, const SummaryTable& summary) {
   if (bonds && *bonds > 0) answer.line(plural(*bonds, "bond broke", "bonds broke"));
 }
 
+namespace {
+
+struct EnergyPart {
+  std::string name;
+  double amount = 0;  ///< J/m, > 0
+};
+
+constexpr double least_percent = 0.1;  // that is worth a line
+constexpr double much_missing = 1e-3;  // of the balance
+
+/// A line for each part that matters, the largest first, with its share.
+void tell_parts(Answer& answer, const char* word, std::vector<EnergyPart> parts, double total) {
+  std::sort(parts.begin(), parts.end(),
+            [](const EnergyPart& a, const EnergyPart& b) { return a.amount > b.amount; });
+  for (const EnergyPart& part : parts)
+    if (const double percent = 100 * part.amount / total; percent >= least_percent)
+      answer.line(fmt::format("{} {} {} ({} %)", word, part.name, quantity_text(part.amount, "J/m"),
+                              number_text(percent, percent < 99.95 ? 2 : 3)));
+}
+
+double sum_of(const std::vector<EnergyPart>& parts) {
+  double sum = 0;
+  for (const EnergyPart& part : parts) sum += part.amount;
+  return sum;
+}
+
+}  // namespace
+
 void tell_energy(Answer& answer, const SummaryTable& summary) {
   answer.topic("energy");
-  const auto number = [&](const char* key) { return summary.number(std::string("energy.") + key); };
-  const auto text = [&](const char* key) { return quantity_text(number(key).value_or(0), "J/m"); };
-  if (!number("kinetic")) return;
-  answer.line(fmt::format("kinetic {}, elastic {}, gravity {}, external work {}", text("kinetic"),
-                          text("elastic"), text("gravity"), text("external")));
-  answer.line(fmt::format("lost to friction {}, to damping {}, to the time scheme {}",
-                          text("friction_dissipated"), text("damping_dissipated"),
-                          text("numerical_dissipated")));
-  if (number("pushed_out").value_or(0) > 0)
-    answer.line(fmt::format("put in by contacts that push penetration out {}", text("pushed_out")));
-  const double error = std::abs(number("balance_error").value_or(0));
-  answer.line(error == 0 ? "the balance closes"
-                         : fmt::format("the balance closes to {} of the largest energy exchanged",
-                                       number_text(error, 2)));
+  const auto number = [&](const char* key) {
+    return summary.number(std::string("energy.") + key).value_or(0);
+  };
+  if (!summary.number("energy.kinetic")) return;
+  std::vector<EnergyPart> came, went;
+  const auto count = [&](double amount, const char* into, const char* from) {
+    if (amount > 0) went.push_back({into, amount});
+    if (amount < 0) came.push_back({from, -amount});
+  };
+  count(number("kinetic"), "motion", "motion");
+  count(number("elastic"), "deformation of blocks and joints", "deformation");
+  count(number("gravity"), "lifting weights", "sinking weights");
+  count(number("friction_dissipated"), "friction", "friction");
+  count(number("damping_dissipated"), "damping and impacts", "damping");
+  count(number("numerical_dissipated"), "numerical damping of the time scheme", "the time scheme");
+  count(-number("external"), "work on loads and supports", "loads and supports");
+  count(-number("pushed_out"), "penetration", "pushing penetration out");
+  const double total = std::max(sum_of(came), sum_of(went));
+  if (!(total > 0)) return answer.line("none: nothing moved");
+  count(sum_of(came) - sum_of(went), "what there was less than at the start", "the state at the start");
+  tell_parts(answer, "from", came, total);
+  tell_parts(answer, "into", went, total);
+  const double error = std::abs(number("balance_error"));
+  const std::string share = number_text(error, 2) + " of the largest energy exchanged";
+  if (error > much_missing)
+    answer.line(share + " is missing (a smaller 'time_step')");
+  else
+    answer.line(error > 0 ? "the balance closes to " + share : "the balance closes");
 }
 
 namespace {

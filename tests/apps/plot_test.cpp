@@ -142,9 +142,11 @@ TEST_F(Results, WhatARunDidNotKeepIsNamed) {
 
 TEST_F(Results, AreToldInWords) {
   ASSERT_EQ(dda("info result"), 0) << err_;
+  EXPECT_NE(out_.find("from sinking weights"), std::string::npos) << out_;
+  EXPECT_EQ(out_.find("at most 0"), std::string::npos) << out_;
   for (const char* words :
        {"Arch bridge", "completed after 10 steps", "7 blocks", "largest displacement", "block crown",
-        "Pa in block", "12 stick", "of the smallest block's size", "kinetic", "balance closes",
+        "Pa in block", "12 stick", "of the smallest block's size", "into deformation", "balance closes",
         "the blocks weigh 2.412 kN/m", "wall time", "; of each block ", "detection ",
         "of the solver: analysis ", "3: steps 0, 5, 10", "monitors.csv"})
     EXPECT_NE(out_.find(words), std::string::npos) << words << "\n" << out_;
