@@ -24,7 +24,8 @@ std::string completion_script(const CLI::App& app) {
     verbs += " " + verb->get_name();
     cases += fmt::format("    {}) words=\"{}\" ;;\n", verb->get_name(), options_of(*verb));
   }
-  return fmt::format(R"(# Save as ~/.local/share/bash-completion/completions/dda
+  return fmt::format(
+      R"(# Where it is not installed with the program: save as ~/.local/share/bash-completion/completions/dda
 _dda() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} words
   case ${{COMP_CWORD}}:${{COMP_WORDS[1]}} in
@@ -40,7 +41,7 @@ _dda() {{
 }}
 complete -o filenames -F _dda dda
 )",
-                     verbs, options_of(app), cases);
+      verbs, options_of(app), cases);
 }
 
 }  // namespace dda
