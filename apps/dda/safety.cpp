@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 
 namespace dda {
@@ -60,35 +61,53 @@ std::vector<int> joints_called(const std::vector<std::string>& wanted, const Sce
   return joints;
 }
 
-/// Cohesion goes contact by contact, not all at once.
-void warn_of_bonds(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
-  const std::vector<Joint>& last = scene.stages.empty() ? scene.joints : scene.stages.back().joints;
+/// A part of the blocks so small is worth a look before its factor is taken for that of all.
+constexpr double small_share = 0.05;
+
+/// Those of a joint with a residual friction angle go contact by contact, not all at once.
+void warn_of_brittle_bonds(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
   for (const int joint : joints)
-    if (last[joint].cohesion > 0)
-      fmt::print(
-          stderr,
-          "{}: warning: joint \"{}\" loses its cohesion where it slips, and so fails from its ends: limit "
-          "equilibrium, where all cohesion acts at once, gives a larger factor\n",
-          file, name_of(scene, joint));
+    if (bonds_of(scene, {joint}) == "brittle")
+      fmt::print(stderr,
+                 "{}: warning: joint \"{}\" has a residual friction angle and loses its cohesion where it "
+                 "slips, and so fails from its ends: limit equilibrium, where all cohesion acts at once, "
+                 "gives a larger factor\n",
+                 file, name_of(scene, joint));
 }
 
-void tell(const StrengthTrial& trial, const SafetyFiles& files) {
-  fmt::print(
-      stderr, "F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict), trial.steps,
-      trial.reason,
-      trial.first_block < 0 ? "" : fmt::format("; \"{}\" went furthest", files.name_of(trial.first_block)));
+void tell(const StrengthTrial& trial, const Scene& scene) {
+  fmt::print(stderr, "F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict),
+             trial.steps, trial.reason,
+             trial.first_block < 0
+                 ? ""
+                 : fmt::format("; \"{}\" went furthest", scene.block_name(trial.first_block)));
 }
 
-/// In a sentence, for stdout.
-std::string answer(const FactorBracket& bracket, const SafetyFiles& files) {
-  if (bracket.low == 0) return fmt::format("moves at every factor from {:.5g} on", bracket.high);
-  if (!bracket.closed()) return fmt::format("rests at every factor up to {:.5g}", bracket.low);
+/// What moves first, and how much that is.
+std::string moved_text(const StrengthTrial& trial, const Scene& scene) {
+  if (trial.first_block < 0) return "";
+  const MovedPart part = moved_part(scene, trial);
+  std::string text =
+      fmt::format("\"{}\" moves first; {} of {} blocks move, {:.1f} % of their area",
+                  scene.block_name(trial.first_block), part.blocks, part.of_blocks, 100 * part.area_share);
+  if (part.area_share < small_share)
+    text +=
+        "\nnote: this is the factor of a small part, see safety_moved.svg; that of the rest is larger "
+        "(fix or remove these blocks to find it)";
+  return text;
+}
+
+/// In sentences, for stdout.
+std::string answer(const FactorBracket& bracket, const SafetyFiles& files, const Scene& scene) {
   const StrengthTrial* first = files.first_to_move();
-  return fmt::format("factor of safety {:.4g} .. {:.4g}; \"{}\" moves first", bracket.low, bracket.high,
-                     first->first_block < 0 ? "" : files.name_of(first->first_block));
+  const std::string moved = first ? moved_text(*first, scene) : "";
+  if (bracket.low == 0) return fmt::format("moves at every factor from {:.5g} on; {}", bracket.high, moved);
+  if (!bracket.closed()) return fmt::format("rests at every factor up to {:.5g}", bracket.low);
+  return fmt::format("factor of safety {:.4g} .. {:.4g}; {}", bracket.low, bracket.high, moved);
 }
 
 int search(const SafetyArguments& arguments, const Scene& scene) {
+  const auto begin = std::chrono::steady_clock::now();
   const std::optional<FactorRange> range = range_of(arguments.range);
   const std::vector<int> joints = joints_called(arguments.joints, scene);
   polyfem::pin_blas_to_one_thread();
@@ -96,24 +115,27 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   if (!reduction.unsettled().empty())
     fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
                arguments.scene, reduction.unsettled());
-  warn_of_bonds(scene, joints, arguments.scene);
-  SafetyFiles files(arguments.directory, reduction.block_names());
+  warn_of_brittle_bonds(reduction.scene(), joints, arguments.scene);
+  SafetyFiles files(arguments.directory, reduction.scene(), joints);
   const FactorBracket bracket = bracket_factor(
       [&](double factor) {
         const StrengthTrial trial = reduction.try_factor(factor);
         files.add(trial);
-        if (!arguments.quiet) tell(trial, files);
+        if (!arguments.quiet) tell(trial, scene);
         return trial.verdict;
       },
       range, arguments.tolerance);
-  std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(name_of(scene, joint));
-  files.finish(bracket, arguments.tolerance, names, reduction.unsettled());
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  files.finish(bracket, arguments.tolerance, reduction.unsettled(), wall.count());
   if (bracket.stopped) {
     print_error("the last trial stopped without a verdict, see safety.csv");
     return analysis_stopped;
   }
-  if (!arguments.quiet) fmt::print("{}\nresults in {}\n", answer(bracket, files), arguments.directory);
+  if (arguments.quiet) return done;
+  fmt::print("{}\n", answer(bracket, files, scene));
+  if (bonds_of(reduction.scene(), joints) == "ductile")
+    fmt::print("cohesion and tensile strength outlast slip\n");
+  fmt::print("results in {}\n", arguments.directory);
   return done;
 }
 

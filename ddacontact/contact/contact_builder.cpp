@@ -123,7 +123,8 @@ JointLaw ContactProperties::law(const ContactRecord& contact) const {
       .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
       .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
       .compliant = compliant,
-      .glued = glued};
+      .glued = glued,
+      .ductile = joint.ductile};
 }
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)

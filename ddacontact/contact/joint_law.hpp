@@ -29,9 +29,9 @@ struct JointLaw {
   const FrictionLaw* friction_law = nullptr;  ///< in place of N tan(phi); not owned
   double cohesion = 0;                        ///< c l, while the contact is bonded
   double tension = 0;                         ///< tensile strength times l, while the contact is bonded
-  bool compliant =
-      false;           ///< the stiffnesses are the joint's own times the length: forces follow gap and slip
-  bool glued = false;  ///< closed by a joint that is glued: bonded, with infinite cohesion and tension
+  bool compliant = false;  ///< stiffnesses are the joint's own times the length: forces follow gap and slip
+  bool glued = false;      ///< closed by a joint that is glued: bonded, with infinite cohesion and tension
+  bool ductile = false;    ///< a bond outlasts slip, and is lost by opening alone
 
   /// Nothing acts along the edge: no tangential terms are needed.
   bool frictionless() const { return !has_friction() && cohesion == 0; }

@@ -27,6 +27,7 @@ struct JointStrength {
   std::optional<double> residual_friction{};
   double dilation = 0;       ///< tan(i): a contact that slides rises by so much of its slip
   double dilation_slip = 0;  ///< up to which it does, m
+  bool ductile = false;      ///< cohesion and tensile strength outlast slip, and are lost by opening alone
 
   bool is_compliant() const { return normal_stiffness > 0; }
 };

@@ -470,7 +470,8 @@ class Builder {
                           joint.shear_stiffness.value_or(0),
                           tangent_of(joint.residual_friction_angle),
                           tangent_of(joint.dilation_angle).value_or(0),
-                          joint.dilation_slip.value_or(0)},
+                          joint.dilation_slip.value_or(0),
+                          joint.ductile},
                          joint.between});
     return JointTable(std::move(entries));
   }

@@ -42,6 +42,7 @@ struct Joint {
   std::optional<double> shear_stiffness{};          ///< Pa/m; none: rigid
   std::optional<double> dilation_angle{};           ///< degrees, of contacts that slide; none: 0
   std::optional<double> dilation_slip{};            ///< m, of the slip that dilates
+  bool ductile = false;  ///< bonds outlast slip and are lost by opening alone; in studies of safety, no key
 };
 
 /// One block as the scene states it.

@@ -534,7 +534,7 @@ class Staged {
   bool yields(std::size_t c) const {
     if (!multipliers_[c].bonded) return false;
     const bool opens = !(at_d_[c] & pressed) && terms_[c].gap(d_) > contacts_[c].length_tolerance();
-    return opens || is_sliding(c);
+    return opens || (is_sliding(c) && !contacts_[c].law.ductile);
   }
 
   /// Breaks the bonds that yield; false: none does.

@@ -100,9 +100,13 @@ class ScenePicture {
   }
 
   void draw_blocks() {
-    for (const BlockDescription& block : scene_.blocks)
-      page_.path(outline(block.vertices),
-                 "fill=\"" + hex(kind_colour(block.material)) + "\" stroke=\"#444\" stroke-width=\".7\"");
+    std::vector<Colour> colours;
+    for (const BlockDescription& block : scene_.blocks) colours.push_back(kind_colour(block.material));
+    for (const MarkedBlocks& mark : options_.marks)
+      for (const int b : mark.blocks) colours[b] = mark.colour;
+    for (std::size_t b = 0; b < scene_.blocks.size(); ++b)
+      page_.path(outline(scene_.blocks[b].vertices),
+                 "fill=\"" + hex(colours[b]) + "\" stroke=\"#444\" stroke-width=\".7\"");
   }
 
   void draw_joints() {
@@ -233,6 +237,7 @@ class ScenePicture {
     std::vector<LegendItem> items{scale_bar(view_.scale, 120)};
     for (std::size_t m = 0; m < scene_.materials.size(); ++m)
       items.push_back(swatch(kind_colour(static_cast<int>(m)), scene_.materials[m].name));
+    for (const MarkedBlocks& mark : options_.marks) items.push_back(swatch(mark.colour, mark.name));
     for (const int j : joints_shown_) {
       const std::string& name = scene_.joints[j].name;
       items.push_back(swatch(line_colour(j), "joint " + (name.empty() ? std::to_string(j) : name)));

@@ -1,17 +1,27 @@
 /// \file A scene before it is run, as SVG: blocks, joints, supports, loads and monitors.
 #pragma once
 
+#include <ddacontact/picture/colour.hpp>
 #include <ddacontact/scene/scene.hpp>
 
 #include <string>
+#include <vector>
 
 namespace ddacontact {
 
+/// Blocks in a colour of their own instead of that of their material.
+struct MarkedBlocks {
+  std::vector<int> blocks;  ///< indices
+  Colour colour;
+  std::string name;  ///< in the legend
+};
+
 /// What a picture of a scene shows beside its blocks.
 struct ScenePictureOptions {
-  double width = 800;    ///< px
-  bool names = false;    ///< of blocks and monitors
-  bool numbers = false;  ///< of vertices and, slanted away from them, edges
+  double width = 800;                 ///< px
+  bool names = false;                 ///< of blocks and monitors
+  bool numbers = false;               ///< of vertices and, slanted away from them, edges
+  std::vector<MarkedBlocks> marks{};  ///< a block of several has the colour of the last
 };
 
 /// Blocks in the colour of their material, the faces they share in that of the joint that holds between them,

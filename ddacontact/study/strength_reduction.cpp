@@ -30,6 +30,10 @@ bool has_strength(const Joint& joint) {
 
 }  // namespace
 
+bool is_ductile(const Joint& joint) {
+  return (joint.cohesion > 0 || joint.tensile_strength > 0) && !joint.residual_friction_angle;
+}
+
 Joint reduced(Joint joint, double factor) {
   constexpr double degree = std::numbers::pi / 180;
   const auto reduce = [&](double& angle) { angle = std::atan(std::tan(angle * degree) / factor) / degree; };
@@ -45,13 +49,14 @@ StrengthReduction::StrengthReduction(const Scene& scene, std::vector<int> joints
   const std::vector<Joint>& last = scene_.stages.back().joints;
   if (std::ranges::none_of(joints_, [&](int j) { return has_strength(last[j]); }))
     throw Error("no joint to be reduced has friction, cohesion or tensile strength in the last stage");
+  for (StageDescription& stage : scene_.stages)
+    for (Joint& joint : stage.joints) joint.ductile = is_ductile(joint);
   settle();
 }
 
 void StrengthReduction::settle() {
   BuiltScene built = build(scene_);
   Stepper& stepper = *built.stepper;
-  block_names_ = built.labels.block_names;
   const int before_last = static_cast<int>(scene_.stages.size()) - 2;
   const auto is_settled = [&] {
     const StageEnd end = stepper.stage_end();
@@ -62,9 +67,9 @@ void StrengthReduction::settle() {
     if (!stepper.step()) throw SettlingStopped("the scene does not settle: " + stepper.stop_reason());
   const Equilibrium& e = stepper.equilibrium();
   if (!e.in_balance())
-    unsettled_ = "block \"" + block_names_[e.unbalanced_block] + "\" is out of balance";
+    unsettled_ = "block \"" + scene_.block_name(e.unbalanced_block) + "\" is out of balance";
   else if (e.relative_speed > TrialLimits{}.rest_speed && e.fastest_block >= 0)
-    unsettled_ = "block \"" + block_names_[e.fastest_block] + "\" moves";
+    unsettled_ = "block \"" + scene_.block_name(e.fastest_block) + "\" moves";
   settled_ = stepper.run_record();
 }
 

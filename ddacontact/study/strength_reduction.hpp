@@ -14,6 +14,11 @@
 
 namespace ddacontact {
 
+/// Whether cohesion and tensile strength of the joint outlast slip in the study, as limit equilibrium has it:
+/// all of them act at once, and they are lost by opening alone. A joint with a residual friction angle stays
+/// brittle: it loses them where it slips, with the rest of its friction.
+bool is_ductile(const Joint& joint);
+
 /// The strength of a joint divided by a factor.
 Joint reduced(Joint joint, double factor);
 
@@ -36,7 +41,8 @@ class StrengthReduction {
 
   /// What is wrong with the settled state: it is out of balance or moves. Empty: it rests.
   const std::string& unsettled() const { return unsettled_; }
-  const std::vector<std::string>& block_names() const { return block_names_; }
+  /// As it is tried: in stages, bonds as is_ductile() says.
+  const Scene& scene() const { return scene_; }
 
  private:
   void settle();
@@ -45,7 +51,6 @@ class StrengthReduction {
   std::vector<int> joints_;
   std::optional<RunRecord> settled_;
   std::string unsettled_;
-  std::vector<std::string> block_names_;
 };
 
 }  // namespace ddacontact

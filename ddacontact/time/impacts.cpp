@@ -268,7 +268,7 @@ class Flight {
           return dt * law(impulse / dt);
         };
       part.restitution = bounces ? *restitution_of(properties_, pair, rule_) : 0;
-      part.bonded = contact.has_bond();
+      part.bonded = contact.has_bond() && !(contact.law.ductile && is_slipping(contact.history.state));
       if (first[c])
         found.least_approach = std::min(found.least_approach, least_approach(blocks_, contact, dt_));
     }

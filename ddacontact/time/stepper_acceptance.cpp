@@ -308,7 +308,7 @@ void Stepper::record_contacts() {
       history.shear = end.shear;
     }
     if (is_slipping(history.state)) dilate(contact, shear_before);
-    const bool slid = is_slipping(contact.history.state) && !contact.law.frictionless();
+    const bool slid = is_slipping(history.state) && !contact.law.frictionless() && !contact.law.ductile;
     if (slid || !contact.closed()) history.bonded = false;
     const bool had_strength = contact.law.cohesion > 0 || contact.law.tension > 0;
     if (contact.start_bonded && !history.bonded && had_strength) ++counts_.broken_bonds;

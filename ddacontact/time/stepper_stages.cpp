@@ -29,7 +29,7 @@ bool are_same(const JointStrength& a, const JointStrength& b) {
   return a.friction == b.friction && a.cohesion == b.cohesion && a.tensile_strength == b.tensile_strength &&
          a.restitution == b.restitution && a.dashpot == b.dashpot && a.glued == b.glued &&
          a.residual_friction == b.residual_friction && a.dilation == b.dilation &&
-         a.dilation_slip == b.dilation_slip && !a.friction_law && !b.friction_law;
+         a.dilation_slip == b.dilation_slip && a.ductile == b.ductile && !a.friction_law && !b.friction_law;
 }
 
 /// Whether the same forces act under both on the same blocks in the same motion.

@@ -30,12 +30,64 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   EXPECT_NE(read_file(directory_ / "result/safety.svg").find("</svg>"), std::string::npos);
 }
 
-TEST_F(Program, SafetyWarnsOfCohesionThatIsLostBitByBit) {
+TEST_F(Program, SafetySaysWhatBecomesOfCohesion) {
   const std::string coarsely = "safety " + slope + " -o result --set analysis.preset=default --tolerance 0.5";
+  const auto cohesion = [&] {
+    return nlohmann::json::parse(read_file(directory_ / "result/safety.json"))["cohesion"].get<std::string>();
+  };
   ASSERT_EQ(dda(coarsely), 0) << err_;
-  EXPECT_EQ(err_.find("loses its cohesion"), std::string::npos) << err_;
+  EXPECT_EQ(cohesion(), "none");
   ASSERT_EQ(dda(coarsely + " --set 'joint.0.cohesion=1 kPa'"), 0) << err_;
-  EXPECT_NE(err_.find("joint \"interface\" loses its cohesion"), std::string::npos) << err_;
+  EXPECT_EQ(cohesion(), "ductile");
+  EXPECT_EQ(err_.find("loses its cohesion"), std::string::npos) << err_;
+  EXPECT_NE(out_.find("outlast slip"), std::string::npos) << out_;
+  ASSERT_EQ(dda(coarsely + " --set 'joint.0.cohesion=1 kPa' --set joint.0.residual_friction_angle=30"), 0)
+      << err_;
+  EXPECT_EQ(cohesion(), "brittle");
+  EXPECT_NE(err_.find("joint \"interface\" has a residual friction angle and loses its cohesion"),
+            std::string::npos)
+      << err_;
+}
+
+const char* const large_and_small = R"(format = 1
+[analysis]
+steps = 50
+time_step = 0.01
+block_model = "affine"
+[[material]]
+name = "rock"
+density = 2500
+young = "5 GPa"
+poisson = 0.25
+[[joint]]
+name = "plane"
+friction_angle = 40
+[[block]]
+name = "base"
+material = "rock"
+fixed = true
+vertices = [[-20, 0], [0, 0], [10, -8], [10, -9], [-20, -9]]
+[[block]]
+name = "large"
+material = "rock"
+vertices = [[-19, 0], [-9, 0], [-9, 9], [-19, 9]]
+[[block]]
+name = "stone"
+material = "rock"
+vertices = [[2.5, -2], [5, -4], [5, -2]]
+)";
+
+/// A stone slides on the steep part of the base, a block 36 times as large stays on the level part.
+TEST_F(Program, SafetySaysHowLittleMoves) {
+  write("scene.toml", large_and_small);
+  ASSERT_EQ(dda("safety scene.toml -o result --tolerance 0.1"), 0) << err_;
+  const nlohmann::json found = nlohmann::json::parse(read_file(directory_ / "result/safety.json"));
+  EXPECT_EQ(found["first_block"], "stone");
+  EXPECT_EQ(found["moved_count"], 1);
+  EXPECT_NEAR(found["moved_area_share"].get<double>(), 2.5 / 92.5, 1e-12);
+  EXPECT_NE(out_.find("1 of 2 blocks move, 2.7 % of their area"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("note: this is the factor of a small part"), std::string::npos) << out_;
+  EXPECT_NE(read_file(directory_ / "result/safety_moved.svg").find("moves furthest"), std::string::npos);
 }
 
 TEST_F(Program, SafetyRefusesWrongCalls) {

@@ -52,6 +52,63 @@ TEST(StrengthReduction, PlaneFailureHasTheFactorOfItsFormula) {
   }
 }
 
+/// A wedge of rock with a level top on a plane of 40 degrees and 14 m, 35 degrees of friction, 20 kPa of
+/// cohesion.
+struct WedgeOnPlane {
+  Joint plane{"plane", 35, 20e3, 0, std::nullopt};
+  int cells = 0;  ///< of its mesh; 0: affine
+
+  static constexpr double length = 14;
+  static Vec2 top() { return length * Vec2(std::cos(radians(40)), std::sin(radians(40))); }
+
+  Scene scene() const {
+    Scene scene = rock(plane);
+    add(scene, turned(rectangle(-10, -1, 30, 1), radians(40)), true);
+    Points wedge(2, 3);
+    wedge << Vec2::Zero(), top(), Vec2(top().y() / std::tan(radians(60)), top().y());
+    add(scene, wedge);
+    if (cells == 0) return scene;
+    scene.blocks.back().model = BlockModel::mesh;
+    scene.blocks.back().mesh.cells = cells;
+    return scene;
+  }
+
+  /// Of limit equilibrium.
+  double factor() const {
+    const double area = top().y() * (top().x() - top().y() / std::tan(radians(60))) / 2;
+    const double weight = density * gravity * area;
+    return (plane.cohesion * length +
+            weight * std::cos(radians(40)) * std::tan(radians(plane.friction_angle))) /
+           (weight * std::sin(radians(40)));
+  }
+};
+
+TEST(StrengthReduction, CohesionActsAllAtOnce) {
+  const WedgeOnPlane wedge;
+  const FactorBracket bracket = factor_of(wedge.scene());
+  EXPECT_NEAR(bracket.low, wedge.factor(), 0.01 * wedge.factor());
+  EXPECT_NEAR(bracket.high, wedge.factor(), 0.01 * wedge.factor());
+}
+
+/// Cohesion holds the thin end of the wedge back and pulls it off the plane, line of action below its middle.
+/// Without tensile strength the end opens, and an open joint has no cohesion: 2.6 % at 64 cells.
+TEST(StrengthReduction, ThinEndOfAMeshedWedgeOpensUnlessItBearsTension) {
+  WedgeOnPlane wedge{.cells = 64};
+  const double exact = wedge.factor();
+  EXPECT_NEAR(factor_of(wedge.scene()).low, 0.974 * exact, 0.01 * exact);
+  wedge.plane.tensile_strength = 1e6;
+  EXPECT_NEAR(factor_of(wedge.scene()).low, exact, 0.01 * exact);
+}
+
+/// A brittle joint breaks from its ends.
+TEST(StrengthReduction, JointWithResidualFrictionLosesCohesionWhereItSlips) {
+  WedgeOnPlane wedge{.cells = 64};
+  wedge.plane.residual_friction_angle = wedge.plane.friction_angle;
+  EXPECT_TRUE(is_ductile(WedgeOnPlane{}.plane));
+  EXPECT_FALSE(is_ductile(wedge.plane));
+  EXPECT_LT(factor_of(wedge.scene(), 0.05).high, 0.75 * wedge.factor());
+}
+
 /// The resultant of a block's weight and a horizontal acceleration of tan(20 degrees) g turns a column of
 /// 1 x 5 m about its toe; the bond of its other corner, half of the base times its tensile strength, holds
 /// it.
