@@ -11,7 +11,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <ddacontact/output/csv_file.hpp>
+#include <ddacontact/output/csv_table.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/study/factor_distribution.hpp>
 #include <ddacontact/study/sweep_cases.hpp>
 #include <ddacontact/study/sweep_results.hpp>
 
@@ -43,6 +45,30 @@ void write(const fs::path& path, const std::string& text) {
   if (!out) throw OutputError(fmt::format("cannot write \"{}\"", path.string()));
 }
 
+/// Names between quotes in a text.
+std::vector<std::string> quoted_words(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = text.find_first_of("\"'"); begin != std::string::npos;) {
+    const std::size_t end = text.find_first_of(std::string{text[begin], '\n'}, begin + 1);
+    if (end == std::string::npos) break;
+    if (text[end] != '\n') words.push_back(text.substr(begin + 1, end - begin - 1));
+    begin = text.find_first_of("\"'", end + 1);
+  }
+  return words;
+}
+
+/// The scene with the files that it names: blocks, boundaries, histories.
+std::string text_with_files(const fs::path& scene) {
+  const std::string own = text_of(scene);
+  std::string all = own;
+  for (const std::string& word : quoted_words(own)) {
+    std::error_code error;
+    const fs::path named = scene.parent_path() / word;
+    if (!word.empty() && fs::is_regular_file(named, error)) all += '\n' + word + '\n' + text_of(named);
+  }
+  return all;
+}
+
 /// For a shell.
 std::string in_quotes(const std::string& word) {
   std::string quoted = "'";
@@ -56,10 +82,11 @@ class Sweep {
     std::vector<Variation> variations;
     for (const std::string& text : arguments.vary) variations.push_back(parse_variation(text));
     cases_ = sweep_cases(variations, arguments.table);
+    if (arguments.safety) outcomes_ = outcomes_of_safety();
     for (const std::string& text : arguments.outcomes) outcomes_.push_back(parse_outcome(text));
     if (arguments.only > n_cases())
       throw Error(fmt::format("--case {}: there are {} cases", arguments.only, n_cases()));
-    scene_text_ = text_of(arguments.scene);
+    scene_text_ = text_with_files(arguments.scene);
     std::error_code error;
     fs::create_directories(directory_, error);
     if (error) throw OutputError(fmt::format("cannot make \"{}\": {}", directory_.string(), error.message()));
@@ -112,6 +139,8 @@ class Sweep {
     for (const std::string& vary : arguments_.vary) call += " --vary " + in_quotes(vary);
     if (!arguments_.table.empty()) call += " --table " + in_quotes(fs::absolute(arguments_.table).string());
     for (const std::string& setting : arguments_.settings) call += " --set " + in_quotes(setting);
+    if (arguments_.safety) call += " --safety";
+    for (const std::string& word : arguments_.of_safety()) call += ' ' + in_quotes(word);
     call += " -o " + in_quotes(fs::absolute(directory_).string());
     write(
         directory_ / "sweep.sbatch",
@@ -135,8 +164,10 @@ class Sweep {
   }
   /// What a result must have been made of to be that of the case.
   std::string key_of(int k) const {
-    return fmt::format("{}\nscene {:016x}\n", fmt::join(settings_of(k), "\n"),
-                       std::hash<std::string>()(scene_text_));
+    const std::string safety =
+        arguments_.safety ? fmt::format("safety {}\n", fmt::join(arguments_.of_safety(), " ")) : "";
+    return fmt::format("{}\nscene {:016x}\n{}", fmt::join(settings_of(k), "\n"),
+                       std::hash<std::string>()(scene_text_), safety);
   }
   bool is_of_this_case(int k) const { return text_of(key_file_of(k)) == key_of(k); }
   bool is_finished(int k) const {
@@ -146,8 +177,13 @@ class Sweep {
 
   pid_t start(int k) const {
     std::error_code error;
-    std::vector<std::string> words{"dda",     "run",    arguments_.scene, "-o", path_of(k).string(),
-                                   "--quiet", "--force"};
+    std::vector<std::string> words{"dda", "run", arguments_.scene, "-o", path_of(k).string(), "--quiet"};
+    if (arguments_.safety) {
+      words[1] = "safety";
+      for (const std::string& word : arguments_.of_safety()) words.push_back(word);
+    } else {
+      words.emplace_back("--force");
+    }
     for (const std::string& setting : settings_of(k)) words.insert(words.end(), {"--set", setting});
     const fs::path checkpoint = path_of(k) / checkpoint_file;
     if (is_of_this_case(k) && case_status(path_of(k)) == "interrupted" && fs::exists(checkpoint, error)) {
@@ -181,7 +217,7 @@ class Sweep {
   fs::path directory_;
   SweepCases cases_;
   std::vector<Outcome> outcomes_;
-  std::string scene_text_;
+  std::string scene_text_;  ///< with the files that it names
 };
 
 /// "X,Y" as two columns.
@@ -190,6 +226,13 @@ std::pair<std::string, std::string> columns_of(const std::string& curve) {
   if (comma == 0 || comma == std::string::npos || comma + 1 == curve.size())
     throw Error(fmt::format("--curve \"{}\" names no two columns (write X,Y)", curve));
   return {curve.substr(0, comma), curve.substr(comma + 1)};
+}
+
+void tell_factors(const fs::path& directory, bool quiet) {
+  const CsvTable table(directory / "sweep.csv");
+  const FactorDistribution found = distribution_of(table.texts("factor_low"), table.texts("factor_high"));
+  if (!found.factors.empty()) write(directory / "factors.svg", draw(found));
+  if (!quiet) fmt::print("{}", describe(found));
 }
 
 int sweep_all(const SweepArguments& arguments) {
@@ -211,11 +254,23 @@ int sweep_all(const SweepArguments& arguments) {
   }
   const fs::path directory(arguments.directory);
   if (curve) write(directory / "sweep.svg", curve_of(directory / "sweep.csv", curve->first, curve->second));
+  if (arguments.safety) tell_factors(directory, arguments.quiet);
   if (!arguments.quiet) fmt::print("{} cases in {}/sweep.csv\n", sweep.n_cases(), arguments.directory);
   return done;
 }
 
 }  // namespace
+
+std::vector<std::string> SweepArguments::of_safety() const {
+  std::vector<std::string> words;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--range", range);
+  add("--tolerance", tolerance);
+  add("--joints", joints);
+  return words;
+}
 
 void add_sweep(CLI::App& app, SweepArguments& arguments) {
   CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with all combinations of settings");
@@ -231,6 +286,13 @@ void add_sweep(CLI::App& app, SweepArguments& arguments) {
   list("--outcome", arguments.outcomes,
        "NAME=PATH into summary.json, or NAME=monitor.NAME.COLUMN at the end");
   list("--set", arguments.settings, "PATH=VALUE: replace a value of the scene in all cases");
+  CLI::Option* safety = sweep->add_flag("--safety", arguments.safety,
+                                        "Find the factor of safety of each case: columns factor_low, "
+                                        "factor_high and the probability of failure");
+  sweep->add_option("--range", arguments.range, "A:B, as of dda safety")->needs(safety);
+  sweep->add_option("--tolerance", arguments.tolerance, "Of the factors, as of dda safety")->needs(safety);
+  sweep->add_option("--joints", arguments.joints, "NAME,...: the joints made weaker, as of dda safety")
+      ->needs(safety);
   sweep->add_option("--curve", arguments.curve, "X,Y: two columns of sweep.csv, drawn as sweep.svg");
   sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors")
       ->check(CLI::Range(1, 1024));

@@ -12,10 +12,15 @@ namespace dda {
 struct SweepArguments {
   std::string scene, directory, table;
   std::vector<std::string> vary, outcomes, settings;
-  std::string curve;  ///< "X,Y": two columns of sweep.csv; empty: none
-  int jobs = 0;       ///< processes at a time; 0: as many as processors
-  int only = 0;       ///< the one case to run; 0: all
+  std::string curve;                     ///< "X,Y": two columns of sweep.csv; empty: none
+  int jobs = 0;                          ///< processes at a time; 0: as many as processors
+  int only = 0;                          ///< the one case to run; 0: all
+  bool safety = false;                   ///< a search for the factor of safety each, instead of a run
+  std::string range, tolerance, joints;  ///< of these searches, as `dda safety` has them; empty: left out
   bool slurm = false, quiet = false;
+
+  /// Words that a case's `dda safety` is called with.
+  std::vector<std::string> of_safety() const;
 };
 
 /// Adds the verb with its options.

@@ -31,6 +31,8 @@ std::string at_monitor(const std::filesystem::path& directory, const std::string
   const std::size_t dot = path.rfind('.');
   const std::string monitor = path.substr(of_monitor.size(), dot - std::min(dot, of_monitor.size())),
                     column = path.substr(dot + 1);
+  std::error_code error;
+  if (!std::filesystem::exists(directory / "monitors.csv", error)) return "";
   const CsvTable table(directory / "monitors.csv");
   if (std::ranges::count(table.header(), column) == 0) return "";
   const std::vector<std::string> names = table.texts("monitor"), values = table.texts(column);
@@ -45,6 +47,14 @@ std::string value_of(const Outcome& outcome, const SummaryTable& summary,
   if (const std::optional<double> number = summary.number(outcome.path))
     return scene_format::short_number(*number);
   return summary.text(outcome.path);
+}
+
+/// Of a run, or of a search for the factor of safety; empty: none is finished.
+std::filesystem::path summary_file(const std::filesystem::path& directory) {
+  std::error_code error;
+  for (const char* name : {"summary.json", "safety.json"})
+    if (std::filesystem::exists(directory / name, error)) return directory / name;
+  return {};
 }
 
 double largest_displacement(const std::filesystem::path& directory) {
@@ -64,31 +74,36 @@ Outcome parse_outcome(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+std::vector<Outcome> outcomes_of_safety() {
+  return {{"factor_low", "factor_low"}, {"factor_high", "factor_high"}};
+}
+
 std::string case_status(const std::filesystem::path& directory) {
-  std::error_code error;
-  if (!std::filesystem::exists(directory / "summary.json", error)) return "";
-  return read_summary(directory / "summary.json").text("status");
+  const std::filesystem::path file = summary_file(directory);
+  return file.empty() ? "" : read_summary(file).text("status");
 }
 
 CaseResult read_case(const std::filesystem::path& directory, const std::vector<Outcome>& outcomes,
                      const std::filesystem::path& log) {
   CaseResult result;
-  result.status = case_status(directory);
-  if (result.status.empty()) {
+  const std::filesystem::path file = summary_file(directory);
+  if (file.empty()) {
     result.status = "failed";
     std::ifstream in(log);
     std::getline(in, result.reason);
     result.outcomes.resize(outcomes.size());
     return result;
   }
-  const SummaryTable summary = read_summary(directory / "summary.json");
+  const SummaryTable summary = read_summary(file);
   const auto number = [&](const char* key) { return summary.number(key).value_or(0); };
+  const bool of_run = file.filename() == "summary.json";
+  result.status = summary.text("status");
   result.reason = summary.text("reason");
   result.steps_completed = number("steps_completed");
   result.time = number("time");
-  result.max_displacement = largest_displacement(directory);
-  result.kinetic = number("energy.kinetic");
-  result.wall_seconds = number("wall_seconds.total");
+  result.max_displacement = of_run ? largest_displacement(directory) : number("max_displacement");
+  result.kinetic = number(of_run ? "energy.kinetic" : "kinetic");
+  result.wall_seconds = number(of_run ? "wall_seconds.total" : "wall_seconds");
   for (const Outcome& outcome : outcomes) result.outcomes.push_back(value_of(outcome, summary, directory));
   return result;
 }

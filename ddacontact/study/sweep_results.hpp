@@ -7,7 +7,8 @@
 
 namespace ddacontact {
 
-/// A number of a result: a dotted path into summary.json, or "monitor.NAME.COLUMN" at the end.
+/// A number of a result: a dotted path into summary.json, or safety.json, or "monitor.NAME.COLUMN" at the
+/// end.
 struct Outcome {
   std::string name, path;
 };
@@ -23,11 +24,16 @@ struct CaseResult {
   std::vector<std::string> outcomes;  ///< as text; empty where the result has no such number
 };
 
-/// The result in a directory; without a summary, `log` is the file whose first line is the reason.
+/// factor_low and factor_high, of searches for the factor of safety.
+std::vector<Outcome> outcomes_of_safety();
+
+/// The result in a directory, of a run or of a search for the factor of safety (steps and time are then those
+/// of all trials, displacement and kinetic energy those of the one that moved at the lowest factor); without
+/// a summary, `log` is the file whose first line is the reason.
 CaseResult read_case(const std::filesystem::path& directory, const std::vector<Outcome>& outcomes,
                      const std::filesystem::path& log);
 
-/// Of the summary in a directory; empty without one.
+/// Of the summary in a directory, or of its safety.json; empty without either.
 std::string case_status(const std::filesystem::path& directory);
 
 /// Two columns of a table as a curve, SVG; rows without both numbers are left out. Throws Error when a

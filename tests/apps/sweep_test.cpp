@@ -68,12 +68,58 @@ TEST_F(Program, SweepWritesAJobArrayThatRunsItsCases) {
   EXPECT_EQ(summary("result/case-2")["steps_completed"], 3);
 }
 
+TEST_F(Program, SweepNoticesChangedFilesOfTheScene) {
+  write("blocks.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+  write("scene.toml",
+        "format = 1\nblocks = \"blocks.wkt\"\n[analysis]\nsteps = 2\ntime_step = 0.01\n"
+        "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = 5e9\npoisson = 0.25\n");
+  const std::string call = "sweep scene.toml -o result --vary analysis.time_step=0.01,0.02";
+  ASSERT_EQ(dda(call), 0) << err_;
+  ASSERT_EQ(dda(call), 0) << err_;
+  EXPECT_NE(err_.find("0 of 2 cases to run"), std::string::npos) << err_;
+  write("blocks.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n");
+  ASSERT_EQ(dda(call), 0) << err_;
+  EXPECT_NE(err_.find("2 of 2 cases to run"), std::string::npos) << err_;
+}
+
+/// The block of the example slides where tan(friction angle) < F tan 45.
+TEST_F(Program, SweepFindsFactorsOfSafetyAndTheProbabilityOfFailure) {
+  const std::string call = "sweep " + slope +
+                           " --safety --tolerance 0.02 --set analysis.preset=default --vary "
+                           "joint.0.friction_angle=40,50,0 --outcome first=first_block -o result";
+  ASSERT_EQ(dda(call), 0) << err_;
+  const auto rows = read_csv(directory_ / "result/sweep.csv");
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"case", "joint.0.friction_angle", "status", "steps_completed",
+                                               "time", "max_displacement", "kinetic", "wall_seconds",
+                                               "factor_low", "factor_high", "first", "reason"}));
+  for (const std::size_t k : {1u, 2u}) {
+    const double exact = std::tan(std::stod(rows[k][1]) * std::numbers::pi / 180);
+    EXPECT_EQ(rows[k][2], "completed");
+    EXPECT_GT(std::stod(rows[k][3]), 0);
+    EXPECT_NEAR(std::stod(rows[k][8]), exact, 0.03 * exact);
+    EXPECT_NEAR(std::stod(rows[k][9]), exact, 0.03 * exact);
+    EXPECT_EQ(rows[k][10], "slider");
+  }
+  EXPECT_EQ(rows[3][2], "failed");
+  EXPECT_NE(out_.find("probability of failure (factor below 1): 1 of 2 cases, 0.5 +- 0.35"),
+            std::string::npos)
+      << out_;
+  EXPECT_NE(read_file(directory_ / "result/factors.svg").find("</svg>"), std::string::npos);
+  ASSERT_EQ(dda(call), 0) << err_;
+  EXPECT_NE(err_.find("1 of 3 cases to run"), std::string::npos) << err_;
+  ASSERT_EQ(dda(call + " --slurm"), 0) << err_;
+  EXPECT_NE(read_file(directory_ / "result/sweep.sbatch").find("--safety '--tolerance' '0.02'"),
+            std::string::npos);
+}
+
 TEST_F(Program, SweepRefusesWrongCalls) {
   for (const auto& [arguments, word] :
        {std::pair{"", "nothing varies"}, std::pair{"--vary a", "PATH=a,b,c"},
         std::pair{"--vary a=1,2 --vary a=3", "twice"},
         std::pair{"--vary a=1,2 --case 3", "there are 2 cases"},
         std::pair{"--vary a=1 --outcome b", "NAME=PATH"}, std::pair{"--vary a=1 --curve b", "X,Y"},
+        std::pair{"--vary a=1 --range 1:2", "--safety"},
         std::pair{"--vary no.such=1 --quiet", "no case could be run"}}) {
     EXPECT_EQ(dda("sweep " + slope + " -o result " + arguments), 2) << arguments;
     EXPECT_NE(err_.find(word), std::string::npos) << err_;

@@ -1,0 +1,111 @@
+#include <ddacontact/study/factor_distribution.hpp>
+
+#include <ddacontact/core/types.hpp>
+#include <ddacontact/picture/chart.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+
+namespace ddacontact {
+
+namespace {
+
+constexpr int n_classes = 10, longest_bar = 40;
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char line[160];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+std::string histogram(const std::vector<double>& factors) {
+  const double least = factors.front(), width = (factors.back() - least) / n_classes;
+  if (width == 0) return "";
+  std::vector<int> counts(n_classes);
+  for (const double f : factors) ++counts[std::min(static_cast<int>((f - least) / width), n_classes - 1)];
+  const int most = *std::ranges::max_element(counts);
+  std::string lines;
+  for (int k = 0; k < n_classes; ++k) {
+    const std::string bar(static_cast<std::size_t>((longest_bar * counts[k] + most - 1) / most), '#');
+    lines += text("%8.3f .. %-8.3f %4d ", least + k * width, least + (k + 1) * width, counts[k]) + bar + '\n';
+  }
+  return lines;
+}
+
+}  // namespace
+
+double FactorDistribution::mean() const {
+  return std::accumulate(factors.begin(), factors.end(), 0.0) / static_cast<double>(factors.size());
+}
+
+double FactorDistribution::standard_deviation() const {
+  if (factors.size() < 2) return 0;
+  double squares = 0;
+  for (const double f : factors) squares += (f - mean()) * (f - mean());
+  return std::sqrt(squares / static_cast<double>(factors.size() - 1));
+}
+
+int FactorDistribution::n_failing() const {
+  return n_always + static_cast<int>(std::ranges::lower_bound(factors, 1.0) - factors.begin());
+}
+
+double FactorDistribution::probability_of_failure() const {
+  return static_cast<double>(n_failing()) / n_cases();
+}
+
+double FactorDistribution::standard_error() const {
+  const double p = probability_of_failure();
+  return std::sqrt(p * (1 - p) / n_cases());
+}
+
+FactorDistribution distribution_of(const std::vector<std::string>& low,
+                                   const std::vector<std::string>& high) {
+  FactorDistribution found;
+  for (std::size_t k = 0; k < low.size(); ++k) {
+    if (!low[k].empty() && !high[k].empty())
+      found.factors.push_back((std::strtod(low[k].c_str(), nullptr) + std::strtod(high[k].c_str(), nullptr)) /
+                              2);
+    else if (!high[k].empty())
+      ++found.n_always;
+    else if (!low[k].empty())
+      ++found.n_never;
+  }
+  std::ranges::sort(found.factors);
+  return found;
+}
+
+std::string describe(const FactorDistribution& distribution) {
+  if (distribution.n_cases() == 0) return "no case has a factor of safety\n";
+  const std::vector<double>& factors = distribution.factors;
+  std::string lines;
+  if (!factors.empty())
+    lines += text("factor of safety of %zu cases: mean %.4g, standard deviation %.2g, from %.4g to %.4g\n",
+                  factors.size(), distribution.mean(), distribution.standard_deviation(), factors.front(),
+                  factors.back()) +
+             histogram(factors);
+  if (distribution.n_always > 0) lines += text("%d cases move at every factor\n", distribution.n_always);
+  if (distribution.n_never > 0) lines += text("%d cases rest at every factor\n", distribution.n_never);
+  return lines + text("probability of failure (factor below 1): %d of %d cases, %.3g +- %.2g\n",
+                      distribution.n_failing(), distribution.n_cases(), distribution.probability_of_failure(),
+                      distribution.standard_error());
+}
+
+std::string draw(const FactorDistribution& distribution) {
+  if (distribution.factors.empty()) throw Error("no case has a factor of safety to be drawn");
+  Series steps{.name = "part of the cases", .x = {}, .y = {}};
+  int below = distribution.n_always;
+  for (const double f : distribution.factors)
+    for (const int more : {0, 1}) {
+      steps.x.push_back(f);
+      steps.y.push_back(static_cast<double>(below += more) / distribution.n_cases());
+    }
+  const Chart chart{
+      .x_symbol = {"F", "", ""}, .y_symbol = {"P", "", ""}, .x_unit = "", .y_unit = "", .series = {steps}};
+  return draw({chart}, {.title = "Part of the cases with a factor of safety below F"});
+}
+
+}  // namespace ddacontact

@@ -1,0 +1,35 @@
+/// \file What many factors of safety say together: mean, spread, probability of failure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// Of cases of the same weight.
+struct FactorDistribution {
+  std::vector<double> factors;  ///< ascending; those that were bracketed
+  int n_always = 0;             ///< cases that move at every factor that was tried
+  int n_never = 0;              ///< cases that rest at every factor
+
+  int n_cases() const { return static_cast<int>(factors.size()) + n_always + n_never; }
+  /// Of the factors; the deviation is that of the sample (n - 1), 0 for one factor.
+  double mean() const;
+  double standard_deviation() const;
+  /// Cases whose factor is below 1, as a part of all, and its standard error sqrt(p (1 - p) / n).
+  double probability_of_failure() const;
+  double standard_error() const;
+  int n_failing() const;
+};
+
+/// The middles of brackets, from two columns of sweep.csv; where one end is empty the case moves, or rests,
+/// at every factor. Cases without both ends are left out.
+FactorDistribution distribution_of(const std::vector<std::string>& low, const std::vector<std::string>& high);
+
+/// In sentences, with a histogram, for a terminal.
+std::string describe(const FactorDistribution& distribution);
+
+/// Cases with a factor below F, as a part of all, over F: SVG. Throws Error when there is no factor.
+std::string draw(const FactorDistribution& distribution);
+
+}  // namespace ddacontact
