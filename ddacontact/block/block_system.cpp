@@ -57,6 +57,15 @@ void BlockSystem::round_corners(double ratio) {
   }
 }
 
+void BlockSystem::set_bolts(std::vector<Bolt> all) {
+  bolts = std::move(all);
+  int first = 0;
+  for (Bolt& bolt : bolts) {
+    bolt.numbers = {first, bolt.n_numbers()};
+    first = bolt.numbers.end();
+  }
+}
+
 void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
   held_unknowns_ = std::move(held);
   number_equations();
@@ -72,6 +81,9 @@ void BlockSystem::remove(int b) {
   std::erase_if(held_vertices, [&](const HeldVertex& held) { return held.block == b; });
   std::erase_if(held_unknowns_, [&](const HeldUnknown& held) { return block_of_place_[held.vertex] == b; });
   std::erase_if(supported_vertices, [&](int place) { return block_of_place_[place] == b; });
+  for (Bolt& bolt : bolts)
+    for (MaterialPoint& node : bolt.nodes)
+      if (node.block == b) node.block = -1;
   number_equations();
 }
 
@@ -120,6 +132,7 @@ BlockState BlockSystem::initial_state() const {
   state.velocity = state.carried = VectorXd::Zero(n_unknowns_);
   state.stress = Tensors::Zero(3, n_stress_points_);
   state.rotation = VectorXd::Zero(n_blocks());
+  state.bolts = VectorXd::Zero(bolts.empty() ? 0 : bolts.back().numbers.end());
   return state;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block.hpp>
+#include <ddacontact/block/bolt.hpp>
 #include <ddacontact/block/rounded_corners.hpp>
 #include <ddacontact/block/water_pressure.hpp>
 #include <ddacontact/core/time_function.hpp>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace ddacontact {
-
-/// A point that travels with its block: x = sum_p weights[p] * (place p of the block).
-struct MaterialPoint {
-  int block = 0;
-  VectorXd weights;  ///< see Block::place_weights
-};
 
 /// A force that travels with its point.
 struct PointLoad {
@@ -88,6 +83,8 @@ class BlockSystem {
   std::vector<QuietFace> quiet_faces;
   std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2; 0 outside them
   std::vector<HeldVertex> held_vertices;
+  /// Numbered by `set_bolts`.
+  std::vector<Bolt> bolts;
   /// Every vertex that the scene holds, by its place in the arrays of the state, ascending. Of an affine
   /// block held at more than three vertices three carry the reactions of all.
   std::vector<int> supported_vertices;
@@ -96,6 +93,9 @@ class BlockSystem {
   void round_corners(double ratio);
   bool has_rounded_corners() const { return !rounded_.empty(); }
   const RoundedBlock& rounded(int b) const { return rounded_[b]; }
+
+  /// Takes bolts and numbers what the state has of them.
+  void set_bolts(std::vector<Bolt> all);
 
   void set_held_unknowns(std::vector<HeldUnknown> held);
   const std::vector<HeldUnknown>& held_unknowns() const { return held_unknowns_; }
@@ -118,10 +118,11 @@ class BlockSystem {
   /// equations; not unless this says so. To be called before a StepSystem is made.
   void compute_fixed(bool all) { computes_fixed_ = all; }
 
-  /// All blocks at rest and free of stress in their reference places; held points at their start.
+  /// All blocks at rest and free of stress in their reference places; held points at their start; bolts not
+  /// installed.
   BlockState initial_state() const;
-  /// Takes a block out with its loads and supports: nothing of it counts any more. Its places stay in the
-  /// arrays of the state.
+  /// Takes a block out with its loads and supports and the bolts in it: nothing of it counts any more. Its
+  /// places stay in the arrays of the state.
   void remove(int b);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const;

@@ -91,6 +91,8 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
       system_.held_unknowns_.push_back(std::move(held));
     }
 
+  take_bolts(whole);
+
   state_.position.resize(2, next.places.first);
   state_.origin.resize(2, static_cast<Index>(blocks_.size()));
   state_.velocity.resize(next.unknowns.first);
@@ -101,6 +103,23 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   lend(whole, system_);
   system_.number_equations();
   give_back(system_, whole);
+}
+
+void SystemPart::take_bolts(const BlockSystem& whole) {
+  std::vector<Bolt> bolts;
+  for (Bolt bolt : whole.bolts) {
+    bool all_inside = acts(bolt, whole);
+    for (MaterialPoint& node : bolt.nodes) {
+      if (node.block < 0) continue;
+      node.block = number_of(node.block);
+      all_inside = all_inside && node.block >= 0;
+    }
+    if (!all_inside) continue;
+    bolts_in_whole_.push_back(bolt.numbers);
+    bolts.push_back(std::move(bolt));
+  }
+  system_.set_bolts(std::move(bolts));
+  for (const Bolt& bolt : system_.bolts) bolts_in_part_.push_back(bolt.numbers);
 }
 
 int SystemPart::number_of(int block) const {
@@ -134,6 +153,14 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
   const bool stressed = from.stress.cols() > 0, by_motions = from.coordinates.size() > 0;
   if (into_part) to.coordinates.resize(by_motions ? system_.n_coordinates_ : 0);
   if (into_part) to.stress.resize(3, stressed ? system_.n_stress_points_ : 0);
+  if (into_part) to.bolts.resize(system_.bolts.empty() ? 0 : system_.bolts.back().numbers.end());
+  for (std::size_t k = 0; k < bolts_in_part_.size(); ++k) {
+    const Range &part = bolts_in_part_[k], &whole = bolts_in_whole_[k];
+    if (into_part)
+      to.bolts.segment(part.first, part.count) = from.bolts.segment(whole.first, whole.count);
+    else
+      to.bolts.segment(whole.first, whole.count) = from.bolts.segment(part.first, part.count);
+  }
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges &source = in_from[k], &target = in_to[k];
     const Index here = into_part ? blocks_[k] : static_cast<Index>(k),

@@ -11,7 +11,7 @@ namespace ddacontact {
 /// costs what the part needs, whatever the size of the whole.
 ///
 /// Blocks have the same order in both; only their numbers and ranges differ. Loads and supports of the part
-/// are those of its blocks.
+/// are those of its blocks, and bolts those with all their nodes in it.
 class SystemPart {
  public:
   /// \param[in] whole    lends its blocks for as long as this takes
@@ -42,10 +42,13 @@ class SystemPart {
   void give_back(BlockSystem& part, BlockSystem& whole) const;
   void copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
             const std::vector<Ranges>& in_to, bool into_part) const;
+  void take_bolts(const BlockSystem& whole);
 
   std::vector<int> blocks_, unknowns_;
   std::vector<bool> resting_;
   std::vector<Ranges> in_whole_, in_part_;
+  /// Of bolts of the part, in the numbers of the state.
+  std::vector<Range> bolts_in_whole_, bolts_in_part_;
   BlockSystem system_;  ///< the one of the two that is not in place
   BlockState state_;
 };

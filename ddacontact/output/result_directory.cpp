@@ -1,6 +1,7 @@
 #include <ddacontact/output/result_directory.hpp>
 
 #include <ddacontact/output/block_summary.hpp>
+#include <ddacontact/output/bolt_view.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <polyfem/basis/mean_value.hpp>
 
@@ -18,7 +19,7 @@ constexpr char monitors_file[] = "monitors.csv", monitors_header[] = "step,time,
 constexpr char energy_file[] = "energy.csv",
                energy_header[] =
                    "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,"
-                   "balance_error,damping_dissipated,pushed_out";
+                   "balance_error,damping_dissipated,pushed_out,plastic_dissipated";
 
 const char* state_name(ContactState state) {
   switch (state) {
@@ -75,7 +76,8 @@ namespace {
 std::filesystem::path begin_directory(std::filesystem::path directory) {
   directory = make_directory(std::move(directory));
   std::error_code error;
-  for (const char* name : {"summary.json", "blocks.csv", "vertices.csv", "contacts.csv", "supports.csv"})
+  for (const char* name :
+       {"summary.json", "blocks.csv", "vertices.csv", "contacts.csv", "bolts.csv", "supports.csv"})
     if (std::filesystem::remove(directory / name, error); error)
       throw OutputError("cannot remove \"" + (directory / name).string() + "\": " + error.message());
   return directory;
@@ -137,7 +139,7 @@ void ResultDirectory::write_energy(const Stepper& stepper) {
   const Energy& e = stepper.energy().now;
   energy_.row(stepper.counts().steps, stepper.state().time, e.kinetic, e.elastic, e.gravity,
               e.friction_dissipated, e.numerical_dissipated, e.external, stepper.energy().balance_error(),
-              e.damping_dissipated, e.pushed_out);
+              e.damping_dissipated, e.pushed_out, e.plastic_dissipated);
 }
 
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {
@@ -146,6 +148,7 @@ void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) 
   write_blocks(stepper);
   write_vertices(stepper);
   write_contacts(stepper);
+  if (!stepper.blocks().bolts.empty()) write_bolts(stepper);
   write_supports(stepper);
   write_summary(stepper, summary);
 }
@@ -205,6 +208,24 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
             labels_.block_names[pair.edge_block], b.edge[pair.edge], state_name(contact.history.state),
             contact.end_gap, contact.normal, shear,
             labels_.joint_names[stepper.contact_properties().joint_of(pair)]);
+  }
+  csv.close();
+}
+
+void ResultDirectory::write_bolts(const Stepper& stepper) {
+  CsvFile csv(file("bolts.csv"), "bolt,segment,block_a,block_b,axial_force,elongation,state,xa,ya,xb,yb");
+  const BlockSystem& blocks = stepper.blocks();
+  const Points positions = blocks.positions(stepper.state());
+  for (const Bolt& bolt : blocks.bolts) {
+    const BoltView view(bolt, blocks, stepper.state());
+    for (int k = 0; k < bolt.n_segments(); ++k) {
+      if (!bolt.has_segment(k)) continue;
+      const MaterialPoint &a = bolt.nodes[k], &b = bolt.nodes[k + 1];
+      const Vec2 from = blocks.interpolate(a, positions) + labels_.origin,
+                 to = blocks.interpolate(b, positions) + labels_.origin;
+      csv.row(bolt.name, k, labels_.block_names[a.block], labels_.block_names[b.block], view.axial(k),
+              view.elongation(k), view.state(k), from.x(), from.y(), to.x(), to.y());
+    }
   }
   csv.close();
 }
@@ -319,7 +340,8 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                          {"external", e.external},
                                          {"balance_error", stepper.energy().balance_error()},
                                          {"damping_dissipated", e.damping_dissipated},
-                                         {"pushed_out", e.pushed_out}}},
+                                         {"pushed_out", e.pushed_out},
+                                         {"plastic_dissipated", e.plastic_dissipated}}},
                                        {"wall_seconds",
                                         {{"total", summary.seconds_total},
                                          {"setup", summary.seconds_setup},

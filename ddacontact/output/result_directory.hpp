@@ -50,7 +50,7 @@ class ResultDirectory {
   void write_step(const Stepper& stepper, const std::vector<Probe>& probes);
   /// The frame a run ends with, unless it is there already.
   void write_last_frame(const Stepper& stepper) { frames_.write_last(stepper, labels_); }
-  /// blocks.csv, vertices.csv, contacts.csv, supports.csv and summary.json.
+  /// blocks.csv, vertices.csv, contacts.csv, supports.csv, bolts.csv where there are bolts, and summary.json.
   void finish(const Stepper& stepper, const RunSummary& summary);
 
   const std::filesystem::path& path() const { return directory_; }
@@ -61,6 +61,7 @@ class ResultDirectory {
   void write_blocks(const Stepper& stepper);
   void write_vertices(const Stepper& stepper);
   void write_contacts(const Stepper& stepper);
+  void write_bolts(const Stepper& stepper);
   void write_supports(const Stepper& stepper);
   void write_summary(const Stepper& stepper, const RunSummary& summary);
   std::string file(const char* name) const { return (directory_ / name).string(); }

@@ -4,6 +4,7 @@
 #include <ddacontact/classic/affine_block.hpp>
 #include <ddacontact/classic/vertex_block.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/scene/bolt_path.hpp>
 #include <ddacontact/scene/congruent_shapes.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <ddacontact/scene/outline_distance.hpp>
@@ -194,6 +195,7 @@ class Builder {
     BlockSystem system = make_system();
     BlockState initial = system.initial_state();
     set_initial(system, initial);
+    for (const Bolt& bolt : system.bolts) install(bolt, system, initial);
     ContactBuilder contacts(system, contact_properties());
     const FirstLoading loading = load_once(system, initial, contacts);
     if (!loading.settled) return std::vector<double>(scene_.blocks.size(), -1);
@@ -239,6 +241,7 @@ class Builder {
     add_loads(system);
     add_quiet_faces(system);
     for (const Quake& quake : scene_.quakes) system.ground.push_back(quake.acceleration);
+    system.set_bolts(bolts(system));
     return system;
   }
 
@@ -415,6 +418,25 @@ class Builder {
     }
   }
 
+  std::vector<Bolt> bolts(const BlockSystem& system) const {
+    std::vector<Bolt> all;
+    for (const RockBolt& bolt : scene_.bolts) {
+      Bolt& made = all.emplace_back();
+      made.name = bolt.name;
+      for (const BoltNode& node : bolt_nodes(bolt, scene_.blocks)) {
+        made.nodes.push_back({node.block, system.block(node.block).place_weights(node.at - origin_)});
+        if (node.length > 0) made.bonded.push_back(node.length);
+      }
+      made.stiffness = bolt.young * bolt.area / bolt.spacing;
+      made.yield = bolt.yield_force.value_or(Bolt::infinity) / bolt.spacing;
+      made.rupture_strain = bolt.rupture_strain.value_or(Bolt::infinity);
+      made.pretension = bolt.pretension / bolt.spacing;
+      made.bond_stiffness = bolt.bond_stiffness / bolt.spacing;
+      made.bond_strength = bolt.bond_strength.value_or(Bolt::infinity) / bolt.spacing;
+    }
+    return all;
+  }
+
   Probe make_probe(const Monitor& monitor, const BlockSystem& system) const {
     const Placed& on = placed_[monitor.block];
     const Block& block = system.block(monitor.block);
@@ -517,7 +539,7 @@ class Builder {
     std::vector<Stage> stages;
     const auto add = [&](const StageDescription& stage) {
       stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements,
-                        stage.until, stage.name, from_origin(stage.water)});
+                        stage.until, stage.name, from_origin(stage.water), stage.bolts});
     };
     if (scene_.stages.empty()) add(scene_.stage(""));
     for (const StageDescription& stage : scene_.stages) add(stage);

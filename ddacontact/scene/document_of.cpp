@@ -161,6 +161,16 @@ QuakeRecord record_of(const Quake& quake, const Scene&) {
   return record;
 }
 
+BoltRecord record_of(const RockBolt& bolt, const Scene&) {
+  BoltRecord record;
+  record.name = bolt.name;
+  record.points.points.resize(2, 2);
+  record.points.points << bolt.from, bolt.to;
+  record.bolt = bolt;
+  if (bolt.kind == RockBolt::Kind::grouted) record.bond_stiffness = bolt.bond_stiffness;
+  return record;
+}
+
 MonitorRecord record_of(const Monitor& monitor, const Scene& scene) {
   MonitorRecord record;
   record.name = monitor.name;
@@ -218,6 +228,7 @@ StageRecord record_of(const StageDescription& stage, const Scene& scene) {
   record.until = stage.until;
   if (!(stage.water == scene.water)) record.water = record_of(stage.water);
   for (const int block : stage.removed) record.remove.blocks.push_back(reference_to(block, scene.blocks));
+  for (const int bolt : stage.bolts) record.add.push_back(scene.bolts[bolt].name);
   return record;
 }
 
@@ -245,6 +256,7 @@ Document document_of(const Scene& scene) {
   if (scene.water.any()) document.water = record_of(scene.water);
   fill(document.quakes, scene.quakes, scene);
   fill(document.quiet_boundaries, scene.quiet_boundaries, scene);
+  fill(document.bolts, scene.bolts, scene);
   fill(document.monitors, scene.monitors, scene);
   fill(document.stages, scene.stages, scene);
   document.solver.skip = scene.analysis.skip;

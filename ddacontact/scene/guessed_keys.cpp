@@ -116,13 +116,11 @@ constexpr Guess guesses[] = {
      "write 'normal_stiffness' and 'tangential_stiffness' in [contact]"},
     {"[analysis]", " thickness ", "it is 1 m: forces are per metre of thickness"},
     {"[analysis]", " threads ", "it is an option of the program: dda run SCENE.toml --threads N"},
-    {"[[stage]]", " add ", "stages take blocks out ('remove'); none come in in this version"},
 
     // Tables that there are not.
     {"the scene", " pore_pressure groundwater water_table fluid piezometric_line ",
      "write [water] with 'table' = [[x, y], ...]"},
-    {"the scene", " bolt bolts rockbolt anchor anchors cable reinforcement ",
-     "this version has no bolts: write their forces as [[load]] of type \"point\""},
+    {"the scene", " bolts rockbolt anchor anchors cable reinforcement ", "write [[bolt]]"},
     {"the scene", " earthquake seismic acceleration ground_motion ", shaking},
     {"the scene", " viscous_boundary absorbing_boundary ", "write [[quiet_boundary]] with 'on' = [[x, y], [x, y]]"},
     {"the scene", " joint_set jset voronoi region opening tunnel trace ",

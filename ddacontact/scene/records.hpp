@@ -272,6 +272,14 @@ struct QuakeRecord {
   Places places;
 };
 
+struct BoltRecord {
+  std::string name;
+  Outline points;
+  RockBolt bolt;
+  std::optional<double> bond_stiffness;
+  Places places;
+};
+
 struct MonitorRecord {
   std::string name;
   BlockReference block;
@@ -314,6 +322,7 @@ struct StageRecord {
   std::vector<JointChange> joints;
   bool reset_displacements = false;
   BlockList remove;
+  GroupNames add;  ///< bolts
   std::optional<RestCriterion> until;
   std::optional<WaterRecord> water;
   Places places;
@@ -425,6 +434,7 @@ struct Document {
   std::optional<WaterRecord> water;
   std::vector<QuakeRecord> quakes;
   std::vector<QuietRecord> quiet_boundaries;
+  std::vector<BoltRecord> bolts;
   std::vector<MonitorRecord> monitors;
   std::vector<StageRecord> stages;
   SolverRecord solver;

@@ -4,6 +4,7 @@
 #include <ddacontact/scene/overlap_check.hpp>
 #include <ddacontact/scene/resolve_actions.hpp>
 #include <ddacontact/scene/resolve_blocks.hpp>
+#include <ddacontact/scene/resolve_bolts.hpp>
 #include <ddacontact/scene/resolve_joints.hpp>
 #include <ddacontact/scene/resolve_options.hpp>
 #include <ddacontact/scene/resolve_stages.hpp>
@@ -91,15 +92,18 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.water = resolve_water(document, problems);
   scene.quakes = resolve_quakes(document, problems);
   scene.quiet_boundaries = resolve_quiet_boundaries(document, blocks, problems);
+  ResolvedBolts bolts = resolve_bolts(document, blocks, scene.blocks, scene.contact.method, problems);
+  scene.bolts = std::move(bolts.bolts);
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);
   if (std::ranges::all_of(blocks.outlines, [](const PlacedOutline& of) { return of.outline.sound(); }))
     check_corner_rounding(document, scene, blocks, problems);
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
-  scene.stages = resolve_stages(document, joints, blocks, scene.contact.method, problems);
+  scene.stages = resolve_stages(document, joints, blocks, bolts.names, scene.contact.method, problems);
   scene.joints = std::move(joints.joints);
-  if (apart && holds_are_known(document, blocks, scene)) check_statics(blocks, static_parts(scene), problems);
+  if (apart && holds_are_known(document, blocks, scene))
+    check_statics(blocks, static_parts(scene), bolts.blocks, problems);
 
   scene.output = document.output.options;
   scene.domain = document.domain_counts;

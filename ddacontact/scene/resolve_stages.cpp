@@ -48,6 +48,40 @@ class Removals {
   std::vector<int> since_;  ///< of each block; < 0: it stays
 };
 
+/// Since which stage bolts are there.
+class Installations {
+ public:
+  Installations(const NameTable& bolts, const NameTable& stages, ProblemList& problems)
+      : bolts_(bolts), stages_(stages), problems_(problems), since_(bolts.size(), -1) {}
+
+  /// The bolts that a stage installs; those that are there already are a problem.
+  std::vector<int> operator()(const StageRecord& record, int stage) {
+    std::vector<int> installed;
+    const Place& place = record.places.of("add");
+    for (const std::string& name : record.add) {
+      const int bolt = bolts_.find({name, {}}, place, problems_);
+      if (bolt < 0) continue;
+      if (since_[bolt] >= 0) {
+        const bool here = since_[bolt] == stage;
+        problems_.error(
+            place,
+            bolts_.title(bolt) + (here ? " stands twice" : " is there since " + stages_.title(since_[bolt])),
+            "add each bolt once");
+        continue;
+      }
+      since_[bolt] = stage;
+      installed.push_back(bolt);
+    }
+    return installed;
+  }
+
+ private:
+  const NameTable& bolts_;
+  const NameTable& stages_;
+  ProblemList& problems_;
+  std::vector<int> since_;  ///< of each bolt; < 0: no stage
+};
+
 /// Steps are counted over all stages.
 void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList& problems) {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
@@ -62,10 +96,11 @@ void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList
 }  // namespace
 
 std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
-                                             const BlockTable& blocks, ContactMethod method,
-                                             ProblemList& problems) {
+                                             const BlockTable& blocks, const NameTable& bolts,
+                                             ContactMethod method, ProblemList& problems) {
   NameTable names("stage");
   Removals removals(blocks, names, problems);
+  Installations installations(bolts, names, problems);
   std::int64_t n_steps = 0;
   std::vector<StageDescription> stages;
   for (const StageRecord& record : document.stages) {
@@ -82,6 +117,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.until = record.until;
     stage.water = changed_water(record, document, stage.analysis, problems);
     stage.removed = removals(record.remove, index);
+    stage.bolts = installations(record, index);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(places.of("remove"), names.title(index) + " leaves no block", "leave one at least");
   }

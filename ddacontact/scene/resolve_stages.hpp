@@ -10,7 +10,7 @@ namespace ddacontact::scene_format {
 
 /// `method` is that of the scene, resolved.
 std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
-                                             const BlockTable& blocks, ContactMethod method,
-                                             ProblemList& problems);
+                                             const BlockTable& blocks, const NameTable& bolts,
+                                             ContactMethod method, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

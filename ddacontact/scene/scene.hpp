@@ -95,6 +95,23 @@ struct QuietBoundary {
   TimeFunction incoming;  ///< velocity of the wave that comes in, m/s
 };
 
+/// A steel bar that holds blocks together.
+struct RockBolt {
+  /// Fixed at both ends; or bonded to every block that it passes.
+  enum class Kind { anchored, grouted };
+  std::string name;
+  Vec2 from{0, 0}, to{0, 0};  ///< where at the start of the run, m
+  Kind kind = Kind::anchored;
+  double area = 0;                         ///< of its section, m2
+  double young = 0;                        ///< Pa
+  std::optional<double> yield_force{};     ///< axial, N; none: it stays elastic
+  std::optional<double> rupture_strain{};  ///< none: it does not tear
+  double pretension = 0;                   ///< axial force when it is installed, N
+  double bond_stiffness = 0;               ///< grouted: force per length and slip, N/m2
+  std::optional<double> bond_strength{};   ///< grouted: force per length, N/m; none: the bond stays elastic
+  double spacing = 1;                      ///< between such bolts along the thickness, m
+};
+
 /// A place whose motion is recorded.
 struct Monitor {
   enum class Kind { point, vertex, centroid };
@@ -114,6 +131,7 @@ struct StageDescription {
   std::vector<int> removed;            ///< blocks taken out at its start
   std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
   Water water{};                       ///< while it lasts
+  std::vector<int> bolts{};            ///< installed at its start, absent before
 };
 
 /// How much is written.
@@ -137,6 +155,7 @@ struct Scene {
   Water water;
   std::vector<Quake> quakes;
   std::vector<QuietBoundary> quiet_boundaries;
+  std::vector<RockBolt> bolts;
   std::vector<Monitor> monitors;
   std::vector<StageDescription> stages;  ///< run in sequence; none: one part of analysis.steps
   OutputOptions output;
@@ -146,7 +165,7 @@ struct Scene {
   std::string block_name(int block) const;
   /// A stage that changes nothing yet.
   StageDescription stage(std::string of_name) const {
-    return {std::move(of_name), analysis, joints, false, {}, {}, water};
+    return {std::move(of_name), analysis, joints, false, {}, {}, water, {}};
   }
   /// Over all stages.
   int n_steps() const;

@@ -432,6 +432,60 @@ void describe(QuakeRecord& r, Visit&& visit) {
 }
 
 template <class Visit>
+void describe(BoltRecord& r, Visit&& visit) {
+  RockBolt& b = r.bolt;
+  visit(Key{.name = "name", .what = "What results and stages call it; unique.", .required = true}, r.name);
+  visit(Key{.name = "points",
+            .what = "Its two ends, where they are at the start of the run.",
+            .unit = "m",
+            .required = true},
+        r.points);
+  visit(Key{.name = "type", .what = "Fixed at both ends, or bonded to every block that it passes."}, b.kind);
+  visit(Key{.name = "area", .what = "Of its section.", .unit = "m2", .bounds = positive, .required = true},
+        b.area);
+  visit(Key{.name = "young",
+            .what = "Young's modulus of the bar.",
+            .unit = "Pa",
+            .bounds = positive,
+            .required = true},
+        b.young);
+  visit(Key{.name = "yield_force",
+            .what = "The largest axial force of one bolt, in tension and in compression.",
+            .unit = "N",
+            .bounds = positive,
+            .default_text = "none: it stays elastic"},
+        b.yield_force);
+  visit(Key{.name = "rupture_strain",
+            .what = "Strain of the bar, elastic and plastic, beyond which it tears.",
+            .bounds = positive,
+            .default_text = "none: it does not tear"},
+        b.rupture_strain);
+  visit(Key{.name = "pretension",
+            .what = "Axial force of one bolt when it is installed.",
+            .unit = "N",
+            .bounds = not_negative},
+        b.pretension);
+  visit(
+      Key{.name = "spacing",
+          .what = "From one such bolt to the next along the thickness: forces of one bolt are divided by it.",
+          .unit = "m",
+          .bounds = positive},
+      b.spacing);
+  visit(Key{.name = "bond_stiffness",
+            .what = "grouted: force on the bar per length and slip.",
+            .unit = "N/m2",
+            .bounds = positive,
+            .default_text = "required by \"grouted\""},
+        r.bond_stiffness);
+  visit(Key{.name = "bond_strength",
+            .what = "grouted: the largest force on the bar per length.",
+            .unit = "N/m",
+            .bounds = positive,
+            .default_text = "none: the bond stays elastic"},
+        b.bond_strength);
+}
+
+template <class Visit>
 void describe(MonitorRecord& r, Visit&& visit) {
   visit(Key{.name = "name", .what = "What results call it; unique.", .required = true}, r.name);
   visit(Key{.name = "block", .what = "The block, or those a selector finds.", .required = true}, r.block);
@@ -471,6 +525,7 @@ void describe(StageRecord& r, Visit&& visit) {
             .what = "Displacements are counted anew from the end of the stage; stresses stay."},
         r.reset_displacements);
   visit(Key{.name = "remove", .what = "Blocks taken out at the start of the stage."}, r.remove);
+  visit(Key{.name = "add", .what = "Bolts installed at the start of the stage, absent before."}, r.add);
   visit(Key{.name = "until",
             .what =
                 "Ends the stage before its steps are made: when forces are in balance, the kinetic energy is "
@@ -580,6 +635,8 @@ void describe(Document& d, Visit&& visit) {
   visit.tables(Key{.name = "quiet_boundary", .what = "Edges that let waves out, and others in."},
                d.quiet_boundaries);
   visit.tables(Key{.name = "quake", .what = "Shaking of the ground."}, d.quakes);
+  visit.tables(Key{.name = "bolt", .what = "Steel bars that hold blocks together; method \"staged\" alone."},
+               d.bolts);
   visit.tables(Key{.name = "monitor", .what = "Points whose motion is written at every step."}, d.monitors);
   visit.tables(Key{.name = "stage", .what = "Parts of a run with other options, one after the other."},
                d.stages);

@@ -119,9 +119,12 @@ std::vector<StaticPart> static_parts(const Scene& scene) {
   return parts;
 }
 
-void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& parts, ProblemList& problems) {
+void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& parts,
+                   const std::vector<std::vector<int>>& tied, ProblemList& problems) {
   if (parts.empty()) return;
-  const std::vector<std::vector<int>> neighbours = find_neighbours(blocks.outlines);
+  std::vector<std::vector<int>> neighbours = find_neighbours(blocks.outlines);
+  for (const std::vector<int>& by_bolt : tied)
+    for (const int a : by_bolt) neighbours[a].insert(neighbours[a].end(), by_bolt.begin(), by_bolt.end());
   std::vector<bool> is_listed(blocks.outlines.size(), false);
   std::size_t n_listed = 0;
   for (const StaticPart& part : parts) {

@@ -69,6 +69,12 @@ const std::vector<Word<Load::Kind>>& words_of(Load::Kind) {
   return words;
 }
 
+const std::vector<Word<RockBolt::Kind>>& words_of(RockBolt::Kind) {
+  static const std::vector<Word<RockBolt::Kind>> words{{"anchored", RockBolt::Kind::anchored},
+                                                       {"grouted", RockBolt::Kind::grouted}};
+  return words;
+}
+
 const std::vector<Word<SliverPolicy>>& words_of(SliverPolicy) {
   static const std::vector<Word<SliverPolicy>> words{
       {"merge", SliverPolicy::merge}, {"keep", SliverPolicy::keep}, {"refuse", SliverPolicy::refuse}};

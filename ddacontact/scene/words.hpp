@@ -27,6 +27,7 @@ const std::vector<Word<ContactMethod>>& words_of(ContactMethod);
 const std::vector<Word<Axes>>& words_of(Axes);
 const std::vector<Word<Interpolation>>& words_of(Interpolation);
 const std::vector<Word<Load::Kind>>& words_of(Load::Kind);
+const std::vector<Word<RockBolt::Kind>>& words_of(RockBolt::Kind);
 const std::vector<Word<SliverPolicy>>& words_of(SliverPolicy);
 const std::vector<Word<TVertices>>& words_of(TVertices);
 

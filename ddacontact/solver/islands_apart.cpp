@@ -98,6 +98,16 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
     meets[a] = meets[b] = 1;
     if (!blocks.is_unchanging(a) && !blocks.is_unchanging(b)) parent[root(parent, a)] = root(parent, b);
   }
+  for (const Bolt& bolt : blocks.bolts) {
+    if (!acts(bolt, blocks)) continue;
+    int first = -1;
+    for (const MaterialPoint& node : bolt.nodes) {
+      if (node.block < 0 || blocks.is_unchanging(node.block)) continue;
+      meets[node.block] = 1;
+      if (first < 0) first = node.block;
+      parent[root(parent, first)] = root(parent, node.block);
+    }
+  }
   std::vector<int> numbers(n_blocks + 1, -1);  // of islands by their roots; last of those that meet nothing
   std::vector<std::vector<int>> members;
   const auto island_of = [&](int b) {
@@ -120,6 +130,14 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
     for (int at_rest : {a, b})
       if (blocks.is_unchanging(at_rest)) members[island].push_back(at_rest);
   }
+  for (const Bolt& bolt : blocks.bolts)
+    if (acts(bolt, blocks)) {
+      int island = -1;
+      for (const MaterialPoint& node : bolt.nodes)
+        if (node.block >= 0 && !blocks.is_unchanging(node.block)) island = island_of(node.block);
+      for (const MaterialPoint& node : bolt.nodes)
+        if (node.block >= 0 && blocks.is_unchanging(node.block)) members[island].push_back(node.block);
+    }
   std::map<std::vector<int>, std::unique_ptr<Island>> before;
   for (std::unique_ptr<Island>& island : islands_) before.emplace(island->blocks, std::move(island));
   islands_.clear();
@@ -198,6 +216,10 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
         blocks.is_unchanging(blocks.block_of_place(held.vertex))
             ? whole.load_forces()[held.unknown] + whole.gravity_forces()[held.unknown]
             : residual.external[held.unknown];
+  const VectorXd of_bolts = whole.bolt_forces(d);
+  for (const HeldUnknown& held : blocks.held_unknowns())
+    if (blocks.is_unchanging(blocks.block_of_place(held.vertex)))
+      residual.external[held.unknown] += of_bolts[held.unknown];
   for (const Contact& contact : contacts)
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
       if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))

@@ -54,6 +54,8 @@ StepSystem::StepSystem(BlockSystem& blocks)
   for (const QuietFace& face : blocks.quiet_faces)
     if (!blocks.is_unchanging(face.block))
       elements.append(quiet_faces_.emplace_back(blocks, face).unknowns());
+  for (const Bolt& bolt : blocks.bolts)
+    if (acts(bolt, blocks)) elements.append(bolts_.emplace_back(blocks, bolt).unknowns());
   problem_.set_matrices(std::move(elements));
 }
 
@@ -78,6 +80,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
     }
   }
   for (StepQuietFace& face : quiet_faces_) face.begin(blocks_, state, start);
+  for (StepBolt& bolt : bolts_) bolt.begin(blocks_, state, rule_.directions());
   blocks_.begin_step(state, start);
   own_at_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
@@ -139,6 +142,14 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
       magnitude_[face.block()] += of_faces.segment(u.first, u.count).lpNorm<Eigen::Infinity>();
     }
   }
+  for (const StepBolt& bolt : bolts_at(d)) {
+    bolt.add_forces(residual.external);
+    for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i)
+      if (const int b = bolt.bolt().nodes[i].block; b >= 0) {
+        magnitude_[b] += bolt.force_on(static_cast<int>(i)).norm();
+        stiffest_[b] = std::max(stiffest_[b], bolt.largest_stiffness());
+      }
+  }
 
   find_own_forces(d);
   residual.force = -residual.external;
@@ -195,6 +206,26 @@ VectorXd StepSystem::quiet_forces(const VectorXd& d) const {
   return F;
 }
 
+const std::vector<StepBolt>& StepSystem::bolts_at(const VectorXd& d) const {
+  if (bolts_.empty()) return bolts_;
+  VectorXd displaced = d;
+  for (StepBolt& bolt : bolts_) {
+    for (int b : bolt.blocks()) {
+      const Range& u = blocks_.block(b).unknowns();
+      if (!blocks_.is_unchanging(b))
+        blocks_.block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
+    }
+    bolt.look(displaced);
+  }
+  return bolts_;
+}
+
+VectorXd StepSystem::bolt_forces(const VectorXd& d) const {
+  VectorXd F = VectorXd::Zero(d.size());
+  for (const StepBolt& bolt : bolts_at(d)) bolt.add_forces(F);
+  return F;
+}
+
 VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
   for_blocks(static_cast<int>(active_.size()), [&](int a) {
@@ -206,7 +237,7 @@ VectorXd StepSystem::free_path() const {
 }
 
 VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
-  VectorXd r = -load_forces_ - gravity_forces_ - quiet_forces(d);
+  VectorXd r = -load_forces_ - gravity_forces_ - quiet_forces(d) - bolt_forces(d);
   for (const HeldSpring& spring : held_springs_)
     spring.form.add_gradient(held_stiffness_ * spring.form(d), r);
   for (int b : active_) {
@@ -235,8 +266,9 @@ void StepSystem::linearize(const VectorXd& d) {
         held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
   const polyfem::Connectivity& elements = problem_.unknowns();
-  int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size());
+  int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size() + bolts_.size());
   for (const StepQuietFace& face : quiet_faces_) problem_.elements()[of_faces++] = face.tangent();
+  for (const StepBolt& bolt : bolts_at(d)) problem_.elements()[of_faces++] = bolt.tangent();
   for (int e = 0; e < elements.n_elements(); ++e)
     diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
   problem_.matrices_changed();

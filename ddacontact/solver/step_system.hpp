@@ -5,6 +5,7 @@
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/solver/friction_problem.hpp>
 #include <ddacontact/solver/quiet_face.hpp>
+#include <ddacontact/solver/step_bolt.hpp>
 
 #include <vector>
 
@@ -84,6 +85,10 @@ class StepSystem {
   double held_stiffness() const { return held_stiffness_; }
   /// Forces of the dashpots of quiet faces on all unknowns for displacements d.
   VectorXd quiet_forces(const VectorXd& d) const;
+  /// Forces of the bolts on all unknowns at d.
+  VectorXd bolt_forces(const VectorXd& d) const;
+  /// The bolts that act, as d has them.
+  const std::vector<StepBolt>& bolts_at(const VectorXd& d) const;
   /// Forces of all unknowns within the step: of loads (21), (23) other than gravity, and of gravity.
   const VectorXd& load_forces() const { return load_forces_; }
   const VectorXd& gravity_forces() const { return gravity_forces_; }
@@ -105,6 +110,7 @@ class StepSystem {
   VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<HeldSpring> held_springs_;
   std::vector<StepQuietFace> quiet_faces_;
+  mutable std::vector<StepBolt> bolts_;
   double held_stiffness_ = 0;
   double dt_ = 0;
   StepRule rule_;

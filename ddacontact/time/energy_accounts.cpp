@@ -1,6 +1,7 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/solver/bolt_law.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
 namespace ddacontact {
@@ -84,7 +85,7 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
       if (axis == 0 ? held.x : held.y) energy += held_stiffness * stretch * stretch / 2;
     }
   }
-  return energy;
+  return energy + bolt_energy(blocks, state);
 }
 
 void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,

@@ -13,7 +13,7 @@ namespace ddacontact {
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 
 /// Of the blocks, of the springs of closed contacts at the end of their step,
-/// and of the springs of held vertices.
+/// of the springs of held vertices, and of bolts.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
                       double held_stiffness);

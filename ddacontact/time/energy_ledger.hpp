@@ -6,17 +6,18 @@ namespace ddacontact {
 /// J per metre of thickness. Each entry is computed from its own definition, none as what remains.
 struct Energy {
   double kinetic = 0;
-  double elastic = 0;  ///< of the blocks, of closed contacts' springs and of holding springs
+  double elastic = 0;  ///< of the blocks, of closed contacts' springs, of holding springs and of bolts
   double gravity = 0;  ///< potential relative to the start
   double friction_dissipated = 0;
   double numerical_dissipated = 0;  ///< the time scheme's own identity, with velocities set to zero
   double external = 0;              ///< work of loads and supports
   double damping_dissipated = 0;
-  double pushed_out = 0;  ///< put in by contacts that push penetration out
+  double pushed_out = 0;          ///< put in by contacts that push penetration out
+  double plastic_dissipated = 0;  ///< by bolts that yield, slip in their bond or tear
 
   double total() const {
-    return kinetic + elastic + gravity + friction_dissipated + numerical_dissipated + damping_dissipated -
-           external - pushed_out;
+    return kinetic + elastic + gravity + friction_dissipated + numerical_dissipated + damping_dissipated +
+           plastic_dissipated - external - pushed_out;
   }
 };
 
@@ -62,7 +63,8 @@ class EnergyLedger {
                                                 &Energy::numerical_dissipated,
                                                 &Energy::external,
                                                 &Energy::damping_dissipated,
-                                                &Energy::pushed_out};
+                                                &Energy::pushed_out,
+                                                &Energy::plastic_dissipated};
 
   Energy start_;
   bool has_exchanged() const;

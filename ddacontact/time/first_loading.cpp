@@ -123,6 +123,11 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   blocks.add_edge_forces(initial, blocks.end_time, [&](int block, int vertex, const Vec2& force) {
     add(block, initial.position.col(blocks.block(block).vertices().first + vertex), force);
   });
+  for (const StepBolt& bolt : system.bolts_at(d))
+    for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i) {
+      const MaterialPoint& node = bolt.bolt().nodes[i];
+      add(node.block, blocks.interpolate(node, initial.position), bolt.force_on(static_cast<int>(i)));
+    }
   add_stresses(blocks, initial, start, d, result);
   return result;
 }

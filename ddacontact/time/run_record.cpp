@@ -96,6 +96,7 @@ void visit_record(Archive& visit, Record& r) {
   visit(state.carried_dt);
   visit(state.stress);
   visit(state.rotation);
+  visit(state.bolts);
   for (auto* numbers : {&r.step.sleeping.island, &r.step.sleeping.rested})
     visit.list(*numbers, [&](auto& number) { visit(number); });
   visit.list(r.step.sleeping.around, [&](auto& box) {

@@ -23,6 +23,7 @@ struct Stage {
   std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
   std::string name;                    ///< for messages; may be empty
   Water water{};                       ///< relative to the model's origin
+  std::vector<int> bolts{};            ///< installed at its start
 };
 
 /// How a stage ended, or where it stands.

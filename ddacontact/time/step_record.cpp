@@ -111,6 +111,7 @@ void write_record(std::ostream& out, const StepRecord& record) {
   numbers.end_line();
   for (const ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
   numbers.matrix(record.state.coordinates);
+  numbers.matrix(record.state.bolts);
   out.flags(flags);
 }
 
@@ -124,6 +125,8 @@ StepRecord read_record(std::istream& in) {
   for (ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
   in >> std::ws;
   if (!in.eof()) numbers.matrix(record.state.coordinates);  // else it follows from the places
+  in >> std::ws;
+  if (!in.eof()) numbers.matrix(record.state.bolts);  // else there are none
   record.progress.steps = record.steps;
   return record;
 }

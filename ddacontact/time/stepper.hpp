@@ -220,6 +220,9 @@ class Stepper {
   /// The next state; sets `rejection_` and returns false when a block does not survive it.
   bool advance(double dt, const Solution& solution, BlockState& next);
   void accept(double dt, const Solution& solution, BlockState next);
+  /// Ends the step of the bolts and closes their accounts.
+  /// \param[in] motion  of all unknowns, that their forces worked on
+  void end_bolts(const Solution& solution, const VectorXd& motion, BlockState& next);
   /// Prepares the blocks for the new state. The integrals of the shape functions of incremental blocks change
   /// with the shape, so that the same vertex velocities would carry another momentum: free blocks are given
   /// the difference as a translation. The paper preset leaves it.

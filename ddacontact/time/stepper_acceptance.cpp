@@ -81,6 +81,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
     book(account_motion_step(blocks_, *system_,
                              {from, solution.straight, system_->prescribed(), solution.residual, tried_}));
     if (has_impact) book_shift(solution.impact.shift);
+    end_bolts(solution, solution.straight, next);
   } else {
     VectorXd motion = solution.d;
     if (has_impact) {
@@ -89,6 +90,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
     }
     account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
                  energy_.now);
+    end_bolts(solution, motion, next);
   }
   assess(dt, solution, next.velocity);
   book_kinetic(kinetic_energy(blocks_, next.velocity));
@@ -174,6 +176,22 @@ void Stepper::before_impact(const VectorXd& jump) {
     if (!touches[b] && blocks_.is_free(b))
       velocity += state_.carried_dt / 2 * block.translations() * blocks_.gravity;
   }
+}
+
+void Stepper::end_bolts(const Solution& solution, const VectorXd& motion, BlockState& next) {
+  const std::vector<StepBolt>& bolts = system_->bolts_at(solution.straight);
+  if (bolts.empty()) return;
+  double dissipated = 0;
+  for (const StepBolt& bolt : bolts) {
+    const BoltLosses losses = bolt.end(next.bolts);
+    dissipated += losses.dissipated;
+    if (losses.tears)
+      notes_.push_back("bolt " + quoted(bolt.bolt().name) + " has torn at time " + std::to_string(next.time) +
+                       " s");
+  }
+  energy_.now.plastic_dissipated += dissipated;
+  energy_.now.numerical_dissipated += bolt_energy(blocks_, state_) - bolt_energy(blocks_, next) - dissipated -
+                                      system_->bolt_forces(solution.straight).dot(motion);
 }
 
 void Stepper::book(const StepWork& work) {

@@ -105,6 +105,9 @@ std::vector<char> Stepper::find_restless(double dt) const {
   for (const HeldUnknown& held : blocks_.held_unknowns())
     if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_place(held.vertex)] = 1;
   for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
+  for (const Bolt& bolt : blocks_.bolts)
+    for (const MaterialPoint& node : bolt.nodes)
+      if (node.block >= 0 && acts(bolt, blocks_)) restless[node.block] = 1;
   // Contacts that open, or go from sticking to sliding and back as those at their bound do by round-off, show
   // in speeds; those that close under more than makes such a speed bear something new.
   const auto force_of_rest = [&](int b) {
@@ -308,6 +311,9 @@ void Stepper::form_part(const std::vector<Box>* around) {
     for (const auto& [a, b] : overlapping_pairs(boxes))
       if (a < n_around && b >= n_around) takes_part[near[b - n_around]] = 1;
   }
+  for (const Bolt& bolt : blocks_.bolts)  // blocks on bolts are awake, or held
+    for (const MaterialPoint& node : bolt.nodes)
+      if (node.block >= 0 && acts(bolt, blocks_)) takes_part[node.block] = 1;
   std::vector<int> part;
   asleep.elastic_outside = 0;
   for (int b = 0; b < n_blocks; ++b) {

@@ -61,8 +61,12 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   contact_builder_.emplace(blocks_, properties_);
   if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
     faces_ = divide_faces(blocks_);
+  for (const Stage& stage : stages_)
+    for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = false;
   apply(stages_.front());
   blocks_.prepare(state_, true);
+  for (const Bolt& bolt : blocks_.bolts)
+    if (bolt.installed) install(bolt, blocks_, state_);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     const Block& block = blocks_.block(b);
     convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
@@ -82,7 +86,8 @@ void Stepper::apply(const Stage& stage) {
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
   blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
-  if (!system_ || !stage.removed.empty()) make_system();
+  for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = true;
+  if (!system_ || !stage.removed.empty() || !stage.bolts.empty()) make_system();
   std::erase_if(contacts_, [&](const ContactRecord& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
@@ -124,15 +129,16 @@ void Stepper::enter_stage(int stage) {
     const Range& u = blocks_.block(b).unknowns();
     for (VectorXd* of_all : {&state_.velocity, &state_.carried}) of_all->segment(u.first, u.count).setZero();
   }
+  for (int bolt : stages_[stage].bolts) install(blocks_.bolts[bolt], blocks_, state_);
   Energy& e = energy_.now;
-  // What goes with the blocks that are taken out is work done on them.
+  // What goes with the blocks that are taken out is work done on them, as what pretensions bring.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),
                elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
   e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
   e.kinetic = kinetic;
   e.elastic = elastic;
   const Stage &last = stages_[stage - 1], &next = stages_[stage];
-  if (is_static() || !next.removed.empty() || !have_same_forces(last, next)) {
+  if (is_static() || !next.removed.empty() || !next.bolts.empty() || !have_same_forces(last, next)) {
     // Half of the impulse of the next step would be that of forces that were not there before.
     state_.carried.setZero();
     state_.carried_dt = 0;
@@ -202,6 +208,7 @@ void Stepper::restore(StepRecord record) {
   if (record.state.position.cols() != state_.position.cols() ||
       record.state.velocity.size() != state_.velocity.size() ||
       record.state.stress.cols() != state_.stress.cols() ||
+      record.state.bolts.size() != state_.bolts.size() ||
       record.progress.stage >= static_cast<int>(stages_.size()) ||
       !std::ranges::all_of(record.contacts,
                            [&](const ContactRecord& contact) { return is_between(blocks_, contact.pair); }))
@@ -227,8 +234,9 @@ void Stepper::restore(StepRecord record) {
 
 StepMemory Stepper::memory() const {
   const BlockState& s = state_;
-  return {.state = bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) + bytes_of(s.carried) +
-                   bytes_of(s.stress) + bytes_of(s.coordinates) + bytes_of(s.rotation) + bytes_of(reactions_),
+  return {.state = bytes_of(s.bolts) + bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
+                   bytes_of(s.carried) + bytes_of(s.stress) + bytes_of(s.coordinates) + bytes_of(s.rotation) +
+                   bytes_of(reactions_),
           .contacts = bytes_of(contacts_) + bytes_of(tried_),
           .detection = contact_builder_->memory() + bytes_of(reach_),
           .equations = system_->memory(),

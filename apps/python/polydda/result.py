@@ -54,6 +54,11 @@ class Result:
         return read_table(self.directory / "contacts.csv")
 
     @functools.cached_property
+    def bolts(self) -> npt.NDArray[Any]:
+        """bolts.csv, of a scene with bolts: their segments at the end, N per metre of thickness."""
+        return read_table(self.directory / "bolts.csv")
+
+    @functools.cached_property
     def frames(self) -> list[tuple[int, float]]:
         """Step and time, s, of each frame."""
         return _core.frame_list(self.directory)

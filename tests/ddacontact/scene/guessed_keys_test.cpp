@@ -90,7 +90,7 @@ const Case cases[] = {
      80,
      2,
      {"unknown key 'groundwater' in the scene", "[water]", "'table'"}},
-    {"Bolt", output, "[[bolt]]\n[output]\n", 80, 3, {"unknown key 'bolt' in the scene", "has no bolts"}},
+    {"Anchor", output, "[[anchor]]\n[output]\n", 80, 3, {"unknown key 'anchor' in the scene", "[[bolt]]"}},
     {"Quake", output, "[[earthquake]]\n[output]\n", 80, 3, {"unknown key 'earthquake'", "[[quake]]"}},
     {"Domain",
      output,

@@ -1,0 +1,43 @@
+#include <ddacontact/block/bolt.hpp>
+
+#include <ddacontact/block/block_system.hpp>
+
+namespace ddacontact {
+
+bool acts(const Bolt& bolt, const BlockSystem& blocks) {
+  bool any_moves = false, any_segment = false;
+  for (int k = 0; k < bolt.n_segments(); ++k) {
+    if (!bolt.has_segment(k)) continue;
+    any_segment = true;
+    for (int node : {k, k + 1}) any_moves = any_moves || !blocks.is_unchanging(bolt.nodes[node].block);
+  }
+  return bolt.installed && any_segment && any_moves;
+}
+
+Vec2 segment_vector(const Bolt& bolt, int segment, const BlockSystem& blocks, const BlockState& state) {
+  const MaterialPoint &from = bolt.nodes[segment], &to = bolt.nodes[segment + 1];
+  const Vec2 shift = state.origin.col(to.block) - state.origin.col(from.block);
+  return blocks.interpolate(to, state.position) - blocks.interpolate(from, state.position) + shift;
+}
+
+VectorXd elongations(const Bolt& bolt, const BlockSystem& blocks, const BlockState& state) {
+  VectorXd changes = VectorXd::Zero(bolt.n_segments());
+  for (int k = 0; k < bolt.n_segments(); ++k)
+    if (bolt.has_segment(k))
+      changes[k] =
+          segment_vector(bolt, k, blocks, state).norm() - state.bolts[bolt.numbers.first + Bolt::length(k)];
+  return changes;
+}
+
+void install(const Bolt& bolt, const BlockSystem& blocks, BlockState& state) {
+  auto numbers = state.bolts.segment(bolt.numbers.first, bolt.numbers.count);
+  numbers.setZero();
+  for (int k = 0; k < bolt.n_segments(); ++k) {
+    if (!bolt.has_segment(k)) continue;
+    const double length = segment_vector(bolt, k, blocks, state).norm();
+    numbers[Bolt::length(k)] = length;
+    numbers[Bolt::plastic(k)] = -bolt.pretension * length / bolt.stiffness;
+  }
+}
+
+}  // namespace ddacontact

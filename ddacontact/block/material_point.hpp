@@ -1,0 +1,14 @@
+/// \file A point of a block.
+#pragma once
+
+#include <ddacontact/core/types.hpp>
+
+namespace ddacontact {
+
+/// A point that travels with its block: x = sum_p weights[p] * (place p of the block).
+struct MaterialPoint {
+  int block = 0;
+  VectorXd weights;  ///< see Block::place_weights
+};
+
+}  // namespace ddacontact

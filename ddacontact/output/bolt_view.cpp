@@ -1,0 +1,32 @@
+#include <ddacontact/output/bolt_view.hpp>
+
+#include <cmath>
+
+namespace ddacontact {
+
+BoltView::BoltView(const Bolt& bolt, const BlockSystem& blocks, const BlockState& state)
+    : bolt_(bolt), bears_(bolt.installed) {
+  if (!bears_) return;
+  numbers_ = state.bolts.segment(bolt.numbers.first, bolt.numbers.count);
+  of_rock_ = elongations(bolt, blocks, state);
+  forces_ = bolt_forces(bolt, numbers_, of_rock_);
+}
+
+double BoltView::elongation(int segment) const {
+  if (!bears_) return 0;
+  const double slips = bolt_.is_grouted() ? forces_.slip[segment + 1] - forces_.slip[segment] : 0;
+  return of_rock_[segment] + slips;
+}
+
+bool BoltView::slips(int node) const {
+  return bolt_.is_grouted() && std::abs(forces_.bond[node]) >= bolt_.bond_strength * bolt_.bonded[node];
+}
+
+const char* BoltView::state(int segment) const {
+  if (!bears_) return "absent";
+  if (numbers_[Bolt::torn(segment)] != 0) return "torn";
+  if (std::abs(forces_.axial[segment]) >= bolt_.yield) return "yield";
+  return slips(segment) || slips(segment + 1) ? "slip" : "elastic";
+}
+
+}  // namespace ddacontact

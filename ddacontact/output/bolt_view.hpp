@@ -1,0 +1,31 @@
+/// \file A bolt in a state, as results tell of it.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/solver/bolt_law.hpp>
+
+namespace ddacontact {
+
+/// Forces and states of the segments of a bolt.
+class BoltView {
+ public:
+  BoltView(const Bolt& bolt, const BlockSystem& blocks, const BlockState& state);
+
+  /// N per m, tension positive; 0 where the segment bears nothing.
+  double axial(int segment) const { return bears_ ? forces_.axial[segment] : 0; }
+  /// Of the bar since it was installed, m.
+  double elongation(int segment) const;
+  /// "absent" (not installed as yet), "torn", "yield" (its force is at its bound), "slip" (the bond at one of
+  /// its ends is) or "elastic".
+  const char* state(int segment) const;
+
+ private:
+  bool slips(int node) const;
+
+  const Bolt& bolt_;
+  bool bears_;
+  VectorXd numbers_, of_rock_;
+  BoltForces forces_;
+};
+
+}  // namespace ddacontact

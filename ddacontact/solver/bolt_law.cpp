@@ -1,0 +1,226 @@
+#include <ddacontact/solver/bolt_law.hpp>
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/solver/line_search.hpp>
+
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+/// Newton's method ends where no spring changes between its bound and its line; after so many solutions in
+/// any case.
+constexpr int most_solutions = 200;
+
+/// The bar with its slips.
+class Bar {
+ public:
+  Bar(const Bolt& bolt, const BoltNumbers& numbers, const VectorXd& elongation)
+      : bolt_(bolt),
+        numbers_(numbers),
+        elongation_(elongation),
+        n_segments_(bolt.n_segments()),
+        n_slips_(bolt.is_grouted() ? n_segments_ + 1 : 0),
+        slip_(n_slips_) {
+    for (int i = 0; i < n_slips_; ++i) slip_[i] = numbers[bolt.slip(i)];
+    start_ = slip_;
+  }
+
+  BoltForces solve() {
+    look();
+    for (int solutions = 0; n_slips_ > 0 && solutions < most_solutions; ++solutions)
+      if (!improve()) break;
+    return forces();
+  }
+
+ private:
+  ClippedSpring segment_spring(int k) const {
+    if (!bolt_.has_segment(k) || numbers_[Bolt::torn(k)] != 0) return {};
+    const double stiffness = bolt_.stiffness / numbers_[Bolt::length(k)];
+    const double slips = n_slips_ > 0 ? slip_[k + 1] - slip_[k] : 0;
+    return {-stiffness * (elongation_[k] + slips - numbers_[Bolt::plastic(k)]), stiffness, -bolt_.yield,
+            bolt_.yield};
+  }
+  double bond_stiffness(int i) const { return bolt_.bond_stiffness * bolt_.bonded[i]; }
+  ClippedSpring bond_spring(int i) const {
+    const double strength = bolt_.bond_strength * bolt_.bonded[i];
+    return {-bond_stiffness(i) * (slip_[i] - numbers_[bolt_.plastic_slip(i)]), bond_stiffness(i), -strength,
+            strength};
+  }
+  /// Where all bonds slip the bar stays where it was: by a spring that only shows there.
+  double keeping(int i) const {
+    return std::sqrt(std::numeric_limits<double>::epsilon()) * bond_stiffness(i);
+  }
+
+  void look() {
+    springs_.clear();
+    for (int k = 0; k < n_segments_; ++k) springs_.push_back(segment_spring(k));
+    for (int i = 0; i < n_slips_; ++i) springs_.push_back(bond_spring(i));
+  }
+  std::vector<int> pieces() const {
+    std::vector<int> pieces;
+    for (const ClippedSpring& spring : springs_)
+      pieces.push_back(spring.acts() ? 0 : spring.force > 0 ? 1 : -1);
+    return pieces;
+  }
+  double force(int spring) const { return -springs_[spring].clipped(); }
+  double stiffness(int spring) const { return springs_[spring].acts() ? springs_[spring].stiffness : 0; }
+
+  /// Derivatives by the slips: of the potential, and of its gradient.
+  VectorXd gradient() const {
+    VectorXd g(n_slips_);
+    for (int i = 0; i < n_slips_; ++i) g[i] = force(n_segments_ + i) + keeping(i) * (slip_[i] - start_[i]);
+    for (int k = 0; k < n_segments_; ++k) {
+      g[k] -= force(k);
+      g[k + 1] += force(k);
+    }
+    return g;
+  }
+  /// The inverse of the second derivative, which is tridiagonal, times the columns of b.
+  MatrixXd solve_for_slips(MatrixXd b) const {
+    VectorXd pivot(n_slips_);
+    for (int i = 0; i < n_slips_; ++i) {
+      pivot[i] = stiffness(n_segments_ + i) + keeping(i);
+      for (int k : {i - 1, i})
+        if (k >= 0 && k < n_segments_) pivot[i] += stiffness(k);
+      if (i == 0) continue;
+      const double factor = stiffness(i - 1) / pivot[i - 1];
+      pivot[i] -= factor * stiffness(i - 1);
+      b.row(i) += factor * b.row(i - 1);
+    }
+    for (int i = n_slips_ - 1; i >= 0; --i) {
+      if (i < n_segments_) b.row(i) += stiffness(i) * b.row(i + 1);
+      b.row(i) /= pivot[i];
+    }
+    return b;
+  }
+
+  /// A step of Newton's method, as far as the potential falls. False: it has led to the minimum.
+  bool improve() {
+    const VectorXd step = solve_for_slips(-gradient()), from = slip_;
+    const std::vector<int> before = pieces();
+    slip_ += step;
+    const std::vector<ClippedSpring> start = springs_;
+    look();
+    if (pieces() == before) return false;
+    LineSearch along;
+    for (int k = 0; k < n_segments_; ++k)
+      if (start[k].stiffness > 0) along.add(start[k], step[k + 1] - step[k]);
+    double slope = 0, bend = 0;
+    for (int i = 0; i < n_slips_; ++i) {
+      along.add(start[n_segments_ + i], step[i]);
+      slope += keeping(i) * (from[i] - start_[i]) * step[i];
+      bend += keeping(i) * step[i] * step[i];
+    }
+    slip_ = from + along.find_minimum(slope, bend) * step;
+    look();
+    return true;
+  }
+
+  BoltForces forces() const {
+    BoltForces forces;
+    forces.axial.resize(n_segments_);
+    forces.slip = slip_;
+    forces.bond.resize(n_slips_);
+    for (int i = 0; i < n_slips_; ++i) forces.bond[i] = force(n_segments_ + i);
+    VectorXd of_segments(n_segments_);
+    for (int k = 0; k < n_segments_; ++k) {
+      forces.axial[k] = force(k);
+      of_segments[k] = stiffness(k);
+    }
+    for (std::size_t k = 0; k < springs_.size(); ++k)
+      if (springs_[k].stiffness > 0)
+        forces.stored +=
+            force(static_cast<int>(k)) * force(static_cast<int>(k)) / (2 * springs_[k].stiffness);
+    forces.stiffness = of_segments.asDiagonal();
+    if (n_slips_ == 0) return forces;
+    MatrixXd by_elongations = MatrixXd::Zero(n_slips_, n_segments_);
+    for (int k = 0; k < n_segments_; ++k) {
+      by_elongations(k, k) = of_segments[k];
+      by_elongations(k + 1, k) = -of_segments[k];
+    }
+    const MatrixXd slips = solve_for_slips(by_elongations);
+    forces.stiffness +=
+        of_segments.asDiagonal() * (slips.bottomRows(n_segments_) - slips.topRows(n_segments_));
+    return forces;
+  }
+
+  const Bolt& bolt_;
+  const BoltNumbers& numbers_;
+  const VectorXd& elongation_;
+  int n_segments_, n_slips_;
+  VectorXd slip_, start_;
+  std::vector<ClippedSpring> springs_;  ///< of segments, then of bonds; their force is -N and -T
+};
+
+/// Keeps what has yielded and where the bar is. Returns what yielding takes.
+double keep_plastic(const Bolt& bolt, const VectorXd& elongation, const BoltForces& forces,
+                    Eigen::Ref<VectorXd> numbers) {
+  double dissipated = 0;
+  const auto keep = [&](int place, double plastic, double force) {
+    dissipated += force * (plastic - numbers[place]);
+    numbers[place] = plastic;
+  };
+  for (int k = 0; k < bolt.n_segments(); ++k) {
+    if (std::abs(forces.axial[k]) < bolt.yield || forces.axial[k] == 0) continue;
+    const double slips = bolt.is_grouted() ? forces.slip[k + 1] - forces.slip[k] : 0;
+    keep(Bolt::plastic(k),
+         elongation[k] + slips - forces.axial[k] * numbers[Bolt::length(k)] / bolt.stiffness,
+         forces.axial[k]);
+  }
+  for (int i = 0; i < forces.slip.size(); ++i) {
+    numbers[bolt.slip(i)] = forces.slip[i];
+    if (std::abs(forces.bond[i]) < bolt.bond_strength * bolt.bonded[i]) continue;
+    keep(bolt.plastic_slip(i), forces.slip[i] - forces.bond[i] / (bolt.bond_stiffness * bolt.bonded[i]),
+         forces.bond[i]);
+  }
+  return dissipated;
+}
+
+/// Tears the segments that are strained too far. False: none is.
+bool tear(const Bolt& bolt, const VectorXd& elongation, const BoltForces& forces,
+          Eigen::Ref<VectorXd> numbers) {
+  bool any = false;
+  for (int k = 0; k < bolt.n_segments(); ++k) {
+    if (!bolt.has_segment(k) || numbers[Bolt::torn(k)] != 0) continue;
+    const double slips = bolt.is_grouted() ? forces.slip[k + 1] - forces.slip[k] : 0;
+    const double strain =
+        (elongation[k] + slips) / numbers[Bolt::length(k)] + bolt.pretension / bolt.stiffness;
+    if (strain <= bolt.rupture_strain) continue;
+    numbers[Bolt::torn(k)] = 1;
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace
+
+BoltForces bolt_forces(const Bolt& bolt, const BoltNumbers& numbers, const VectorXd& elongation) {
+  return Bar(bolt, numbers, elongation).solve();
+}
+
+BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, Eigen::Ref<VectorXd> numbers) {
+  BoltForces forces = bolt_forces(bolt, numbers, elongation);
+  BoltLosses losses{keep_plastic(bolt, elongation, forces, numbers)};
+  const double stored = forces.stored;
+  while (tear(bolt, elongation, forces, numbers)) {
+    losses.tears = true;
+    forces = bolt_forces(bolt, numbers, elongation);
+    keep_plastic(bolt, elongation, forces, numbers);
+  }
+  losses.dissipated += stored - forces.stored;
+  return losses;
+}
+
+double bolt_energy(const BlockSystem& blocks, const BlockState& state) {
+  double energy = 0;
+  for (const Bolt& bolt : blocks.bolts)
+    if (acts(bolt, blocks))
+      energy += bolt_forces(bolt, state.bolts.segment(bolt.numbers.first, bolt.numbers.count),
+                            elongations(bolt, blocks, state))
+                    .stored;
+  return energy;
+}
+
+}  // namespace ddacontact
