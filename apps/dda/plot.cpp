@@ -54,6 +54,7 @@ struct Shown {
   std::vector<std::string> block_names;
   Frame frame;
   Frame drawn;  ///< with displacements magnified
+  std::vector<BoltLine> bolts;
 };
 
 std::vector<Shown> read_frames(const PlotArguments& arguments) {
@@ -70,8 +71,10 @@ std::vector<Shown> read_frames(const PlotArguments& arguments) {
       Frame frame = read_frame(frame_of(series, word, directory));
       if (arguments.magnify != 1) expect_field(frame, Field::displacement, directory);
       Frame drawn = arguments.magnify != 1 ? magnified(frame, arguments.magnify) : frame;
-      all.push_back(
-          {static_cast<int>(i), directory, name_of(directory), names, std::move(frame), std::move(drawn)});
+      // Where bolts are is known at the end of the run, as it is.
+      const bool has_bolts = arguments.magnify == 1 && frame.step == series.back().step;
+      all.push_back({static_cast<int>(i), directory, name_of(directory), names, std::move(frame),
+                     std::move(drawn), has_bolts ? bolts_of(directory) : std::vector<BoltLine>()});
     }
   }
   return all;
@@ -138,8 +141,8 @@ std::string blocks_picture(const PlotArguments& arguments) {
     expect_overlays(arguments, shown);
     for (const Field field : fields) {
       expect_field(shown.frame, field, shown.directory);
-      panels.push_back(
-          {&shown.drawn, field, caption(arguments, shown), shown.block_names, shown.scene, &shown.frame});
+      panels.push_back({&shown.drawn, field, caption(arguments, shown), shown.block_names, shown.scene,
+                        &shown.frame, shown.bolts});
     }
   }
   return draw(panels, options);

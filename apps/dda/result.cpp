@@ -49,6 +49,20 @@ std::vector<std::string> block_names(const fs::path& directory) {
   return CsvTable(path).texts("block");
 }
 
+std::vector<BoltLine> bolts_of(const fs::path& directory) {
+  std::error_code error;
+  const fs::path path = directory / "bolts.csv";
+  if (!fs::exists(path, error)) return {};
+  const CsvTable table(path);
+  const std::vector<double> xa = table.numbers("xa"), ya = table.numbers("ya"), xb = table.numbers("xb"),
+                            yb = table.numbers("yb"), force = table.numbers("axial_force");
+  const std::vector<std::string> state = table.texts("state");
+  std::vector<BoltLine> bolts;
+  for (std::size_t k = 0; k < table.n_rows(); ++k)
+    bolts.push_back({{xa[k], ya[k]}, {xb[k], yb[k]}, force[k], state[k]});
+  return bolts;
+}
+
 std::string steps_text(const FrameSeries& series) {
   const long first = series.front().step, last = series.back().step;
   const long stride = series.size() > 1 ? series[1].step - first : 0;

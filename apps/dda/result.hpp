@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/output/frame_reader.hpp>
+#include <ddacontact/picture/bolt_layer.hpp>
 #include <ddacontact/scene/scene.hpp>
 
 #include <filesystem>
@@ -25,6 +26,9 @@ std::string name_of(const std::filesystem::path& directory);
 
 /// What each block is called in results; nothing when blocks.csv is not there.
 std::vector<std::string> block_names(const std::filesystem::path& directory);
+
+/// The bolts at the end of the run; nothing when it has none.
+std::vector<ddacontact::BoltLine> bolts_of(const std::filesystem::path& directory);
 
 /// The frame of `--frame WORD`: the number of a step, or "last". Throws CallError that lists what is there.
 const ddacontact::FrameFile& frame_of(const ddacontact::FrameSeries& series, const std::string& word,

@@ -90,6 +90,12 @@ std::vector<VectorScale> vector_scales(const std::vector<PanelContent>& contents
   return scales;
 }
 
+double largest_bolt_force(const std::vector<Panel>& panels) {
+  double largest = 0;
+  for (const Panel& panel : panels) largest = std::max(largest, largest_force(panel.bolts));
+  return largest;
+}
+
 std::vector<LegendItem> explanations(const std::vector<Panel>& panels,
                                      const std::vector<PanelContent>& contents,
                                      const std::vector<VectorScale>& scales) {
@@ -102,6 +108,9 @@ std::vector<LegendItem> explanations(const std::vector<Panel>& panels,
         items.push_back(
             swatch(kind_colour(material), panel.frame->material_names[static_cast<std::size_t>(material)]));
   }
+  std::vector<BoltLine> bolts;
+  for (const Panel& panel : panels) bolts.insert(bolts.end(), panel.bolts.begin(), panel.bolts.end());
+  for (LegendItem& item : bolt_explanations(bolts, largest_force(bolts))) items.push_back(std::move(item));
   for (std::size_t k = 0; k < scales.size(); ++k)
     for (const Sample& sample : samples_of(scales[k].kind))
       if (any_drawn(contents, k, sample.look, scales[k].pixels_per_unit))

@@ -38,7 +38,10 @@ struct VectorScale {
 std::vector<VectorScale> vector_scales(const std::vector<PanelContent>& contents,
                                        const std::vector<VectorKind>& kinds, double longest_pixels);
 
-/// What plain colours and vectors mean.
+/// The largest axial force of a bolt in any panel, N per m.
+double largest_bolt_force(const std::vector<Panel>& panels);
+
+/// What plain colours, bolts and vectors mean.
 std::vector<LegendItem> explanations(const std::vector<Panel>& panels,
                                      const std::vector<PanelContent>& contents,
                                      const std::vector<VectorScale>& scales);

@@ -180,6 +180,7 @@ class Picture {
     if (options_.reference) draw_reference(page_, view, panel.shown_values());
     draw_cell_edges(page_, view, frame);
     draw_outlines(page_, view, frame);
+    draw_bolts(page_, view, panel.bolts, largest_bolt_force(panels_));
     for (std::size_t k = 0; k < vectors_.size(); ++k)
       draw_arrows(page_, view, content.arrows[k], vectors_[k].kind, vectors_[k].pixels_per_unit);
     if (options_.names) draw_names(page_, view, frame, panel.block_names);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <ddacontact/picture/arrows.hpp>
+#include <ddacontact/picture/bolt_layer.hpp>
 #include <ddacontact/picture/colour_scale.hpp>
 #include <ddacontact/picture/view.hpp>
 
@@ -23,6 +24,7 @@ struct Panel {
   int scene = 0;                           ///< panels of one scene are always drawn to one scale
   const Frame* values =
       nullptr;  ///< whose fields are shown, where `frame` is this one magnified; null: `frame`
+  std::vector<BoltLine> bolts{};
 
   const Frame& shown_values() const { return values ? *values : *frame; }
 };

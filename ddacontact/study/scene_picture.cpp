@@ -20,7 +20,8 @@ constexpr double symbol = 9, arrow = 34;  // px
 constexpr double caption_height = 34, border = 12;
 constexpr double smallest_text = 5, number_size = 8, name_size = 12;
 
-const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110}, blue{20, 90, 200};
+const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110}, blue{20, 90, 200},
+    purple{120, 30, 140};
 
 double size_of(const Points& polygon) {
   return std::sqrt(std::abs(polyfem::signed_area(polygon)));
@@ -74,6 +75,7 @@ class ScenePicture {
     draw_joints();
     for (const Support& support : scene_.supports) draw_support(support);
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) draw_fixed(static_cast<int>(b));
+    for (const RockBolt& bolt : scene_.bolts) draw_bolt(bolt);
     for (const Load& load : scene_.loads) draw_load(load);
     draw_table(scene_.water.table, "");
     if (scene_.water.tells_joints()) draw_table(scene_.water.joint_table, " stroke-dasharray=\"6 4\"");
@@ -196,6 +198,17 @@ class ScenePicture {
     }
   }
 
+  /// A plate at each end of an anchored one.
+  void draw_bolt(const RockBolt& bolt) {
+    const Vec2 from = view_(bolt.from), to = view_(bolt.to), along = (to - from).normalized();
+    const std::string look = "stroke=\"" + hex(purple) + "\" stroke-width=\"2.5\"";
+    page_.line(from, to, look);
+    const Vec2 plate = symbol / 2 * Vec2(-along.y(), along.x());
+    for (const Vec2& end : {from, to})
+      if (bolt.kind == RockBolt::Kind::anchored) page_.line(end - plate, end + plate, look);
+    if (options_.names) page_.text(to + Vec2(symbol / 2, 0), bolt.name, {.size = 10, .halo = true});
+  }
+
   /// Beside the vertices and the middles of edges, inwards.
   void draw_numbers(const BlockDescription& block) {
     const Points& polygon = block.vertices;
@@ -246,6 +259,7 @@ class ScenePicture {
     if (any_moving_) items.push_back(swatch(red, "moved"));
     if (any_load_) items.push_back(swatch(red, "load"));
     if (scene_.water.any()) items.push_back(swatch(blue, "water table"));
+    if (!scene_.bolts.empty()) items.push_back(swatch(purple, "bolt"));
     if (!scene_.monitors.empty()) items.push_back(swatch({34, 34, 34}, "monitor"));
     return items;
   }
