@@ -173,8 +173,8 @@ Vec2 BlockSystem::ground_acceleration(double time) const {
 
 Vec2 BlockSystem::inward(int b, int edge, const BlockState& state) const {
   const Range& v = block(b).vertices();
-  const Vec2 along = state.position.col(v.first + (edge + 1) % block(b).n_vertices()) -
-                     state.position.col(v.first + edge);
+  const Vec2 along =
+      state.position.col(v.first + (edge + 1) % block(b).n_vertices()) - state.position.col(v.first + edge);
   return {-along.y(), along.x()};
 }
 

@@ -24,9 +24,9 @@ struct PressureLoad {
   int block = 0, edge = 0;
   TimeFunction pressure;  ///< its x, Pa: > 0 pushes into the block; follows the edge
 };
-/// An edge on which the surroundings go on: it bears the stress that they have at the start, lets waves out and
-/// others in. Tractions Z (2 v_in - v) besides those of the stress, Z = density times the speed of pressure waves
-/// normal to the edge and of shear waves along it.
+/// An edge on which the surroundings go on: it bears the stress that they have at the start, lets waves out
+/// and others in. Tractions Z (2 v_in - v) besides those of the stress, Z = density times the speed of
+/// pressure waves normal to the edge and of shear waves along it.
 struct QuietFace {
   int block = 0, edge = 0;
   Vec3 stress{0, 0, 0};   ///< xx, yy, xy of the surroundings, Pa
@@ -136,7 +136,8 @@ class BlockSystem {
   /// Force by velocity at either end of a quiet face, N s/m per m.
   Mat2 impedance_at_ends(const QuietFace& face, const BlockState& state) const;
   using AddForce = std::function<void(int block, int vertex, const Vec2& force)>;
-  /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of `state`.
+  /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of
+  /// `state`.
   void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
   /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21),
   /// (23).

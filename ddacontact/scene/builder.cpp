@@ -408,8 +408,9 @@ class Builder {
           system.point_loads.push_back({{load.block, block.place_weights(load.at - origin_)}, load.force});
           break;
         case Load::Kind::pressure:
-          for_parts(block, on, load.edge,
-                    [&](int part) { system.pressure_loads.push_back({load.block, part, load.force}); });
+          for_parts(block, on, load.edge, [&](int part) {
+            system.pressure_loads.push_back({load.block, part, load.force});
+          });
           break;
         case Load::Kind::body:
           system.body_loads.push_back({load.block, load.force});

@@ -19,8 +19,8 @@ StepQuietFace::StepQuietFace(const BlockSystem& blocks, const QuietFace& face) :
     ends_[end].setZero(2, static_cast<Index>(unknowns_.size()));
     for (int axis = 0; axis < 2; ++axis)
       for (std::size_t k = 0; k < forms[end][axis].unknowns().size(); ++k)
-        ends_[end](axis, std::ranges::lower_bound(unknowns_, forms[end][axis].unknowns()[k]) - unknowns_.begin()) =
-            forms[end][axis].coefficients()[k];
+        ends_[end](axis, std::ranges::lower_bound(unknowns_, forms[end][axis].unknowns()[k]) -
+                             unknowns_.begin()) = forms[end][axis].coefficients()[k];
   }
 }
 

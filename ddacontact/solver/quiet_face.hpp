@@ -7,8 +7,8 @@
 
 namespace ddacontact {
 
-/// The dashpots of a quiet face (Lysmer & Kuhlemeyer 1969) on the unknowns of its block: forces -C v of the mean
-/// velocity of the step, or with half steps of the means of the half steps before and after the forces.
+/// The dashpots of a quiet face (Lysmer & Kuhlemeyer 1969) on the unknowns of its block: forces -C v of the
+/// mean velocity of the step, or with half steps of the means of the half steps before and after the forces.
 class StepQuietFace {
  public:
   StepQuietFace(const BlockSystem& blocks, const QuietFace& face);
@@ -29,7 +29,7 @@ class StepQuietFace {
   Eigen::Matrix<double, 2, Eigen::Dynamic> ends_[2];  ///< displacement of both ends by `unknowns`
   MatrixXd damping_;                                  ///< C over `unknowns`, N s/m per m
   double by_displacement_ = 0;                        ///< of the velocity, 1/s
-  VectorXd before_;                                   ///< the part of the velocity that is known, of `unknowns`
+  VectorXd before_;  ///< the part of the velocity that is known, of `unknowns`
 };
 
 }  // namespace ddacontact

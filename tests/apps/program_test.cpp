@@ -166,8 +166,8 @@ TEST_F(Program, WrongInputWritesNothing) {
 }
 
 TEST_F(Program, WrongCallsEndWithStatus2) {
-  for (const char* call :
-       {"", "fly", "run", "run --nonsense", "check", "run a.toml --steps 0", "run a.toml --steps many", "view DIR"}) {
+  for (const char* call : {"", "fly", "run", "run --nonsense", "check", "run a.toml --steps 0",
+                           "run a.toml --steps many", "view DIR"}) {
     EXPECT_EQ(dda(call), 2) << call;
     EXPECT_EQ(err_.rfind("dda: error: ", 0), 0u) << call << ": " << err_;
   }

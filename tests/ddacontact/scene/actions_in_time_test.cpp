@@ -145,7 +145,8 @@ TEST_F(ActionsInTime, WaterIsRefusedWithACure) {
 
 TEST_F(ActionsInTime, QuietBoundariesAreFoundWrittenAndRefused) {
   const std::string on = "[[quiet_boundary]]\non = [[-1, 0], [2, 0]]\n";
-  const Scene scene = scene_with_more(on + "incoming = [[0, 0, 0], [1, 0, 0.1]]\n"), again = scene_of(written(scene));
+  const Scene scene = scene_with_more(on + "incoming = [[0, 0, 0], [1, 0, 0.1]]\n"),
+              again = scene_of(written(scene));
   for (const Scene* one : {&scene, &again}) {
     ASSERT_EQ(one->quiet_boundaries.size(), 1u);
     ASSERT_EQ(one->quiet_boundaries[0].faces.size(), 1u);
