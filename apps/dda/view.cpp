@@ -32,8 +32,9 @@ PageStory story_of(const fs::path& directory) {
 }
 
 PageData data_of(const fs::path& directory) {
-  PageBuilder page;
-  for (const FrameFile& file : read_series(directory)) page.add(read_frame(file));
+  const FrameSeries series = read_series(directory);
+  PageBuilder page(series.size());
+  for (const FrameFile& file : series) page.add(read_frame(file));
   return page.finish(story_of(directory));
 }
 

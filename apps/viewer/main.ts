@@ -237,7 +237,7 @@ class Viewer {
       forceOfPixels: forces !== "" && this.metresOfForce > 0 ? 1 / (this.metresOfForce * this.camera.scale) : null,
       stressOfPixels: null,
     };
-    this.overlay.draw(this.camera, this.ratio, contents, (context) => this.markBlock(context, layout));
+    this.overlay.draw(this.camera, this.ratio, contents, this.chosenBlock < 0 ? null : (context) => this.markBlock(context, layout));
     ++this.framesDrawn;
     if (this.pointer && !this.isPlaying) this.tip(...this.pointer);
   }
@@ -325,6 +325,7 @@ class Viewer {
   }
   async film(): Promise<Blob> {
     this.pause();
+    this.drawNow();
     this.isRecording = true;
     element("film").setAttribute("aria-pressed", "true");
     element("film").textContent = "Stop recording";

@@ -11,6 +11,8 @@ const INK = "#1c242c", SOFT = "#5b6875";
 /** The room that legends take beside the picture, CSS pixels. */
 export const ROOM = { right: 104, bottom: 40, top: 30 };
 
+const CAPTION_HEIGHT = 30;
+
 export interface OverlayContents {
   caption: string;
   scale: Scale | null;
@@ -29,18 +31,24 @@ function css(colour: [number, number, number]): string {
 
 export class Overlay {
   private readonly context: CanvasRenderingContext2D;
+  private look = ""; // of all but the caption, as it was drawn last
   constructor(readonly canvas: HTMLCanvasElement) {
     this.context = canvas.getContext("2d")!;
   }
 
-  draw(camera: Camera, ratio: number, contents: OverlayContents, decorate: (c: CanvasRenderingContext2D) => void): void {
+  draw(camera: Camera, ratio: number, contents: OverlayContents, decorate: ((c: CanvasRenderingContext2D) => void) | null): void {
     const c = this.context;
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, camera.width, camera.height);
-    decorate(c);
     c.textBaseline = "middle";
+    const look = JSON.stringify([camera, ratio, { ...contents, caption: "", scale: null }, contents.scale?.field.name, contents.scale?.ends,
+                                 this.canvas.width, this.canvas.height]);
+    const onlyCaption = look === this.look && !decorate; // while playing: less to draw
+    c.clearRect(0, 0, camera.width, onlyCaption ? CAPTION_HEIGHT : camera.height);
+    this.look = decorate ? "" : look;
+    decorate?.(c);
     c.font = `13px ${FONT}`;
     this.label(contents.caption, 16, 18, INK);
+    if (onlyCaption) return;
     if (contents.scale && contents.scale.field.mode > Mode.kind) this.colourBar(camera, contents.scale, contents.rangeNote);
     else this.kinds(camera, contents.kinds);
     this.bottomLine(camera, contents);

@@ -148,7 +148,7 @@ export class Renderer {
   private shown: { isFilled: boolean; ends: [number, number] } = { isFilled: false, ends: [0, 1] };
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
+    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false });
     if (!gl) throw new Error("this browser offers no WebGL 2: allow it hardware acceleration, or use another browser");
     this.gl = gl;
     this.fill = program(gl, FILL_VERTEX, FILL_FRAGMENT);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t frames_of_chunk = 8;
 constexpr Index places_of_chunk = 1'000'000;
+constexpr std::size_t large_page = 30'000'000;  // numbers: about 20 MB
 constexpr int n_colours = 129;
 constexpr std::size_t most_points = 2000;  // of a curve
 
@@ -80,6 +81,8 @@ Json ranges_json(const PageRanges& ranges) {
 void PageBuilder::add(Frame frame) {
   if (moments_.empty()) {
     arrays_ = arrays_of(frame);
+    const auto n_numbers = static_cast<std::size_t>(4 * frame.position.cols() + 9 * frame.n_cells());
+    arrays_.is_large = n_frames_ * n_numbers > large_page;
     material_names_ = frame.material_names;
     centre_ = (frame.position.rowwise().minCoeff() + frame.position.rowwise().maxCoeff()) / 2;
   }

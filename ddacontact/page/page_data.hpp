@@ -36,6 +36,9 @@ struct PageData {
 /// a page need not inflate all of them to show one.
 class PageBuilder {
  public:
+  /// \param[in] n_frames  how many will be added: a page of many numbers keeps them to fewer digits
+  explicit PageBuilder(std::size_t n_frames) : n_frames_(n_frames) {}
+
   /// The first frame decides which arrays the page holds, and its centre.
   void add(Frame frame);
   /// The page of all frames added; at least one.
@@ -47,6 +50,7 @@ class PageBuilder {
   };
   void close_chunk();
 
+  std::size_t n_frames_;
   PageArrays arrays_;
   Vec2 centre_{0, 0};
   std::vector<std::string> material_names_;

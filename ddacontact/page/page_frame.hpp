@@ -11,6 +11,8 @@ namespace ddacontact {
 struct PageArrays {
   bool displacement = true;  ///< false: positions still change, relative to the reference
   bool velocity = true, stress = true;
+  /// Of a large run: numbers to two digits, stress constant in each cell of a divided block.
+  bool is_large = false;
 };
 
 /// A frame with the stress of its cells.

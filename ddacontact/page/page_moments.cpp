@@ -16,9 +16,8 @@ namespace {
 /// a four-thousandth of its size.
 constexpr Quantization::Resolution of_displacement{.bits = 12, .floor_bits = 18};
 constexpr double of_size = 1. / 4096;
-constexpr Quantization::Resolution of_velocity{.bits = 10, .floor_bits = 14};
-constexpr Quantization::Resolution of_stress{.bits = 10, .floor_bits = 14};
-constexpr Quantization::Resolution of_force{.bits = 10, .floor_bits = 14};
+constexpr Quantization::Resolution of_others{.bits = 10, .floor_bits = 14},
+    of_others_when_large{.bits = 8, .floor_bits = 12};
 constexpr double of_gap = 1e-6;  ///< of the median block's size
 
 std::vector<double> numbers_of(const Points& columns) {
@@ -31,6 +30,13 @@ std::vector<double> stress_numbers(const PageFrame& frame) {
     for (const Vec3* part : {&fit.at_centre, &fit.change_x, &fit.change_y})
       numbers.insert(numbers.end(), part->data(), part->data() + 3);
   return numbers;
+}
+
+/// Sets the changes inside the cells of divided blocks to zero: zeros take hardly a byte.
+void leave_changes_out(const std::vector<Range>& cells, std::vector<double>& stress) {
+  for (const Range& of_block : cells)
+    for (int c = of_block.first; of_block.count > 1 && c < of_block.end(); ++c)
+      std::fill_n(stress.begin() + 9 * c + 3, 6, 0.);
 }
 
 /// Numbers of items at all moments, how finely they are kept, and their coder.
@@ -82,14 +88,20 @@ std::string moments_bytes(const std::vector<PageFrame>& frames, const PageShape&
   const PageContacts contacts(frames);
   const std::vector<Range> each = single_items(contacts.n_contacts()), all{{0, contacts.n_contacts()}};
 
-  Track displacement(shape.places(), 2, of_displacement, coarsest), velocity(shape.places(), 2, of_velocity),
-      stress(shape.cells(), 9, of_stress), force(each, 2, of_force),
+  const Quantization::Resolution& of_others_here = arrays.is_large ? of_others_when_large : of_others;
+  Track displacement(shape.places(), 2, of_displacement, coarsest),
+      velocity(shape.places(), 2, of_others_here), stress(shape.cells(), 9, of_others_here),
+      force(each, 2, of_others_here),
       gap(all, 1, {.bits = 0, .floor_bits = 0}, {of_gap * median(shape.sizes())});
   MomentCoder states(each, 2);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     displacement.add(numbers_of(frames[f].frame.position - shape.reference()));
     if (arrays.velocity) velocity.add(numbers_of(frames[f].frame.velocity));
-    if (arrays.stress) stress.add(stress_numbers(frames[f]));
+    if (arrays.stress) {
+      std::vector<double> numbers = stress_numbers(frames[f]);
+      if (arrays.is_large) leave_changes_out(shape.cells(), numbers);
+      stress.add(std::move(numbers));
+    }
     force.add(contacts.forces(static_cast<int>(f)));
     gap.add(contacts.gaps(static_cast<int>(f)));
   }

@@ -10,7 +10,7 @@ using namespace ddacontact;
 
 /// How many chunks and shapes a page of the frames has.
 std::pair<std::size_t, std::size_t> parts_of(const std::vector<Frame>& frames) {
-  PageBuilder page;
+  PageBuilder page(frames.size());
   for (const Frame& frame : frames) page.add(frame);
   PageStory story;
   story.title = "a title";
@@ -45,6 +45,18 @@ TEST(PageData, ABlockTakenOutBeginsANewShape) {
   frames[1].strain_displacement.conservativeResize(2, frames[1].strain_displacement.cols() - 4);
   frames[1].stress_offset.setZero(3, frames[1].n_cells());
   EXPECT_EQ(parts_of(frames), std::pair(std::size_t{2}, std::size_t{2}));
+}
+
+TEST(PageData, ALargeRunTakesFewerBytesANumber) {
+  Frame frame = support::wall(30, 20);
+  for (Points* columns : {&frame.velocity, &frame.strain_displacement})
+    *columns = 1e-3 * Points::Random(2, columns->cols());
+  const auto size_of_page = [&](std::size_t n_frames) {
+    PageBuilder page(n_frames);
+    page.add(frame);
+    return page.finish({}).chunks.at(0).size();
+  };
+  EXPECT_LT(size_of_page(1'000'000), 0.9 * static_cast<double>(size_of_page(1)));
 }
 
 TEST(PageRanges, LeaveSinglePeaksOut) {
