@@ -55,7 +55,7 @@ void add_cut(CLI::App& app, CutArguments& arguments) {
       "Write blocks to another file; make them touch, split concave ones, take out short edges and "
       "straight vertices");
   cut->add_option("BLOCKS", arguments.blocks,
-                  "Blocks: a scene (.toml), .geojson, .json, .wkt, .dxf or Shi's .geo")
+                  "Blocks: a scene (.toml), .geojson, .json, .wkt, .dxf, Shi's .geo, .msh or .vtu")
       ->required();
   cut->add_option("-o,--output", arguments.file,
                   "File to write: .geojson, .wkt, .dxf or .toml (a scene to run)")

@@ -3,6 +3,7 @@
 #include <ddacontact/scene/drawing_file.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/geojson_reader.hpp>
+#include <ddacontact/scene/mesh_reader.hpp>
 #include <ddacontact/scene/wkt_reader.hpp>
 
 #include <algorithm>
@@ -22,10 +23,10 @@ GeometryBlocks read_geometry_file(const std::string& path, const Place& key, Pro
                                   const std::string& key_name) {
   const std::string ending = small_ending(path);
   const bool is_json = ending == ".geojson" || ending == ".json";
-  if (!is_json && ending != ".wkt" && !is_drawing(path)) {
+  if (!is_json && ending != ".wkt" && !is_drawing(path) && !is_mesh_file(path)) {
     problems.error(key,
                    "'" + key_name + "' = '" + path + "' is no geometry file by its ending '" + ending + "'",
-                   "known: .geojson, .json, .wkt, .dxf, .geo");
+                   "known: .geojson, .json, .wkt, .dxf, .geo, .msh, .vtu");
     return {};
   }
   const FileText file = read_text(path);
@@ -35,7 +36,8 @@ GeometryBlocks read_geometry_file(const std::string& path, const Place& key, Pro
     return {.blocks = {}, .unreadable = true};
   }
   const auto source = std::make_shared<const std::string>(path);
-  GeometryBlocks read = is_json ? read_geojson(*file.text, source, problems)
+  GeometryBlocks read = is_json              ? read_geojson(*file.text, source, problems)
+                        : is_mesh_file(path) ? read_mesh_blocks(path, problems)
                         : is_drawing(path)
                             ? blocks_of(read_drawing(path, *file.text, problems), path, problems)
                             : read_wkt(*file.text, source, problems);

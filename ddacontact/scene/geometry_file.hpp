@@ -1,4 +1,4 @@
-/// \file Geometry files: blocks of a scene from polygons of GeoJSON or well-known text.
+/// \file Geometry files: blocks of a scene from polygons of GeoJSON, well-known text, drawings or meshes.
 #pragma once
 
 #include <ddacontact/scene/records.hpp>

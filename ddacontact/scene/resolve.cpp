@@ -72,6 +72,24 @@ bool holds_are_known(const Document& document, const BlockTable& blocks, const S
                       [](const Support& support) { return support.block < 0 || support.vertices.empty(); });
 }
 
+/// Of joints between materials that no two blocks have.
+void warn_of_unused_joints(const Document& document, const NameTable& names, const Scene& scene,
+                           ProblemList& problems) {
+  const auto n_blocks_of = [&](int material) {
+    return std::ranges::count(scene.blocks, material, &BlockDescription::material);
+  };
+  for (std::size_t j = 0; j < document.joints.size(); ++j) {
+    const auto& between = scene.joints[j].between;
+    if (!between) continue;
+    const auto [a, b] = *between;
+    if (a == b ? n_blocks_of(a) > 1 : n_blocks_of(a) > 0 && n_blocks_of(b) > 0) continue;
+    problems.warning(
+        document.joints[j].places.of("between"),
+        names.title(static_cast<int>(j)) + " is never used: no two blocks have the materials of 'between'",
+        "give blocks these materials, or leave the joint out");
+  }
+}
+
 }  // namespace
 
 Scene resolve(const Document& document, ProblemList& problems) {
@@ -108,6 +126,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.output = document.output.options;
   scene.domain = document.domain_counts;
   if (problems.has_errors()) return scene;
+  warn_of_unused_joints(document, joints.names, scene, problems);
   scene.analysis.steps = scene.n_steps();
   std::vector<bool> may_turn;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) may_turn.push_back(!blocks.holds.holds_all(b));

@@ -118,7 +118,7 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
           problems.error(places.of("between"),
                          "the two materials already follow " + table.names.title(static_cast<int>(other)),
                          "leave one 'between' out");
-    } else if (!record.between && !joints.empty() &&
+    } else if (!record.between && !joints.empty() && document.has_all_blocks &&
                !of_edges.contains(record.name.value_or(std::to_string(joints.size())))) {
       problems.warning(
           places.table,

@@ -596,12 +596,11 @@ void describe(Document& d, Visit&& visit) {
   visit(Key{.name = "format", .what = "Version of the scene format.", .bounds = {.low = 1, .high = 1}},
         d.format);
   visit(Key{.name = "title", .what = "One line about the scene."}, d.title);
-  visit(
-      Key{.name = "blocks",
-          .what = "More blocks, from the polygons of a geometry file (.geojson, .json, .wkt, .dxf, or Shi's "
-                  ".geo); relative to the scene file.",
-          .default_text = "none"},
-      d.geometry_file);
+  visit(Key{.name = "blocks",
+            .what = "More blocks, from the polygons of a geometry file (.geojson, .json, .wkt, .dxf, "
+                    "Shi's .geo, or cells of a mesh, .msh and .vtu); relative to the scene file.",
+            .default_text = "none"},
+        d.geometry_file);
   visit(Key{.name = "snap",
             .what = "For rounded coordinates: vertices of blocks nearer to each other become one, and those "
                     "as near "

@@ -37,6 +37,28 @@ friction_angle = 10
 boundary = [[0, 0], [4, 0], [4, 3], [0, 3]]
 )";
 
+/// How many warnings say that a joint is never used.
+auto n_unused_joints(const SceneReading& reading) {
+  return std::ranges::count_if(reading.problems, [](const Problem& problem) {
+    return problem.text().find("is never used") != std::string::npos;
+  });
+}
+
+TEST(UnusedJoints, AreWarnedOfWhereTheBlocksAreKnown) {
+  const std::string domain(head), set = "[[domain.joint_set]]\njoint = \"bedding\"\nangle = 0\nspacing = 1\n";
+  const auto read = [](const std::string& text) { return read_scene_text(text, "scene.toml"); };
+  EXPECT_EQ(n_unused_joints(read(domain)), 1);
+  EXPECT_EQ(n_unused_joints(read(domain + set)), 0);
+  std::string crossed = domain;
+  crossed.replace(crossed.find("[4, 0], [4, 3]"), 14, "[4, 3], [4, 0]");
+  EXPECT_EQ(n_unused_joints(read(crossed)), 0);
+  std::string of_soil = domain + set;
+  of_soil.insert(of_soil.find("[domain]"), "[[joint]]\nname = \"contact\"\nbetween = [\"rock\", \"soil\"]\n");
+  const SceneReading reading = read(of_soil);
+  ASSERT_EQ(n_unused_joints(reading), 1);
+  EXPECT_NE(all_text(reading.problems).find("no two blocks have the materials"), std::string::npos);
+}
+
 /// Squares of 1 m; the joints between rows are bedding.
 constexpr std::string_view squares = R"([[domain.joint_set]]
 angle = 90
