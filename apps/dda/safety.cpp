@@ -145,7 +145,9 @@ void add_safety(CLI::App& app, SafetyArguments& arguments) {
   CLI::App* safety = app.add_subcommand(
       "safety", "Factor of safety: joints made weaker until something moves in the last stage");
   safety->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required();
-  safety->add_option("-o,--output", arguments.directory, "Directory of safety.csv, safety.json, safety.svg")
+  safety
+      ->add_option("-o,--output", arguments.directory,
+                   "Directory of safety.csv, safety.json, safety.svg, safety_moved.svg")
       ->required();
   safety->add_option("--joints", arguments.joints, "NAME,...: the joints made weaker; left out: all")
       ->delimiter(',');

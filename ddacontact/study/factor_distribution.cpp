@@ -17,21 +17,33 @@ constexpr int n_classes = 10, longest_bar = 40;
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
-  char line[160];
+  char line[200];
   std::snprintf(line, sizeof line, format, values...);
   return line;
 }
 
+/// Few patterns that hardly move would leave all others in one class: the outer classes take what lies beyond
+/// these parts of the sorted factors.
+constexpr double low_part = 0.025, high_part = 0.975;
+
+double quantile(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1) + 0.5)];
+}
+
 std::string histogram(const std::vector<double>& factors) {
-  const double least = factors.front(), width = (factors.back() - least) / n_classes;
+  const double least = quantile(factors, low_part),
+               width = (quantile(factors, high_part) - least) / n_classes;
   if (width == 0) return "";
   std::vector<int> counts(n_classes);
-  for (const double f : factors) ++counts[std::min(static_cast<int>((f - least) / width), n_classes - 1)];
+  for (const double f : factors)
+    ++counts[static_cast<int>(std::clamp((f - least) / width, 0.0, n_classes - 1.0))];
   const int most = *std::ranges::max_element(counts);
   std::string lines;
   for (int k = 0; k < n_classes; ++k) {
-    const std::string bar(static_cast<std::size_t>((longest_bar * counts[k] + most - 1) / most), '#');
-    lines += text("%8.3f .. %-8.3f %4d ", least + k * width, least + (k + 1) * width, counts[k]) + bar + '\n';
+    const std::string from = k == 0 ? "" : text("%.3f", least + k * width),
+                      to = k == n_classes - 1 ? "" : text("%.3f", least + (k + 1) * width),
+                      bar(static_cast<std::size_t>((longest_bar * counts[k] + most - 1) / most), '#');
+    lines += text("%8s .. %-8s %4d ", from.c_str(), to.c_str(), counts[k]) + bar + '\n';
   }
   return lines;
 }
@@ -83,9 +95,11 @@ std::string describe(const FactorDistribution& distribution) {
   const std::vector<double>& factors = distribution.factors;
   std::string lines;
   if (!factors.empty())
-    lines += text("factor of safety of %zu cases: mean %.4g, standard deviation %.2g, from %.4g to %.4g\n",
-                  factors.size(), distribution.mean(), distribution.standard_deviation(), factors.front(),
-                  factors.back()) +
+    lines += text(
+                 "factor of safety of %zu cases: median %.4g, mean %.4g, standard deviation %.2g, from %.4g "
+                 "to %.4g\n",
+                 factors.size(), quantile(factors, 0.5), distribution.mean(),
+                 distribution.standard_deviation(), factors.front(), factors.back()) +
              histogram(factors);
   if (distribution.n_always > 0) lines += text("%d cases move at every factor\n", distribution.n_always);
   if (distribution.n_never > 0) lines += text("%d cases rest at every factor\n", distribution.n_never);
@@ -98,11 +112,13 @@ std::string draw(const FactorDistribution& distribution) {
   if (distribution.factors.empty()) throw Error("no case has a factor of safety to be drawn");
   Series steps{.name = "part of the cases", .x = {}, .y = {}};
   int below = distribution.n_always;
-  for (const double f : distribution.factors)
+  for (const double f : distribution.factors) {
+    if (f > quantile(distribution.factors, high_part)) break;
     for (const int more : {0, 1}) {
       steps.x.push_back(f);
       steps.y.push_back(static_cast<double>(below += more) / distribution.n_cases());
     }
+  }
   const Chart chart{
       .x_symbol = {"F", "", ""}, .y_symbol = {"P", "", ""}, .x_unit = "", .y_unit = "", .series = {steps}};
   return draw({chart}, {.title = "Part of the cases with a factor of safety below F"});

@@ -32,7 +32,8 @@ TEST(FactorDistribution, CountsCasesThatAlwaysOrNeverMove) {
 TEST(FactorDistribution, IsDescribedAndDrawn) {
   const FactorDistribution found = distribution_of({"0.9", "1.2", "1.2"}, {"0.9", "1.2", "1.2"});
   const std::string text = describe(found);
-  EXPECT_NE(text.find("mean 1.1, standard deviation 0.17, from 0.9 to 1.2"), std::string::npos) << text;
+  EXPECT_NE(text.find("median 1.2, mean 1.1, standard deviation 0.17, from 0.9 to 1.2"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("1 of 3 cases, 0.333 +- 0.27"), std::string::npos) << text;
   EXPECT_NE(text.find("   2 ####"), std::string::npos) << text;
   EXPECT_NE(draw(found).find("</svg>"), std::string::npos);
