@@ -1,0 +1,17 @@
+#!/bin/sh
+# Pictures of the gallery from the examples of slopes and masonry.
+#   examples/make_pictures.sh DDA   the program, with its path
+set -e
+dda=$1
+here=$(cd "$(dirname "$0")" && pwd)
+doc=$here/../doc
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+for name in plane_failure two_wedges slope_two_sets; do
+  "$dda" safety "$here/$name.toml" -o "$scratch/$name" --quiet
+  cp "$scratch/$name/safety_moved.svg" "$doc/example_$name.svg"
+done
+"$dda" run "$here/arch_quarter_load.toml" --set parameters.load=-80e3 -o "$scratch/arch" --quiet
+"$dda" plot "$scratch/arch" --field s2 --forces -o "$doc/example_arch_quarter_load.svg"
+"$dda" run "$here/wall_door.toml" --set parameters.push=9.5e3 -o "$scratch/wall" --quiet
+"$dda" plot "$scratch/wall" --field s2 --forces -o "$doc/example_wall_door.svg"
