@@ -1,5 +1,5 @@
 #!/bin/sh
-# Pictures of the gallery from the examples of slopes and masonry.
+# Pictures of the gallery from the examples.
 #   examples/make_pictures.sh DDA   the program, with its path
 set -e
 dda=$1
@@ -15,3 +15,8 @@ done
 "$dda" plot "$scratch/arch" --field s2 --forces -o "$doc/example_arch_quarter_load.svg"
 "$dda" run "$here/wall_door.toml" --set parameters.push=9.5e3 -o "$scratch/wall" --quiet
 "$dda" plot "$scratch/wall" --field s2 --forces -o "$doc/example_wall_door.svg"
+"$dda" plot "$here/dam.toml" --names -o "$doc/example_dam.svg"
+"$dda" run "$here/rockfall.toml" -o "$scratch/rockfall" --quiet
+"$dda" plot "$scratch/rockfall" --frame 60 -o "$doc/example_rockfall.svg"
+"$dda" run "$here/drums.toml" --set output.every=5 -o "$scratch/drums" --quiet
+"$dda" plot "$scratch/drums" --frame 160 -o "$doc/example_drums.svg"

@@ -1,4 +1,4 @@
-/// \file The scenes of examples/practice, each against what is known of it.
+/// \file Scenes of dams, drums, rockfall and contact, each against what is known of it.
 #include <tests/support/run_scene.hpp>
 
 #include <ddacontact/study/factor_bracket.hpp>
@@ -23,7 +23,7 @@ Vec2 travel_of(const BuiltScene& built, const std::string& monitor) {
 
 /// The factor of limit equilibrium in the scene's first lines.
 TEST(Practice, DamSlidesAtItsFactorOfSafety) {
-  const SceneReading reading = read_scene(POLYDDA_EXAMPLES "/practice/dam.toml", {});
+  const SceneReading reading = read_scene(POLYDDA_EXAMPLES "/dam.toml", {});
   ASSERT_TRUE(reading.scene);
   const StrengthReduction reduction(*reading.scene, {0});
   EXPECT_EQ(reduction.unsettled(), "");
@@ -38,7 +38,7 @@ TEST(Practice, DamSlidesAtItsFactorOfSafety) {
 TEST(Practice, DrumsSwayTheSameInShorterSteps) {
   std::vector<double> sways;
   for (const int factor : {2, 4}) {
-    BuiltScene built = support::build_example("practice/drums.toml",
+    BuiltScene built = support::build_example("drums.toml",
                                               {"analysis.time_step=" + std::to_string(0.0025 / factor),
                                                "stage.settle.steps=" + std::to_string(10 * factor),
                                                "stage.shake.steps=" + std::to_string(3200 * factor)});
@@ -55,7 +55,7 @@ TEST(Practice, DrumsSwayTheSameInShorterSteps) {
 
 /// Boulders come to rest below where they began, and fall no further than the foot.
 TEST(Practice, RocksComeToRestOnTheBenches) {
-  BuiltScene built = support::build_example("practice/rockfall.toml");
+  BuiltScene built = support::build_example("rockfall.toml");
   ASSERT_TRUE(support::run(*built.stepper, 2000)) << built.stepper->stop_reason();
   EXPECT_TRUE(built.stepper->is_at_rest());
   for (const char* name : {"boulder", "slab", "cobble"}) {
