@@ -110,7 +110,7 @@ class Viewer {
       do await new Promise(requestAnimationFrame);
       while (this.isPlaying && performance.now() < due - 4);
       pace += (performance.now() - start - pace) / 8;
-      this.isHurried = this.isHurried || pace > 1.2 * Math.max(33, 1000 / Number(select("speed").value));
+      if (!this.isHurried && pace > 1.2 * Math.max(33, 1000 / Number(select("speed").value))) this.hurry(true);
       if (++index < this.run.nFrames) continue;
       if (!input("loop").checked) break;
       index = 0;
@@ -118,9 +118,21 @@ class Viewer {
     this.pause();
   }
   pause(): void {
-    this.isPlaying = this.isHurried = false;
+    this.isPlaying = false;
     element("play").textContent = "▶ Play";
+    this.hurry(false);
     this.draw();
+  }
+
+  /** Draws blocks coarsely, where the drawing is slow, and finely again. */
+  private hurry(isHurried: boolean): void {
+    if (isHurried === this.isHurried) return;
+    this.isHurried = isHurried;
+    this.sizeCanvas(this.renderer.canvas, isHurried ? this.ratio / 2 : this.ratio);
+  }
+  private sizeCanvas(canvas: HTMLCanvasElement, ratio: number): void {
+    canvas.width = Math.max(1, Math.round(this.camera.width * ratio));
+    canvas.height = Math.max(1, Math.round(this.camera.height * ratio));
   }
 
   // --- what is drawn
@@ -270,10 +282,8 @@ class Viewer {
     this.ratio = Math.min(2, window.devicePixelRatio || 1);
     this.camera.width = stage.clientWidth;
     this.camera.height = stage.clientHeight;
-    for (const canvas of [this.renderer.canvas, this.overlay.canvas]) {
-      canvas.width = Math.max(1, Math.round(stage.clientWidth * this.ratio));
-      canvas.height = Math.max(1, Math.round(stage.clientHeight * this.ratio));
-    }
+    this.sizeCanvas(this.renderer.canvas, this.isHurried ? this.ratio / 2 : this.ratio);
+    this.sizeCanvas(this.overlay.canvas, this.ratio);
     this.chart?.drawStill();
     if (!isFirst && this.layout) this.drawNow();
   }
@@ -320,6 +330,7 @@ class Viewer {
   // --- exports
 
   picture(): Promise<Blob> {
+    this.hurry(false);
     this.drawNow();
     return pictureOf([this.renderer.canvas, this.overlay.canvas]);
   }
