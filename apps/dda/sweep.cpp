@@ -57,16 +57,15 @@ std::vector<std::string> quoted_words(const std::string& text) {
   return words;
 }
 
-/// The scene with the files that it names: blocks, boundaries, histories.
-std::string text_with_files(const fs::path& scene) {
-  const std::string own = text_of(scene);
-  std::string all = own;
-  for (const std::string& word : quoted_words(own)) {
+/// Of those of the words that name files of the directory: blocks, boundaries, histories.
+std::string texts_of_files(const fs::path& directory, const std::vector<std::string>& words) {
+  std::string texts;
+  for (const std::string& word : words) {
     std::error_code error;
-    const fs::path named = scene.parent_path() / word;
-    if (!word.empty() && fs::is_regular_file(named, error)) all += '\n' + word + '\n' + text_of(named);
+    if (!word.empty() && fs::is_regular_file(directory / word, error))
+      texts += '\n' + word + '\n' + text_of(directory / word);
   }
-  return all;
+  return texts;
 }
 
 /// For a shell.
@@ -86,7 +85,8 @@ class Sweep {
     for (const std::string& text : arguments.outcomes) outcomes_.push_back(parse_outcome(text));
     if (arguments.only > n_cases())
       throw Error(fmt::format("--case {}: there are {} cases", arguments.only, n_cases()));
-    scene_text_ = text_with_files(arguments.scene);
+    scene_text_ = text_of(arguments.scene);
+    scene_text_ += files_named_by(quoted_words(scene_text_));
     std::error_code error;
     fs::create_directories(directory_, error);
     if (error) throw OutputError(fmt::format("cannot make \"{}\": {}", directory_.string(), error.message()));
@@ -162,12 +162,17 @@ class Sweep {
       settings.push_back(setting);
     return settings;
   }
+  std::string files_named_by(const std::vector<std::string>& words) const {
+    return texts_of_files(fs::path(arguments_.scene).parent_path(), words);
+  }
   /// What a result must have been made of to be that of the case.
   std::string key_of(int k) const {
+    std::vector<std::string> values = settings_of(k);
+    for (std::string& value : values) value.erase(0, value.find('=') + 1);
     const std::string safety =
         arguments_.safety ? fmt::format("safety {}\n", fmt::join(arguments_.of_safety(), " ")) : "";
     return fmt::format("{}\nscene {:016x}\n{}", fmt::join(settings_of(k), "\n"),
-                       std::hash<std::string>()(scene_text_), safety);
+                       std::hash<std::string>()(scene_text_ + files_named_by(values)), safety);
   }
   bool is_of_this_case(int k) const { return text_of(key_file_of(k)) == key_of(k); }
   bool is_finished(int k) const {

@@ -80,6 +80,12 @@ TEST_F(Program, SweepNoticesChangedFilesOfTheScene) {
   write("blocks.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n");
   ASSERT_EQ(dda(call), 0) << err_;
   EXPECT_NE(err_.find("2 of 2 cases to run"), std::string::npos) << err_;
+  write("wide.wkt", "POLYGON ((0 0, 3 0, 3 1, 0 1, 0 0))\n");
+  const std::string varied = "sweep scene.toml -o varied --vary blocks=blocks.wkt,wide.wkt";
+  ASSERT_EQ(dda(varied), 0) << err_;
+  write("wide.wkt", "POLYGON ((0 0, 4 0, 4 1, 0 1, 0 0))\n");
+  ASSERT_EQ(dda(varied), 0) << err_;
+  EXPECT_NE(err_.find("1 of 2 cases to run"), std::string::npos) << err_;
 }
 
 /// The block of the example slides where tan(friction angle) < F tan 45.
