@@ -2,6 +2,8 @@
 
 #include <ddacontact/solver/krylov.hpp>
 
+#include <cmath>
+
 namespace ddacontact {
 
 namespace {
@@ -10,19 +12,25 @@ constexpr int most_iterations = 60;
 /// Of the values in the end, of the tolerance.
 constexpr double largest_error = 2;
 
-/// column^T x of every coupling.
+/// Couplings count by the root of their rate: else the gaps of contacts that bear nothing hide the others.
+double weight(const Coupling& coupling) {
+  return std::sqrt(std::abs(coupling.rate));
+}
+
+/// column^T x of every coupling times its weight.
 VectorXd along_columns(const std::vector<Coupling>& couplings, const VectorXd& x) {
   VectorXd z(static_cast<Index>(couplings.size()));
   for (std::size_t c = 0; c < couplings.size(); ++c)
-    z[static_cast<Index>(c)] = couplings[c].column->change(x);
+    z[static_cast<Index>(c)] = weight(couplings[c]) * couplings[c].column->change(x);
   return z;
 }
 
-/// sum of row * rate * z.
+/// sum of row * rate * z, z times the weights.
 void sum_of_rows(const std::vector<Coupling>& couplings, const VectorXd& z, VectorXd& force) {
   force.setZero();
   for (std::size_t c = 0; c < couplings.size(); ++c)
-    couplings[c].row->add_gradient(couplings[c].rate * z[static_cast<Index>(c)], force);
+    couplings[c].row->add_gradient(
+        std::copysign(weight(couplings[c]), couplings[c].rate) * z[static_cast<Index>(c)], force);
 }
 
 }  // namespace

@@ -13,25 +13,19 @@ namespace {
 
 constexpr int most_solutions = 60;
 /// Near: sqrt(mu) is this part of the largest sum of forces on a block, and what forces leave over on a block
-/// that part of their sum. Some solutions more come nearer, mostly: fewer contacts are left between two
-/// states.
-constexpr double near_law = 1e-7, near_balance = 1e-4, nearer = 1e-2;
-constexpr int most_solutions_near = 3;
+/// that part of their sum. The states are told there when a solution changes none, and at this part of both.
+constexpr double near_law = 1e-5, near_balance = 1e-2, nearer = 1e-4;
 /// From the bounds of friction at the start, of sqrt(mu).
 constexpr double least_distance = 1e-6;
-/// A solution is followed to this part of the way to the nearest bound.
-constexpr double part_to_bound = 0.99;
-/// Tolerances of friction in the predictor, which only tells how far mu may fall, and in the corrector.
-constexpr double predictor_tolerance = 0.3, corrector_tolerance = 1e-2;
+/// A solution is followed to this part of the way to the nearest bound, which this part of the contacts does
+/// not shorten for the others.
+constexpr double part_to_bound = 0.99, part_held_back = 0.01;
+/// Tolerance of friction.
+constexpr double friction_tolerance = 1e-3;
 /// mu falls to no less than the third power of this part of its mean.
 constexpr double least_part = 1e-3;
-/// Where the first solution cannot be followed so far, mu begins with so many times more, so often.
-constexpr double first_length = 0.3, more = 100;
-constexpr int most_starts = 3;
-/// After a solution that can be followed no further than this, the next one evens the products out; and after
-/// the first few such ones bounds are given from one solution to the next.
-constexpr double short_length = 0.1;
-constexpr int first_solutions = 6;
+/// The path begins with so many times more of mu where it is not found.
+constexpr double more = 100;
 /// The path is followed in steps that change no number by more than this part of itself: smaller ones where
 /// it bends, and none below the shortest.
 constexpr double longest_step = 0.9, shortest_step = 1e-3;
@@ -132,40 +126,34 @@ class InteriorPoint {
       forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
     system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
     scale_ = residual_.scale;
-    double mu = scale_ * scale_, length = 1;
-    int n_near = 0;
-    look_inside(mu);
+    look_inside(scale_ * scale_);
     system_.problem().order_for_many(terms_);
-    for (int n_starts = 1; report_.solutions < most_solutions;) {
+    while (report_.solutions < most_solutions) {
       balance();
       const double mean = mean_product(0);
       report_.found = std::isfinite(mean) && std::isfinite(residual_.own);
+      if (report_.found && tells_states(way_left(mean))) return true;
+      report_.found = report_.found && factorize();
       if (!report_.found) return false;
-      const double way = way_left(mean);
-      if (way <= nearer || (way <= 1 && n_near++ == most_solutions_near)) return true;
-      report_.found = factorize();
-      if (!report_.found) return false;
-      mu = length < short_length ? find_even_direction(mean) : find_direction(mean);
-      length = longest();
+      const double mu = find_direction(mean);
       ++report_.solutions;
-      if (report_.solutions == n_starts && n_starts < most_starts && length < first_length) {
-        mu = std::pow(more, n_starts++) * scale_ * scale_;
-        for (std::size_t c = 0; c < inside_.size(); ++c)
-          if (inside_[c].acts) begin(c, mu);
-        length = 1;
-        continue;
-      }
-      if (length < short_length && report_.solutions > first_solutions) follows_normal_ = false;
-      advance(length);
+      advance(longest(part_held_back));
       look_();
       look_inside(mu);
     }
-    return n_near > 0;
+    return false;
   }
 
   /// What is left of mu and of forces, 1: near.
   double way_left(double mean) const {
     return std::max(std::sqrt(mean) / (near_law * scale_), residual_.own / near_balance);
+  }
+
+  /// Whether the states can be told where so much of the way is left.
+  bool tells_states(double way) {
+    const std::vector<unsigned char> before = std::exchange(states_, {});
+    for (std::size_t c = 0; c < inside_.size(); ++c) states_.push_back(state(c));
+    return way <= nearer || (way <= 1 && states_ == before);
   }
 
   /// A point of the path, with the direction in which it was reached.
@@ -190,11 +178,10 @@ class InteriorPoint {
   /// its end, whether mu falls or rises on the way: where friction is large there are several solutions, and
   /// the path turns round between them, where Newton's method for a smaller mu leads nowhere.
   void follow_path() {
-    follows_normal_ = true;
     rough_ = false;
     const int last = report_.solutions + most_path_solutions;
     bool on_path = false;
-    int n_starts = 0, n_corrections = most_first_corrections, n_near = 0;
+    int n_starts = 0, n_corrections = most_first_corrections;
     double longest_now = longest_step, step = longest_step, first = 0;
     PathPoint kept;
     while (report_.solutions < last) {
@@ -214,7 +201,7 @@ class InteriorPoint {
         kept.direction.clear();
         continue;
       }
-      if (on_path && (way <= nearer || (way <= 1 && n_near++ == most_solutions_near))) return;
+      if (on_path && tells_states(way)) return;
       PathStep path;
       path.off = std::numeric_limits<double>::infinity();
       if (std::isfinite(mean) && std::isfinite(residual_.own) && factorize()) path = look_along_path(mean);
@@ -339,7 +326,7 @@ class InteriorPoint {
     if (!i.acts || !i.sheared) return;
     const SweptLaw& law = laws_[c];
     i.b = shear_bound(*law.joint, i.N(), law.bonded);
-    i.rate = follows_normal_ ? friction_rate(*law.joint, i.N(), law.bonded) : 0;
+    i.rate = friction_rate(*law.joint, i.N(), law.bonded);
     i.sense = !i.holds && (law.sliding || std::abs(law.shear) > i.b) ? std::copysign(1, law.shear) : 0;
     i.q = (i.sense != 0 ? i.sense * i.b : law.shear) - i.p_t * terms_[c].slip(d_);
   }
@@ -404,15 +391,11 @@ class InteriorPoint {
 
   /// As far as it looks that mu may fall, with what is known of the second order then. Returns mu.
   double find_direction(double mean) {
-    solve_for(0, 0, predictor_tolerance);
-    const double length = longest(), part = std::max(mean_product(length) / mean, least_part);
-    const double mu = mean * part * part * part;
-    solve_for(mu, length > short_length ? length : 0, corrector_tolerance);
+    solve_for(0, 0, friction_tolerance);
+    const double length = longest(), part = std::max(mean_product(length) / mean, least_part),
+                 mu = mean * part * part * part;
+    solve_for(mu, length, friction_tolerance);
     return mu;
-  }
-  double find_even_direction(double mean) {
-    solve_for(mean, 0, corrector_tolerance);
-    return mean;
   }
 
   /// Newton's method for balance and the contacts' equations.
@@ -435,9 +418,7 @@ class InteriorPoint {
     }
     const LinearSolution exact = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve(b, x); },
                          rough = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve_roughly(b, x); };
-    const bool predicts = tolerance == predictor_tolerance;
-    if (!solve_coupled(rough_ && predicts ? rough : exact, rough_ ? rough : exact, couplings_, rhs_,
-                       tolerance, correction_)) {
+    if (!solve_coupled(exact, rough_ ? rough : exact, couplings_, rhs_, tolerance, correction_)) {
       ++report_.fallbacks;
       if (std::exchange(rough_, false)) solve_coupled(exact, exact, couplings_, rhs_, tolerance, correction_);
     }
@@ -456,22 +437,31 @@ class InteriorPoint {
     }
   }
 
-  /// How far the solution may be followed, 1: all the way.
-  double longest() {
+  /// How far a contact may follow the solution, 1: all the way.
+  static double longest(Inside& i) {
     double length = 1;
     const auto shorten = [&](double x, double dx) {
       if (dx < 0) length = std::min(length, -part_to_bound * x / dx);
     };
-    for (Inside& i : inside_)
-      i.for_pairs([&](const Pair& pair) {
-        shorten(pair.x, pair.dx);
-        shorten(pair.s, pair.ds);
-      });
+    i.for_pairs([&](const Pair& pair) {
+      shorten(pair.x, pair.dx);
+      shorten(pair.s, pair.ds);
+    });
     return length;
   }
+  /// How far all but this part of them may.
+  double longest(double held_back = 0) {
+    std::vector<double> lengths{1};
+    for (Inside& i : inside_) lengths.push_back(longest(i));
+    const auto first = lengths.begin() + static_cast<Index>(held_back * static_cast<double>(lengths.size()));
+    std::nth_element(lengths.begin(), first, lengths.end());
+    return *first;
+  }
 
-  void advance(double length) {
+  /// Each contact as far as it may: what that leaves over the next solution makes good.
+  void advance(double longest_of_all) {
     for (Inside& i : inside_) {
+      const double length = std::min(longest_of_all, longest(i));
       i.for_pairs([&](Pair& pair) {
         pair.x += length * pair.dx;
         pair.s += length * pair.ds;
@@ -480,7 +470,7 @@ class InteriorPoint {
       if (!i.unilateral) i.normal.x += length * i.normal.dx;
       if (i.sheared) i.T += length * i.dT;
     }
-    system_.move(-length * correction_, d_);
+    system_.move(-longest_of_all * correction_, d_);
   }
 
   StepSystem& system_;
@@ -493,9 +483,9 @@ class InteriorPoint {
   std::vector<ContactForce> forces_;
   std::vector<unsigned char> active_;
   std::vector<Coupling> couplings_;
-  double scale_ = 0;  ///< the largest sum of forces on a block
-  bool follows_normal_ = true;
-  bool rough_ = true;  ///< iterations solve in single precision, as long as these do
+  std::vector<unsigned char> states_;  ///< told last
+  double scale_ = 0;                   ///< the largest sum of forces on a block
+  bool rough_ = true;                  ///< iterations solve in single precision, as long as these do
   Residual residual_;
   VectorXd rhs_, correction_;
   InteriorReport report_;

@@ -21,11 +21,10 @@ struct InteriorReport {
 ///   N, y > 0:           N - y = a,                                        N y = mu,
 ///   u, v, f, k > 0:     u = b(N) - T,  v = b(N) + T,  T + f - k = q,      u f = v k = mu,
 /// (of a bond N and a with its tension added) whose limit mu -> 0 is its law, and mu falls with every
-/// solution of Newton's method for these and balance. It takes some thirty solutions whatever the number of
-/// contacts. Where friction leaves no way on, bounds are given from one solution to the next. Where that does
-/// not come near either, as with much friction, the path of all mu is followed from large mu on by its length
-/// (Keller 1977), in some hundred solutions or more: between several solutions it turns round, and mu rises
-/// for a while.
+/// solution of Newton's method for these and balance. It takes some twenty solutions whatever the number of
+/// contacts. Where that does not come near, as with much friction, the path of all mu is followed from large
+/// mu on by its length (Keller 1977), in some hundred solutions or more: between several solutions it turns
+/// round, and mu rises for a while.
 ///
 /// \param[in] laws    beside their terms
 /// \param[in] look    makes the contacts' forms and `terms` anew at d, geometry included

@@ -10,7 +10,7 @@ namespace ddacontact {
 namespace {
 
 /// Of |b|: Newton's method repairs what is left.
-constexpr double tolerance = 1e-5;
+constexpr double tolerance = 1e-6;
 constexpr int most_stale_iterations = 12;
 /// A factor serves as preconditioner as long as no more than this part of the springs has changed.
 constexpr double most_changed = 0.02;
