@@ -124,7 +124,8 @@ class BoltCheck {
   }
 
   std::vector<int> passed() {
-    if (at(bolt_.from, 0).empty() | at(bolt_.to, 1).empty()) return {};
+    const std::vector<int> first = at(bolt_.from, 0), last = at(bolt_.to, 1);
+    if (first.empty() || last.empty()) return {};
     const std::vector<BoltPiece> pieces = bolt_pieces(bolt_, descriptions_);
     std::vector<int> all;
     double reached = 0, bonded = 0;
