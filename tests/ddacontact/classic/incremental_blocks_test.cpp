@@ -246,7 +246,7 @@ TEST_P(BlockModels, LoadsHaveTheirResultantsAndMoments) {
     for (int e = 0; e < one.block().n_vertices(); ++e) {
       const Vec2 j = one.outline().col(e), k = one.outline().col((e + 1) % one.block().n_vertices());
       const Vec2 inward(-(k - j).y(), (k - j).x());
-      one.system.pressure_loads = {{1, e, constant({10, 0})}};
+      one.system.pressure_loads = {{1, e, {TimeFunction::Kind::constant, {10, 0}, {}}}};
       const Vec2 arm = (j + k) / 2 - one.block().moments().centroid;
       const Vec3 expected(10 * inward.x(), 10 * inward.y(), 10 * cross(arm, inward));
       EXPECT_LE((applied() - expected).norm(), 1e-11 * (1 + expected.norm()));

@@ -20,7 +20,7 @@ Points box(double x, double y, double width, double height) {
 }
 
 /// Blocks of the model "auto" on a held floor, y = 0.
-Scene scene_of(std::initializer_list<Points> outlines) {
+Scene scene_of_outlines(std::initializer_list<Points> outlines) {
   Scene scene;
   scene.analysis.steps = 1;
   scene.analysis.time_step = 1e-3;
@@ -49,15 +49,15 @@ Chosen first(const Scene& scene, std::size_t block = 0) {
 }
 
 TEST(ModelChoice, GoesByShapeWhereNothingBends) {
-  EXPECT_EQ(first(scene_of({box(0, 0, 1, 1)})).model, "wachspress");
-  const Chosen L = first(scene_of({outline({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})}));
+  EXPECT_EQ(first(scene_of_outlines({box(0, 0, 1, 1)})).model, "wachspress");
+  const Chosen L = first(scene_of_outlines({outline({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})}));
   EXPECT_EQ(L.model, "mean_value");
   EXPECT_EQ(L.reason, "concave");
-  const Chosen middle = first(scene_of({outline({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})}));
+  const Chosen middle = first(scene_of_outlines({outline({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})}));
   EXPECT_EQ(middle.model, "mean_value");
   EXPECT_EQ(middle.reason, "a corner is next to straight");
   const Points clockwise = box(0, 0, 1, 1).rowwise().reverse();
-  EXPECT_EQ(first(scene_of({clockwise})).model, "wachspress");
+  EXPECT_EQ(first(scene_of_outlines({clockwise})).model, "wachspress");
 }
 
 /// A block on a slope, with sides that touch to the last digit, a little less or a little more.
@@ -67,7 +67,7 @@ TEST(ModelChoice, DoesNotHangOnTheLastDigitOfAGap) {
   R << half, half, -half, half;
   std::set<std::string> reasons;
   for (const double gap : {0., 1e-15, -1e-15, 1e-9, -1e-9}) {
-    Scene scene = scene_of({R * box(0, gap, 4, 2)});
+    Scene scene = scene_of_outlines({R * box(0, gap, 4, 2)});
     scene.analysis.mode = Mode::statics;
     scene.blocks[1].vertices = R * scene.blocks[1].vertices;
     const Chosen chosen = first(scene);
@@ -78,11 +78,11 @@ TEST(ModelChoice, DoesNotHangOnTheLastDigitOfAGap) {
 }
 
 TEST(ModelChoice, ABeamIsDividedAndAColumnIsNot) {
-  const Scene portal = scene_of({box(0, 2, 6, 0.5), box(0, 0, 1, 2), box(5, 0, 1, 2)});
+  const Scene portal = scene_of_outlines({box(0, 2, 6, 0.5), box(0, 0, 1, 2), box(5, 0, 1, 2)});
   const Chosen beam = first(portal);
   EXPECT_EQ(beam.model, "mesh");
   EXPECT_NE(beam.reason.find("bent ("), std::string::npos) << beam.reason;
-  const Chosen column = first(scene_of({box(0, 0, 1, 6)}));
+  const Chosen column = first(scene_of_outlines({box(0, 0, 1, 6)}));
   EXPECT_EQ(column.model, "wachspress");
   EXPECT_EQ(column.reason, "convex");
 }
@@ -90,7 +90,7 @@ TEST(ModelChoice, ABeamIsDividedAndAColumnIsNot) {
 /// Many blocks that are not slender stay single; few are divided in two across.
 TEST(ModelChoice, FewSquatBlocksAreDividedWhereTheyBend) {
   const auto leaning = [](int n) {
-    Scene scene = scene_of({});
+    Scene scene = scene_of_outlines({});
     scene.analysis.mode = Mode::statics;
     scene.blocks.clear();
     for (int k = 0; k < n; ++k) {
@@ -114,7 +114,7 @@ TEST(ModelChoice, FewSquatBlocksAreDividedWhereTheyBend) {
 }
 
 TEST(ModelChoice, SquatBlocksAreDividedOnlyWhereNothingMoves) {
-  Scene scene = scene_of({box(0, 0, 4, 2)});
+  Scene scene = scene_of_outlines({box(0, 0, 4, 2)});
   EXPECT_EQ(first(scene).model, "wachspress");
   scene.analysis.mode = Mode::statics;
   EXPECT_EQ(first(scene).model, "mesh");
@@ -125,7 +125,7 @@ TEST(ModelChoice, SquatBlocksAreDividedOnlyWhereNothingMoves) {
 }
 
 TEST(ModelChoice, AColumnPushedAsideBends) {
-  Scene scene = scene_of({box(0, 0, 1, 6)});
+  Scene scene = scene_of_outlines({box(0, 0, 1, 6)});
   Load push;
   push.kind = Load::Kind::point;
   push.at = {0, 5};
@@ -135,13 +135,13 @@ TEST(ModelChoice, AColumnPushedAsideBends) {
 }
 
 TEST(ModelChoice, WhatIsNotLoadedYetGoesByItsSlenderness) {
-  const Chosen falling = first(scene_of({box(0, 5, 6, 1)}));
+  const Chosen falling = first(scene_of_outlines({box(0, 5, 6, 1)}));
   EXPECT_EQ(falling.model, "mesh");
   EXPECT_NE(falling.reason.find("not known"), std::string::npos) << falling.reason;
 }
 
 TEST(ModelChoice, LeavesWhatIsStatedAndWhatIsHeld) {
-  Scene scene = scene_of({box(0, 5, 6, 1)});
+  Scene scene = scene_of_outlines({box(0, 5, 6, 1)});
   EXPECT_EQ(first(scene, 1).reason, "held, convex");
   scene.blocks[0].model = BlockModel::affine;
   EXPECT_EQ(first(scene).model, "affine");
