@@ -86,7 +86,6 @@ constexpr Guess guesses[] = {
     {"[[load]]", " p pressure magnitude stress ",
      "a pressure is type = \"pressure\" with 'edge' and 'value' in Pa"},
     {"[[load]]", " fx fy direction ", "write 'force' = [fx, fy]"},
-    {"[[load]]", " ramp ", "there is no 'ramp' in this version: write 'history' = [[0, 0, 0], [T, fx, fy]]"},
     {"[[load]]", " position point location vertex ",
      "write 'at' = [x, y], inside the block or on its outline"},
     {"[[load]]", " acceleration ",

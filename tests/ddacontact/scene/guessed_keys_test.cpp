@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(All, GuessedKeys, testing::ValuesIn(cases),
 
 TEST(GuessedKeys, AreToldOfSettingsToo) {
   for (const auto& [setting, words] :
-       {std::pair{"joint.interface.kn=3", "rigid"}, std::pair{"water.level=3", "has no water"}}) {
+       {std::pair{"joint.interface.kn=3", "rigid"}, std::pair{"groundwater.level=3", "[water]"}}) {
     const SceneReading reading = read(complete, {setting});
     ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
     EXPECT_NE(reading.problems[0].text().find(words), std::string::npos) << reading.problems[0].text();
