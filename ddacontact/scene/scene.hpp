@@ -87,6 +87,7 @@ struct Quake {
 
 /// A boundary on which the surroundings go on.
 struct QuietBoundary {
+  /// An edge of a block.
   struct Face {
     int block = 0, edge = 0;
   };

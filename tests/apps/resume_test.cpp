@@ -116,7 +116,10 @@ TEST_F(Resume, AnyStepOfEveryExampleGivesTheSameFiles) {
   for (const auto& entry : fs::recursive_directory_iterator(POLYDDA_EXAMPLES))
     if (entry.path().extension() == ".toml") scenes.push_back("'" + entry.path().string() + "'");
   for (const std::string& scene : scenes) {
+    // Scenes of the paper's mechanics under the default one too.
+    const bool is_of_paper = scene.find("/paper/") != std::string::npos;
     for (const char* preset : {"", " --set analysis.preset=default --set analysis.block_model=wachspress"}) {
+      if (*preset != '\0' && !is_of_paper) continue;
       SCOPED_TRACE(scene + preset);
       const std::string run = "run " + scene + preset + " --quiet --set output.every=3";
       ASSERT_EQ(dda(run + " -o whole --steps 9"), 0) << err_;
