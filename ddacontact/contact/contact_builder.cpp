@@ -218,9 +218,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), between_held),
                 found.end());
   }
-  if (blocks_.has_rounded_corners()) return;
   const auto is_compliant = [&](const VertexEdge& of) { return properties_.strength(of).is_compliant(); };
-  if (any_compliant &&
+  if (any_compliant && !blocks_.has_rounded_corners() &&
       std::any_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), is_compliant))
     keep_one_spring(blocks_, state, near_corner * size, previous, first, found);
 }

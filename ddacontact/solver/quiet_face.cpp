@@ -29,8 +29,7 @@ void StepQuietFace::begin(const BlockSystem& blocks, const BlockState& state, co
   damping_ = ends_[0].transpose() * at_end * ends_[0] + ends_[1].transpose() * at_end * ends_[1];
   const double of_step = start.rule.starts_at_rest ? 0 : start.rule.has_half_steps() ? 0.5 : 1;
   by_displacement_ = of_step / start.dt;
-  before_ = VectorXd::Zero(static_cast<Index>(unknowns_.size()));
-  if (!start.rule.starts_at_rest) before_ = (1 - of_step) * start.velocity(unknowns_);
+  before_ = (start.rule.starts_at_rest ? 0 : 1 - of_step) * start.velocity(unknowns_);
 }
 
 void StepQuietFace::add_forces(const VectorXd& d, VectorXd& F) const {

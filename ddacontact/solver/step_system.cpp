@@ -237,7 +237,9 @@ VectorXd StepSystem::free_path() const {
 }
 
 VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
-  VectorXd r = -load_forces_ - gravity_forces_ - quiet_forces(d) - bolt_forces(d);
+  VectorXd r = -load_forces_ - gravity_forces_;
+  if (!quiet_faces_.empty()) r -= quiet_forces(d);
+  if (!bolts_.empty()) r -= bolt_forces(d);
   for (const HeldSpring& spring : held_springs_)
     spring.form.add_gradient(held_stiffness_ * spring.form(d), r);
   for (int b : active_) {

@@ -92,7 +92,7 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
                   Energy& energy) {
   energy.gravity -= system.gravity_forces().dot(step.motion);
   energy.external += system.load_forces().dot(step.motion);
-  energy.damping_dissipated -= system.quiet_forces(step.d).dot(step.motion);
+  if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(step.d).dot(step.motion);
   for (const HeldUnknown& held : blocks.held_unknowns())
     energy.external += step.residual.force[held.unknown] * step.motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());

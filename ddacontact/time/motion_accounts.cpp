@@ -47,7 +47,7 @@ StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system
   const double dt = system.dt();
   work.gravity -= system.gravity_forces().dot(step.straight);
   work.external += system.load_forces().dot(step.straight);
-  work.damping -= system.quiet_forces(step.straight).dot(step.straight);
+  if (!blocks.quiet_faces.empty()) work.damping -= system.quiet_forces(step.straight).dot(step.straight);
   for (const HeldUnknown& held : blocks.held_unknowns()) {
     const double reaction = step.residual.force[held.unknown], moved = step.prescribed[held.unknown];
     work.external += reaction * moved;
