@@ -23,11 +23,11 @@ class PiecewiseLinear final : public Basis {
  public:
   std::string_view name() const override { return "piecewise_linear"; }
   /// Nothing is wrong with a polygon that is star-shaped about the mean of its vertices, as convex ones are.
-  std::optional<Objection> find_objection(const PointsRef& polygon) const override {
+  std::optional<Rejection> find_rejection(const PointsRef& polygon) const override {
     const Vec2 c = polygon.rowwise().mean();
     for (int i = 0; i < polygon.cols(); ++i)
       if (cross(polygon.col(i) - c, polygon.col((i + 1) % polygon.cols()) - c) <= 0)
-        return Objection{i, "and the next cannot both be seen from the mean of the vertices"};
+        return Rejection{i, "and the next cannot both be seen from the mean of the vertices"};
     return std::nullopt;
   }
   void evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const override {

@@ -42,10 +42,10 @@ double velocity_after_half_a_second(double mass) {
   blocks.push_back(std::make_unique<VertexBlock>(rock, rectangle(0, 4, 0, 1)));
   BlockSystem system(std::move(blocks));
   system.gravity = Vec2(0, -g);
-  std::vector<HeldUnknown> held;  // every vertex of the slope, in x and y
+  std::vector<PrescribedDof> held;  // every vertex of the slope, in x and y
   for (int vertex = 0; vertex < 4; ++vertex)
     for (int axis = 0; axis < 2; ++axis) held.push_back({2 * vertex + axis, vertex, axis, {}});
-  system.set_held_unknowns(held);
+  system.set_prescribed_dofs(held);
 
   const ContactProperties contacts{
       40 * young, 16 * young, JointTable(JointStrength{.friction_law = patton}), {0, 0}};

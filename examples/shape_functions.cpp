@@ -9,8 +9,8 @@
 // All of it holds to round-off, wherever the polygon lies and with any quadrature, since the gradients are
 // corrected so that their integrals are exact.
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
 #include <cmath>
@@ -38,9 +38,9 @@ int main() {
   tabulate(polygon, dunavant_rule(5), wachspress, GradientCorrection::on, element);
   stiffness(element, D, K);
   mass(element, M);
-  const Soundness soundness = judge(K, M);
-  std::cout << "zero modes of K: " << soundness.zero_modes << ", the others from "
-            << soundness.least_stiffness << " of the largest\n";
+  const Definiteness definiteness = judge(K, M);
+  std::cout << "zero modes of K: " << definiteness.zero_modes << ", the others from "
+            << definiteness.least_stiffness << " of the largest\n";
 
   const Vec3 strain(1e-3, -2e-3, 0.5e-3);  // xx, yy, xy (twice the tensor's)
   Mat2 gradient;
@@ -50,7 +50,7 @@ int main() {
   const double energy = d.dot(K * d) / 2, exact = element.area * strain.dot(D * strain) / 2;
   std::cout << "energy of a uniform strain: " << energy << " J/m, exactly " << exact << " J/m\n";
 
-  const bool right = unity < 1e-14 && linear < 1e-14 && constant < 1e-14 && soundness.sound() &&
+  const bool right = unity < 1e-14 && linear < 1e-14 && constant < 1e-14 && definiteness.definite() &&
                      std::abs(energy / exact - 1) < 1e-14;
   return right ? 0 : 1;
 }

@@ -29,10 +29,10 @@ int main() {
 
   BlockSystem system(std::move(blocks));
   system.gravity = Vec2(0, -g);
-  std::vector<HeldUnknown> held;  // every vertex of the ramp, in x and y
+  std::vector<PrescribedDof> held;  // every vertex of the ramp, in x and y
   for (int vertex = 0; vertex < 3; ++vertex)
     for (int axis = 0; axis < 2; ++axis) held.push_back({2 * vertex + axis, vertex, axis, {}});
-  system.set_held_unknowns(held);
+  system.set_prescribed_dofs(held);
 
   const JointTable joints(JointStrength{.friction = friction});
   const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}};

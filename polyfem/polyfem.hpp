@@ -18,6 +18,7 @@
 
 // Matrices, loads, errors and stresses of cells.
 #include <polyfem/element/b_bar.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/diffusion.hpp>
 #include <polyfem/element/error_norms.hpp>
 #include <polyfem/element/finite_strain.hpp>
@@ -25,7 +26,6 @@
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/small_strain.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/element/stress_recovery.hpp>
 #include <polyfem/element/tolerance.hpp>
 

@@ -16,7 +16,7 @@ constexpr char checkpoint_file[] = "checkpoint.bin";
 /// Writes the checkpoints of a run, each in place of the one before.
 class Checkpoints {
  public:
-  /// \param[in] every  steps between them; 0: only when asked for
+  /// \param[in] every  steps between them; 0: only when requested
   /// \param[in] made_by  program, BLAS and compiler
   Checkpoints(const ddacontact::Scene& scene, const std::filesystem::path& directory, int every,
               std::string made_by);

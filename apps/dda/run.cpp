@@ -73,11 +73,12 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool
 }
 
 /// Steps until the end, a stop or a signal; fills the summary's status and reason.
-void run_steps(Stepper& stepper, const std::optional<int>& steps, const std::vector<Probe>& probes,
-               Progress& progress, ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
+void run_steps(Stepper& stepper, const std::optional<int>& steps,
+               const std::vector<MonitorTarget>& monitor_targets, Progress& progress,
+               ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
   {
     const polyfem::Stopwatch watch(summary.seconds_output);
-    results.write_start(stepper, probes);
+    results.write_start(stepper, monitor_targets);
   }
   summary.status = "completed";
   while (!is_done(stepper, steps)) {
@@ -93,7 +94,7 @@ void run_steps(Stepper& stepper, const std::optional<int>& steps, const std::vec
       break;
     }
     const polyfem::Stopwatch watch(summary.seconds_output);
-    results.write_step(stepper, probes);
+    results.write_step(stepper, monitor_targets);
     checkpoints.write_if_due(stepper, results);
     progress.show(stepper);
   }
@@ -142,7 +143,7 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       "{} interior paths, {} augmentations, {} broken bonds, {} impacts ({} limited, {} "
       "unsettled), largest "
       "residual {:.2g} of the forces",
-      counts.interior_paths, counts.augmentations, counts.broken_bonds, counts.impacts,
+      counts.interior_point_solves, counts.augmentations, counts.broken_bonds, counts.impacts,
       counts.limited_impacts, counts.unsettled_impacts, counts.max_residual);
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
   for (const std::string& note : stepper.notes()) {
@@ -269,7 +270,8 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
   log->flush();
   Progress progress(steps, arguments.quiet);
   try {
-    run_steps(*built.stepper, arguments.steps, built.probes, progress, results, checkpoints, summary);
+    run_steps(*built.stepper, arguments.steps, built.monitor_targets, progress, results, checkpoints,
+              summary);
     progress.finish();
     write_end(*built.stepper, results, checkpoints, summary, start);
   } catch (const OutputError& error) {

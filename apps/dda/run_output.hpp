@@ -20,7 +20,7 @@ void write_scene_file(const std::filesystem::path& path, const ddacontact::Scene
 /// The scheme of the present stage, as scenes write it.
 std::string scheme_word(const ddacontact::Stepper& stepper);
 
-/// Whether the run has made the steps asked for in all, or those of its stages, of which `until` may have
+/// Whether the run has made the steps requested in all, or those of its stages, of which `until` may have
 /// ended some.
 bool is_done(const ddacontact::Stepper& stepper, const std::optional<int>& steps = {});
 

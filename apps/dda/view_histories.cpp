@@ -29,10 +29,10 @@ void add_monitors(const fs::path& path, std::vector<PageHistory>& histories) {
     std::vector<PageHistory> curves;
     std::map<std::string, std::size_t> curve_of;
     for (std::size_t row = 0; row < monitors.size(); ++row) {
-      const auto [place, is_new] = curve_of.try_emplace(monitors[row], curves.size());
+      const auto [location, is_new] = curve_of.try_emplace(monitors[row], curves.size());
       if (is_new) curves.push_back({monitors[row], unit, std::string("monitors: ") + column, {}, {}});
-      curves[place->second].times.push_back(times[row]);
-      curves[place->second].values.push_back(values[row]);
+      curves[location->second].times.push_back(times[row]);
+      curves[location->second].values.push_back(values[row]);
     }
     for (PageHistory& curve : curves) histories.push_back(std::move(curve));
   }

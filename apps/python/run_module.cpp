@@ -100,7 +100,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   dda::Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every,
                                std::string("dda ") + POLYDDA_VERSION + ", " + blas + ", " + __VERSION__);
   dda::write_scene_file(results.path() / "scene.toml", scene);
-  results.write_start(stepper, built.probes);
+  results.write_start(stepper, built.monitor_targets);
   summary.status = "completed";
   while (!dda::is_done(stepper)) {
     bool stepped = false;
@@ -114,7 +114,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
       break;
     }
     const polyfem::Stopwatch watch(summary.seconds_output);
-    results.write_step(stepper, built.probes);
+    results.write_step(stepper, built.monitor_targets);
     checkpoints.write_if_due(stepper, results);
     listener.stepped(stepper, scene.n_steps());
   }

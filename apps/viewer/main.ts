@@ -69,7 +69,7 @@ class Viewer {
     index = Math.max(0, Math.min(this.run.nFrames - 1, index));
     this.wanted = index;
     const moment = await this.run.moment(index);
-    if (this.wanted !== index) return; // another one has been asked for since
+    if (this.wanted !== index) return; // another one has been requested since
     const isFirst = !this.layout;
     this.setLayout(moment);
     if (isFirst) this.fit();

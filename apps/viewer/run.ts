@@ -1,4 +1,4 @@
-// A run as the page holds it: its head at once, its frames when they are asked for.
+// A run as the page holds it: its head at once, its frames when they are requested.
 
 import { inflated, IntegerReader, MomentDecoder } from "./bytes";
 
@@ -229,7 +229,7 @@ export class Run {
   }
   /** Starts to read what is needed soon. */
   prepare(index: number): void {
-    this.loaded(this.chunkOf(index)).catch(() => undefined); // told when the frame itself is asked for
+    this.loaded(this.chunkOf(index)).catch(() => undefined); // told when the frame itself is requested
   }
 
   private chunkOf(index: number): number {

@@ -12,25 +12,25 @@
 
 namespace ddacontact {
 
-Block::Block(const BlockMaterial& material, const PointsRef& places, int n_vertices)
+Block::Block(const BlockMaterial& material, const PointsRef& points, int n_vertices)
     : material_(material),
-      reference_(static_cast<std::size_t>(places.cols())),
-      reference_area_(polyfem::signed_area(places.leftCols(n_vertices))),
+      reference_(static_cast<std::size_t>(points.cols())),
+      reference_area_(polyfem::signed_area(points.leftCols(n_vertices))),
       grid_(std::exp2(std::floor(std::log2(reference_area_) / 2))),
       n_vertices_(n_vertices),
-      moments_(polyfem::area_moments(places.leftCols(n_vertices))) {
-  Points::Map(reference_.front().data(), 2, places.cols()) = places;
+      moments_(polyfem::area_moments(points.leftCols(n_vertices))) {
+  Points::Map(reference_.front().data(), 2, points.cols()) = points;
 }
 
 std::optional<BlockMotion> Block::motion() const {
   return {};
 }
 
-void Block::place(int index, int first_place, int first_unknown, int first_stress_point,
-                  int first_coordinate) {
+void Block::number(int index, int first_point, int first_unknown, int first_stress_point,
+                   int first_coordinate) {
   index_ = index;
-  vertices_ = {first_place, n_vertices()};
-  places_ = {first_place, n_places()};
+  vertices_ = {first_point, n_vertices()};
+  points_ = {first_point, n_points()};
   unknowns_ = {first_unknown, n_unknowns()};
   stress_points_ = {first_stress_point, n_stress_points()};
   coordinates_ = {first_coordinate, n_coordinates()};
@@ -55,18 +55,18 @@ Vec2 Block::grid_point(const Vec2& near) const {
 }
 
 void Block::prepare(const BlockState& state) {
-  const auto places = state.position.middleCols(places_.first, places_.count);
+  const auto points = state.position.middleCols(points_.first, points_.count);
   origin_ = state.origin.col(index_);
-  moments_ = polyfem::area_moments(places.leftCols(n_vertices_));
-  prepare_shape(places);
+  moments_ = polyfem::area_moments(points.leftCols(n_vertices_));
+  prepare_shape(points);
 }
 
 void Block::follow_with_origin(BlockState& state) const {
-  auto places = state.position.middleCols(places_.first, places_.count);
-  const Vec2 mean = places.leftCols(n_vertices_).rowwise().mean();
+  auto points = state.position.middleCols(points_.first, points_.count);
+  const Vec2 mean = points.leftCols(n_vertices_).rowwise().mean();
   if (mean.cwiseAbs().maxCoeff() < 4 * grid_) return;
   const Vec2 shift = grid_point(mean);
-  places.colwise() -= shift;
+  points.colwise() -= shift;
   state.origin.col(index_) += shift;
   if (state.coordinates.size() > 0 && coordinates_.count > 0)
     state.coordinates.segment<2>(coordinates_.first) -= shift;
@@ -98,7 +98,7 @@ MatrixXd Block::tangent(const Eigen::Ref<const VectorXd>& d) const {
   return sum;
 }
 
-VectorXd Block::place_weights(const Vec2& x) const {
+VectorXd Block::point_weights(const Vec2& x) const {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int c = 0; c < n_cells() && least > 0; ++c) {
@@ -111,7 +111,7 @@ VectorXd Block::place_weights(const Vec2& x) const {
   const BlockCell in = cell(nearest);
   polyfem::ShapeValues shape;
   (*in.basis)(reference()(Eigen::all, in.corners), x, shape);
-  VectorXd weights = VectorXd::Zero(n_places());
+  VectorXd weights = VectorXd::Zero(n_points());
   weights(in.corners) = shape.values;
   return weights;
 }

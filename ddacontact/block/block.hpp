@@ -24,7 +24,7 @@ struct BlockMaterial {
 
 /// A polygon of a block: inside it the stress is smooth.
 struct BlockCell {
-  std::vector<int> corners;               ///< places of the block, counter-clockwise
+  std::vector<int> corners;               ///< points of the block, counter-clockwise
   const polyfem::Basis* basis = nullptr;  ///< its shape functions; not owned
 };
 
@@ -38,10 +38,10 @@ struct CellStress {
 
 /// One block of (13): how its unknowns move its outline, and with what forces it resists them.
 ///
-/// A block's places are points that the state keeps the positions of: first the vertices of its outline,
+/// A block's points are those whose positions the state keeps: first the vertices of its outline,
 /// counter-clockwise, which contacts act on, then the corners of its cells that lie inside or on an edge.
 ///
-/// Unknowns, places and integration points are ranges of the arrays of BlockState, given once by
+/// Unknowns, points and integration points are ranges of the arrays of BlockState, given once by
 /// `place`. `prepare` makes the block ready for a state; `begin_step` for a step from there. Everything else
 /// speaks of the state last prepared and the step last begun. Vectors of one block are in the order of its
 /// own unknowns. Forces are per metre of thickness.
@@ -62,18 +62,18 @@ class Block {
   /// Whether steps change what the state has of the block's stress.
   virtual bool changes_stress() const { return true; }
   int n_vertices() const { return n_vertices_; }
-  int n_places() const { return static_cast<int>(reference_.size()); }
+  int n_points() const { return static_cast<int>(reference_.size()); }
   /// Its number, and where its entries start in the arrays of the state.
-  void place(int index, int first_place, int first_unknown, int first_stress_point, int first_coordinate);
-  /// Of the outline, the first of `places`.
+  void number(int index, int first_point, int first_unknown, int first_stress_point, int first_coordinate);
+  /// Of the outline, the first of `points`.
   const Range& vertices() const { return vertices_; }
-  const Range& places() const { return places_; }
+  const Range& points() const { return points_; }
   const Range& unknowns() const { return unknowns_; }
   const Range& stress_points() const { return stress_points_; }
   const Range& coordinates() const { return coordinates_; }
 
-  /// The places at the start, relative to the model's origin.
-  Eigen::Map<const Points> reference() const { return {reference_.front().data(), 2, n_places()}; }
+  /// The points at the start, relative to the model's origin.
+  Eigen::Map<const Points> reference() const { return {reference_.front().data(), 2, n_points()}; }
   double reference_area() const { return reference_area_; }
   double mass_total() const { return material_.density * reference_area_; }
   /// The square root of the reference area: what tolerances are relative to.
@@ -116,8 +116,8 @@ class Block {
   /// Moves the origin in `state` back to the block when it has gone far from it.
   void follow_with_origin(BlockState& state) const;
 
-  /// The displacement of a place (0 .. n_places - 1).
-  virtual PointMap vertex_map(int place) const = 0;
+  /// The displacement of a point (0 .. n_points - 1).
+  virtual PointMap vertex_map(int point) const = 0;
   /// F += integral of T^T b, Eq. (23), of all unknowns; `b` is a force per volume of the undeformed block.
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
 
@@ -166,8 +166,8 @@ class Block {
   }
   /// Integral of sigma D^-1 sigma / 2, J per m.
   virtual double elastic_energy(const BlockState& state) const;
-  /// The weights of the places (n_places) whose sum is x, a point of the closed block at the start.
-  VectorXd place_weights(const Vec2& x) const;
+  /// The weights of the points (n_points) whose sum is x, a point of the closed block at the start.
+  VectorXd point_weights(const Vec2& x) const;
   /// Displacements w of the outline vertices (2 x n, m, next to free of rigid motion) whose strains on the
   /// shape last prepared carry the stress: sigma(x) = D B(x) w, with Wachspress functions in B (8), is at
   /// every point x of the block the field nearest in energy to the stresses at the integration points. It is
@@ -181,9 +181,9 @@ class Block {
 
  protected:
   /// Places, the first `n_vertices` of which are the outline.
-  Block(const BlockMaterial& material, const PointsRef& places, int n_vertices);
+  Block(const BlockMaterial& material, const PointsRef& points, int n_vertices);
 
-  virtual void prepare_shape(const PointsRef& places) = 0;
+  virtual void prepare_shape(const PointsRef& points) = 0;
   Mat3 compliance() const;  ///< D^-1
   int index() const { return index_; }
 
@@ -202,7 +202,7 @@ class Block {
   double grid_;  ///< spacing of the origins
   int index_ = 0;
   int n_vertices_;
-  Range vertices_, places_, unknowns_, stress_points_, coordinates_;
+  Range vertices_, points_, unknowns_, stress_points_, coordinates_;
   Vec2 origin_{0, 0};
   polyfem::AreaMoments moments_;
 };

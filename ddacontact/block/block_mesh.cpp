@@ -175,11 +175,11 @@ BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std
     result.on_straight_edges.push_back(
         {number[v], start, end, along.dot(at(v) - local.col(start)) / along.squaredNorm()});
   }
-  result.places.resize(2, n);
+  result.points.resize(2, n);
   for (std::size_t v = 0; v < number.size(); ++v)
-    if (number[v] >= 0) result.places.col(number[v]) = mesh.vertices[v] + shift;
+    if (number[v] >= 0) result.points.col(number[v]) = mesh.vertices[v] + shift;
   for (std::size_t k = 0; k < result.vertex.size(); ++k)
-    result.places.col(result.vertex[k]) = outline.col(static_cast<Index>(k));
+    result.points.col(result.vertex[k]) = outline.col(static_cast<Index>(k));
   for (const auto& cell : mesh.cells) {
     std::vector<int>& corners = result.cells.emplace_back();
     for (int v : cell) corners.push_back(number[v]);

@@ -10,17 +10,17 @@ namespace ddacontact {
 /// Cells that share their corners and fill an outline.
 struct BlockMesh {
   /// Of a corner on an edge that stays straight: it moves with the ends of the edge.
-  struct EdgePlace {
-    int place, start, end;  ///< start and end: of the edge, as places
+  struct EdgePoint {
+    int point, start, end;  ///< start and end: of the edge, as points
     double along;           ///< from the start, 0..1
   };
 
-  Points places;  ///< first the vertices of the outline that contacts act on, counter-clockwise from the
+  Points points;  ///< first the vertices of the outline that contacts act on, counter-clockwise from the
                   ///< block's vertex 0; then the corners inside; then those of `on_straight_edges`
   int n_outline = 0;
   std::vector<int> vertex;                   ///< of each vertex of the block, its number in the outline
-  std::vector<std::vector<int>> cells;       ///< places, counter-clockwise
-  std::vector<EdgePlace> on_straight_edges;  ///< none with nodes on the edges
+  std::vector<std::vector<int>> cells;       ///< points, counter-clockwise
+  std::vector<EdgePoint> on_straight_edges;  ///< none with nodes on the edges
 };
 
 /// Divides a simple, counter-clockwise outline. Voronoi cells are strictly convex but for corners where the

@@ -168,7 +168,7 @@ Vec3 BlockMotion::resultant(const Numbers& d) const {
 }
 
 void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordinates,
-                      Eigen::Ref<Points> places, Written velocity) const {
+                      Eigen::Ref<Points> points, Written velocity) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, Velocities<Of> way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
@@ -184,7 +184,7 @@ void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordin
     const Mat2 turn = turned_by(coordinates[2]);
     Vectors y = turn * Z;
     y += Vec2(coordinates.head<2>()).lazyProduct(motions.translation.transpose());
-    nodes.put_places(y, places);
+    nodes.put_points(y, points);
 
     Vec2 linear = way.linear / dt_;
     double angular = way.angular / dt_;

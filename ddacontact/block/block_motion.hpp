@@ -46,12 +46,12 @@ class BlockMotion {
   /// Mass and moment of inertia times the accelerations, N and N m per m.
   Vec3 resultant(const Numbers& d) const;
 
-  /// Writes the block after the step: its coordinates (those at the start are given) and places, and the
+  /// Writes the block after the step: its coordinates (those at the start are given) and points, and the
   /// velocities of its unknowns on that shape in the middle of the step; the angular momentum is that of the
   /// step. \param[in] external  all forces on the unknowns of a free block, which takes its momenta from
   /// them: what is left
   ///                      of them in d has the solution's error; empty: it has supports
-  void end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> places,
+  void end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> points,
            Written velocity) const;
 
   /// R at the start.

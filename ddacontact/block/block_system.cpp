@@ -17,20 +17,20 @@ bool stays(const TimeFunction& motion) {
 }  // namespace
 
 BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
-  int n_places = 0;
+  int n_points = 0;
   names.reserve(blocks_.size());
   for (const auto& block : blocks_) {
-    block->place(static_cast<int>(names.size()), n_places, n_unknowns_, n_stress_points_, n_coordinates_);
-    n_places = block->places().end();
+    block->number(static_cast<int>(names.size()), n_points, n_unknowns_, n_stress_points_, n_coordinates_);
+    n_points = block->points().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
     n_coordinates_ = block->coordinates().end();
     names.push_back(std::to_string(names.size()));
   }
-  block_of_place_.reserve(static_cast<std::size_t>(n_places));
+  block_of_point_.reserve(static_cast<std::size_t>(n_points));
   block_of_unknown_.reserve(static_cast<std::size_t>(n_unknowns_));
   for (int b = 0; b < n_blocks(); ++b) {
-    block_of_place_.insert(block_of_place_.end(), block(b).n_places(), b);
+    block_of_point_.insert(block_of_point_.end(), block(b).n_points(), b);
     block_of_unknown_.insert(block_of_unknown_.end(), block(b).n_unknowns(), b);
   }
   const BlockState initial = initial_state();
@@ -42,10 +42,10 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
 }
 
 Points BlockSystem::reference() const {
-  Points places(2, static_cast<Index>(block_of_place_.size()));
+  Points points(2, static_cast<Index>(block_of_point_.size()));
   for (const auto& block : blocks_)
-    places.middleCols(block->places().first, block->places().count) = block->reference();
-  return places;
+    points.middleCols(block->points().first, block->points().count) = block->reference();
+  return points;
 }
 
 void BlockSystem::round_corners(double ratio) {
@@ -66,8 +66,8 @@ void BlockSystem::set_bolts(std::vector<Bolt> all) {
   }
 }
 
-void BlockSystem::set_held_unknowns(std::vector<HeldUnknown> held) {
-  held_unknowns_ = std::move(held);
+void BlockSystem::set_prescribed_dofs(std::vector<PrescribedDof> held) {
+  prescribed_dofs_ = std::move(held);
   number_equations();
 }
 
@@ -78,9 +78,10 @@ void BlockSystem::remove(int b) {
   std::erase_if(body_loads, [&](const BodyLoad& load) { return load.block == b; });
   std::erase_if(quiet_faces, [&](const QuietFace& face) { return face.block == b; });
   std::erase_if(water.faces, [&](const WetFace& face) { return face.block == b; });
-  std::erase_if(held_vertices, [&](const HeldVertex& held) { return held.block == b; });
-  std::erase_if(held_unknowns_, [&](const HeldUnknown& held) { return block_of_place_[held.vertex] == b; });
-  std::erase_if(supported_vertices, [&](int place) { return block_of_place_[place] == b; });
+  std::erase_if(fixed_vertices, [&](const FixedVertex& held) { return held.block == b; });
+  std::erase_if(prescribed_dofs_,
+                [&](const PrescribedDof& held) { return block_of_point_[held.vertex] == b; });
+  std::erase_if(supported_vertices, [&](int point) { return block_of_point_[point] == b; });
   for (Bolt& bolt : bolts)
     for (MaterialPoint& node : bolt.nodes)
       if (node.block == b) node.block = -1;
@@ -96,7 +97,7 @@ void BlockSystem::number_equations() {
   for (int b = 0; b < n_blocks(); ++b)
     if (!present_[b] || resting_[b])
       std::fill_n(equation_.begin() + block(b).unknowns().first, block(b).unknowns().count, -1);
-  for (const HeldUnknown& h : held_unknowns_) equation_[h.unknown] = -1;
+  for (const PrescribedDof& h : prescribed_dofs_) equation_[h.unknown] = -1;
   n_equations_ = 0;
   for (int& e : equation_)
     if (e >= 0) e = n_equations_++;
@@ -105,7 +106,7 @@ void BlockSystem::number_equations() {
   free_.assign(n_blocks(), true);
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
-  for (const HeldUnknown& h : held_unknowns_) moved[h.unknown] = !stays(h.motion);
+  for (const PrescribedDof& h : prescribed_dofs_) moved[h.unknown] = !stays(h.motion);
   for (int b = 0; b < n_blocks(); ++b) {
     const Range& u = block(b).unknowns();
     if (!present_[b] || resting_[b]) {
@@ -125,7 +126,7 @@ BlockState BlockSystem::initial_state() const {
   state.origin.resize(2, n_blocks());
   state.position = reference();
   for (int b = 0; b < n_blocks(); ++b) {
-    const Range &v = block(b).vertices(), &all = block(b).places();
+    const Range &v = block(b).vertices(), &all = block(b).points();
     state.origin.col(b) = block(b).grid_point(state.position.middleCols(v.first, v.count).rowwise().mean());
     state.position.middleCols(all.first, all.count).colwise() -= state.origin.col(b);
   }
@@ -151,7 +152,7 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
   for (const PointLoad& load : point_loads) {
     const Vec2 force = load.force.at(time, end_time);
     const Block& on = block(load.point.block);
-    for (int p = 0; p < on.n_places(); ++p)
+    for (int p = 0; p < on.n_points(); ++p)
       if (load.point.weights[p] != 0) on.vertex_map(p).add_force(load.point.weights[p] * force, F);
   }
   add_edge_forces(state, time, [&](int b, int vertex, const Vec2& force) {
@@ -224,17 +225,17 @@ void BlockSystem::find_coordinates(BlockState& state) const {
   state.coordinates = VectorXd::Zero(n_coordinates_);
   for_blocks(n_blocks(), [&](int b) {
     if (unchanging_[b] || !block(b).shape()) return;
-    const Range &c = block(b).coordinates(), &p = block(b).places();
+    const Range &c = block(b).coordinates(), &p = block(b).points();
     const CorotationalShape& shape = *block(b).shape();
     const Points nodes =
-        NodalKinematics<polyfem::AnyNodes>(shape).of_places(state.position.middleCols(p.first, p.count));
+        NodalKinematics<polyfem::AnyNodes>(shape).of_points(state.position.middleCols(p.first, p.count));
     state.coordinates.segment(c.first, c.count) = shape.motions().coordinates_of(nodes);
   });
 }
 
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
   VectorXd d = VectorXd::Zero(n_unknowns_);
-  for (const HeldUnknown& h : held_unknowns_) {
+  for (const PrescribedDof& h : prescribed_dofs_) {
     d[h.unknown] = h.motion.at(time, end_time)[h.axis] - total_displacement(state, h.vertex, h.axis);
   }
   return d;
@@ -242,7 +243,7 @@ VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
 
 Points BlockSystem::positions(const BlockState& state) const {
   Points x = state.position;
-  for (Index v = 0; v < x.cols(); ++v) x.col(v) += state.origin.col(block_of_place_[v]);
+  for (Index v = 0; v < x.cols(); ++v) x.col(v) += state.origin.col(block_of_point_[v]);
   return x;
 }
 
@@ -250,13 +251,13 @@ Points BlockSystem::displacements(const BlockState& state) const {
   const BlockState& zero = displacement_zero();
   Points u = state.position - zero.position;
   for (Index v = 0; v < u.cols(); ++v)
-    u.col(v) += state.origin.col(block_of_place_[v]) - zero.origin.col(block_of_place_[v]);
+    u.col(v) += state.origin.col(block_of_point_[v]) - zero.origin.col(block_of_point_[v]);
   return u;
 }
 
-double BlockSystem::total_displacement(const BlockState& state, int place, int axis) const {
-  const int b = block_of_place_[place];
-  return (state.position(axis, place) - start_.position(axis, place)) +
+double BlockSystem::total_displacement(const BlockState& state, int point, int axis) const {
+  const int b = block_of_point_[point];
+  return (state.position(axis, point) - start_.position(axis, point)) +
          (state.origin(axis, b) - start_.origin(axis, b));
 }
 
@@ -299,7 +300,7 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
   constexpr double negligible = 1e-15;  // of the block size
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<int> moved;
-    for (const HeldUnknown& held : held_unknowns_) {
+    for (const PrescribedDof& held : prescribed_dofs_) {
       const int b = block_of_unknown_[held.unknown];
       const double error = displaced[held.unknown] - prescribed[held.unknown];
       if (is_unchanging(b) || std::abs(error) <= negligible * block(b).size()) continue;
@@ -315,15 +316,15 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
   return displaced;
 }
 
-Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_places) const {
-  const Range& range = block(point.block).places();
-  return at_places.middleCols(range.first, range.count) * point.weights;
+Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_points) const {
+  const Range& range = block(point.block).points();
+  return at_points.middleCols(range.first, range.count) * point.weights;
 }
 
 Vec2 BlockSystem::displacement(const MaterialPoint& point, const VectorXd& d) const {
   const Block& on = block(point.block);
   Vec2 u = Vec2::Zero();
-  for (int p = 0; p < on.n_places(); ++p)
+  for (int p = 0; p < on.n_points(); ++p)
     if (point.weights[p] != 0) u += point.weights[p] * on.vertex_map(p)(d);
   return u;
 }

@@ -45,7 +45,7 @@ struct BodyLoad {
 
 /// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
 /// a place along an axis.
-struct HeldUnknown {
+struct PrescribedDof {
   int unknown = 0;
   int vertex = 0;       ///< in the arrays of the state
   int axis = 0;         ///< 0: x, 1: y
@@ -53,13 +53,13 @@ struct HeldUnknown {
 };
 
 /// A vertex of a six-unknown block held as Shi does it: by stiff springs to where it should be.
-struct HeldVertex {
+struct FixedVertex {
   int block = 0, vertex = 0;  ///< vertex of the block, 0 .. n_vertices - 1
   bool x = true, y = true;
   TimeFunction motion;
 };
 
-/// Owns the blocks; their unknowns, places and integration points are numbered in block order.
+/// Owns the blocks; their unknowns, points and integration points are numbered in block order.
 class BlockSystem {
  public:
   /// Takes blocks and numbers them.
@@ -70,7 +70,7 @@ class BlockSystem {
   int n_stress_points() const { return n_stress_points_; }
   int n_coordinates() const { return n_coordinates_; }
   const Block& block(int b) const { return *blocks_[b]; }
-  /// All places at the start.
+  /// All points at the start.
   Points reference() const;
 
   std::vector<std::string> names;  ///< of the blocks, for messages; their indices unless replaced
@@ -82,7 +82,7 @@ class BlockSystem {
   WaterLoad water;
   std::vector<QuietFace> quiet_faces;
   std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2; 0 outside them
-  std::vector<HeldVertex> held_vertices;
+  std::vector<FixedVertex> fixed_vertices;
   /// Numbered by `set_bolts`.
   std::vector<Bolt> bolts;
   /// Every vertex that the scene holds, by its place in the arrays of the state, ascending. Of an affine
@@ -97,12 +97,12 @@ class BlockSystem {
   /// Takes bolts and numbers what the state has of them.
   void set_bolts(std::vector<Bolt> all);
 
-  void set_held_unknowns(std::vector<HeldUnknown> held);
-  const std::vector<HeldUnknown>& held_unknowns() const { return held_unknowns_; }
+  void set_prescribed_dofs(std::vector<PrescribedDof> held);
+  const std::vector<PrescribedDof>& prescribed_dofs() const { return prescribed_dofs_; }
   /// The row of (13) of each unknown, -1 when it is held.
   const std::vector<int>& equation() const { return equation_; }
   int n_equations() const { return n_equations_; }
-  int block_of_place(int place) const { return block_of_place_[place]; }
+  int block_of_point(int point) const { return block_of_point_[point]; }
   int block_of_unknown(int unknown) const { return block_of_unknown_[unknown]; }
   /// Whether a block has an unknown that is not held.
   bool is_movable(int b) const { return movable_[b]; }
@@ -118,11 +118,11 @@ class BlockSystem {
   /// equations; not unless this says so. To be called before a StepSystem is made.
   void compute_fixed(bool all) { computes_fixed_ = all; }
 
-  /// All blocks at rest and free of stress in their reference places; held points at their start; bolts not
-  /// installed.
+  /// All blocks at rest and free of stress in their reference positions; prescribed points at their start;
+  /// bolts not installed.
   BlockState initial_state() const;
   /// Takes a block out with its loads and supports and the bolts in it: nothing of it counts any more. Its
-  /// places stay in the arrays of the state.
+  /// points stay in the arrays of the state.
   void remove(int b);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const;
@@ -142,25 +142,26 @@ class BlockSystem {
   /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21),
   /// (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
-  /// Finds the motions of the blocks that may move from their places in `state`.
+  /// Finds the motions of the blocks that may move from their positions in `state`.
   void find_coordinates(BlockState& state) const;
-  /// The step's displacements of the held unknowns to where they should be at `time`; 0 for all others.
+  /// The step's displacements of the prescribed degrees of freedom to where they should be at `time`; 0 for
+  /// all others.
   VectorXd prescribed(const BlockState& state, double time) const;
 
-  /// All places, relative to the model's origin.
+  /// All points, relative to the model's origin.
   Points positions(const BlockState& state) const;
-  /// Of all places since displacements are counted: from the start, or from the last call of
+  /// Of all points since displacements are counted: from the start, or from the last call of
   /// count_displacements_from.
   Points displacements(const BlockState& state) const;
   /// Of one place since the start, along an axis.
-  double total_displacement(const BlockState& state, int place, int axis) const;
+  double total_displacement(const BlockState& state, int point, int axis) const;
   void count_displacements_from(const BlockState& zero);
-  /// The places that displacements are counted from, with their blocks' origins.
+  /// The points that displacements are counted from, with their blocks' origins.
   const BlockState& displacement_zero() const { return zero_.position.cols() > 0 ? zero_ : start_; }
   /// The outline of a block from the origin of another: no digits are lost to where they are.
   Points outline_from(const BlockState& state, int block, int origin_of) const;
-  /// A vector at a material point from those at the places of all blocks.
-  Vec2 interpolate(const MaterialPoint& point, const Points& at_places) const;
+  /// A vector at a material point from those at the points of all blocks.
+  Vec2 interpolate(const MaterialPoint& point, const Points& at_points) const;
   /// The displacement of a material point for unknowns d, or its velocity for velocities.
   Vec2 displacement(const MaterialPoint& point, const VectorXd& d) const;
 
@@ -168,8 +169,8 @@ class BlockSystem {
   void begin_step(const BlockState& state, const StepStart& start);
   /// Ends it: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
-  /// See Block::displacement. Prescribed places are led to where they should be: d is changed so that they
-  /// are. \param[in] prescribed  displacements of the held unknowns
+  /// See Block::displacement. Prescribed points are led to where they should be: d is changed so that they
+  /// are. \param[in] prescribed  displacements of the prescribed degrees of freedom
   VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
 
  private:
@@ -182,11 +183,11 @@ class BlockSystem {
 
   std::vector<std::unique_ptr<Block>> blocks_;
   std::vector<RoundedBlock> rounded_;  ///< empty: corners are sharp
-  BlockState start_, zero_;  ///< places and origins alone; zero_ is empty while displacements are counted
+  BlockState start_, zero_;  ///< points and origins alone; zero_ is empty while displacements are counted
                              ///< from the start
-  std::vector<int> block_of_place_, block_of_unknown_;
+  std::vector<int> block_of_point_, block_of_unknown_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_coordinates_ = 0, n_equations_ = 0;
-  std::vector<HeldUnknown> held_unknowns_;
+  std::vector<PrescribedDof> prescribed_dofs_;
   std::vector<int> equation_;
   std::vector<bool> present_;
   std::vector<bool> resting_;  ///< left where they are for a while, as if wholly held

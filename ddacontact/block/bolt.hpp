@@ -38,7 +38,7 @@ struct Bolt {
     return nodes[static_cast<std::size_t>(k)].block >= 0 && nodes[static_cast<std::size_t>(k) + 1].block >= 0;
   }
 
-  // What BlockState::bolts has of it, by places from `numbers.first` on: three numbers a segment, then, where
+  // What BlockState::bolts has of it, by points from `numbers.first` on: three numbers a segment, then, where
   // it is grouted, two a node.
   int n_numbers() const { return 3 * n_segments() + (is_grouted() ? 2 * n_segments() + 2 : 0); }
   static int length(int segment) { return 3 * segment; }            ///< when it was installed, m

@@ -29,9 +29,9 @@ std::array<int, 3> choose_three(const PointsRef& outline, const std::vector<bool
 
 }  // namespace
 
-ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
-                                        const std::vector<bool>& held_y) {
-  return {choose_three(outline, held_x), choose_three(outline, held_y)};
+ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& fixed_x,
+                                        const std::vector<bool>& fixed_y) {
+  return {choose_three(outline, fixed_x), choose_three(outline, fixed_y)};
 }
 
 }  // namespace ddacontact

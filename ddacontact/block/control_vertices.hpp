@@ -14,8 +14,8 @@ struct ControlVertices {
   std::array<int, 3> x, y;
 };
 
-/// Control vertices that include as many of the held ones (`held_x[v]`, `held_y[v]`) as three can be.
-ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& held_x,
-                                        const std::vector<bool>& held_y);
+/// Control vertices that include as many of the held ones (`fixed_x[v]`, `fixed_y[v]`) as three can be.
+ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& fixed_x,
+                                        const std::vector<bool>& fixed_y);
 
 }  // namespace ddacontact

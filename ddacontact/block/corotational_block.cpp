@@ -25,23 +25,23 @@ Vec3 turned(const Mat2& R, const Vec3& stress) {
 
 }  // namespace
 
-CorotationalBlock::CorotationalBlock(const BlockMaterial& material, const PointsRef& places,
+CorotationalBlock::CorotationalBlock(const BlockMaterial& material, const PointsRef& points,
                                      std::shared_ptr<const CorotationalShape> shape)
-    : Block(material, places, shape->n_outline), shape_(std::move(shape)) {
-  map_places();
+    : Block(material, points, shape->n_outline), shape_(std::move(shape)) {
+  map_points();
 }
 
-Points CorotationalBlock::nodes(const PointsRef& places) const {
-  if (shape_->places.size() == 0) return places;
-  return places * shape_->nodes_of_places.transpose();
+Points CorotationalBlock::nodes(const PointsRef& points) const {
+  if (shape_->points.size() == 0) return points;
+  return points * shape_->nodes_of_points.transpose();
 }
 
 Points CorotationalBlock::nodes(const BlockState& state) const {
-  return nodes(state.position.middleCols(places().first, places().count));
+  return nodes(state.position.middleCols(points().first, points().count));
 }
 
-void CorotationalBlock::map_places() {
-  if (shape_->places.size() == 0 && !shape_->has_basis()) return;
+void CorotationalBlock::map_points() {
+  if (shape_->points.size() == 0 && !shape_->has_basis()) return;
   const auto add = [&](Index node, double weight, std::vector<PointMap::Term>& terms) {
     for (int axis = 0; axis < 2; ++axis) {
       const Index row = 2 * node + axis;
@@ -54,17 +54,17 @@ void CorotationalBlock::map_places() {
         add_term(static_cast<int>(entry.col()), entry.value() * column, terms);
     }
   };
-  place_maps_.resize(n_places());
-  for (int place = 0; place < n_places(); ++place) {
-    if (shape_->places.size() == 0) add(place, 1, place_maps_[place]);
-    for (Index a = 0; a < shape_->places.cols(); ++a)
-      if (shape_->places(place, a) != 0) add(a, shape_->places(place, a), place_maps_[place]);
+  point_maps_.resize(n_points());
+  for (int point = 0; point < n_points(); ++point) {
+    if (shape_->points.size() == 0) add(point, 1, point_maps_[point]);
+    for (Index a = 0; a < shape_->points.cols(); ++a)
+      if (shape_->points(point, a) != 0) add(a, shape_->points(point, a), point_maps_[point]);
   }
 }
 
-PointMap CorotationalBlock::vertex_map(int place) const {
-  return place_maps_.empty() ? PointMap(unknowns().first + 2 * place)
-                             : PointMap(unknowns().first, place_maps_[place]);
+PointMap CorotationalBlock::vertex_map(int point) const {
+  return point_maps_.empty() ? PointMap(unknowns().first + 2 * point)
+                             : PointMap(unknowns().first, point_maps_[point]);
 }
 
 MatrixXd CorotationalBlock::times_mass(const Eigen::Ref<const MatrixXd>& velocities) const {
@@ -90,9 +90,9 @@ void CorotationalBlock::add_body_force(const Vec2& b, VectorXd& F) const {
   });
 }
 
-void CorotationalBlock::prepare_shape(const PointsRef& places) {
+void CorotationalBlock::prepare_shape(const PointsRef& points) {
   with_nodes(*shape_, [&](const auto& nodes) {
-    nodes.to_unknowns(nodes.spin(nodes.of_places(places)), new_rotation());
+    nodes.to_unknowns(nodes.spin(nodes.of_points(points)), new_rotation());
   });
 }
 
@@ -102,7 +102,7 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {
 }
 
 void CorotationalBlock::begin_step(const BlockState& state, const StepStart& start) {
-  const Range &u = unknowns(), &p = places();
+  const Range &u = unknowns(), &p = points();
   StepRule rule = start.rule;
   if (rule.is_explicit() && start.dt > longest_explicit_step(*shape_, rule.damping))
     rule.scheme = Scheme::decaying;
@@ -119,7 +119,7 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
     return;
   }
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
-    const auto y = nodes.of_places(state.position.middleCols(p.first, p.count));
+    const auto y = nodes.of_points(state.position.middleCols(p.first, p.count));
     CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(start.velocity.segment(u.first, u.count)),
                                 nodes.to_nodes(start.acceleration.segment(u.first, u.count)),
                                 initial_stress(state), start_);
@@ -177,25 +177,25 @@ void CorotationalBlock::add_change(const Eigen::Ref<const VectorXd>& change, Eig
 void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
                                  const Eigen::Ref<const VectorXd>& external, bool is_free,
                                  BlockState& next) const {
-  const Range &u = unknowns(), &p = places();
+  const Range &u = unknowns(), &p = points();
   if (const auto by_motions = motion()) {
     const VectorXd none;
     const BlockMotion::Numbers forces = is_free ? external : BlockMotion::Numbers(none);
-    auto places = next.position.middleCols(p.first, p.count);
+    auto points = next.position.middleCols(p.first, p.count);
     auto velocity = next.carried.segment(u.first, u.count);
     if (next.coordinates.size() > 0) {
-      by_motions->end(d, forces, next.coordinates.segment(coordinates().first, coordinates().count), places,
+      by_motions->end(d, forces, next.coordinates.segment(coordinates().first, coordinates().count), points,
                       velocity);
     } else {
       VectorXd of_block = shape_->motions().coordinates_of(nodes(next));
-      by_motions->end(d, forces, of_block, places, velocity);
+      by_motions->end(d, forces, of_block, points, velocity);
     }
     follow_with_origin(next);
     return;
   }
   with_step([&](const auto& nodes, const auto& step) {
     const auto moved = nodes.to_nodes(d);
-    nodes.put_places(step.y0() + moved, next.position.middleCols(p.first, p.count));
+    nodes.put_points(step.y0() + moved, next.position.middleCols(p.first, p.count));
     auto end = step.end(moved);
     if (is_free) step.keep_momenta(moved, external, end);
     nodes.to_unknowns(end.velocity, next.velocity.segment(u.first, u.count));
@@ -278,7 +278,7 @@ VectorXd CorotationalBlock::initial_force(const BlockState& state) const {
 double CorotationalBlock::elastic_energy(const BlockState& state) const {
   if (state.coordinates.size() > 0) return elastic_energy_of_deformation(state);
   return with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
-    const auto y = nodes.of_places(state.position.middleCols(places().first, places().count));
+    const auto y = nodes.of_points(state.position.middleCols(points().first, points().count));
     double energy = 0;
     for (int c = 0; c < n_cells(); ++c) {
       const ShapeCell& cell = shape_->cells[c];
@@ -359,9 +359,9 @@ Points CorotationalBlock::strain_displacement(const BlockState& state) const {
   const Frame frame = cell_frame(state, nodes(state), 0);
   const Points u = frame.u.reshaped(2, shape_->nodes.cols());
   Points w = u, rest = shape_->nodes;
-  if (shape_->places.size() > 0) {
-    w = u * shape_->places.transpose();
-    rest = shape_->nodes * shape_->places.transpose();
+  if (shape_->points.size() > 0) {
+    w = u * shape_->points.transpose();
+    rest = shape_->nodes * shape_->points.transpose();
   }
   const Tensors initial = initial_stress(state, 0);
   if (initial.isZero(0)) return frame.rotation * w;

@@ -12,7 +12,7 @@ namespace ddacontact {
 /// shape, and turned with the block. Area and stress are exact at any rotation.
 class CorotationalBlock final : public Block {
  public:
-  CorotationalBlock(const BlockMaterial& material, const PointsRef& places,
+  CorotationalBlock(const BlockMaterial& material, const PointsRef& points,
                     std::shared_ptr<const CorotationalShape> shape);
 
   const CorotationalShape* shape() const override { return shape_.get(); }
@@ -22,7 +22,7 @@ class CorotationalBlock final : public Block {
   bool changes_stress() const override { return false; }
   VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
   VectorXd initial_force(const BlockState& state) const override;
-  PointMap vertex_map(int place) const override;
+  PointMap vertex_map(int point) const override;
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return shape_->translations;
   }
@@ -56,10 +56,10 @@ class CorotationalBlock final : public Block {
  private:
   using Frame = polyfem::CorotatedFrame;
 
-  void prepare_shape(const PointsRef& places) override;
-  void map_places();
+  void prepare_shape(const PointsRef& points) override;
+  void map_points();
   double elastic_energy_of_deformation(const BlockState& state) const;
-  Points nodes(const PointsRef& places) const;
+  Points nodes(const PointsRef& points) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const BlockState& state, const Points& y, int c) const;
   /// Empty: none.
@@ -72,7 +72,7 @@ class CorotationalBlock final : public Block {
   auto with_step(const Work& work) const;
 
   std::shared_ptr<const CorotationalShape> shape_;
-  std::vector<std::vector<PointMap::Term>> place_maps_;  ///< empty: each place has two unknowns of its own
+  std::vector<std::vector<PointMap::Term>> point_maps_;  ///< empty: each place has two unknowns of its own
   CorotationalStart start_;                              ///< of the step last begun
 };
 

@@ -64,16 +64,16 @@ class NodalKinematics {
     return forces.dot(shape_.inverse_basis * Stacked(motion.reshaped()));
   }
 
-  /// The nodes by the places, and back.
-  Vectors of_places(const PointsRef& places) const {
-    if (shape_.places.size() == 0) return places;
-    return places * shape_.nodes_of_places.transpose();
+  /// The nodes by the points, and back.
+  Vectors of_points(const PointsRef& points) const {
+    if (shape_.points.size() == 0) return points;
+    return points * shape_.nodes_of_points.transpose();
   }
-  void put_places(const Vectors& y, Eigen::Ref<Points> places) const {
-    if (shape_.places.size() == 0)
-      places = y;
+  void put_points(const Vectors& y, Eigen::Ref<Points> points) const {
+    if (shape_.points.size() == 0)
+      points = y;
     else
-      places.noalias() = y * shape_.places.transpose();
+      points.noalias() = y * shape_.points.transpose();
   }
 
   /// v M

@@ -85,8 +85,8 @@ void find_unknowns(CorotationalShape& shape) {
         MatrixXd::Zero(static_cast<Index>(rows.size()), static_cast<Index>(cell.unknowns.size()));
     for (std::size_t k = 0; k < rows.size(); ++k)
       for (Row::InnerIterator entry(shape.basis, rows[k]); entry; ++entry) {
-        const auto place = std::lower_bound(cell.unknowns.begin(), cell.unknowns.end(), entry.col());
-        cell.nodes_by_unknowns(static_cast<Index>(k), place - cell.unknowns.begin()) = entry.value();
+        const auto point = std::lower_bound(cell.unknowns.begin(), cell.unknowns.end(), entry.col());
+        cell.nodes_by_unknowns(static_cast<Index>(k), point - cell.unknowns.begin()) = entry.value();
       }
   }
 }
@@ -209,16 +209,16 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
 
   const Index n = outline.cols();
   shape.n_outline = static_cast<int>(n);
-  shape.places.resize(n, 3);
-  shape.places << VectorXd::Ones(n), (outline.colwise() - moments.centroid).transpose() / size;
-  shape.nodes_of_places = shape.places.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
+  shape.points.resize(n, 3);
+  shape.points << VectorXd::Ones(n), (outline.colwise() - moments.centroid).transpose() / size;
+  shape.nodes_of_points = shape.points.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
 
   if (control) {
     MatrixXd displacements = MatrixXd::Zero(6, 6);  // of the control vertices, by the changes of the nodes
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 3; ++a) {
-        displacements(2 * k, 2 * a) = shape.places(control->x[k], a);
-        displacements(2 * k + 1, 2 * a + 1) = shape.places(control->y[k], a);
+        displacements(2 * k, 2 * a) = shape.points(control->x[k], a);
+        displacements(2 * k + 1, 2 * a + 1) = shape.points(control->y[k], a);
       }
     shape.basis = MatrixXd(displacements.inverse()).sparseView(1, negligible);
     shape.inverse_basis = displacements.sparseView();
@@ -230,8 +230,8 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
 CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mesh,
                              polyfem::GradientCorrection correction) {
   CorotationalShape shape;
-  const Points outline = mesh.places.leftCols(mesh.n_outline);
-  shape.nodes = mesh.places.colwise() - polyfem::area_moments(outline).centroid;
+  const Points outline = mesh.points.leftCols(mesh.n_outline);
+  shape.nodes = mesh.points.colwise() - polyfem::area_moments(outline).centroid;
   const Index n = shape.nodes.cols();
   shape.n_outline = mesh.n_outline;
   shape.translation = VectorXd::Ones(n);
@@ -264,10 +264,10 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
       basis.emplace_back(u, u, 1);
       inverse.emplace_back(u, u, 1);
     }
-    for (const BlockMesh::EdgePlace& on : mesh.on_straight_edges)
+    for (const BlockMesh::EdgePoint& on : mesh.on_straight_edges)
       for (int axis = 0; axis < 2; ++axis) {
-        basis.emplace_back(2 * on.place + axis, 2 * on.start + axis, 1 - on.along);
-        basis.emplace_back(2 * on.place + axis, 2 * on.end + axis, on.along);
+        basis.emplace_back(2 * on.point + axis, 2 * on.start + axis, 1 - on.along);
+        basis.emplace_back(2 * on.point + axis, 2 * on.end + axis, on.along);
       }
     shape.basis.resize(2 * n, 2 * independent);
     shape.basis.setFromTriplets(basis.begin(), basis.end());

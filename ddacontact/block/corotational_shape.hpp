@@ -31,7 +31,7 @@ struct ShapeCell {
 };
 
 /// A block's nodes are 2-vectors that turn with it; its unknowns are their changes in a step. For polygons
-/// and meshes they are its places. For Shi's affine displacements they are the centroid and the two columns
+/// and meshes they are its points. For Shi's affine displacements they are the centroid and the two columns
 /// of F = dx/dX, times the block's size, which makes them lengths: six unknowns, linear in (1) at any
 /// rotation.
 struct CorotationalShape {
@@ -40,9 +40,9 @@ struct CorotationalShape {
   std::vector<ShapeCell> cells;
   Eigen::SparseMatrix<double> mass;  ///< of all nodes, the sum over the cells; empty: that of the only one
   Points mean_gradient;      ///< b of F = sum_a y_a b_a^T, the block's mean deformation gradient, 2 x m
-  int n_outline = 0;         ///< vertices of the outline, the first of the places
-  MatrixXd places;           ///< p x m: place i is at sum_a places(i, a) y_a; empty: the nodes are the places
-  MatrixXd nodes_of_places;  ///< m x p: exact for places of this shape
+  int n_outline = 0;         ///< vertices of the outline, the first of the points
+  MatrixXd points;           ///< p x m: point i is at sum_a points(i, a) y_a; empty: the nodes are the points
+  MatrixXd nodes_of_points;  ///< m x p: exact for points of this shape
   /// Changes of the nodes by the unknowns, 2m x u, and back; empty: they are the unknowns.
   Eigen::SparseMatrix<double, Eigen::RowMajor> basis, inverse_basis;
 
@@ -53,15 +53,15 @@ struct CorotationalShape {
   /// See StepMatrices, of the blocks of this shape.
   std::unique_ptr<LastStepMatrices> step_matrices = std::make_unique<LastStepMatrices>();
 
-  /// The shape in its own frame, found when it is first asked for. Any thread may ask.
+  /// The shape in its own frame, found when it is first requested. Any thread may ask.
   const MotionShape& motions() const {
     std::call_once(on_demand->found, [this] { on_demand->motions.emplace(*this); });
     return *on_demand->motions;
   }
   /// A bound of the angular frequencies at which the free shape vibrates, the highest of its cells by
-  /// themselves, 1/s; found when it is first asked for. Any thread may ask.
+  /// themselves, 1/s; found when it is first requested. Any thread may ask.
   double highest_frequency() const;
-  /// What is found when it is first asked for.
+  /// What is found when it is first requested.
   struct OnDemand {
     std::once_flag found, vibrates;
     std::optional<MotionShape> motions;

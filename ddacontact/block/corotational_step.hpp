@@ -10,9 +10,9 @@
 
 namespace ddacontact {
 
-/// A step that was begun. Its arrays are of the nodes places, velocities and accelerations (Newmark's); of
-/// each cell the first axis of its frame, (stretch, 0) and the places of its nodes there; and where there is
-/// any, the forces on the nodes of each cell of the stress that the reference shape has.
+/// A step that was begun. Its arrays hold the positions of the nodes, their velocities and accelerations
+/// (Newmark's); of each cell the first axis of its frame, (stretch, 0) and the positions of its nodes there;
+/// and where there is any, the forces on the nodes of each cell of the stress that the reference shape has.
 template <class Of>
 class CorotationalStep {
  public:
@@ -35,7 +35,7 @@ class CorotationalStep {
                     const Vectors& acceleration, const TensorsRef& initial_stress, CorotationalStart& start) {
     const StepRule& rule = start.matrices->rule;
     const std::vector<ShapeCell>& cells = nodes.shape().cells;
-    const Places at(nodes.shape(), rule);
+    const StepPoints at(nodes.shape(), rule);
     const bool stressed = !initial_stress.isZero(0);
     start.arrays.resize(static_cast<std::size_t>(stressed ? at.end : at.initial_forces));
     const auto put = [&](const Vectors& array, Index column) {
@@ -167,8 +167,8 @@ class CorotationalStep {
   static bool keeps_acceleration(const StepRule& rule) { return rule.history() != 0 || rule.gamma != 1; }
 
   /// Indices in CorotationalStart::arrays.
-  struct Places {
-    Places(const CorotationalShape& shape, const StepRule& rule) {
+  struct StepPoints {
+    StepPoints(const CorotationalShape& shape, const StepRule& rule) {
       const Index m = shape.nodes.cols();
       velocity = m;
       acceleration = 2 * m;
@@ -230,7 +230,7 @@ class CorotationalStep {
   const CorotationalStart& start_;
   const StepRule& rule_;
   const double dt_;
-  const Places at_;
+  const StepPoints at_;
 };
 
 }  // namespace ddacontact

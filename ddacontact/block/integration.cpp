@@ -1,7 +1,7 @@
 #include <ddacontact/block/integration.hpp>
 
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/gauss_rule.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
@@ -24,8 +24,8 @@ Integration choose_integration(const PointsRef& outline, GradientCorrection corr
     tabulate(outline, *rule, basis, correction, element);
     polyfem::stiffness(element, elasticity, K);
     polyfem::mass(element, M);
-    const bool sound = polyfem::judge(K, M).sound();
-    if (sound || correction == GradientCorrection::off) return {rule, correction, sound};
+    const bool definite = polyfem::judge(K, M).definite();
+    if (definite || correction == GradientCorrection::off) return {rule, correction, definite};
   }
   return {rules.back(), correction, false};
 }

@@ -11,7 +11,7 @@ namespace ddacontact {
 struct Integration {
   const polyfem::TriangleRule* triangle_rule;  ///< of each triangle of the fan; not owned
   polyfem::GradientCorrection correction;
-  bool sound = true;  ///< whether it gives the block a stiffness of full rank and a definite mass
+  bool definite = true;  ///< whether it gives the block a stiffness of full rank and a definite mass
 };
 
 /// The paper's integration, or, with the correction on, the cheapest rule from there that is sound for this

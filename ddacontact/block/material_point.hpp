@@ -8,7 +8,7 @@ namespace ddacontact {
 /// A point that travels with its block: x = sum_p weights[p] * (place p of the block).
 struct MaterialPoint {
   int block = 0;
-  VectorXd weights;  ///< see Block::place_weights
+  VectorXd weights;  ///< see Block::point_weights
 };
 
 }  // namespace ddacontact

@@ -20,7 +20,7 @@ struct StepMatrices {
   bool are_for(const StepRule& of_rule, double of_dt) const { return rule == of_rule && dt == of_dt; }
 };
 
-/// Those that a shape was last asked for. Any thread may ask.
+/// Those that were last requested of a shape. Any thread may ask.
 class LastStepMatrices {
  public:
   using Make = std::function<std::vector<MatrixXd>(const StepRule& rule, double dt)>;

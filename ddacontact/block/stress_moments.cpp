@@ -29,7 +29,7 @@ StressMoments moments_of_forces(const polyfem::PolygonRule& rule, std::span<cons
   double moment = 0;
   for (const ActingForce& acting : forces) {
     sum += acting.force;
-    moment += cross(acting.place, acting.force);
+    moment += cross(acting.point, acting.force);
   }
   const double spin = moment / second_moments(rule).trace();
   StressMoments moments;
@@ -37,7 +37,7 @@ StressMoments moments_of_forces(const polyfem::PolygonRule& rule, std::span<cons
     for (int axis = 0; axis < 2; ++axis) {
       double work = 0;
       for (const ActingForce& acting : forces)
-        work += acting.force.dot(displacement(strain, axis, acting.place));
+        work += acting.force.dot(displacement(strain, axis, acting.point));
       for (Index q = 0; q < rule.weights.size(); ++q) {
         const Vec2 x = rule.points.col(q);
         const Vec2 left_over = body - sum / area - spin * Vec2(-x.y(), x.x());

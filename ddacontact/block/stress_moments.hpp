@@ -10,7 +10,7 @@ namespace ddacontact {
 
 /// A force per metre of thickness and the point that it acts on.
 struct ActingForce {
-  Vec2 place, force;
+  Vec2 point, force;
 };
 
 /// Integrals over a block of a stress (xx, yy, xy) times x and times y: 3 x 2.
@@ -19,7 +19,7 @@ using StressMoments = Eigen::Matrix<double, 3, 2>;
 /// Of any stress in equilibrium with these forces and a uniform force `body` per volume: six quadratic
 /// displacements have the six linear strains, and the work of the forces on them is that of the stress. What
 /// the forces do not balance is taken to accelerate the block as a rigid one.
-/// \param[in] rule  of the block, of degree 3 at least; all places are from its centroid
+/// \param[in] rule  of the block, of degree 3 at least; all positions are from its centroid
 StressMoments moments_of_forces(const polyfem::PolygonRule& rule, std::span<const ActingForce> forces,
                                 const Vec2& body);
 

@@ -10,13 +10,13 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   Ranges next;
   for (int b : blocks_) {
     const Block& block = whole.block(b);
-    in_whole_.push_back({block.places(), block.unknowns(), block.stress_points(), block.coordinates()});
-    in_part_.push_back({{next.places.first, block.n_places()},
+    in_whole_.push_back({block.points(), block.unknowns(), block.stress_points(), block.coordinates()});
+    in_part_.push_back({{next.points.first, block.n_points()},
                         {next.unknowns.first, block.n_unknowns()},
                         {next.stress_points.first, block.n_stress_points()},
                         {next.coordinates.first, block.n_coordinates()}});
     for (int u = block.unknowns().first; u < block.unknowns().end(); ++u) unknowns_.push_back(u);
-    next.places.first = in_part_.back().places.end();
+    next.points.first = in_part_.back().points.end();
     next.unknowns.first = in_part_.back().unknowns.end();
     next.stress_points.first = in_part_.back().stress_points.end();
     next.coordinates.first = in_part_.back().coordinates.end();
@@ -33,13 +33,13 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   std::vector<std::pair<const BlockState*, BlockState*>> kept{{&whole.start_, &system_.start_}};
   if (whole.zero_.position.size() > 0) kept.emplace_back(&whole.zero_, &system_.zero_);
   for (const auto& [in, out] : kept) {
-    out->position.resize(2, next.places.first);
+    out->position.resize(2, next.points.first);
     out->origin.resize(2, static_cast<Index>(blocks_.size()));
   }
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    const Range &from = in_whole_[k].places, &to = in_part_[k].places;
+    const Range &from = in_whole_[k].points, &to = in_part_[k].points;
     const auto column = static_cast<Index>(k);
-    system_.block_of_place_.insert(system_.block_of_place_.end(), to.count, static_cast<int>(k));
+    system_.block_of_point_.insert(system_.block_of_point_.end(), to.count, static_cast<int>(k));
     system_.block_of_unknown_.insert(system_.block_of_unknown_.end(), in_part_[k].unknowns.count,
                                      static_cast<int>(k));
     for (const auto& [in, out] : kept) {
@@ -79,21 +79,21 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
       system_.quiet_faces.push_back(std::move(face));
     }
   system_.ground = whole.ground;
-  for (HeldVertex held : whole.held_vertices)
+  for (FixedVertex held : whole.fixed_vertices)
     if (const int k = taking_part(held.block); k >= 0) {
       held.block = k;
-      system_.held_vertices.push_back(std::move(held));
+      system_.fixed_vertices.push_back(std::move(held));
     }
-  for (HeldUnknown held : whole.held_unknowns_)
-    if (const int k = taking_part(whole.block_of_place_[held.vertex]); k >= 0) {
+  for (PrescribedDof held : whole.prescribed_dofs_)
+    if (const int k = taking_part(whole.block_of_point_[held.vertex]); k >= 0) {
       held.unknown += in_part_[k].unknowns.first - in_whole_[k].unknowns.first;
-      held.vertex += in_part_[k].places.first - in_whole_[k].places.first;
-      system_.held_unknowns_.push_back(std::move(held));
+      held.vertex += in_part_[k].points.first - in_whole_[k].points.first;
+      system_.prescribed_dofs_.push_back(std::move(held));
     }
 
   take_bolts(whole);
 
-  state_.position.resize(2, next.places.first);
+  state_.position.resize(2, next.points.first);
   state_.origin.resize(2, static_cast<Index>(blocks_.size()));
   state_.velocity.resize(next.unknowns.first);
   state_.carried.resize(next.unknowns.first);
@@ -131,8 +131,8 @@ void SystemPart::lend(BlockSystem& whole, BlockSystem& part) const {
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Ranges& to = in_part_[k];
     part.blocks_[k] = std::move(whole.blocks_[blocks_[k]]);
-    part.blocks_[k]->place(static_cast<int>(k), to.places.first, to.unknowns.first, to.stress_points.first,
-                           to.coordinates.first);
+    part.blocks_[k]->number(static_cast<int>(k), to.points.first, to.unknowns.first, to.stress_points.first,
+                            to.coordinates.first);
   }
 }
 
@@ -141,8 +141,8 @@ void SystemPart::give_back(BlockSystem& part, BlockSystem& whole) const {
     const Ranges& to = in_whole_[k];
     const int b = blocks_[k];
     whole.blocks_[b] = std::move(part.blocks_[k]);
-    whole.blocks_[b]->place(b, to.places.first, to.unknowns.first, to.stress_points.first,
-                            to.coordinates.first);
+    whole.blocks_[b]->number(b, to.points.first, to.unknowns.first, to.stress_points.first,
+                             to.coordinates.first);
   }
 }
 
@@ -167,8 +167,8 @@ void SystemPart::copy(const BlockState& from, const std::vector<Ranges>& in_from
                 there = into_part ? static_cast<Index>(k) : blocks_[k];
     to.origin.col(there) = from.origin.col(here);
     to.rotation[there] = from.rotation[here];
-    to.position.middleCols(target.places.first, target.places.count) =
-        from.position.middleCols(source.places.first, source.places.count);
+    to.position.middleCols(target.points.first, target.points.count) =
+        from.position.middleCols(source.points.first, source.points.count);
     if (by_motions)
       to.coordinates.segment(target.coordinates.first, target.coordinates.count) =
           from.coordinates.segment(source.coordinates.first, source.coordinates.count);

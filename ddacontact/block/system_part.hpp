@@ -31,12 +31,12 @@ class SystemPart {
   bool is_resting(int k) const { return resting_[k]; }
   /// The numbers in the whole of the part's unknowns.
   const std::vector<int>& unknowns() const { return unknowns_; }
-  /// The places of the part's block k in the whole.
-  const Range& places_in_whole(int k) const { return in_whole_[k].places; }
+  /// The points of the part's block k in the whole.
+  const Range& points_in_whole(int k) const { return in_whole_[k].points; }
 
  private:
   struct Ranges {
-    Range places, unknowns, stress_points, coordinates;
+    Range points, unknowns, stress_points, coordinates;
   };
   void lend(BlockSystem& whole, BlockSystem& part) const;
   void give_back(BlockSystem& part, BlockSystem& whole) const;

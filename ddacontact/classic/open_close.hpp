@@ -34,7 +34,7 @@ struct OpenCloseReport {
 /// until they agree with the solution ("surmised and calculated contact state are consistent", end of section
 /// 4), and the residual, with friction taken from the present penetration, is below tolerance.
 ///
-/// For given states the size of friction (49) hangs on the penetration, which (13) leaves out of K: the
+/// For given states the size of friction (49) depends on the penetration, which (13) leaves out of K: the
 /// iteration d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Leaves the states in
 /// `contacts` and sets their `was_closed`.
 OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,

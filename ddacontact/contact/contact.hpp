@@ -26,35 +26,35 @@ struct ContactHistory {
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
 /// unknowns move them.
 struct MovingVertexEdge {
-  VertexEdgePlace start;
+  VertexEdgePositions start;
   PointMap i, j, k;
   std::shared_ptr<const Rounding> rounding{};  ///< none: the corner is sharp
 
-  RoundedPlace places() const { return {start, rounding ? rounding->after_i : Vec2::Zero()}; }
-  RoundedPlace moved(const VectorXd& d) const {
+  RoundedPositions positions() const { return {start, rounding ? rounding->after_i : Vec2::Zero()}; }
+  RoundedPositions moved(const VectorXd& d) const {
     return {{i(d), j(d), k(d)}, rounding ? rounding->of_after_i(d) : Vec2::Zero()};
   }
-  RoundedPlace at(const VectorXd& d) const {
-    const RoundedPlace from = places(), by = moved(d);
+  RoundedPositions at(const VectorXd& d) const {
+    const RoundedPositions from = positions(), by = moved(d);
     return {{from.i + by.i, from.j + by.j, from.k + by.k}, from.after_i + by.after_i};
   }
   /// From a place on, by a motion.
-  GapAndSlip gap_and_slip_from(const RoundedPlace& place, const RoundedPlace& by, double lock,
+  GapAndSlip gap_and_slip_from(const RoundedPositions& positions, const RoundedPositions& by, double lock,
                                Directions directions) const {
-    return rounding ? gap_and_slip(place, by, lock, directions, *rounding)
-                    : gap_and_slip(place, by, lock, directions);
+    return rounding ? gap_and_slip(positions, by, lock, directions, *rounding)
+                    : gap_and_slip(positions, by, lock, directions);
   }
   GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, Directions directions) const {
-    return gap_and_slip_from(places(), moved(d), lock, directions);
+    return gap_and_slip_from(positions(), moved(d), lock, directions);
   }
-  GapAndSlip rates_at(const RoundedPlace& place, double lock) const {
-    return gap_and_slip_from(place, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock,
+  GapAndSlip rates_at(const RoundedPositions& positions, double lock) const {
+    return gap_and_slip_from(positions, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock,
                              Directions::of_end);
   }
-  double start_gap() const { return rounding ? rates_at(places(), 0).gap : gap(start); }
+  double start_gap() const { return rounding ? rates_at(positions(), 0).gap : gap(start); }
   /// Whose place along the line j-k the slip is.
-  VertexEdgePlace slip_place() const {
-    return rounding ? ddacontact::slip_place(places(), *rounding) : start;
+  VertexEdgePositions slip_positions() const {
+    return rounding ? ddacontact::slip_positions(positions(), *rounding) : start;
   }
   bool is_at_corner() const { return rounding && rounding->corner; }
 
@@ -63,9 +63,9 @@ struct MovingVertexEdge {
     if (rounding) rounding->of_after_i.add_to(form, gradient.after_i);
     return form;
   }
-  AffineForm form(const VertexEdgeForm& of_places) const {
-    AffineForm of_unknowns = form(of_places.gradient);
-    of_unknowns.constant = of_places.constant;
+  AffineForm form(const VertexEdgeForm& of_points) const {
+    AffineForm of_unknowns = form(of_points.gradient);
+    of_unknowns.constant = of_points.constant;
     return of_unknowns;
   }
   double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
@@ -73,7 +73,7 @@ struct MovingVertexEdge {
     return rounding ? change + gradient.after_i.dot(rounding->of_after_i(d)) : change;
   }
   /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j,
-  /// k of the places by the unknowns. It returns the value to the rounding of its terms at d.
+  /// k of the positions by the unknowns. It returns the value to the rounding of its terms at d.
   AffineForm linear_form(double value, const VertexEdgeGradient& gradient, const VectorXd& d) const {
     AffineForm of_unknowns = form(gradient);
     of_unknowns.constant = value - of_unknowns.change(d);
@@ -107,7 +107,7 @@ struct Contact : ContactRecord {
   // At the end of the last try of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
   double gap_change = 0, slip_change = 0;          ///< within the step
-  double straight_before = 0, straight_after = 0;  ///< how far the outline goes straight on at its ends, m
+  double straight_before = 0, straight_after = 0;  ///< length of the collinear outline beyond its ends, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m
 
@@ -119,12 +119,12 @@ struct Contact : ContactRecord {
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.
   VertexEdgeForm first_gap() const {
     if (!motion.rounding) return gap_form(motion.start);
-    const GapAndSlip rates = motion.rates_at(motion.places(), history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.positions(), history.lock);
     return {rates.gap, rates.by_gap};
   }
   VertexEdgeForm first_slip() const {
     if (!motion.rounding) return slip_form(motion.start, history.lock);
-    const GapAndSlip rates = motion.rates_at(motion.places(), history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.positions(), history.lock);
     return {rates.slip, rates.by_slip};
   }
 
@@ -133,7 +133,7 @@ struct Contact : ContactRecord {
   /// A vertex no further than this beyond an end of the edge is still on it, m.
   double end_tolerance() const { return 1e-6 * size; }
 
-  /// Whether the vertex projects onto the edge, or what goes straight on from it, when its slip is this.
+  /// Whether the vertex projects onto the edge, or its collinear continuation, when its slip is this.
   bool is_on_edge(double at_slip) const {
     const double length = edge_length(), along = history.lock * length + at_slip;
     return along >= -(end_tolerance() + straight_before) &&

@@ -1,12 +1,12 @@
 #include <ddacontact/contact/contact_builder.hpp>
 
 #include <ddacontact/block/for_blocks.hpp>
-#include <ddacontact/contact/contact_place.hpp>
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/detection/corner.hpp>
-#include <ddacontact/detection/entries.hpp>
 #include <ddacontact/detection/half_width.hpp>
+#include <ddacontact/detection/missed_penetrations.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
 #include <polyfem/core/parallel.hpp>
 
@@ -20,7 +20,7 @@ namespace ddacontact {
 
 namespace {
 
-/// Two places nearer than this times the block size are one; a contact nearer than this touches.
+/// Two positions nearer than this times the block size are one; a contact nearer than this touches.
 constexpr double coincidence = 1e-6;
 /// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
 constexpr double near_corner = 1e-2;
@@ -77,7 +77,7 @@ class ContactsByPair {
 bool exchange_vertices(const BlockSystem& blocks, const BlockState& state, double near, const VertexEdge& old,
                        const VertexEdge& pair) {
   if (old.vertex_block != pair.edge_block || old.corner || pair.corner) return false;
-  const auto place = [&](int block, int vertex) -> Vec2 {
+  const auto positions = [&](int block, int vertex) -> Vec2 {
     const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
     return state.position.col(blocks.block(block).vertices().first + vertex) + shift;
   };
@@ -85,7 +85,7 @@ bool exchange_vertices(const BlockSystem& blocks, const BlockState& state, doubl
     return vertex == edge || vertex == (edge + 1) % blocks.block(block).n_vertices();
   };
   return ends(old.vertex, pair.edge, pair.edge_block) && ends(pair.vertex, old.edge, old.edge_block) &&
-         (place(pair.vertex_block, pair.vertex) - place(old.vertex_block, old.vertex)).norm() <= near;
+         (positions(pair.vertex_block, pair.vertex) - positions(old.vertex_block, old.vertex)).norm() <= near;
 }
 
 /// Takes out of the contacts of a pair, from `first` on, all but one where vertex meets vertex: that which is
@@ -147,21 +147,21 @@ double ContactBuilder::pair_size(int a, int b) const {
   return std::min(size_[a], size_[b]);
 }
 
-void ContactBuilder::find_pairs(const BlockState& state, const std::vector<double>& reach) {
+void ContactBuilder::find_pairs(const BlockState& state, const std::vector<double>& search_margin) {
   const Index n = blocks_.n_blocks();
   boxes_.resize(n);
   margins_.resize(keeps_pairs_ ? n : 0);
-  const auto look_at_blocks = [&](Index begin, Index end) {
+  const auto check_blocks = [&](Index begin, Index end) {
     for (int b = static_cast<int>(begin); b < end; ++b) {
       const Range& v = blocks_.block(b).vertices();
       outlines_.set(b, state.position.middleCols(v.first, v.count));
       const Box& box = outlines_[b].box;
-      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(reach[b]);
+      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(search_margin[b]);
       boxes_[b] = {box.low - margin + origin, box.high + margin + origin};
-      if (keeps_pairs_) margins_[b] = skin_of_reach * reach[b];
+      if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin[b];
     }
   };
-  polyfem::for_ranges(n, blocks_of_range, std::ref(look_at_blocks));
+  polyfem::for_ranges(n, blocks_of_range, std::ref(check_blocks));
   nearby_.find(boxes_, margins_, pairs_);
   std::erase_if(pairs_, [&](const Pair& pair) {
     const auto [a, b] = pair;
@@ -177,7 +177,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
   const double size = pair_size(a, b);
-  const PairLimits limits{.reach = reach_[a] + reach_[b],
+  const PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
                           .max_depth = std::min(half_width_[a], half_width_[b]),
                           .coincidence = coincidence * size,
                           .lip = properties_.lip * size};
@@ -214,9 +214,10 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
                   {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
   if (!blocks_.is_free(a) && !blocks_.is_free(b)) {
-    const auto between_held = [&](const VertexEdge& of) { return !can_change(state, of); };
-    found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), between_held),
-                found.end());
+    const auto between_prescribed = [&](const VertexEdge& of) { return !can_change(state, of); };
+    found.erase(
+        std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), between_prescribed),
+        found.end());
   }
   const auto is_compliant = [&](const VertexEdge& of) { return properties_.strength(of).is_compliant(); };
   if (any_compliant && !blocks_.has_rounded_corners() &&
@@ -227,8 +228,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
 bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair) const {
   Contact contact;
   contact.motion = motion_of(blocks_, state, pair);
-  const VertexEdgePlace place = contact.motion.slip_place();
-  contact.history.lock = edge_fraction(place.i, place.j, place.k);
+  const VertexEdgePositions positions = contact.motion.slip_positions();
+  contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
   for (const VertexEdgeForm& of : {contact.first_gap(), contact.first_slip()}) {
     const AffineForm form = contact.motion.form(of.gradient);
     for (std::size_t k = 0; k < form.unknowns().size(); ++k)
@@ -239,14 +240,14 @@ bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair)
 }
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
-                                   const std::vector<double>& reach,
+                                   const std::vector<double>& search_margin,
                                    const std::vector<ContactRecord>& previous, bool ties) {
-  find_pairs(state, reach);
-  reach_ = reach;
+  find_pairs(state, search_margin);
+  search_margin_ = search_margin;
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
   choices_in_.resize(found_in_.size());
-  const auto look_at_pairs = [&](Index begin, Index end) {
+  const auto check_pairs = [&](Index begin, Index end) {
     ContactsByPair old(previous, pairs_[begin]);
     std::vector<VertexEdge>& found = found_in_[begin / pairs_of_range];
     std::vector<Choice>& choices = choices_in_[begin / pairs_of_range];
@@ -255,7 +256,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
     for (Index p = begin; p < end; ++p)
       find_contacts_of(pairs_[p], state, motion, old.of(pairs_[p]), ties, found, choices);
   };
-  polyfem::for_ranges(n, pairs_of_range, std::ref(look_at_pairs));
+  polyfem::for_ranges(n, pairs_of_range, std::ref(check_pairs));
   choices_.clear();
   for (const auto& choices : choices_in_) choices_.insert(choices_.end(), choices.begin(), choices.end());
   first_found_.assign(1, 0);
@@ -316,7 +317,7 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
     std::vector<Contact> chosen;
     for (const VertexEdge& of : found) {
       const auto same = std::ranges::find(before, of, &Contact::pair);
-      chosen.push_back(same != before.end() ? *same : carry_on(state, of, old));
+      chosen.push_back(same != before.end() ? *same : make_substeps(state, of, old));
     }
     const auto first = contacts.begin() + (before.data() - contacts.data());
     const auto at = contacts.erase(first, first + static_cast<std::ptrdiff_t>(before.size()));
@@ -349,8 +350,8 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.pair = pair;
   contact.motion = motion_of(blocks_, state, pair);
   contact.gap = contact.first_gap().constant;
-  const VertexEdgePlace place = contact.motion.slip_place();
-  contact.history.lock = edge_fraction(place.i, place.j, place.k);
+  const VertexEdgePositions positions = contact.motion.slip_positions();
+  contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
   const Range& v = blocks_.block(pair.edge_block).vertices();
   const PointsRef outline = state.position.middleCols(v.first, v.count);
   const auto sides = outlines_[pair.edge_block].sides;
@@ -366,9 +367,9 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
 }
 
 std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const VectorXd& motion,
-                                                 const std::vector<double>& reach) {
+                                                 const std::vector<double>& search_margin) {
   std::vector<Contact> contacts;
-  contacts.reserve(detect(state, motion, reach, {}, false));
+  contacts.reserve(detect(state, motion, search_margin, {}, false));
   for (const std::vector<VertexEdge>& found : found_in_)
     for (const VertexEdge& pair : found) {
       Contact contact = make_contact(state, pair);
@@ -406,8 +407,8 @@ const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, c
   return nullptr;
 }
 
-Contact ContactBuilder::carry_on(const BlockState& state, const VertexEdge& pair,
-                                 std::span<const ContactRecord> previous) const {
+Contact ContactBuilder::make_substeps(const BlockState& state, const VertexEdge& pair,
+                                      std::span<const ContactRecord> previous) const {
   Contact contact = make_contact(state, pair);
   const double fraction = contact.history.lock;
   const ContactRecord* old = find_predecessor(state, pair, previous);
@@ -454,29 +455,30 @@ void ContactBuilder::restart(Contact& contact) const {
 }
 
 void ContactBuilder::start_from(const BlockState& state, Contact& contact) const {
-  const RoundedPlace place = place_of(blocks_, state, contact.pair);
-  contact.motion.start = place;
+  const RoundedPositions positions = positions_of(blocks_, state, contact.pair);
+  contact.motion.start = positions;
   if (!contact.motion.rounding) return;
   Rounding rounding = *contact.motion.rounding;
-  rounding.after_i = place.after_i;
+  rounding.after_i = positions.after_i;
   contact.motion.rounding = std::make_shared<const Rounding>(rounding);
 }
 
-void ContactBuilder::build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
+void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
+                           const std::vector<double>& search_margin,
                            const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts,
                            bool ties) {
-  contacts.resize(detect(state, motion, reach, previous, ties));
+  contacts.resize(detect(state, motion, search_margin, previous, ties));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
     const std::vector<VertexEdge>& found = found_in_[begin];
     if (found.empty()) return;
     ContactsByPair old(previous, block_pair(found.front()));
     for (std::size_t k = 0; k < found.size(); ++k)
-      contacts[first_found_[begin] + k] = carry_on(state, found[k], old.of(block_pair(found[k])));
+      contacts[first_found_[begin] + k] = make_substeps(state, found[k], old.of(block_pair(found[k])));
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
 }
 
-bool ContactBuilder::may_have_entered(int a, int b, const BlockState& end) const {
+bool ContactBuilder::may_penetrate(int a, int b, const BlockState& end) const {
   const Range& of_a = blocks_.block(a).vertices();
   const Vec2 shift = end.origin.col(a) - end.origin.col(b),
              depth = Vec2::Constant(properties_.lip / 2 * pair_size(a, b));
@@ -499,24 +501,25 @@ Points ContactBuilder::contact_outline(const BlockState& state, int block) const
   return centres;
 }
 
-bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end,
-                                  const std::vector<Contact>& contacts) {
-  entered_.clear();
+bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
+                                 const std::vector<Contact>& contacts) {
+  missed_.clear();
   for_blocks(blocks_.n_blocks(), [&](int b) {
     const Range& v = blocks_.block(b).vertices();
     boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
   });
   for (const auto& [a, b] : pairs_) {
-    if (!may_have_entered(a, b, end) && !may_have_entered(b, a, end)) continue;
+    if (!may_penetrate(a, b, end) && !may_penetrate(b, a, end)) continue;
     const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
       const Vec2 shift = state.origin.col(block) - origin;
       return Points(contact_outline(state, block).colwise() + shift);
     };
     const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
-    find_entries({a, start_a, end_a}, {b, start_b, end_b}, properties_.lip * pair_size(a, b), entered_);
+    find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, properties_.lip * pair_size(a, b),
+                             missed_);
   }
-  std::erase_if(entered_, [&](const VertexEdge& entry) {
+  std::erase_if(missed_, [&](const VertexEdge& entry) {
     const double near = properties_.strength(entry).is_compliant()
                             ? near_corner * pair_size(entry.vertex_block, entry.edge_block)
                             : -1;
@@ -524,11 +527,11 @@ bool ContactBuilder::find_entered(const BlockState& start, const BlockState& end
       return of.pair == entry || exchange_vertices(blocks_, start, near, of.pair, entry);
     });
   });
-  return !entered_.empty();
+  return !missed_.empty();
 }
 
-void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& contacts) {
-  for (const VertexEdge& entry : entered_) {
+void ContactBuilder::add_missed(const BlockState& start, std::vector<Contact>& contacts) {
+  for (const VertexEdge& entry : missed_) {
     if (is_among(entry, of_same_pair(entry, contacts))) continue;
     contacts.insert(std::ranges::upper_bound(contacts, block_pair(entry), {}, pair_of),
                     make_contact(start, entry));
@@ -536,15 +539,15 @@ void ContactBuilder::add_entered(const BlockState& start, std::vector<Contact>& 
   // The path has told which line these corners pass: for the rest of the step it is not chosen again.
   std::erase_if(choices_, [this](const Choice& choice) {
     return std::ranges::any_of(
-        entered_, [&](const VertexEdge& entry) { return block_pair(entry) == block_pair(choice.chosen); });
+        missed_, [&](const VertexEdge& entry) { return block_pair(entry) == block_pair(choice.chosen); });
   });
 }
 
 double ContactBuilder::memory() const {
   double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
                  outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
-                 bytes_of(pairs_) + bytes_of(reach_) + bytes_of(found_in_) + bytes_of(first_found_) +
-                 bytes_of(entered_);
+                 bytes_of(pairs_) + bytes_of(search_margin_) + bytes_of(found_in_) + bytes_of(first_found_) +
+                 bytes_of(missed_);
   for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
   for (const std::vector<Choice>& choices : choices_in_) bytes += bytes_of(choices);
   return bytes;

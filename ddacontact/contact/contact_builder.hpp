@@ -26,7 +26,7 @@ struct ContactProperties {
   /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
   /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
   double lip = default_lip;
-  std::optional<double> tolerance = {};  ///< of the forces on each block; none: see StagedOptions
+  std::optional<double> tolerance = {};  ///< of the forces on each block; none: see ContactSolverOptions
   /// The joint of each edge of each block's outline, an entry of `joints`; -1: that of the materials. Empty:
   /// no edge has one.
   std::vector<std::vector<int>> edge_joints = {};
@@ -55,20 +55,20 @@ struct ContactProperties {
 /// Finds the contacts of each step and hands on what they carry from step to step.
 class ContactBuilder {
  public:
-  /// \param[in] blocks  in their reference places; must outlive the builder
+  /// \param[in] blocks  in their reference positions; must outlive the builder
   ContactBuilder(const BlockSystem& blocks, ContactProperties properties);
 
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
   /// an overlap is taken as stress-free. \param[in] motion  see `build`
   std::vector<Contact> build_first(const BlockState& state, const VectorXd& motion,
-                                   const std::vector<double>& reach);
+                                   const std::vector<double>& search_margin);
   /// Writes into `contacts` those that may close while no vertex of block b moves
   /// further than reach[b]. Those also in `previous` carry on its history; so does a vertex that slid
-  /// straight on onto the next edge, or across a corner onto the neighbour's vertex.
+  /// onto the next edge where that is collinear, or across a corner onto the neighbour's vertex.
   /// \param[in] motion  displacements of all unknowns predicted for the step: of lines that a corner may meet
   ///   they tell which
   /// \param[in] ties  where the motion does not tell, a corner goes on with the line that it met before
-  void build(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
+  void build(const BlockState& state, const VectorXd& motion, const std::vector<double>& search_margin,
              const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts, bool ties = true);
   /// Whether some corner may meet more than one line: contacts built last depend on the motion.
   bool has_choices() const { return !choices_.empty(); }
@@ -84,7 +84,7 @@ class ContactBuilder {
                        const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Makes a contact what it was before a try of a step.
   void restart(Contact& contact) const;
-  /// Takes the places of the vertex and the edge in a state as those at the start of the step.
+  /// Takes the positions of the vertex and the edge in a state as those at the start of the step.
   void start_from(const BlockState& state, Contact& contact) const;
   /// Against the rate of the gap of a contact while it is closed, N s/m per m.
   double dashpot(const Contact& contact) const;
@@ -98,10 +98,10 @@ class ContactBuilder {
   /// Looks for vertices that went into another block through an edge on the way from `start` to `end`, deeper
   /// than the lip, and had none of these contacts, the last ones built, with it. False: there
   /// are none.
-  bool find_entered(const BlockState& start, const BlockState& end, const std::vector<Contact>& contacts);
+  bool find_missed(const BlockState& start, const BlockState& end, const std::vector<Contact>& contacts);
   /// Adds to the same contacts, as they are in `start`, those of the vertices found; the lines that corners
   /// of these blocks meet are not chosen again until contacts are built anew.
-  void add_entered(const BlockState& start, std::vector<Contact>& contacts);
+  void add_missed(const BlockState& start, std::vector<Contact>& contacts);
 
   /// From now on contacts follow these joints, their bonds too.
   void set_joints(JointTable joints) { properties_.joints = std::move(joints); }
@@ -115,25 +115,27 @@ class ContactBuilder {
  private:
   /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
   /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
-  std::size_t detect(const BlockState& state, const VectorXd& motion, const std::vector<double>& reach,
-                     const std::vector<ContactRecord>& previous, bool ties);
+  std::size_t detect(const BlockState& state, const VectorXd& motion,
+                     const std::vector<double>& search_margin, const std::vector<ContactRecord>& previous,
+                     bool ties);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
-  void find_pairs(const BlockState& state, const std::vector<double>& reach);
+  void find_pairs(const BlockState& state, const std::vector<double>& search_margin);
   /// Appends the contacts of a pair, and where they were preferred to others.
   /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
   /// Whether unknowns that are not held move the vertex and the edge against each other, by more than the
-  /// tolerance of places. Between held places there is nothing to solve: their force is that of the supports.
+  /// tolerance of positions. Between held positions there is nothing to solve: their force is that of the
+  /// supports.
   bool can_change(const BlockState& state, const VertexEdge& pair) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
-  Contact carry_on(const BlockState& state, const VertexEdge& pair,
-                   std::span<const ContactRecord> previous) const;
+  Contact make_substeps(const BlockState& state, const VertexEdge& pair,
+                        std::span<const ContactRecord> previous) const;
   /// The closed contact of the step before whose history this one carries on: the same, or that of the same
-  /// vertex with an edge that goes straight on into this one, or, where vertex meets vertex, the one that the
+  /// vertex with an edge that is collinear with this one, or, where vertex meets vertex, the one that the
   /// other vertex made with this vertex's edge.
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const ContactRecord> previous) const;
@@ -144,7 +146,7 @@ class ContactBuilder {
   /// only touches counts as none from then on, so that glue adds no force.
   void glue(Contact& contact) const;
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
-  bool may_have_entered(int a, int b, const BlockState& end) const;
+  bool may_penetrate(int a, int b, const BlockState& end) const;
   /// What a block's vertices may not enter, and those of it that may not enter others: with rounded corners
   /// the centres of the circles.
   Points contact_outline(const BlockState& state, int block) const;
@@ -159,13 +161,13 @@ class ContactBuilder {
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;                        ///< of blocks that may meet
-  std::vector<double> reach_;                      ///< that contacts were looked for in
+  std::vector<double> search_margin_;              ///< that contacts were looked for in
   std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<std::vector<Choice>> choices_in_;    ///< likewise
   std::vector<Choice> choices_;                    ///< of all
   std::set<Pair> doubtful_;
   std::vector<std::size_t> first_found_;  ///< of each range, among all
-  std::vector<VertexEdge> entered_;
+  std::vector<VertexEdge> missed_;
 };
 
 }  // namespace ddacontact

@@ -11,7 +11,8 @@ Vec2 turned_clockwise(const Vec2& x) {
 }
 
 struct Edge {
-  explicit Edge(const VertexEdgePlace& place) : a(place.k - place.j), b(place.i - place.j), l(a.norm()) {
+  explicit Edge(const VertexEdgePositions& positions)
+      : a(positions.k - positions.j), b(positions.i - positions.j), l(a.norm()) {
     assert(l > 0);
   }
   Vec2 t() const { return a / l; }
@@ -25,7 +26,7 @@ struct Edge {
 
 /// What the motion changes: b by `b`, l by `l`, t by `t`. Each is no sum of anything larger than itself.
 struct EdgeChange {
-  EdgeChange(const Edge& start, const VertexEdgePlace& by)
+  EdgeChange(const Edge& start, const VertexEdgePositions& by)
       : b(by.i - by.j),
         l((2 * start.a + by.k - by.j).dot(by.k - by.j) / (start.l + (start.a + by.k - by.j).norm())),
         t((by.k - by.j - l * start.t()) / (start.l + l)) {}
@@ -36,7 +37,7 @@ struct EdgeChange {
 };
 
 /// b = i - j and a = k - j
-VertexEdgeGradient by_places(const Vec2& by_b, const Vec2& by_a) {
+VertexEdgeGradient by_points(const Vec2& by_b, const Vec2& by_a) {
   return {by_b, -by_b - by_a, by_a};
 }
 
@@ -67,61 +68,62 @@ double slip_change(const Edge& start, const EdgeChange& by, double lock) {
 }
 
 VertexEdgeGradient gap_gradient(const Edge& edge) {
-  return by_places(edge.n(), -edge.along_t() / edge.l * edge.n());
+  return by_points(edge.n(), -edge.along_t() / edge.l * edge.n());
 }
 VertexEdgeGradient slip_gradient(const Edge& edge, double lock) {
-  return by_places(edge.t(), edge.along_n() / edge.l * edge.n() - lock * edge.t());
+  return by_points(edge.t(), edge.along_n() / edge.l * edge.n() - lock * edge.t());
 }
 
 VertexEdgeGradient gap_mean_gradient(const Edge& start, const Edge& end) {
   const MeanEdge mean(start, end);
   const double by_length = -(start.along_n() / end.l + end.along_n() / start.l) / 2;
-  return by_places(mean.inverse_length * turned_clockwise(mean.a),
+  return by_points(mean.inverse_length * turned_clockwise(mean.a),
                    by_length * mean.length_by_a - mean.inverse_length * turned_clockwise(mean.b));
 }
 VertexEdgeGradient slip_mean_gradient(const Edge& start, const Edge& end, double lock) {
   const MeanEdge mean(start, end);
   const double by_length = -(start.along_t() / end.l + end.along_t() / start.l) / 2 - lock;
-  return by_places(mean.inverse_length * mean.a, by_length * mean.length_by_a + mean.inverse_length * mean.b);
+  return by_points(mean.inverse_length * mean.a, by_length * mean.length_by_a + mean.inverse_length * mean.b);
 }
 
 }  // namespace
 
-double gap(const VertexEdgePlace& place) {
-  return Edge(place).along_n();
+double gap(const VertexEdgePositions& positions) {
+  return Edge(positions).along_n();
 }
 
-double slip(const VertexEdgePlace& place, double lock) {
-  return slip_of(Edge(place), lock);
+double slip(const VertexEdgePositions& positions, double lock) {
+  return slip_of(Edge(positions), lock);
 }
 
-double gap_change(const VertexEdgePlace& start, const VertexEdgePlace& by) {
+double gap_change(const VertexEdgePositions& start, const VertexEdgePositions& by) {
   const Edge edge(start);
   return gap_change(edge, EdgeChange(edge, by));
 }
 
-double slip_change(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock) {
+double slip_change(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock) {
   const Edge edge(start);
   return slip_change(edge, EdgeChange(edge, by), lock);
 }
 
-VertexEdgeGradient gap_gradient(const VertexEdgePlace& place) {
-  return gap_gradient(Edge(place));
+VertexEdgeGradient gap_gradient(const VertexEdgePositions& positions) {
+  return gap_gradient(Edge(positions));
 }
 
-VertexEdgeGradient slip_gradient(const VertexEdgePlace& place, double lock) {
-  return slip_gradient(Edge(place), lock);
+VertexEdgeGradient slip_gradient(const VertexEdgePositions& positions, double lock) {
+  return slip_gradient(Edge(positions), lock);
 }
 
-VertexEdgeGradient gap_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end) {
+VertexEdgeGradient gap_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end) {
   return gap_mean_gradient(Edge(start), Edge(end));
 }
 
-VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end, double lock) {
+VertexEdgeGradient slip_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end,
+                                      double lock) {
   return slip_mean_gradient(Edge(start), Edge(end), lock);
 }
 
-GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock,
+GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock,
                         Directions directions) {
   const Edge edge0(start), edge1({start.i + by.i, start.j + by.j, start.k + by.k});
   const EdgeChange change(edge0, by);

@@ -14,42 +14,43 @@ namespace ddacontact {
 
 /// Vertex i and the ends j, k of the edge, in the counter-clockwise order of the edge's own block. Only their
 /// differences matter: coordinates near a common origin keep them exact. j and k must differ.
-struct VertexEdgePlace {
+struct VertexEdgePositions {
   Vec2 i, j, k;
 };
 
-/// Derivatives by the three places: a force N along the gap is N times these. They sum to zero.
+/// Derivatives by the three positions: a force N along the gap is N times these. They sum to zero.
 struct VertexEdgeGradient {
   Vec2 i, j, k;
   Vec2 after_i{0, 0};
 };
 
 /// -S0 / l of (33), (34), a length: the vertex's distance from the edge's line, < 0 is penetration.
-double gap(const VertexEdgePlace& place);
+double gap(const VertexEdgePositions& positions);
 
 /// (41), a length: how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k.
-double slip(const VertexEdgePlace& place, double lock);
+double slip(const VertexEdgePositions& positions, double lock);
 
-/// What `gap` changes by when the three places move by `by`: to the rounding of that motion, where
+/// What `gap` changes by when the three positions move by `by`: to the rounding of that motion, where
 /// the difference of two values has that of the whole edge's length.
-double gap_change(const VertexEdgePlace& start, const VertexEdgePlace& by);
+double gap_change(const VertexEdgePositions& start, const VertexEdgePositions& by);
 /// The same of `slip`, the lock point staying where it is on the edge.
-double slip_change(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock);
+double slip_change(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock);
 
 /// Derivatives of `gap`: n by i, shared among j and k as the foot of the vertex divides the edge.
-VertexEdgeGradient gap_gradient(const VertexEdgePlace& place);
+VertexEdgeGradient gap_gradient(const VertexEdgePositions& positions);
 
 /// Derivatives of `slip`, the turning and the stretch of the edge included.
-VertexEdgeGradient slip_gradient(const VertexEdgePlace& place, double lock);
+VertexEdgeGradient slip_gradient(const VertexEdgePositions& positions, double lock);
 
 /// Discrete gradient of `gap`, for forces whose work over the step is what their potential loses:
-/// mean . (end - start) = gap(end) - gap(start) for any two places, no net force, and no moment about the
+/// mean . (end - start) = gap(end) - gap(start) for any two positions, no net force, and no moment about the
 /// configuration (start + end) / 2. The same from end to start. Differs from the gradient there in second
 /// order; when all turn by D together it is the gradient turned by D / 2, times cos(D / 2).
-VertexEdgeGradient gap_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end);
+VertexEdgeGradient gap_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end);
 
 /// Discrete gradient of `slip` of one lock point, with the properties of `gap_mean_gradient`.
-VertexEdgeGradient slip_mean_gradient(const VertexEdgePlace& start, const VertexEdgePlace& end, double lock);
+VertexEdgeGradient slip_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end,
+                                      double lock);
 
 /// Gap and slip at the end of a motion, with the derivatives that forces there act by.
 struct GapAndSlip {
@@ -57,11 +58,11 @@ struct GapAndSlip {
   VertexEdgeGradient by_gap, by_slip;
 };
 /// All of the above at once, for the motion `by` from `start`.
-GapAndSlip gap_and_slip(const VertexEdgePlace& start, const VertexEdgePlace& by, double lock,
+GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock,
                         Directions directions);
 
 /// constant + gradient.i . u_i + gradient.j . u_j + gradient.k . u_k: a gap or a slip as an affine function
-/// of the displacements of the three places.
+/// of the displacements of the three positions.
 struct VertexEdgeForm {
   double constant = 0;
   VertexEdgeGradient gradient;

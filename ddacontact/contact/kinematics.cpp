@@ -2,7 +2,7 @@
 
 namespace ddacontact {
 
-VertexEdgeForm gap_form(const VertexEdgePlace& start) {
+VertexEdgeForm gap_form(const VertexEdgePositions& start) {
   const auto& [i, j, k] = start;
   const double l = (k - j).norm();
   const double S0 = cross(j - i, k - i);  // (34), twice an area
@@ -13,7 +13,7 @@ VertexEdgeForm gap_form(const VertexEdgePlace& start) {
   return {-S0 / l, {-e_i, -e_j, -e_k}};
 }
 
-VertexEdgeForm slip_form(const VertexEdgePlace& start, double lock) {
+VertexEdgeForm slip_form(const VertexEdgePositions& start, double lock) {
   const auto& [i, j, k] = start;
   const Vec2 t = (k - j).normalized();
   const Vec2 o = (1 - lock) * j + lock * k;

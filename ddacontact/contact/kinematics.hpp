@@ -10,10 +10,10 @@
 namespace ddacontact {
 
 /// g = -S0 / l - sum over i, j, k of (e g) . u, Eq. (33)-(37): first order in the step's displacements.
-VertexEdgeForm gap_form(const VertexEdgePlace& start);
+VertexEdgeForm gap_form(const VertexEdgePositions& start);
 
 /// s = S0bar / l + t . (u_i - u_o), Eq. (41)-(45), with the lock point o = (1 - lock) x_j + lock x_k.
-VertexEdgeForm slip_form(const VertexEdgePlace& start, double lock);
+VertexEdgeForm slip_form(const VertexEdgePositions& start, double lock);
 
 /// (x_i - x_j) . (x_k - x_j) / l^2: where the vertex projects onto the edge, 0 at j and 1 at k.
 double edge_fraction(const Vec2& i, const Vec2& j, const Vec2& k);

@@ -4,9 +4,10 @@ namespace ddacontact {
 
 namespace {
 
-VertexEdgePlace place_of(const SegmentPoint& of_vertex, const RoundedPlace& place, const Rounding& rounding) {
-  return {of_vertex.at(place.i, place.after_i), rounding.start.at(place.j, place.k),
-          rounding.end.at(place.j, place.k)};
+VertexEdgePositions positions_of(const SegmentPoint& of_vertex, const RoundedPositions& positions,
+                                 const Rounding& rounding) {
+  return {of_vertex.at(positions.i, positions.after_i), rounding.start.at(positions.j, positions.k),
+          rounding.end.at(positions.j, positions.k)};
 }
 
 /// From derivatives by the points that `place_of` returns to those by the vertices.
@@ -18,27 +19,27 @@ VertexEdgeGradient by_vertices(const VertexEdgeGradient& by_points, const Segmen
 }
 
 /// From where the other corner is, half way along the line of the slip.
-Vec2 from_middle(const VertexEdgePlace& place) {
-  return place.i - (place.j + place.k) / 2;
+Vec2 from_middle(const VertexEdgePositions& positions) {
+  return positions.i - (positions.j + positions.k) / 2;
 }
 
 }  // namespace
 
-VertexEdgePlace slip_place(const RoundedPlace& place, const Rounding& rounding) {
-  return place_of(rounding.surface, place, rounding);
+VertexEdgePositions slip_positions(const RoundedPositions& positions, const Rounding& rounding) {
+  return positions_of(rounding.surface, positions, rounding);
 }
 
-Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding) {
-  return from_middle(place_of(rounding.centre, place, rounding));
+Vec2 from_corner(const RoundedPositions& positions, const Rounding& rounding) {
+  return from_middle(positions_of(rounding.centre, positions, rounding));
 }
 
-GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, Directions directions,
-                        const Rounding& rounding) {
+GapAndSlip gap_and_slip(const RoundedPositions& start, const RoundedPositions& by, double lock,
+                        Directions directions, const Rounding& rounding) {
   // Places and motions go by the same linear map.
-  const VertexEdgePlace centre = place_of(rounding.centre, start, rounding),
-                        centre_by = place_of(rounding.centre, by, rounding);
+  const VertexEdgePositions centre = positions_of(rounding.centre, start, rounding),
+                            centre_by = positions_of(rounding.centre, by, rounding);
   const GapAndSlip of_surface =
-      gap_and_slip(slip_place(start, rounding), slip_place(by, rounding), lock, directions);
+      gap_and_slip(slip_positions(start, rounding), slip_positions(by, rounding), lock, directions);
   GapAndSlip result{0, 0, of_surface.slip, {}, by_vertices(of_surface.by_slip, rounding.surface, rounding)};
   VertexEdgeGradient by_centres;
   if (rounding.corner) {

@@ -12,7 +12,7 @@
 namespace ddacontact {
 
 /// A vertex and an edge with the vertex that follows i, or their motion.
-struct RoundedPlace : VertexEdgePlace {
+struct RoundedPositions : VertexEdgePositions {
   Vec2 after_i{0, 0};
 };
 
@@ -28,13 +28,13 @@ struct Rounding {
 };
 
 /// The line of the slip and the vertex's point on it, as a vertex and an edge.
-VertexEdgePlace slip_place(const RoundedPlace& place, const Rounding& rounding);
+VertexEdgePositions slip_positions(const RoundedPositions& positions, const Rounding& rounding);
 
-/// See the same of sharp corners; derivatives by all four places.
-GapAndSlip gap_and_slip(const RoundedPlace& start, const RoundedPlace& by, double lock, Directions directions,
-                        const Rounding& rounding);
+/// See the same of sharp corners; derivatives by all four positions.
+GapAndSlip gap_and_slip(const RoundedPositions& start, const RoundedPositions& by, double lock,
+                        Directions directions, const Rounding& rounding);
 
 /// From the corner to the centre of the circle, or how fast that changes.
-Vec2 from_corner(const RoundedPlace& place, const Rounding& rounding);
+Vec2 from_corner(const RoundedPositions& positions, const Rounding& rounding);
 
 }  // namespace ddacontact

@@ -121,7 +121,7 @@ struct ContactOptions {
   /// Of the block size; 0 = plain penalty.
   double penetration_tolerance = standard_defaults.penetration_tolerance;
   double corner_rounding = 0;  ///< radius of corners over the block's size; 0: sharp
-  /// Of the forces on each block: what contacts are solved to; none: see StagedOptions.
+  /// Of the forces on each block: what contacts are solved to; none: see ContactSolverOptions.
   std::optional<double> tolerance = {};
 };
 

@@ -11,7 +11,7 @@ struct Skips {
   bool fixed_blocks = true;      ///< no matrices of blocks that are wholly held
   bool unchanged_factor = true;  ///< the factor is used again while the matrix is the same
   bool congruent = true;         ///< congruent blocks share their reference matrices
-  bool output = true;            ///< stresses and pictures only where asked for
+  bool output = true;            ///< stresses and pictures only where requested
   // within the tolerance
   bool stale_factor = true;  ///< an older factor as preconditioner while few springs changed
   bool cg = true;            ///< conjugate gradients, without a factor, where inertia dominates

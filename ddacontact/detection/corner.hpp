@@ -32,7 +32,7 @@ Corner turn_between(const Vec2& before, const Vec2& after);
 /// Of a vertex.
 Corner corner_at(const PointsRef& polygon, int vertex);
 
-/// Whether the outline goes straight on from edge `from` to edge `to`, both included: straight corners, and
+/// Whether the edges from `from` to `to`, both included, are collinear: straight corners, and
 /// no edge in a direction more than 3 degrees from that of `from`.
 bool goes_straight_on(const PointsRef& polygon, int from, int to);
 
@@ -40,9 +40,9 @@ bool goes_straight_on(const PointsRef& polygon, int from, int to);
 /// turn: a point beyond both edges can enter through one of them only.
 bool turns_left(const PointsRef& polygon, int from, int to);
 
-/// How far the outline goes straight on beyond the end of an edge, m.
+/// Length of the collinear outline beyond the end of an edge, m.
 double straight_beyond_end(const PointsRef& polygon, int edge);
-/// How far it came straight on to the start of an edge, m.
+/// Length of the collinear outline before the start of an edge, m.
 double straight_before_start(const PointsRef& polygon, int edge);
 
 }  // namespace ddacontact

@@ -45,9 +45,10 @@ struct VertexCorner {
   VertexCorner(const Vec2& at, const Side& before, const Side& after)
       : x(at), sides{after.along(), -before.along()}, lengths{after.length, before.length} {}
   /// Whether it lies on the outer side of an edge with this normal, or may be turned there within the step.
-  bool admissible(const Vec2& normal, double reach) const {
+  bool admissible(const Vec2& normal, double search_margin) const {
     for (int k : {0, 1})
-      if (normal.dot(sides[k]) < -std::max(sin_parallel * lengths[k], std::min(reach, lengths[k] / 2)))
+      if (normal.dot(sides[k]) <
+          -std::max(sin_parallel * lengths[k], std::min(search_margin, lengths[k] / 2)))
         return false;
     return true;
   }
@@ -138,13 +139,13 @@ class Entrances {
         edges_(work.edges),
         near_(work.at_vertex),
         choices_(choices),
-        margin_(std::max(limits.reach, limits.max_depth) + 2 * limits.coincidence) {}
+        margin_(std::max(limits.search_margin, limits.max_depth) + 2 * limits.coincidence) {}
 
   void find(std::vector<Candidate>& found) {
     found.clear();
     edges_.clear();
     // A vertex further from the polygon than the reach is met by none of its edges.
-    const double margin = limits_.reach + 2 * limits_.coincidence;
+    const double margin = limits_.search_margin + 2 * limits_.coincidence;
     const Box near_b = widened(of_b_.box, margin);
     for (int i = 0; i < a_.vertices.cols(); ++i) {
       const Vec2 x = a_.vertices.col(i);
@@ -176,11 +177,11 @@ class Entrances {
       const VertexEdge contact{a_.block, i, b_.block, e};
       const EarlierContact* const earlier = find_earlier(earlier_, contact);
       const double offset = earlier ? earlier->gap_offset : 0, gap = edge.gap(x) - offset;
-      if (gap < -limits_.max_depth || gap > limits_.reach) continue;
+      if (gap < -limits_.max_depth || gap > limits_.search_margin) continue;
       const double overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
-      if (!is_within(limits_.reach, {off, aside})) continue;
-      if (!corner.admissible(edge.normal, limits_.reach)) continue;
+      if (!is_within(limits_.search_margin, {off, aside})) continue;
+      if (!corner.admissible(edge.normal, limits_.search_margin)) continue;
       const bool stays = overshoot <= limits_.coincidence && earlier && earlier->closed;
       near_.push_back({contact, gap, overshoot, edge.normal, offset, earlier && earlier->wins_ties, stays});
       behind = behind || is_behind(near_.back());
@@ -217,7 +218,7 @@ class Entrances {
     return polyfem::contains(b_.vertices, x) ? by_passing && on_outline : by_passing || !on_outline;
   }
 
-  /// Of edges that go straight on into each other the vertex is over one.
+  /// Of edges that are collinear the vertex is over one.
   void keep_nearest_of_straight_runs() {
     const auto joined = [this](const Candidate& p, const Candidate& q) {
       return goes_straight_on(b_.vertices, p.contact.edge, q.contact.edge);
@@ -314,11 +315,12 @@ int nearer_end(const PointsRef& polygon, int edge, const Vec2& x) {
 
 /// Whether the two contacts are between the same two corners: each one's vertex is the near end of the
 /// other's edge.
-bool share_corner(const Candidate& p, const Outline& a, const Candidate& q, const Outline& b, double reach) {
+bool share_corner(const Candidate& p, const Outline& a, const Candidate& q, const Outline& b,
+                  double search_margin) {
   const int i = p.contact.vertex, j = q.contact.vertex;
   const Vec2 x_i = a.vertices.col(i), x_j = b.vertices.col(j);
   return nearer_end(b.vertices, p.contact.edge, x_i) == j &&
-         nearer_end(a.vertices, q.contact.edge, x_j) == i && (x_i - x_j).norm() <= reach;
+         nearer_end(a.vertices, q.contact.edge, x_j) == i && (x_i - x_j).norm() <= search_margin;
 }
 
 /// Vertex on vertex: decides which of the two stays, or both as the two ends of a short overlap.
@@ -379,7 +381,7 @@ void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b,
   Entrances(b, of_b, a, of_a, limits, earlier, work, choices).find(in_a);
   for (Candidate& p : in_b)
     for (Candidate& q : in_a)
-      if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.reach))
+      if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.search_margin))
         resolve_corner(p, a, q, b, limits, choices);
   for (const auto* candidates : {&in_b, &in_a})
     for (const Candidate& c : *candidates)
@@ -393,7 +395,7 @@ double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsR
     const Vec2 y = vertex_polygon.col(neighbour);
     Edge e(edge_polygon, edge);
     if (!at_any_angle && std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) return 0.0;
-    // From an end of the edge it goes on along the next one, where that is straight on.
+    // From an end of the edge it goes on along the next one, where that is collinear.
     const double at = e.tangent.dot(x - e.start), onward = e.tangent.dot(y - x);
     const int after = next(edge, edge_polygon), before = previous(edge, edge_polygon);
     if (onward > 0 && at > (1 - end_part) * e.length && goes_straight_on(edge_polygon, edge, after))

@@ -87,19 +87,20 @@ class CirclesOnOutline {
 
   void add_edge(int i, int e, double time) {
     const OverEdge over(a_, i, b_, e, time);
-    if (over.gap > limits_.reach || over.gap <= -radius_) return;
+    if (over.gap > limits_.search_margin || over.gap <= -radius_) return;
     const double from_end = std::min(over.along, over.length - over.along);
     if (from_end >= -limits_.coincidence) add({a_.block(), i, b_.block(), e}, from_end);
   }
   void add_corner(int i, int j, double time) {
     const Vec2 apart = a_.centre(i, time) - b_.vertex(j, time);
-    if (apart.norm() - radius_ > limits_.reach || !b_.faces(j, apart, time) || !a_.faces(i, -apart, time))
+    if (apart.norm() - radius_ > limits_.search_margin || !b_.faces(j, apart, time) ||
+        !a_.faces(i, -apart, time))
       return;
     add({a_.block(), i, b_.block(), j, true}, 0);
   }
   void add(const VertexEdge& contact, double from_end) {
     contacts_.push_back(contact);
-    if (from_end <= limits_.reach) choices_.push_back({contact, contact, false});
+    if (from_end <= limits_.search_margin) choices_.push_back({contact, contact, false});
   }
 
   const RoundedOutline &a_, &b_;

@@ -187,7 +187,7 @@ void require_simple(const Points& polygon, const std::string& title) {
     throw Error(title + " is not a simple polygon (its edges must not cross)");
 }
 
-void require_sound(const Domain& domain) {
+void require_valid(const Domain& domain) {
   require_simple(domain.boundary, "the boundary of the domain");
   for (const DomainRegion& region : domain.regions) require_simple(region.polygon, "a region of the domain");
   for (const DomainOpening& opening : domain.openings)
@@ -220,7 +220,7 @@ double expected_blocks(const Domain& domain) {
 }
 
 CutDomain cut_domain(const Domain& domain) {
-  require_sound(domain);
+  require_valid(domain);
   const Points boundary = counter_clockwise(domain.boundary);
   const double area = polyfem::signed_area(boundary),
                snap = domain.snap > 0 ? domain.snap : 1e-6 * std::sqrt(area / expected_blocks(domain));

@@ -21,14 +21,14 @@ CellView::CellView(const Frame& frame, int cell)
       cell_(cell),
       corners_(2, frame.cells[cell].corners.count),
       basis_(frame.cells[cell].basis) {
-  for (int k = 0; k < corners_.cols(); ++k) corners_.col(k) = frame.position.col(place(k));
+  for (int k = 0; k < corners_.cols(); ++k) corners_.col(k) = frame.position.col(point(k));
   if (basis_ == &polyfem::wachspress && polyfem::find_non_convex_corner(local_corners(), least_turn))
     basis_ = &polyfem::mean_value;
 }
 
-Vec2 CellView::interpolate(const Points& of_places, const polyfem::ShapeValues& shape) const {
+Vec2 CellView::interpolate(const Points& of_points, const polyfem::ShapeValues& shape) const {
   Vec2 sum(0, 0);
-  for (int k = 0; k < corners_.cols(); ++k) sum += shape.values[k] * of_places.col(place(k));
+  for (int k = 0; k < corners_.cols(); ++k) sum += shape.values[k] * of_points.col(point(k));
   return sum;
 }
 

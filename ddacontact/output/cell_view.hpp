@@ -18,10 +18,10 @@ class CellView {
   Points local_corners() const { return corners_.colwise() - Vec2(corners_.col(0)); }
   const polyfem::Basis& basis() const { return *basis_; }
 
-  /// The place of a corner: a column of what the frame has at places.
-  int place(int corner) const { return frame_.corners(cell_)[corner]; }
-  /// From vectors at all places, that at a point.
-  Vec2 interpolate(const Points& of_places, const polyfem::ShapeValues& shape) const;
+  /// The point of a corner: a column of what the frame has at points.
+  int point(int corner) const { return frame_.corners(cell_)[corner]; }
+  /// From vectors at all points, that at a point.
+  Vec2 interpolate(const Points& of_points, const polyfem::ShapeValues& shape) const;
   /// The stress (xx, yy, xy) at a point, from the functions there.
   Vec3 stress(const polyfem::ShapeValues& shape) const;
   /// The same at a corner. Gradients of Wachspress functions are there those of the triangle with its

@@ -1,6 +1,6 @@
 #include <ddacontact/output/frame.hpp>
 
-#include <ddacontact/contact/contact_place.hpp>
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/output/block_summary.hpp>
 #include <polyfem/basis/wachspress.hpp>
 
@@ -19,7 +19,7 @@ FrameContact describe(const ContactRecord& contact, const Stepper& stepper, cons
   described.position = frame.outline(pair.vertex_block).col(pair.vertex);
   described.normal = Vec2(edge.y(), -edge.x()).normalized();
   if (stepper.blocks().has_rounded_corners()) {
-    const auto [i, j, k] = motion_of(stepper.blocks(), stepper.state(), pair).slip_place();
+    const auto [i, j, k] = motion_of(stepper.blocks(), stepper.state(), pair).slip_positions();
     described.position = i + stepper.state().origin.col(pair.edge_block) + frame_origin;
     described.normal = Vec2((k - j).y(), (j - k).x()).normalized();
   }
@@ -54,7 +54,7 @@ Counts add_cells(const BlockSystem& system, Frame& frame) {
       const int n_corners = static_cast<int>(cell.corners.size());
       frame.cells.push_back(
           {b, {static_cast<int>(counts.corners), n_corners}, frame.materials[b], cell.basis});
-      for (int place : cell.corners) frame.corner_places.push_back(block.places().first + place);
+      for (int point : cell.corners) frame.corner_points.push_back(block.points().first + point);
       counts.corners += n_corners;
       ++counts.cells;
     }
@@ -87,7 +87,7 @@ void set_stress(const BlockSystem& system, const BlockState& state, const Counts
 
 }  // namespace
 
-Range Frame::places(int block) const {
+Range Frame::points(int block) const {
   const int first = blocks[block].first;
   const int end = block + 1 < n_blocks() ? blocks[block + 1].first : static_cast<int>(position.cols());
   return {first, end - first};
@@ -103,8 +103,8 @@ std::vector<int> Frame::present_blocks() const {
 void Frame::add_outline_cell(int block) {
   const auto [first, count] = blocks[block];
   cells.push_back(
-      {block, {static_cast<int>(corner_places.size()), count}, materials[block], &polyfem::wachspress});
-  for (int v = 0; v < count; ++v) corner_places.push_back(first + v);
+      {block, {static_cast<int>(corner_points.size()), count}, materials[block], &polyfem::wachspress});
+  for (int v = 0; v < count; ++v) corner_points.push_back(first + v);
 }
 
 bool Frame::has_outline_cells_only() const {
@@ -114,7 +114,7 @@ bool Frame::has_outline_cells_only() const {
     const FrameCell& cell = cells[b];
     const std::span<const int> of_cell = corners(b);
     if (cell.block != b || cell.basis != &polyfem::wachspress || cell.elasticity != materials[b] ||
-        cell.corners.first != first || cell.corners.count != count || places(b).count != count)
+        cell.corners.first != first || cell.corners.count != count || points(b).count != count)
       return false;
     for (int v = 0; v < count; ++v)
       if (of_cell[v] != first + v) return false;
@@ -138,8 +138,8 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
     const Block& block = system.block(b);
     frame.blocks.push_back(block.vertices());
     frame.elasticity[labels.block_materials[b]] = block.material().elasticity;
-    for (int p = 0; fields.velocity && p < block.n_places(); ++p)
-      frame.velocity.col(block.places().first + p) = block.vertex_map(p)(state.velocity);
+    for (int p = 0; fields.velocity && p < block.n_points(); ++p)
+      frame.velocity.col(block.points().first + p) = block.vertex_map(p)(state.velocity);
   }
   const Counts counts = add_cells(system, frame);
   if (fields.stress) set_stress(system, state, counts, frame);

@@ -27,32 +27,32 @@ struct FrameContact {
 /// A polygon of a block in which the stress is smooth.
 struct FrameCell {
   int block = 0;
-  Range corners;                          ///< of Frame::corner_places and Frame::strain_displacement
+  Range corners;                          ///< of Frame::corner_points and Frame::strain_displacement
   int elasticity = 0;                     ///< index into Frame::elasticity
   const polyfem::Basis* basis = nullptr;  ///< its shape functions; not owned
 };
 
-/// What a frame holds beside outlines and contacts. What is not asked for is not computed.
+/// What a frame holds beside outlines and contacts. What is not requested is not computed.
 struct FrameFields {
   bool displacement = true, velocity = true, stress = true;
 };
 
-/// One moment of a run. The places of the blocks are those of BlockState, one block after another: first the
+/// One moment of a run. The points of the blocks are those of BlockState, one block after another: first the
 /// vertices of its outline.
 struct Frame {
   long step = 0;
   double time = 0;
-  std::vector<Range> blocks;   ///< columns of the places: outlines, counter-clockwise
+  std::vector<Range> blocks;   ///< columns of the points: outlines, counter-clockwise
   std::vector<int> materials;  ///< of each block
   std::vector<std::string> material_names;
   std::vector<Mat3> elasticity;    ///< D of each material (9), Pa; then others that cells have
   std::vector<FrameCell> cells;    ///< one block after another
-  std::vector<int> corner_places;  ///< of all cells: the place of each corner, counter-clockwise
-  Points position;                 ///< of places, in the scene's coordinates
-  Points displacement, velocity;   ///< of places; no columns: not asked for
-  Points strain_displacement;      ///< CellStress of each cell's corners; no columns: stress not asked for
-  Tensors stress_offset;           ///< CellStress of each cell; no columns: stress not asked for
-  Tensors mean_stress;             ///< of each block, the area average; no columns: not asked for
+  std::vector<int> corner_points;  ///< of all cells: the point of each corner, counter-clockwise
+  Points position;                 ///< of points, in the scene's coordinates
+  Points displacement, velocity;   ///< of points; no columns: not requested
+  Points strain_displacement;      ///< CellStress of each cell's corners; no columns: stress not requested
+  Tensors stress_offset;           ///< CellStress of each cell; no columns: stress not requested
+  Tensors mean_stress;             ///< of each block, the area average; no columns: not requested
   std::vector<FrameContact> contacts;
 
   int n_blocks() const { return static_cast<int>(blocks.size()); }
@@ -60,15 +60,15 @@ struct Frame {
   std::vector<int> present_blocks() const;
   int n_cells() const { return static_cast<int>(cells.size()); }
   auto outline(int block) const { return position.middleCols(blocks[block].first, blocks[block].count); }
-  /// The places of a block; the outline's are the first.
-  Range places(int block) const;
-  /// The places of the corners of a cell.
+  /// The points of a block; the outline's are the first.
+  Range points(int block) const;
+  /// The points of the corners of a cell.
   std::span<const int> corners(int cell) const {
-    return std::span(corner_places).subspan(cells[cell].corners.first, cells[cell].corners.count);
+    return std::span(corner_points).subspan(cells[cell].corners.first, cells[cell].corners.count);
   }
   /// Adds the cell that is a block's whole outline, by Wachspress functions and the block's material.
   void add_outline_cell(int block);
-  /// Whether every block is such a cell, and has no other places and no offset.
+  /// Whether every block is such a cell, and has no other points and no offset.
   bool has_outline_cells_only() const;
 };
 

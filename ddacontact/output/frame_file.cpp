@@ -46,17 +46,17 @@ void add_field_data(VtuFile& file, const Frame& frame, const FrameMesh& mesh) {
 
 /// What makes the cells, where they are not the outlines.
 void add_cells(VtuFile& file, const Frame& frame, const FrameMesh& mesh) {
-  std::vector<std::int32_t> n_places, block, n_corners, elasticity, is_mean_value, corner_place;
-  for (int b = 0; b < frame.n_blocks(); ++b) n_places.push_back(frame.places(b).count);
+  std::vector<std::int32_t> n_points, block, n_corners, elasticity, is_mean_value, corner_place;
+  for (int b = 0; b < frame.n_blocks(); ++b) n_points.push_back(frame.points(b).count);
   for (const FrameCell& cell : frame.cells) {
     block.push_back(cell.block);
     n_corners.push_back(cell.corners.count);
     elasticity.push_back(cell.elasticity);
     is_mean_value.push_back(cell.basis == &polyfem::mean_value);
     for (int k = 0; k < cell.corners.count; ++k)
-      corner_place.push_back(frame.corner_places[cell.corners.first + k] - frame.blocks[cell.block].first);
+      corner_place.push_back(frame.corner_points[cell.corners.first + k] - frame.blocks[cell.block].first);
   }
-  file.add(VtuSection::field_data, "n_places", n_places);
+  file.add(VtuSection::field_data, "n_places", n_points);
   file.add(VtuSection::field_data, "cell_block", block);
   file.add(VtuSection::field_data, "cell_n_corners", n_corners);
   file.add(VtuSection::field_data, "cell_elasticity", elasticity);

@@ -24,17 +24,17 @@ PointNumbers number_points(const Frame& frame, const std::vector<int>& n_inner, 
   PointNumbers numbers;
   Index& n_points = numbers.count;
   std::size_t c = 0;
-  mesh.corner_point.reserve(frame.corner_places.size());
+  mesh.corner_point.reserve(frame.corner_points.size());
   for (int b = 0; b < frame.n_blocks(); ++b) {
-    const Range places = frame.places(b);
+    const Range points = frame.points(b);
     const Index first_point = n_points;
     mesh.first_point.push_back(static_cast<int>(first_point));
-    n_points += places.count;
+    n_points += points.count;
     for (; c < frame.cells.size() && frame.cells[c].block == b; ++c) {
-      for (int place : frame.corners(static_cast<int>(c))) {
+      for (int point : frame.corners(static_cast<int>(c))) {
         mesh.corner_point.push_back(
-            static_cast<int>(used[place] ? n_points++ : first_point + place - places.first));
-        used[place] = true;
+            static_cast<int>(used[point] ? n_points++ : first_point + point - points.first));
+        used[point] = true;
       }
       numbers.first_inner.push_back(n_points);
       n_points += n_inner[c];
@@ -43,14 +43,14 @@ PointNumbers number_points(const Frame& frame, const std::vector<int>& n_inner, 
   return numbers;
 }
 
-/// Makes room for all points, and sets those at the places.
+/// Makes room for all points, and sets those of the outlines.
 void make_points(const Frame& frame, Index n_points, FrameMesh& mesh) {
   mesh.points.setZero(3, n_points);
   mesh.at_points = FrameValues(frame, n_points);
   for (int b = 0; b < frame.n_blocks(); ++b) {
-    const Range places = frame.places(b);
-    mesh.points.middleCols(mesh.first_point[b], places.count).topRows<2>() =
-        frame.position.middleCols(places.first, places.count);
+    const Range points = frame.points(b);
+    mesh.points.middleCols(mesh.first_point[b], points.count).topRows<2>() =
+        frame.position.middleCols(points.first, points.count);
     const Index end = b + 1 < frame.n_blocks() ? mesh.first_point[b + 1] : n_points;
     mesh.block_of_point.resize(static_cast<std::size_t>(end), b);
   }
@@ -124,7 +124,7 @@ FrameMesh draw_cells(const Frame& frame) {
   make_points(frame, number_points(frame, std::vector(frame.cells.size(), 0), mesh).count, mesh);
   mesh.cell_types.assign(frame.cells.size(), polyfem::VtkCell::polygon);
   mesh.at_cells = FrameValues(frame, frame.n_cells());
-  mesh.connectivity.reserve(frame.corner_places.size());
+  mesh.connectivity.reserve(frame.corner_points.size());
   std::vector<int> order(frame.cells.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

@@ -8,7 +8,7 @@
 
 namespace ddacontact {
 
-/// Blocks share no points. Each block's places are the first of its points, in their order; they serve the
+/// Blocks share no points. Each block's points are the first of its points, in their order; they serve the
 /// first of its cells that has them as corners, other cells have points of their own there.
 struct FrameMesh {
   Eigen::Matrix3Xd points;                       ///< x, y, 0

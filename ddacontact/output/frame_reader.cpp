@@ -34,35 +34,35 @@ bool has_cells(const VtuReader& file) {
   return file.has(VtuSection::field_data, "n_places");
 }
 
-/// Sets the frame's blocks; returns which points are their places.
+/// Sets the frame's blocks; returns which points of the file are theirs.
 std::vector<int> read_places(const VtuReader& file, Frame& frame) {
   const auto first_point = file.read<std::int32_t>(VtuSection::field_data, "first_point");
   const auto n_vertices = file.read<std::int32_t>(VtuSection::field_data, "n_vertices");
-  const auto n_places =
+  const auto n_points =
       has_cells(file) ? file.read<std::int32_t>(VtuSection::field_data, "n_places") : n_vertices;
-  if (first_point.size() != n_vertices.size() || n_places.size() != n_vertices.size())
+  if (first_point.size() != n_vertices.size() || n_points.size() != n_vertices.size())
     file.fail("its numbers of blocks do not agree");
-  const auto n_points = static_cast<std::int64_t>(file.n_points());
-  std::vector<int> places;
+  const auto n_read = static_cast<std::int64_t>(file.n_points());
+  std::vector<int> points;
   for (std::size_t b = 0; b < first_point.size(); ++b) {
-    if (n_vertices[b] < 3 || n_places[b] < n_vertices[b] || first_point[b] < 0 ||
-        first_point[b] > n_points - n_places[b] ||
-        places.size() + static_cast<std::size_t>(n_places[b]) > file.n_points())
+    if (n_vertices[b] < 3 || n_points[b] < n_vertices[b] || first_point[b] < 0 ||
+        first_point[b] > n_read - n_points[b] ||
+        points.size() + static_cast<std::size_t>(n_points[b]) > file.n_points())
       file.fail("block " + std::to_string(b) + " has points that are not there");
-    frame.blocks.push_back({static_cast<int>(places.size()), n_vertices[b]});
-    for (int p = 0; p < n_places[b]; ++p) places.push_back(first_point[b] + p);
+    frame.blocks.push_back({static_cast<int>(points.size()), n_vertices[b]});
+    for (int p = 0; p < n_points[b]; ++p) points.push_back(first_point[b] + p);
   }
-  return places;
+  return points;
 }
 
 /// Sets the frame's cells; returns which points are their corners.
-std::vector<int> read_cells(const VtuReader& file, const std::vector<int>& places, Frame& frame) {
+std::vector<int> read_cells(const VtuReader& file, const std::vector<int>& points, Frame& frame) {
   if (!has_cells(file)) {
     for (int b = 0; b < frame.n_blocks(); ++b) frame.add_outline_cell(b);
-    return places;
+    return points;
   }
   const auto read = [&](const char* name) { return file.read<std::int32_t>(VtuSection::field_data, name); };
-  const auto n_places = read("n_places"), block = read("cell_block"), n_corners = read("cell_n_corners"),
+  const auto n_points = read("n_places"), block = read("cell_block"), n_corners = read("cell_n_corners"),
              elasticity = read("cell_elasticity"), is_mean_value = read("cell_is_mean_value"),
              corner_place = read("corner_place"), corner_point = read("corner_point");
   if (n_corners.size() != block.size() || elasticity.size() != block.size() ||
@@ -79,10 +79,10 @@ std::vector<int> read_cells(const VtuReader& file, const std::vector<int>& place
         is_mean_value[c] != 0 ? static_cast<const polyfem::Basis&>(polyfem::mean_value) : polyfem::wachspress;
     frame.cells.push_back({block[c], {static_cast<int>(corner), n_corners[c]}, elasticity[c], &basis});
     for (const std::size_t end = corner + static_cast<std::size_t>(n_corners[c]); corner < end; ++corner) {
-      if (corner_place[corner] < 0 || corner_place[corner] >= n_places[static_cast<std::size_t>(block[c])] ||
+      if (corner_place[corner] < 0 || corner_place[corner] >= n_points[static_cast<std::size_t>(block[c])] ||
           corner_point[corner] < 0 || static_cast<std::size_t>(corner_point[corner]) >= file.n_points())
         file.fail("cell " + std::to_string(c) + " has corners that are not there");
-      frame.corner_places.push_back(frame.blocks[static_cast<std::size_t>(block[c])].first +
+      frame.corner_points.push_back(frame.blocks[static_cast<std::size_t>(block[c])].first +
                                     corner_place[corner]);
     }
   }
@@ -90,7 +90,7 @@ std::vector<int> read_cells(const VtuReader& file, const std::vector<int>& place
   return corner_point;
 }
 
-void read_materials(const VtuReader& file, const std::vector<int>& places, Frame& frame) {
+void read_materials(const VtuReader& file, const std::vector<int>& points, Frame& frame) {
   const auto names = file.read<std::uint8_t>(VtuSection::field_data, "material_names");
   const auto lengths = file.read<std::int32_t>(VtuSection::field_data, "material_name_lengths");
   const auto elasticity = file.read<double>(VtuSection::field_data, "elasticity", 9);
@@ -107,17 +107,17 @@ void read_materials(const VtuReader& file, const std::vector<int>& places, Frame
   }
   for (std::size_t k = 0; k < elasticity.size(); k += 9) frame.elasticity.emplace_back(elasticity.data() + k);
   for (const Range& block : frame.blocks) {
-    const int of_block = material[static_cast<std::size_t>(places[block.first])];
+    const int of_block = material[static_cast<std::size_t>(points[block.first])];
     if (of_block < 0 || of_block >= static_cast<int>(lengths.size())) file.fail("a block has no material");
     frame.materials.push_back(of_block);
   }
 }
 
-void read_fields(const VtuReader& file, const std::vector<int>& places, Frame& frame) {
-  frame.position = pick(file.points(), 3, places);
+void read_fields(const VtuReader& file, const std::vector<int>& points, Frame& frame) {
+  frame.position = pick(file.points(), 3, points);
   const auto read = [&](const char* name) {
     return file.has(VtuSection::point_data, name)
-               ? pick(file.read<double>(VtuSection::point_data, name, 3), 3, places)
+               ? pick(file.read<double>(VtuSection::point_data, name, 3), 3, points)
                : Points();
   };
   frame.displacement = read("displacement");
@@ -203,10 +203,10 @@ Frame read_frame(const FrameFile& files) {
   Frame frame;
   frame.time = read_one<double>(blocks, "TimeValue");
   frame.step = read_one<std::int64_t>(blocks, "step");
-  const std::vector<int> places = read_places(blocks, frame);
-  read_materials(blocks, places, frame);
-  read_fields(blocks, places, frame);
-  read_stress(blocks, read_cells(blocks, places, frame), frame);
+  const std::vector<int> points = read_places(blocks, frame);
+  read_materials(blocks, points, frame);
+  read_fields(blocks, points, frame);
+  read_stress(blocks, read_cells(blocks, points, frame), frame);
   if (read_one<double>(contacts, "TimeValue") != frame.time) contacts.fail("it is of another moment");
   read_contacts(contacts, frame);
   return frame;

@@ -23,7 +23,7 @@ using FrameSeries = std::vector<FrameFile>;
 /// what is missing or damaged.
 FrameSeries read_series(const std::filesystem::path& directory);
 
-/// The frame as it was captured, bit for bit; fields that the run was not asked for have no columns. Throws
+/// The frame as it was captured, bit for bit; fields that were not requested have no columns. Throws
 /// Error, which names the file, when it is missing, damaged or not one of ours.
 Frame read_frame(const FrameFile& file);
 

@@ -22,9 +22,9 @@ void FrameValues::set(const Frame& frame, const CellView& cell, const polyfem::S
 }
 
 void FrameValues::set_at_corner(const Frame& frame, const CellView& cell, int corner, Index k) {
-  const int place = cell.place(corner);
-  if (displacement.cols() > 0) displacement.col(k).head<2>() = frame.displacement.col(place);
-  if (velocity.cols() > 0) velocity.col(k).head<2>() = frame.velocity.col(place);
+  const int point = cell.point(corner);
+  if (displacement.cols() > 0) displacement.col(k).head<2>() = frame.displacement.col(point);
+  if (velocity.cols() > 0) velocity.col(k).head<2>() = frame.velocity.col(point);
   if (stress.rows() == 0) return;
   strain_displacement.col(k) = frame.strain_displacement.col(cell.cell().corners.first + corner);
   stress.row(k) = cell.stress_at_corner(corner);

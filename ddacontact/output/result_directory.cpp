@@ -41,7 +41,7 @@ std::vector<int> in_scene_order(const OutlineLabels& labels) {
   return order;
 }
 
-/// The reactions of a block by the scene's vertices: what holds other places is shared among these with the
+/// The reactions of a block by the scene's vertices: what holds other points is shared among these with the
 /// same resultant and moment.
 Points at_scene_vertices(const Block& block, const OutlineLabels& labels, const Points& reactions) {
   const int n = labels.n_vertices;
@@ -49,11 +49,11 @@ Points at_scene_vertices(const Block& block, const OutlineLabels& labels, const 
   for (int p = 0; p < block.n_vertices(); ++p) {
     if (labels.vertex[p] >= n) continue;
     vertices.col(labels.vertex[p]) = block.reference().col(p);
-    forces.col(labels.vertex[p]) = reactions.col(block.places().first + p);
+    forces.col(labels.vertex[p]) = reactions.col(block.points().first + p);
   }
   polyfem::ShapeValues shape;
-  for (int p = 0; p < block.n_places(); ++p) {
-    const Vec2 force = reactions.col(block.places().first + p);
+  for (int p = 0; p < block.n_points(); ++p) {
+    const Vec2 force = reactions.col(block.points().first + p);
     if ((p < block.n_vertices() && labels.vertex[p] < n) || force.isZero(0)) continue;
     polyfem::mean_value(vertices, block.reference().col(p), shape);
     forces += force * shape.values.transpose();
@@ -112,25 +112,26 @@ ResultMarks ResultDirectory::marks() {
   return {monitors_.mark(), energy_.mark(), frames_.n_frames()};
 }
 
-void ResultDirectory::write_start(const Stepper& stepper, const std::vector<Probe>& probes) {
-  if (!monitors_.goes_on()) write_monitors(stepper, probes);
+void ResultDirectory::write_start(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets) {
+  if (!monitors_.goes_on()) write_monitors(stepper, monitor_targets);
   if (!energy_.goes_on()) write_energy(stepper);
   if (!frames_.goes_on()) frames_.write_step(stepper, labels_);
   marks();  // what there is of the histories is in their files
 }
 
-void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Probe>& probes) {
-  write_monitors(stepper, probes);
+void ResultDirectory::write_step(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets) {
+  write_monitors(stepper, monitor_targets);
   write_energy(stepper);
   frames_.write_step(stepper, labels_);
 }
 
-void ResultDirectory::write_monitors(const Stepper& stepper, const std::vector<Probe>& probes) {
-  for (const Probe& probe : probes) {
-    if (!stepper.blocks().is_present(probe.block())) continue;
-    const Motion motion = observe(probe, stepper);
+void ResultDirectory::write_monitors(const Stepper& stepper,
+                                     const std::vector<MonitorTarget>& monitor_targets) {
+  for (const MonitorTarget& target : monitor_targets) {
+    if (!stepper.blocks().is_present(target.block())) continue;
+    const Motion motion = observe(target, stepper);
     const Vec2 x = motion.position + labels_.origin;
-    monitors_.row(stepper.counts().steps, stepper.state().time, probe.name, x.x(), x.y(),
+    monitors_.row(stepper.counts().steps, stepper.state().time, target.name, x.x(), x.y(),
                   motion.displacement.x(), motion.displacement.y(), motion.velocity.x(), motion.velocity.y());
   }
 }
@@ -237,16 +238,16 @@ void ResultDirectory::write_supports(const Stepper& stepper) {
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     const std::vector<int> order = in_scene_order(*labels_.outlines[b]);
-    const auto is_held = [&](int scene_v) {
+    const auto is_prescribed = [&](int scene_v) {
       return std::binary_search(held.begin(), held.end(), block.vertices().first + order[scene_v]);
     };
     const int n = labels_.outlines[b]->n_vertices;
-    bool any_held = false;
-    for (int v = 0; v < n; ++v) any_held = any_held || is_held(v);
-    if (!any_held) continue;
+    bool any_prescribed = false;
+    for (int v = 0; v < n; ++v) any_prescribed = any_prescribed || is_prescribed(v);
+    if (!any_prescribed) continue;
     const Points forces = at_scene_vertices(block, *labels_.outlines[b], stepper.reactions());
     for (int v = 0; v < n; ++v)
-      if (is_held(v)) csv.row(labels_.block_names[b], v, forces(0, v), forces(1, v));
+      if (is_prescribed(v)) csv.row(labels_.block_names[b], v, forces(0, v), forces(1, v));
   }
   csv.close();
 }
@@ -301,7 +302,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"linear_solves", counts.linear_solves},
                                        {"factorizations", counts.factorizations},
                                        {"max_penetration", counts.max_penetration},
-                                       {"interior_paths", counts.interior_paths},
+                                       {"interior_paths", counts.interior_point_solves},
                                        {"augmentations", counts.augmentations},
                                        {"sweeps", counts.sweeps},
                                        {"newton_iterations", counts.open_close_iterations},

@@ -5,7 +5,7 @@
 #include <ddacontact/output/csv_file.hpp>
 #include <ddacontact/output/frame_writer.hpp>
 #include <ddacontact/output/labels.hpp>
-#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/monitor_target.hpp>
 #include <ddacontact/time/stepper.hpp>
 
 #include <filesystem>
@@ -45,9 +45,9 @@ class ResultDirectory {
   ResultMarks marks();
 
   /// write_step for the files that begin with the present state.
-  void write_start(const Stepper& stepper, const std::vector<Probe>& probes);
-  /// A row per probe and one of energies, for the state as it is, and a frame when it is time for one.
-  void write_step(const Stepper& stepper, const std::vector<Probe>& probes);
+  void write_start(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
+  /// A row per monitor and one of energies, for the state as it is, and a frame when it is time for one.
+  void write_step(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
   /// The frame a run ends with, unless it is there already.
   void write_last_frame(const Stepper& stepper) { frames_.write_last(stepper, labels_); }
   /// blocks.csv, vertices.csv, contacts.csv, supports.csv, bolts.csv where there are bolts, and summary.json.
@@ -56,7 +56,7 @@ class ResultDirectory {
   const std::filesystem::path& path() const { return directory_; }
 
  private:
-  void write_monitors(const Stepper& stepper, const std::vector<Probe>& probes);
+  void write_monitors(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
   void write_energy(const Stepper& stepper);
   void write_blocks(const Stepper& stepper);
   void write_vertices(const Stepper& stepper);

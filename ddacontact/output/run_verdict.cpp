@@ -59,7 +59,8 @@ void add_other_shape(const Stepper& stepper, std::vector<std::string>& warnings)
   for (int s = 0; s <= stepper.stage(); ++s)
     if (stepper.stages()[s].analysis.mode != Mode::statics) return;
   const auto moves = [](const auto& held) { return held.motion.kind != TimeFunction::Kind::constant; };
-  if (std::ranges::any_of(blocks.held_unknowns(), moves) || std::ranges::any_of(blocks.held_vertices, moves))
+  if (std::ranges::any_of(blocks.prescribed_dofs(), moves) ||
+      std::ranges::any_of(blocks.fixed_vertices, moves))
     return;
   const Points moved = blocks.displacements(stepper.state());
   double furthest = another_shape;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int directions = 4096;
 
-int place_of(const Frame& frame, const FrameContact& contact) {
+int point_of(const Frame& frame, const FrameContact& contact) {
   Index vertex = 0;
   (frame.outline(contact.vertex_block).colwise() - contact.position)
       .colwise()
@@ -50,7 +50,7 @@ std::vector<PageContacts::Key> PageContacts::keys_of(const Frame& frame) {
   std::set<Key> used;
   std::vector<Key> keys;
   for (const FrameContact& contact : frame.contacts) {
-    Key key{place_of(frame, contact), contact.edge_block, 0};
+    Key key{point_of(frame, contact), contact.edge_block, 0};
     while (!used.insert(key).second) ++key.ordinal;
     keys.push_back(key);
   }
@@ -90,7 +90,7 @@ void PageContacts::append_table(std::string& bytes) const {
   append_integer(n_contacts(), bytes);
   Key before;
   for (const Key& key : keys_) {
-    append_integer(key.place - before.place, bytes);
+    append_integer(key.point - before.point, bytes);
     append_integer(key.edge_block - before.edge_block, bytes);
     before = key;
   }

@@ -29,7 +29,7 @@ class PageContacts {
 
  private:
   struct Key {
-    int place = 0, edge_block = 0;
+    int point = 0, edge_block = 0;
     int ordinal = 0;  ///< among contacts of one vertex with several edges of a block
     auto operator<=>(const Key&) const = default;
   };

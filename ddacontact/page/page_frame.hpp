@@ -7,7 +7,7 @@
 
 namespace ddacontact {
 
-/// Which arrays a page holds; what frames do not hold cannot be asked for.
+/// Which arrays a page holds; what frames do not hold cannot be requested.
 struct PageArrays {
   bool displacement = true;  ///< false: positions still change, relative to the reference
   bool velocity = true, stress = true;

@@ -89,8 +89,8 @@ std::string moments_bytes(const std::vector<PageFrame>& frames, const PageShape&
   const std::vector<Range> each = single_items(contacts.n_contacts()), all{{0, contacts.n_contacts()}};
 
   const Quantization::Resolution& of_others_here = arrays.is_large ? of_others_when_large : of_others;
-  Track displacement(shape.places(), 2, of_displacement, coarsest),
-      velocity(shape.places(), 2, of_others_here), stress(shape.cells(), 9, of_others_here),
+  Track displacement(shape.points(), 2, of_displacement, coarsest),
+      velocity(shape.points(), 2, of_others_here), stress(shape.cells(), 9, of_others_here),
       force(each, 2, of_others_here),
       gap(all, 1, {.bits = 0, .floor_bits = 0}, {of_gap * median(shape.sizes())});
   MomentCoder states(each, 2);

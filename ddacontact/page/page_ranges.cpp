@@ -24,13 +24,13 @@ std::vector<Vec3> sampled_stresses(const PageFrame& shown) {
   for (int c = 0; c < frame.n_cells(); ++c) {
     const CellStressFit& fit = shown.stress[static_cast<std::size_t>(c)];
     stresses.push_back(fit.at_centre);
-    const std::span<const int> places = frame.corners(c);
+    const std::span<const int> points = frame.corners(c);
     Vec2 centre(0, 0);
     double size = 0;
-    for (const int place : places) centre += frame.position.col(place) / static_cast<double>(places.size());
-    for (const int place : places) size = std::max(size, (frame.position.col(place) - centre).norm());
-    for (const int place : places) {
-      const Vec2 arm = (frame.position.col(place) - centre) / (2 * size);
+    for (const int point : points) centre += frame.position.col(point) / static_cast<double>(points.size());
+    for (const int point : points) size = std::max(size, (frame.position.col(point) - centre).norm());
+    for (const int point : points) {
+      const Vec2 arm = (frame.position.col(point) - centre) / (2 * size);
       stresses.emplace_back(fit.at_centre + arm.x() * fit.change_x + arm.y() * fit.change_y);
     }
   }
@@ -40,8 +40,8 @@ std::vector<Vec3> sampled_stresses(const PageFrame& shown) {
 std::vector<double> lengths(const Points& vectors, const Frame& frame) {
   std::vector<double> values;
   for (const int b : frame.present_blocks()) {
-    const Range places = frame.places(b);
-    for (int p = places.first; p < places.end(); ++p) values.push_back(vectors.col(p).norm());
+    const Range points = frame.points(b);
+    for (int p = points.first; p < points.end(); ++p) values.push_back(vectors.col(p).norm());
   }
   return values;
 }
@@ -64,9 +64,9 @@ void PageRanges::see(Field field, std::vector<double> values) {
   if (values.empty()) return;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const PageRange seen{{*low, *high}, {percentile(values, tail), percentile(values, 1 - tail)}};
-  const auto [place, is_new] = of_fields_.try_emplace(field, seen);
+  const auto [point, is_new] = of_fields_.try_emplace(field, seen);
   if (is_new) return;
-  PageRange& range = place->second;
+  PageRange& range = point->second;
   range.all = {std::min(range.all.low, seen.all.low), std::max(range.all.high, seen.all.high)};
   range.robust = {std::min(range.robust.low, seen.robust.low), std::max(range.robust.high, seen.robust.high)};
 }

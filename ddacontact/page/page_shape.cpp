@@ -39,11 +39,11 @@ Points reference_of(const Frame& frame) {
 }
 
 PageShape::PageShape(const Frame& frame)
-    : reference_(reference_of(frame)), frame_cells_(frame.cells), corner_places_(frame.corner_places) {
+    : reference_(reference_of(frame)), frame_cells_(frame.cells), corner_points_(frame.corner_points) {
   std::size_t cell = 0;
   for (int b = 0; b < frame.n_blocks(); ++b) {
-    const Range places = frame.places(b);
-    places_.push_back(places);
+    const Range points = frame.points(b);
+    points_.push_back(points);
     const std::size_t first = cell;
     while (cell < frame.cells.size() && frame.cells[cell].block == b) ++cell;
     cells_.push_back({static_cast<int>(first), static_cast<int>(cell - first)});
@@ -54,14 +54,14 @@ PageShape::PageShape(const Frame& frame)
 
 bool PageShape::fits(const Frame& frame) const {
   if (frame.position.cols() != reference_.cols() || !same_cells(frame.cells, frame_cells_) ||
-      frame.corner_places != corner_places_)
+      frame.corner_points != corner_points_)
     return false;
   if (frame.displacement.cols() != frame.position.cols()) return true;
   const Points change = reference_of(frame) - reference_;
-  for (std::size_t b = 0; b < places_.size(); ++b) {
-    const auto of_block = change.middleCols(places_[b].first, places_[b].count);
-    const auto moved = frame.displacement.middleCols(places_[b].first, places_[b].count);
-    const double scale = sizes_[b] + moved.cwiseAbs().maxCoeff() + reference_.col(places_[b].first).norm();
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const auto of_block = change.middleCols(points_[b].first, points_[b].count);
+    const auto moved = frame.displacement.middleCols(points_[b].first, points_[b].count);
+    const double scale = sizes_[b] + moved.cwiseAbs().maxCoeff() + reference_.col(points_[b].first).norm();
     if (of_block.cwiseAbs().maxCoeff() > round_off * scale) return false;
   }
   return true;
@@ -71,17 +71,17 @@ std::string PageShape::bytes(const Frame& frame, const Vec2& centre) const {
   std::string bytes;
   append_integer(frame.n_blocks(), bytes);
   for (std::size_t b = 0; b < frame.blocks.size(); ++b)
-    for (const int number : {frame.blocks[b].count, places_[b].count, cells_[b].count, frame.materials[b]})
+    for (const int number : {frame.blocks[b].count, points_[b].count, cells_[b].count, frame.materials[b]})
       append_integer(number, bytes);
   for (int c = 0; c < frame.n_cells(); ++c) {
-    const std::span<const int> places = frame.corners(c);
-    append_integer(static_cast<int>(places.size()), bytes);
-    int before = places_[static_cast<std::size_t>(frame.cells[static_cast<std::size_t>(c)].block)].first;
-    Points corners(2, static_cast<Index>(places.size()));
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      append_integer(places[k] - before, bytes);
-      before = places[k];
-      corners.col(static_cast<Index>(k)) = frame.position.col(places[k]);
+    const std::span<const int> points = frame.corners(c);
+    append_integer(static_cast<int>(points.size()), bytes);
+    int before = points_[static_cast<std::size_t>(frame.cells[static_cast<std::size_t>(c)].block)].first;
+    Points corners(2, static_cast<Index>(points.size()));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      append_integer(points[k] - before, bytes);
+      before = points[k];
+      corners.col(static_cast<Index>(k)) = frame.position.col(points[k]);
     }
     for (const int corner : triangles_of(corners).reshaped()) append_integer(corner, bytes);
   }

@@ -8,7 +8,7 @@
 
 namespace ddacontact {
 
-/// The reference positions of a frame's places: where they were without the displacements it holds; where it
+/// The reference positions of a frame's points: where they were without the displacements it holds; where it
 /// holds none, where they are.
 Points reference_of(const Frame& frame);
 
@@ -19,10 +19,10 @@ class PageShape {
 
   /// Whether the frame has the same cells on the same reference positions, up to round-off.
   bool fits(const Frame& frame) const;
-  /// Of all places.
+  /// Of all points.
   const Points& reference() const { return reference_; }
-  /// The places of each block, and its cells.
-  const std::vector<Range>& places() const { return places_; }
+  /// The points of each block, and its cells.
+  const std::vector<Range>& points() const { return points_; }
   const std::vector<Range>& cells() const { return cells_; }
   /// The diagonal of each block's box, m.
   const std::vector<double>& sizes() const { return sizes_; }
@@ -34,8 +34,8 @@ class PageShape {
  private:
   Points reference_;
   std::vector<FrameCell> frame_cells_;
-  std::vector<int> corner_places_;
-  std::vector<Range> places_, cells_;
+  std::vector<int> corner_points_;
+  std::vector<Range> points_, cells_;
   std::vector<double> sizes_;
 };
 

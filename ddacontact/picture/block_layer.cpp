@@ -67,9 +67,9 @@ void draw_cell_edges(SvgPage& page, const View& view, const Frame& frame) {
     if (end == c + 1 || view.scale * std::sqrt(area / (end - c)) < smallest) continue;
     std::set<std::pair<int, int>> seen;
     for (int cell = c; cell < end; ++cell) {
-      const std::span<const int> places = frame.corners(cell);
-      for (std::size_t k = 0; k < places.size(); ++k) {
-        const int from = places[k], to = places[(k + 1) % places.size()];
+      const std::span<const int> points = frame.corners(cell);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const int from = points[k], to = points[(k + 1) % points.size()];
         if (!seen.insert({std::min(from, to), std::max(from, to)}).second) continue;
         data.move_to(view(frame.position.col(from)));
         data.line_to(view(frame.position.col(to)));

@@ -14,7 +14,7 @@ namespace {
 constexpr double margin = 12, tick_size = 11, label_size = 12, title_size = 14.5, title_line = 26;
 constexpr double tick_length = 4, below_axis = 40, between = 14, key_line = 17, sample = 24;
 
-/// Names in the key have room in fonts that stand in for the one that is asked for.
+/// Names in the key have room in fonts that stand in for the one that is requested.
 constexpr double wider = 1.15;
 
 /// One direction: values, their pixels and their ticks.

@@ -52,7 +52,7 @@ std::optional<Field> field_named(std::string_view name) {
 bool holds(const Frame& frame, Field field) {
   const Index n = frame.position.cols();
   if (description(field).kind == FieldKind::with_sign)
-    return frame.strain_displacement.cols() == static_cast<Index>(frame.corner_places.size());
+    return frame.strain_displacement.cols() == static_cast<Index>(frame.corner_points.size());
   if (field == Field::displacement) return frame.displacement.cols() == n;
   if (field == Field::velocity) return frame.velocity.cols() == n;
   return true;

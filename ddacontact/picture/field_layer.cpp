@@ -58,10 +58,10 @@ Vec2 centre_of(const Points& outline) {
 
 /// Of a cell, from the first.
 Points corners_of(const Frame& frame, int cell) {
-  const std::span<const int> places = frame.corners(cell);
-  Points corners(2, static_cast<Index>(places.size()));
+  const std::span<const int> points = frame.corners(cell);
+  Points corners(2, static_cast<Index>(points.size()));
   for (Index k = 0; k < corners.cols(); ++k)
-    corners.col(k) = frame.position.col(places[static_cast<std::size_t>(k)]) - frame.position.col(places[0]);
+    corners.col(k) = frame.position.col(points[static_cast<std::size_t>(k)]) - frame.position.col(points[0]);
   return corners;
 }
 
@@ -126,9 +126,9 @@ std::vector<int> FieldSamples::grounds(const ColourScale& scale) const {
   std::vector<int> lowest;
   for (const Piece& piece : pieces_) lowest.push_back(scale.band(piece.values.minCoeff()));
   for_each_corner(
-      [&](std::size_t p, std::size_t place) { at_place[place] = std::min(at_place[place], lowest[p]); });
+      [&](std::size_t p, std::size_t point) { at_place[point] = std::min(at_place[point], lowest[p]); });
   for_each_corner(
-      [&](std::size_t p, std::size_t place) { lowest[p] = std::min(lowest[p], at_place[place]); });
+      [&](std::size_t p, std::size_t point) { lowest[p] = std::min(lowest[p], at_place[point]); });
   return lowest;
 }
 
@@ -142,13 +142,13 @@ void FieldSamples::draw(SvgPage& page, const View& view, const ColourScale& scal
 
 void FieldSamples::add_piece(const Piece& piece, int ground, const View& view, const ColourScale& scale,
                              std::vector<PathData>& paths) const {
-  const std::span<const int> places = frame_.corners(piece.cell);
-  const Vec2 start_on_page = view(frame_.position.col(places[0]));
+  const std::span<const int> points = frame_.corners(piece.cell);
+  const Vec2 start_on_page = view(frame_.position.col(points[0]));
   const int lowest = scale.band(piece.values.minCoeff()), highest = scale.band(piece.values.maxCoeff());
   std::vector<Vec2> corners;
   const Window box{piece.nodes.rowwise().minCoeff(), piece.nodes.rowwise().maxCoeff()};
   for (const int corner : piece.corners)
-    corners.push_back(view(frame_.position.col(places[static_cast<std::size_t>(corner)])));
+    corners.push_back(view(frame_.position.col(points[static_cast<std::size_t>(corner)])));
   paths[static_cast<std::size_t>(ground)].polygon(corners);
   if (lowest > ground) paths[static_cast<std::size_t>(lowest)].polygon(corners);
 

@@ -14,7 +14,7 @@ class FieldSamples {
   /// \param[in] pixels_per_metre  the scale at which the field will be drawn; may be a little too large
   FieldSamples(const Frame& frame, Field field, double pixels_per_metre)
       : FieldSamples(frame, field, pixels_per_metre, frame) {}
-  /// The same, drawn at the places of another frame of the same blocks, which is kept by reference.
+  /// The same, drawn at the points of another frame of the same blocks, which is kept by reference.
   FieldSamples(const Frame& frame, Field field, double pixels_per_metre, const Frame& drawn);
 
   /// Of all nodes; {0, 0} when there are none.

@@ -20,7 +20,7 @@ LegendItem item(double sample_width, const std::string& text,
 
 /// Calls `place(item, line, x)` for each item.
 template <class Place>
-int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
+int flow(const std::vector<LegendItem>& items, double width, Place&& point) {
   int line = 0;
   double x = 0;
   for (const LegendItem& item : items) {
@@ -28,7 +28,7 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
       ++line;
       x = 0;
     }
-    place(item, line, x);
+    point(item, line, x);
     x += item.width + gap;
   }
   return items.empty() ? 0 : line + 1;

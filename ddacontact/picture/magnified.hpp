@@ -5,7 +5,7 @@
 
 namespace ddacontact {
 
-/// The frame with its places, and contacts with their vertices, at the start plus `factor` times the
+/// The frame with its points, and contacts with their vertices, at the start plus `factor` times the
 /// displacement. Fields stay as they are: of stress only those of the frame itself are right, see
 /// Panel::values. Throws Error when the frame does not hold displacements.
 Frame magnified(const Frame& frame, double factor);

@@ -20,8 +20,8 @@ PanelBoxes fit_boxes(const std::vector<Window>& needed, const std::vector<int>& 
   std::map<int, Window> of_scene;
   for (std::size_t i = 0; i < needed.size(); ++i) {
     all = united(all, needed[i]);
-    const auto [place, is_new] = of_scene.emplace(scenes[i], needed[i]);
-    if (!is_new) place->second = united(place->second, needed[i]);
+    const auto [point, is_new] = of_scene.emplace(scenes[i], needed[i]);
+    if (!is_new) point->second = united(point->second, needed[i]);
   }
   PanelBoxes fit;
   for (const auto& [scene, box] : of_scene)

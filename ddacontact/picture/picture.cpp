@@ -27,7 +27,7 @@ class Picture {
     choose_boxes();
     choose_columns();
     fill_panels();
-    place();
+    point();
   }
 
   std::string svg() {
@@ -116,7 +116,7 @@ class Picture {
     grid_ = arrange(needs_);
   }
 
-  void place() {
+  void point() {
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       needs_.bar_widths[i] = has_bar(i) ? colour_bar_width(*contents_[i].scale) : 0;
       if (has_bar(i))

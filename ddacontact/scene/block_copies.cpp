@@ -22,13 +22,13 @@ void add_copies(Document& document, ProblemList& problems) {
   std::vector<BlockRecord> all;
   all.reserve(document.blocks.size());
   for (BlockRecord& block : document.blocks) {
-    if (!block.grid || !block.places.good("grid") || !block.places.good("vertices")) {
+    if (!block.grid || !block.locations.good("grid") || !block.locations.good("vertices")) {
       all.push_back(std::move(block));
       continue;
     }
     const auto [columns, rows] = block.grid->count;
     if (static_cast<double>(columns) * rows > most_copies) {
-      problems.error(block.places.of("grid"),
+      problems.error(block.locations.of("grid"),
                      "'grid' makes " + std::to_string(std::int64_t{columns} * rows) + " blocks",
                      "at most " + std::to_string(most_copies));
       all.push_back(std::move(block));

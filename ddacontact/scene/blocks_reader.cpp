@@ -24,7 +24,7 @@ using scene_format::ProblemList;
 
 MaterialRecord rock(const std::string& name) {
   MaterialRecord material{name, 2500.0, std::nullopt, 5e9, 0.25, {}};
-  for (const char* key : {"name", "density"}) material.places.add(key, {}, true);
+  for (const char* key : {"name", "density"}) material.locations.add(key, {}, true);
   return material;
 }
 
@@ -32,7 +32,7 @@ MaterialRecord rock(const std::string& name) {
 void name_materials(Document& document) {
   document.materials.push_back(rock("rock"));
   for (BlockRecord& block : document.blocks) {
-    if (!block.places.good("material")) continue;
+    if (!block.locations.good("material")) continue;
     if (block.material.index) block.material = {std::to_string(*block.material.index), std::nullopt};
     const std::string& name = block.material.name;
     const auto known = std::find_if(document.materials.begin() + 1, document.materials.end(),
@@ -47,7 +47,7 @@ Document geometry_document(const std::string& path, double snap, bool& unreadabl
   document.title = "Blocks of " + path;
   document.analysis.options.steps = 50;
   document.analysis.options.time_step = 0.01;
-  document.joints.push_back({.name = "rock joint", .joint = {}, .between = std::nullopt, .places = {}});
+  document.joints.push_back({.name = "rock joint", .joint = {}, .between = std::nullopt, .locations = {}});
   document.joints[0].joint.friction_angle = 35;
   scene_format::GeometryBlocks file = scene_format::read_geometry_file(path, {}, problems);
   unreadable = file.unreadable;

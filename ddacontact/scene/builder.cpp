@@ -53,8 +53,8 @@ struct Placed {
     return mesh ? label_outline(mesh->n_outline, mesh->vertex, turned)
                 : label_outline(static_cast<int>(outline.cols()), turned);
   }
-  /// The number among the block's places of a vertex so counted.
-  int place(int vertex) const { return mesh ? mesh->vertex[vertex] : vertex; }
+  /// The number among the points of the block, of a vertex counted counter-clockwise.
+  int point(int vertex) const { return mesh ? mesh->vertex[vertex] : vertex; }
 };
 
 Vec2 low_corner(const Scene& scene) {
@@ -89,7 +89,7 @@ std::vector<Vec2> contact_zone(const Scene& scene, int block) {
   return zone;
 }
 
-Placed place(const Scene& scene, int index, const Vec2& origin) {
+Placed location(const Scene& scene, int index, const Vec2& origin) {
   const BlockDescription& block = scene.blocks[index];
   Placed placed{block.vertices.colwise() - origin, polyfem::signed_area(block.vertices) < 0, {}};
   if (placed.turned) placed.outline = placed.outline.rowwise().reverse().eval();
@@ -109,13 +109,13 @@ struct Holds {
 
   explicit Holds(Index n) : vertices(n), edges(n) {}
 
-  void hold(const std::vector<int>& held, int axis, const TimeFunction& motion) {
-    std::vector<bool> is_held(vertices.size());
-    for (int v : held) is_held[v] = true;
-    for (std::size_t v = 0; v < is_held.size(); ++v) {
-      if (!is_held[v]) continue;
+  void hold(const std::vector<int>& prescribed, int axis, const TimeFunction& motion) {
+    std::vector<bool> is_prescribed(vertices.size());
+    for (int v : prescribed) is_prescribed[v] = true;
+    for (std::size_t v = 0; v < is_prescribed.size(); ++v) {
+      if (!is_prescribed[v]) continue;
       vertices[v][axis] = motion;
-      if (is_held[(v + 1) % is_held.size()]) edges[v][axis] = motion;
+      if (is_prescribed[(v + 1) % is_prescribed.size()]) edges[v][axis] = motion;
     }
   }
 };
@@ -137,17 +137,17 @@ std::vector<Holds> collect_holds(const Scene& scene, const std::vector<Placed>& 
     for (int axis = 0; axis < 2; ++axis) of_block.hold(fixed, axis, {});
   }
   for (const Support& support : scene.supports) {
-    const std::vector<int> held = ours(support.block, support.vertices);
-    if (support.hold_x) holds[support.block].hold(held, 0, support.displacement);
-    if (support.hold_y) holds[support.block].hold(held, 1, support.displacement);
+    const std::vector<int> prescribed = ours(support.block, support.vertices);
+    if (support.fix_x) holds[support.block].hold(prescribed, 0, support.displacement);
+    if (support.fix_y) holds[support.block].hold(prescribed, 1, support.displacement);
   }
   return holds;
 }
 
-std::vector<bool> held_along(const VertexHolds& holds, int axis) {
-  std::vector<bool> held;
-  for (const auto& of_vertex : holds) held.push_back(of_vertex[axis].has_value());
-  return held;
+std::vector<bool> fixed_along(const VertexHolds& holds, int axis) {
+  std::vector<bool> prescribed;
+  for (const auto& of_vertex : holds) prescribed.push_back(of_vertex[axis].has_value());
+  return prescribed;
 }
 
 /// A block's numbering is known only when all blocks are: what to hold is said by local numbers first.
@@ -182,11 +182,11 @@ void check_followed(const VertexHolds& holds, const PointsRef& outline, const st
 
 class Builder {
  public:
-  /// \param[in] reasons  why blocks have the models that the scene states; empty ones: it was asked for
+  /// \param[in] reasons  why blocks have the models that the scene states; empty: the user chose it
   Builder(const Scene& scene, const std::vector<std::string>& reasons)
       : scene_(scene), reasons_(reasons), origin_(low_corner(scene)), shapes_(scene.analysis.skip.congruent) {
     for (std::size_t b = 0; b < scene.blocks.size(); ++b)
-      placed_.push_back(place(scene, static_cast<int>(b), origin_));
+      placed_.push_back(location(scene, static_cast<int>(b), origin_));
     holds_ = collect_holds(scene, placed_);
   }
 
@@ -219,7 +219,8 @@ class Builder {
     for (std::size_t j = 0; j < scene_.joints.size(); ++j)
       built_.labels.joint_names.push_back(scene_.joints[j].name.empty() ? std::to_string(j)
                                                                         : scene_.joints[j].name);
-    for (const Monitor& monitor : scene_.monitors) built_.probes.push_back(make_probe(monitor, system));
+    for (const Monitor& monitor : scene_.monitors)
+      built_.monitor_targets.push_back(make_monitor_target(monitor, system));
 
     BlockState initial = system.initial_state();
     set_initial(system, initial);
@@ -268,7 +269,7 @@ class Builder {
                                       : polyfem::wachspress;
     const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction, basis);
     const std::string name = "block \"" + scene_.block_name(b) + "\": ";
-    if (!integration.sound)
+    if (!integration.definite)
       built_.notes.push_back(name + "its integration rule gives an unsound stiffness or mass matrix");
     else if (integration.triangle_rule != &polyfem::hammer_rule(3))
       built_.notes.push_back(name + "integration rule raised to keep stiffness and mass sound");
@@ -288,43 +289,43 @@ class Builder {
   /// All of a fixed block is held.
   std::unique_ptr<Block> make_mesh_block(int b, const BlockMaterial& material) {
     const BlockMesh& mesh = *placed_[b].mesh;
-    const int n_free_places = static_cast<int>(mesh.places.cols() - mesh.on_straight_edges.size());
-    const auto hold = [&](int place, int axis, const TimeFunction& motion) {
-      local_holds_[b].push_back({2 * place + axis, place, axis, motion});
+    const int n_free_points = static_cast<int>(mesh.points.cols() - mesh.on_straight_edges.size());
+    const auto hold = [&](int point, int axis, const TimeFunction& motion) {
+      local_holds_[b].push_back({2 * point + axis, point, axis, motion});
     };
     const int n = static_cast<int>(mesh.vertex.size());
     for (int axis = 0; axis < 2; ++axis) {
-      for (int place = 0; scene_.blocks[b].fixed && place < n_free_places; ++place) hold(place, axis, {});
+      for (int point = 0; scene_.blocks[b].fixed && point < n_free_points; ++point) hold(point, axis, {});
       for (int v = 0; !scene_.blocks[b].fixed && v < n; ++v) {
         if (const auto& motion = holds_[b].vertices[v][axis]) hold(mesh.vertex[v], axis, *motion);
         const auto& motion = holds_[b].edges[v][axis];
         if (!motion) continue;
         const int end = v + 1 < n ? mesh.vertex[v + 1] : mesh.n_outline;
-        for (int place = mesh.vertex[v] + 1; place < end; ++place) hold(place, axis, *motion);
+        for (int point = mesh.vertex[v] + 1; point < end; ++point) hold(point, axis, *motion);
       }
     }
     return std::make_unique<CorotationalBlock>(
-        material, mesh.places,
+        material, mesh.points,
         shapes_.mesh(scene_.blocks[b].material, material, mesh, scene_.analysis.gradient_correction));
   }
 
   std::unique_ptr<Block> make_affine_block(int b, const BlockMaterial& material) {
     const Points& outline = placed_[b].outline;
-    const std::vector<bool> held_x = held_along(holds_[b].vertices, 0),
-                            held_y = held_along(holds_[b].vertices, 1);
-    const auto n_x = std::count(held_x.begin(), held_x.end(), true),
-               n_y = std::count(held_y.begin(), held_y.end(), true);
+    const std::vector<bool> fixed_x = fixed_along(holds_[b].vertices, 0),
+                            fixed_y = fixed_along(holds_[b].vertices, 1);
+    const auto n_x = std::count(fixed_x.begin(), fixed_x.end(), true),
+               n_y = std::count(fixed_y.begin(), fixed_y.end(), true);
     if (n_x + n_y == 0) return affine_block(b, material, std::nullopt);
 
-    const bool wholly_held = n_x >= 3 && n_y >= 3;
-    if (scene_.analysis.preset == Preset::paper && !wholly_held) {
+    const bool fully_prescribed = n_x >= 3 && n_y >= 3;
+    if (scene_.analysis.preset == Preset::paper && !fully_prescribed) {
       for (int v = 0; v < outline.cols(); ++v)
         for (int axis = 0; axis < 2; ++axis)
           if (holds_[b].vertices[v][axis])
             springs_.push_back({b, v, axis == 0, axis == 1, *holds_[b].vertices[v][axis]});
       return affine_block(b, material, std::nullopt);
     }
-    const ControlVertices control = choose_control_vertices(outline, held_x, held_y);
+    const ControlVertices control = choose_control_vertices(outline, fixed_x, fixed_y);
     for (int axis = 0; axis < 2; ++axis) {
       const std::array<int, 3>& vertices = axis == 0 ? control.x : control.y;
       if ((axis == 0 ? n_x : n_y) > 3) check_followed(holds_[b].vertices, outline, vertices, axis, scene_, b);
@@ -346,20 +347,20 @@ class Builder {
   }
 
   void hold(BlockSystem& system) const {
-    std::vector<HeldUnknown> held;
+    std::vector<PrescribedDof> prescribed;
     for (int b = 0; b < system.n_blocks(); ++b) {
       const Block& block = system.block(b);
       for (const LocalHold& hold : local_holds_[b])
-        held.push_back({block.unknowns().first + hold.unknown, block.vertices().first + hold.vertex,
-                        hold.axis, hold.motion});
+        prescribed.push_back({block.unknowns().first + hold.unknown, block.vertices().first + hold.vertex,
+                              hold.axis, hold.motion});
     }
-    system.set_held_unknowns(std::move(held));
-    system.held_vertices = springs_;
+    system.set_prescribed_dofs(std::move(prescribed));
+    system.fixed_vertices = springs_;
     for (int b = 0; b < system.n_blocks(); ++b)
       for (std::size_t v = 0; v < holds_[b].vertices.size(); ++v)
         if (holds_[b].vertices[v][0] || holds_[b].vertices[v][1])
-          system.supported_vertices.push_back(system.block(b).places().first +
-                                              placed_[b].place(static_cast<int>(v)));
+          system.supported_vertices.push_back(system.block(b).points().first +
+                                              placed_[b].point(static_cast<int>(v)));
   }
 
   void note_idle_velocities(const BlockSystem& system) {
@@ -387,8 +388,8 @@ class Builder {
   static void for_parts(const Block& block, const Placed& on, int scene_edge, Visit&& visit) {
     const int n = static_cast<int>(on.outline.cols());
     const int edge = on.turned ? (2 * n - 2 - scene_edge) % n : scene_edge;
-    const int end = edge + 1 < n ? on.place(edge + 1) : block.n_vertices();
-    for (int part = on.place(edge); part < end; ++part) visit(part);
+    const int end = edge + 1 < n ? on.point(edge + 1) : block.n_vertices();
+    for (int part = on.point(edge); part < end; ++part) visit(part);
   }
 
   void add_quiet_faces(BlockSystem& system) const {
@@ -405,7 +406,7 @@ class Builder {
       const Block& block = system.block(load.block);
       switch (load.kind) {
         case Load::Kind::point:
-          system.point_loads.push_back({{load.block, block.place_weights(load.at - origin_)}, load.force});
+          system.point_loads.push_back({{load.block, block.point_weights(load.at - origin_)}, load.force});
           break;
         case Load::Kind::pressure:
           for_parts(block, on, load.edge, [&](int part) {
@@ -425,7 +426,7 @@ class Builder {
       Bolt& made = all.emplace_back();
       made.name = bolt.name;
       for (const BoltNode& node : bolt_nodes(bolt, scene_.blocks)) {
-        made.nodes.push_back({node.block, system.block(node.block).place_weights(node.at - origin_)});
+        made.nodes.push_back({node.block, system.block(node.block).point_weights(node.at - origin_)});
         if (node.length > 0) made.bonded.push_back(node.length);
       }
       made.stiffness = bolt.young * bolt.area / bolt.spacing;
@@ -438,15 +439,15 @@ class Builder {
     return all;
   }
 
-  Probe make_probe(const Monitor& monitor, const BlockSystem& system) const {
+  MonitorTarget make_monitor_target(const Monitor& monitor, const BlockSystem& system) const {
     const Placed& on = placed_[monitor.block];
     const Block& block = system.block(monitor.block);
     switch (monitor.kind) {
       case Monitor::Kind::point:
-        return {monitor.name, MaterialPoint{monitor.block, block.place_weights(monitor.at - origin_)}};
+        return {monitor.name, MaterialPoint{monitor.block, block.point_weights(monitor.at - origin_)}};
       case Monitor::Kind::vertex: {
-        VectorXd weights = VectorXd::Zero(block.n_places());
-        weights[on.place(on.ours(monitor.vertex))] = 1;
+        VectorXd weights = VectorXd::Zero(block.n_points());
+        weights[on.point(on.ours(monitor.vertex))] = 1;
         return {monitor.name, MaterialPoint{monitor.block, weights}};
       }
       case Monitor::Kind::centroid:
@@ -471,7 +472,7 @@ class Builder {
       const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
       initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;
     }
-    for (const HeldUnknown& held : system.held_unknowns()) initial.velocity[held.unknown] = 0;
+    for (const PrescribedDof& prescribed : system.prescribed_dofs()) initial.velocity[prescribed.unknown] = 0;
   }
 
   static std::optional<double> tangent_of(const std::optional<double>& degrees) {
@@ -556,7 +557,7 @@ class Builder {
   std::vector<Holds> holds_;
   std::vector<std::vector<LocalHold>> local_holds_ =
       std::vector<std::vector<LocalHold>>(scene_.blocks.size());
-  std::vector<HeldVertex> springs_;
+  std::vector<FixedVertex> springs_;
   BuiltScene built_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <ddacontact/output/labels.hpp>
 #include <ddacontact/scene/scene.hpp>
-#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/monitor_target.hpp>
 #include <ddacontact/time/stepper.hpp>
 
 #include <memory>
@@ -13,9 +13,9 @@ namespace ddacontact {
 /// A scene ready to step, and what names its results.
 struct BuiltScene {
   std::unique_ptr<Stepper> stepper;
-  std::vector<Probe> probes;  ///< the scene's monitors
+  std::vector<MonitorTarget> monitor_targets;  ///< the scene's monitors
   Labels labels;
-  std::vector<std::string> notes;  ///< what the user should know: rules raised, unsound elements, ...
+  std::vector<std::string> notes;  ///< what the user should know: rules raised, invalid elements, ...
 };
 
 /// Builds what a checked scene describes. Throws Error for what only shows here: supports that an affine

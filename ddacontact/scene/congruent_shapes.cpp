@@ -64,13 +64,13 @@ CongruentShapes::Shape CongruentShapes::affine(int material, const BlockMaterial
 
 CongruentShapes::Shape CongruentShapes::mesh(int material, const BlockMaterial& properties,
                                              const BlockMesh& mesh, polyfem::GradientCorrection correction) {
-  const Points outline = mesh.places.leftCols(mesh.n_outline);
+  const Points outline = mesh.points.leftCols(mesh.n_outline);
   ByteWriter key = key_of(Model::mesh, material);
-  key(Points(mesh.places.colwise() - polyfem::area_moments(outline).centroid));
+  key(Points(mesh.points.colwise() - polyfem::area_moments(outline).centroid));
   key(polyfem::mean_gradient_weights(outline));
   key.list(mesh.cells, [&](const std::vector<int>& cell) { key.list(cell, key); });
-  key.list(mesh.on_straight_edges, [&](const BlockMesh::EdgePlace& on) {
-    key(on.place);
+  key.list(mesh.on_straight_edges, [&](const BlockMesh::EdgePoint& on) {
+    key(on.point);
     key(on.start);
     key(on.end);
     key(on.along);

@@ -104,7 +104,7 @@ SupportRecord record_of(const Support& support, const Scene& scene) {
   SupportRecord record;
   record.block = reference_to(support.block, scene.blocks);
   record.vertices.some = support.vertices;
-  record.axes = support.hold_x && support.hold_y ? Axes::xy : support.hold_x ? Axes::x : Axes::y;
+  record.axes = support.fix_x && support.fix_y ? Axes::xy : support.fix_x ? Axes::x : Axes::y;
   using Kind = TimeFunction::Kind;
   const Kind kind = support.displacement.kind;
   if (kind == Kind::ramp)

@@ -19,7 +19,7 @@ class DocumentReader : public TableReader {
       return;
     }
     if (!node->is_table()) {
-      problems_.error(place_of(*node, problems_),
+      problems_.error(location_of(*node, problems_),
                       "'" + std::string(key.name) + "' is " + description_of(*node),
                       "write one table " + title);
       return;
@@ -32,7 +32,7 @@ class DocumentReader : public TableReader {
     if (!table_.get(key.name)) return static_cast<void>(find(key));
     const std::size_t n_problems = problems_.size();
     table(key, record.emplace());
-    places_.add(key.name, record->places.table, problems_.size() == n_problems);
+    locations_.add(key.name, record->locations.table, problems_.size() == n_problems);
   }
 
   template <class Record>
@@ -41,7 +41,7 @@ class DocumentReader : public TableReader {
     const toml::node* node = find(key);
     const toml::array* array = node ? node->as_array() : nullptr;
     if (node && !array) {
-      problems_.error(place_of(*node, problems_),
+      problems_.error(location_of(*node, problems_),
                       "'" + std::string(key.name) + "' is " + description_of(*node),
                       "write " + title + " for each");
       return;
@@ -56,7 +56,7 @@ class DocumentReader : public TableReader {
       if (const toml::table* table = element.as_table())
         read_table(*table, title, records.back());
       else
-        problems_.error(place_of(element, problems_),
+        problems_.error(location_of(element, problems_),
                         "an element of '" + std::string(key.name) + "' is " + description_of(element),
                         "write " + title + " for each");
     }
@@ -76,8 +76,8 @@ class DocumentReader : public TableReader {
 
   template <class Record>
   void read_table(const toml::table& source, std::string_view title, Record& record) {
-    record.places.table = place_of(source, problems_);
-    TableReader reader(source, title, record.places, problems_);
+    record.locations.table = location_of(source, problems_);
+    TableReader reader(source, title, record.locations, problems_);
     describe(record, reader);
     reader.refuse_other_keys();
   }
@@ -89,7 +89,7 @@ Document read_document(const toml::table& root, ProblemList& problems) {
   Document document;
   const toml::array* stages = root["stage"].as_array();
   document.analysis.in_stages = stages && !stages->empty();
-  DocumentReader reader(root, "the scene", document.places, problems);
+  DocumentReader reader(root, "the scene", document.locations, problems);
   describe(document, reader);
   reader.refuse_other_keys();
   return document;

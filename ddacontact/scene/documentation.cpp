@@ -48,7 +48,7 @@ class RowWriter {
   std::vector<KeyRow> rows_;
 };
 
-/// Describes the one table asked for of those in a table.
+/// Describes one table of those in a table.
 struct InnerFinder {
   const std::string& name;
   RowWriter& rows;
@@ -62,7 +62,7 @@ struct InnerFinder {
   }
 };
 
-/// Describes the one table asked for.
+/// Describes one table.
 struct TableFinder {
   const std::string& name;
   RowWriter rows{};

@@ -23,9 +23,9 @@ class DomainReader {
     ProblemList told_later("");
     for (const JointRecord& joint : document.joints) {
       joint_references_.push_back(joint.name ? Reference{*joint.name, {}} : Reference{"", joints_.size()});
-      joints_.add(joint.name, joint.places, told_later);
+      joints_.add(joint.name, joint.locations, told_later);
     }
-    for (const RegionRecord& region : record_.regions) regions_.add(region.name, region.places, problems);
+    for (const RegionRecord& region : record_.regions) regions_.add(region.name, region.locations, problems);
     domain_.boundary = record_.boundary.outline.points;
     domain_.seed = static_cast<std::uint64_t>(record_.seed);
     domain_.keep_t_vertices = record_.t_vertices == TVertices::keep;
@@ -54,9 +54,10 @@ class DomainReader {
     BlockRecord block;
     block.name = "d" + std::to_string(number);
     block.origin = "the domain";
-    block.places.table = record_.places.table;
+    block.locations.table = record_.locations.table;
     block.vertices.points = cut.outline;
-    for (const char* key : {"name", "vertices"}) block.places.add(key, record_.places.of("boundary"), true);
+    for (const char* key : {"name", "vertices"})
+      block.locations.add(key, record_.locations.of("boundary"), true);
     std::optional<Reference> material = record_.material;
     for (const int r : cut.regions) {
       const RegionRecord& region = record_.regions[r];
@@ -71,7 +72,7 @@ class DomainReader {
     }
     if (material) {
       block.material = *material;
-      block.places.add("material", record_.places.of("material"), true);
+      block.locations.add("material", record_.locations.of("material"), true);
     }
     block.edge_joints = edge_joints(cut.joints);
     return block;
@@ -80,28 +81,29 @@ class DomainReader {
  private:
   template <class Record>
   int joint_of(const Record& record) {
-    return record.joint ? joints_.find(*record.joint, record.places.of("joint"), problems_) : -1;
+    return record.joint ? joints_.find(*record.joint, record.locations.of("joint"), problems_) : -1;
   }
   template <class Record>
   int region_of(const Record& record) {
     if (!record.inside) return -1;
-    return regions_.find({*record.inside, std::nullopt}, record.places.of("inside"), problems_);
+    return regions_.find({*record.inside, std::nullopt}, record.locations.of("inside"), problems_);
   }
 
   void add_trace(const TraceRecord& trace) {
     const Points& points = trace.points.points;
     for (Index k = 0; k + 1 < points.cols(); ++k)
       if (points.col(k) == points.col(k + 1))
-        problems_.error(trace.points.places[k + 1], "the trace has the same point twice", "leave one out");
+        problems_.error(trace.points.locations[k + 1], "the trace has the same point twice", "leave one out");
     if (points.cols() < 2)
-      problems_.error(trace.places.of("points"), "a trace of fewer than two points is no line", "add points");
+      problems_.error(trace.locations.of("points"), "a trace of fewer than two points is no line",
+                      "add points");
     domain_.traces.push_back({joint_of(trace), points});
   }
 
   void add_openings() {
     NameTable names("opening");
     for (const OpeningRecord& opening : record_.openings) {
-      names.add(opening.name, opening.places, problems_);
+      names.add(opening.name, opening.locations, problems_);
       domain_.openings.push_back({outline_of(opening), joint_of(opening)});
     }
   }
@@ -110,14 +112,15 @@ class DomainReader {
     const int n_given =
         opening.circle.has_value() + opening.horseshoe.has_value() + opening.polygon.has_value();
     if (n_given != 1)
-      problems_.error(opening.places.table,
+      problems_.error(opening.locations.table,
                       "the opening has " + std::string(n_given == 0 ? "no outline" : "more than one outline"),
                       "write 'circle', 'horseshoe' or 'polygon'");
     if (const auto& circle = opening.circle)
       return circle_outline(circle->centre, circle->radius, circle->edges);
     if (const auto& shoe = opening.horseshoe) {
       if (shoe->height < shoe->width / 2)
-        problems_.error(shoe->places.of("height"), "the horseshoe is lower than the half circle of its roof",
+        problems_.error(shoe->locations.of("height"),
+                        "the horseshoe is lower than the half circle of its roof",
                         "write a 'height' of half the 'width' at least");
       return horseshoe_outline(shoe->floor, shoe->width, shoe->height, shoe->edges);
     }
@@ -146,22 +149,22 @@ class DomainReader {
 };
 
 /// The cure of an Error stands in brackets at its end.
-void report(const std::string& message, const Place& place, ProblemList& problems) {
+void report(const std::string& message, const SourceLocation& location, ProblemList& problems) {
   const std::size_t cure = message.rfind(" (");
-  if (cure == std::string::npos) return problems.error(place, message, "change the domain");
-  problems.error(place, message.substr(0, cure), message.substr(cure + 2, message.size() - cure - 3));
+  if (cure == std::string::npos) return problems.error(location, message, "change the domain");
+  problems.error(location, message.substr(0, cure), message.substr(cure + 2, message.size() - cure - 3));
 }
 
 /// A line of a drawing as a joint: of the law that its layer names, or its number in Shi's files.
 void add_drawn_line(const DrawnLine& line, bool is_shi, const Document& document, DomainRecord& domain,
                     std::set<std::string>& unknown_layers) {
   TraceRecord& trace = domain.traces.emplace_back();
-  trace.places.table = line.place;
+  trace.locations.table = line.location;
   const Index n = line.points.cols();
   trace.points.points.resize(2, n + line.closed);
   trace.points.points.leftCols(n) = line.points;
   if (line.closed) trace.points.points.col(n) = line.points.col(0);
-  trace.points.places.assign(static_cast<std::size_t>(n + line.closed), line.place);
+  trace.points.locations.assign(static_cast<std::size_t>(n + line.closed), line.location);
   const int number = is_shi && line.layer != "boundary" ? std::stoi(line.layer) - 1 : -1;
   const auto is_layer = [&](const JointRecord& joint) { return joint.name == line.layer; };
   if (number >= 0 && number < static_cast<int>(document.joints.size()))
@@ -185,7 +188,7 @@ bool take_drawing(const std::string& path, const std::string& text, Document& do
     if (&line != boundary)
       add_drawn_line(line, small_ending(path) == ".geo", document, domain, unknown_layers);
   for (const std::string& layer : unknown_layers)
-    problems.warning(domain.places.of("boundary"),
+    problems.warning(domain.locations.of("boundary"),
                      "no joint is called '" + excerpt(layer) + "', as a layer of '" + path + "' is",
                      "its lines follow the law of the materials: add [[joint]] with that name");
   return true;
@@ -196,7 +199,7 @@ bool read_boundary(const std::filesystem::path& directory, Document& document, b
                    ProblemList& problems) {
   DomainRecord& domain = *document.domain;
   if (domain.boundary.file.empty()) return true;
-  const Place& key = domain.places.of("boundary");
+  const SourceLocation& key = domain.locations.of("boundary");
   const std::string path = (directory / domain.boundary.file).string();
   if (is_drawing(path)) {
     const FileText file = read_text(path);
@@ -212,7 +215,7 @@ bool read_boundary(const std::filesystem::path& directory, Document& document, b
   if (file.blocks.size() > 1)
     problems.error(key, "'" + path + "' holds " + std::to_string(file.blocks.size()) + " polygons",
                    "a boundary is one polygon: write 'blocks' at the top of the file for several blocks");
-  if (file.blocks.size() > 1 || !file.blocks.front().places.good("vertices")) return false;
+  if (file.blocks.size() > 1 || !file.blocks.front().locations.good("vertices")) return false;
   domain.boundary.outline = file.blocks.front().vertices;
   return true;
 }
@@ -223,7 +226,7 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
   if (!document.domain) return true;
   const bool all = document.has_all_blocks;
   document.has_all_blocks = false;
-  if (!document.places.good("domain")) return true;
+  if (!document.locations.good("domain")) return true;
   bool unreadable = false;
   if (!read_boundary(directory, document, unreadable, problems)) return !unreadable;
   const std::size_t n_problems = problems.size();
@@ -236,7 +239,7 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
     document.domain_counts = cut.counts;
     document.has_all_blocks = all;
   } catch (const polyfem::Error& error) {
-    report(error.what(), document.domain->places.of("boundary"), problems);
+    report(error.what(), document.domain->locations.of("boundary"), problems);
   }
   return true;
 }

@@ -14,7 +14,7 @@ struct DrawnLine {
   Points points;
   bool closed = false;  ///< from the last point back to the first
   std::string layer;
-  Place place;
+  SourceLocation location;
 };
 
 struct Drawing {

@@ -27,9 +27,9 @@ GeometryBlocks blocks_of(const Drawing& drawing, const std::string& path, Proble
       continue;
     }
     BlockRecord& block = result.blocks.emplace_back();
-    block.origin = "line " + std::to_string(line.place.line);
-    block.places.table = line.place;
-    block.places.add("vertices", line.place, true);
+    block.origin = "line " + std::to_string(line.location.line);
+    block.locations.table = line.location;
+    block.locations.add("vertices", line.location, true);
     block.vertices.points = line.points;
     if (!line.layer.empty()) block.groups.push_back(line.layer);
   }

@@ -123,17 +123,17 @@ class DxfReader {
   void read_unit() {
     groups_.next();
     if (groups_.now().value == "0" || groups_.now().value == "6") return;
-    problems_.warning(place(groups_.now().line), "the drawing's unit ($INSUNITS) is not the metre",
+    problems_.warning(location(groups_.now().line), "the drawing's unit ($INSUNITS) is not the metre",
                       "its numbers are taken as m: scale it if they are not");
   }
 
-  Place place(int line) const { return {source_, line, 1}; }
+  SourceLocation location(int line) const { return {source_, line, 1}; }
 
   /// One entity, up to the next one.
   void read_entity() {
     const Group start = groups_.now();
     DrawnLine line;
-    line.place = place(start.line);
+    line.location = location(start.line);
     std::vector<Vertex> vertices;
     std::map<int, double> numbers;
     bool in_paper_space = false;
@@ -231,7 +231,7 @@ class DxfReader {
     for (const auto& [kind, count] : skipped_)
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + excerpt(kind);
     if (!list.empty())
-      problems_.warning(place(1), "skipped: " + list,
+      problems_.warning(location(1), "skipped: " + list,
                         "read are LINE, LWPOLYLINE, POLYLINE, CIRCLE and ARC: explode others into these");
   }
 

@@ -86,12 +86,12 @@ class PropertyReader {
  private:
   /// Of a word.
   bool refuse(const std::string& what, const std::string& cure) const {
-    problems_.error(value_.place(),
+    problems_.error(value_.location(),
                     "'" + property_.key + "' = '" + excerpt(value_.text()) + "' of " + title_ + what, cure);
     return false;
   }
   bool wrong_type(const JsonValue& value, const std::string& expected) const {
-    problems_.error(value.place(),
+    problems_.error(value.location(),
                     "'" + property_.key + "' of " + title_ + (&value == &value_ ? " is " : " holds ") +
                         value.description(),
                     "expected " + expected);
@@ -129,17 +129,17 @@ void FeatureProperties::read(const JsonMember& property, const std::string& titl
     default:
       good = reader(record.groups);
   }
-  record.places.add(*key, property.value.place(), good);
+  record.locations.add(*key, property.value.location(), good);
 }
 
 void FeatureProperties::warn_of(const JsonMember& member, const std::string& title) {
   if (member.value.is(JsonKind::null) || !judged_.insert(member.key).second) return;
   const std::string what = "the property '" + excerpt(member.key) + "' of " + title + " is not read";
   if (std::find(keys_of_tables.begin(), keys_of_tables.end(), member.key) != keys_of_tables.end())
-    problems_.warning(member.place, what, "it belongs into a [[block]] of the scene");
+    problems_.warning(member.location, what, "it belongs into a [[block]] of the scene");
   else if (const char* near = keys[nearest(member.key, {keys.begin(), keys.end()})];
            edit_distance(member.key, near) <= 1)
-    problems_.warning(member.place, what, "did you mean '" + std::string(near) + "'?");
+    problems_.warning(member.location, what, "did you mean '" + std::string(near) + "'?");
 }
 
 /// Beside 'properties' a member means nothing.
@@ -147,7 +147,7 @@ void FeatureProperties::warn_of_outside(const JsonValue& feature, const std::str
   for (const JsonMember& member : feature.members()) {
     if (std::find(keys.begin(), keys.end(), member.key) == keys.end()) continue;
     if (!judged_outside_.insert(member.key).second) continue;
-    problems_.warning(member.place, "'" + member.key + "' of " + title + " is not read",
+    problems_.warning(member.location, "'" + member.key + "' of " + title + " is not read",
                       "write it inside 'properties'");
   }
 }
@@ -156,10 +156,10 @@ void FeatureProperties::refuse_shared(const BlockRecord& record, const std::stri
                                       std::size_t n_blocks) {
   const std::string shared = " of " + title + " is for " + std::to_string(n_blocks) + " polygons";
   const std::string cure = "write a feature for each";
-  if (record.name && record.places.good("name"))
-    problems_.error(record.places.of("name"), "'name' = '" + excerpt(*record.name) + "'" + shared, cure);
-  if (!record.fixed.some.empty() && record.places.good("fixed"))
-    problems_.error(record.places.of("fixed"), "the list 'fixed'" + shared, cure);
+  if (record.name && record.locations.good("name"))
+    problems_.error(record.locations.of("name"), "'name' = '" + excerpt(*record.name) + "'" + shared, cure);
+  if (!record.fixed.some.empty() && record.locations.good("fixed"))
+    problems_.error(record.locations.of("fixed"), "the list 'fixed'" + shared, cure);
 }
 
 void FeatureProperties::apply(const JsonValue& feature, const std::string& title,
@@ -168,7 +168,7 @@ void FeatureProperties::apply(const JsonValue& feature, const std::string& title
   const std::optional<JsonValue> properties = feature.find("properties");
   if (!properties || properties->is(JsonKind::null)) return;
   if (!properties->is(JsonKind::object))
-    return problems_.error(properties->place(),
+    return problems_.error(properties->location(),
                            "'properties' of " + title + " is " + properties->description(),
                            "expected an object or null");
   BlockRecord said;
@@ -179,12 +179,13 @@ void FeatureProperties::apply(const JsonValue& feature, const std::string& title
   }
   for (BlockRecord& block : blocks) {
     block.name = std::exchange(said.name, std::nullopt);
-    if (said.places.written("material")) block.material = said.material;
+    if (said.locations.written("material")) block.material = said.material;
     block.model = said.model;
     block.fixed = said.fixed;
     block.groups = said.groups;
     for (const char* key : keys)
-      if (said.places.written(key)) block.places.add(key, said.places.of(key), said.places.good(key));
+      if (said.locations.written(key))
+        block.locations.add(key, said.locations.of(key), said.locations.good(key));
   }
 }
 

@@ -27,7 +27,7 @@ class GeoJsonReader {
   bool read_root(const JsonValue& root) {
     const std::optional<JsonValue> type = root.is(JsonKind::object) ? root.find("type") : std::nullopt;
     if (!type || !type->is(JsonKind::string)) {
-      problems_.error(root.place(), "the file holds " + root.description() + " without a 'type'",
+      problems_.error(root.location(), "the file holds " + root.description() + " without a 'type'",
                       expected_root);
       return false;
     }
@@ -43,7 +43,7 @@ class GeoJsonReader {
     const std::optional<JsonValue> features = root.find("features");
     if (!features || !features->is(JsonKind::array)) {
       problems_.error(
-          features.value_or(root).place(),
+          features.value_or(root).location(),
           features ? "'features' is " + features->description() : "the FeatureCollection has no 'features'",
           "expected an array of features");
       return false;
@@ -58,21 +58,21 @@ class GeoJsonReader {
   void read_feature(const JsonValue& feature, const std::string& title) {
     const std::string expected = "expected an object with 'type' = \"Feature\", 'properties' and 'geometry'";
     if (!feature.is(JsonKind::object))
-      return add_unsound(feature, title, "is " + feature.description(), expected, file_.blocks);
+      return add_invalid(feature, title, "is " + feature.description(), expected, file_.blocks);
     if (const auto type = feature.find("type");
         !type || !type->is(JsonKind::string) || type->text() != "Feature")
-      return add_unsound(type.value_or(feature), title,
+      return add_invalid(type.value_or(feature), title,
                          type ? "is of 'type' " + type->description() : "has no 'type'", expected,
                          file_.blocks);
     std::vector<BlockRecord> blocks;
     const std::optional<JsonValue> geometry = feature.find("geometry");
     if (!geometry || geometry->is(JsonKind::null))
-      add_unsound(geometry.value_or(feature), title, "has no geometry", "give it a Polygon or leave it out",
+      add_invalid(geometry.value_or(feature), title, "has no geometry", "give it a Polygon or leave it out",
                   blocks);
     else
       read_geometry(*geometry, title, blocks);
     properties_.apply(feature, title, blocks);
-    for (BlockRecord& block : blocks) block.places.table = feature.place();
+    for (BlockRecord& block : blocks) block.locations.table = feature.location();
     std::move(blocks.begin(), blocks.end(), std::back_inserter(file_.blocks));
   }
 
@@ -80,7 +80,7 @@ class GeoJsonReader {
     const std::optional<JsonValue> type =
         geometry.is(JsonKind::object) ? geometry.find("type") : std::nullopt;
     if (!type || !type->is(JsonKind::string))
-      return add_unsound(geometry, title, "has a geometry that is no object with a 'type'",
+      return add_invalid(geometry, title, "has a geometry that is no object with a 'type'",
                          "expected a Polygon", blocks);
     const std::string& word = type->text();
     if (word == "GeometryCollection") return read_parts(geometry, "geometries", title, blocks);
@@ -88,12 +88,12 @@ class GeoJsonReader {
     if (word == "Polygon") {
       const std::optional<JsonValue> coordinates = geometry.find("coordinates");
       if (coordinates) return read_polygon(*coordinates, title, blocks);
-      return add_unsound(geometry, title, "has no 'coordinates'", "expected [[[x, y], ...]]", blocks);
+      return add_invalid(geometry, title, "has no 'coordinates'", "expected [[[x, y], ...]]", blocks);
     }
     static const std::vector<std::string_view> known{"Polygon", "MultiPolygon", "GeometryCollection"};
     static const std::vector<std::string_view> other{"Point", "MultiPoint", "LineString", "MultiLineString"};
     const bool is_other = std::find(other.begin(), other.end(), word) != other.end();
-    add_unsound(*type, title, "is a '" + excerpt(word) + "'",
+    add_invalid(*type, title, "is a '" + excerpt(word) + "'",
                 is_other ? "only polygons make blocks: leave it out" : suggestion(word, "geometry", known),
                 blocks);
   }
@@ -103,11 +103,11 @@ class GeoJsonReader {
                   std::vector<BlockRecord>& blocks) {
     const std::optional<JsonValue> array = geometry.find(key);
     if (!array || !array->is(JsonKind::array))
-      return add_unsound(array.value_or(geometry), title, "has no array '" + std::string(key) + "'",
+      return add_invalid(array.value_or(geometry), title, "has no array '" + std::string(key) + "'",
                          "expected an array of polygons", blocks);
     const std::vector<JsonValue> parts = array->elements();
     if (parts.empty())
-      return add_unsound(*array, title, "is empty", "leave it out, or give it polygons", blocks);
+      return add_invalid(*array, title, "is empty", "leave it out, or give it polygons", blocks);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const std::string part = parts.size() == 1 ? title : "part " + std::to_string(k) + " of " + title;
       if (std::string_view(key) == "coordinates")
@@ -119,9 +119,9 @@ class GeoJsonReader {
 
   void read_polygon(const JsonValue& coordinates, const std::string& title,
                     std::vector<BlockRecord>& blocks) {
-    PolygonBuilder polygon(title, coordinates.place(), problems_);
+    PolygonBuilder polygon(title, coordinates.location(), problems_);
     if (!coordinates.is(JsonKind::array))
-      polygon.refuse(coordinates.place(), "has for rings " + coordinates.description(),
+      polygon.refuse(coordinates.location(), "has for rings " + coordinates.description(),
                      "expected [[[x, y], ...]]");
     else
       for (const JsonValue& ring : coordinates.elements()) read_ring(ring, polygon);
@@ -130,28 +130,30 @@ class GeoJsonReader {
 
   static void read_ring(const JsonValue& ring, PolygonBuilder& polygon) {
     if (!ring.is(JsonKind::array))
-      return polygon.refuse(ring.place(), "has for a ring " + ring.description(), "expected [[x, y], ...]");
-    polygon.begin_ring(ring.place());
+      return polygon.refuse(ring.location(), "has for a ring " + ring.description(),
+                            "expected [[x, y], ...]");
+    polygon.begin_ring(ring.location());
     std::vector<double> coordinates;
     for (const JsonValue& vertex : ring.elements()) {
       if (!vertex.is(JsonKind::array))
-        return polygon.refuse(vertex.place(), "has for a vertex " + vertex.description(), "expected [x, y]");
+        return polygon.refuse(vertex.location(), "has for a vertex " + vertex.description(),
+                              "expected [x, y]");
       coordinates.clear();
       for (const JsonValue& number : vertex.elements()) {
         if (!number.is(JsonKind::number))
-          return polygon.refuse(number.place(), "has for a coordinate " + number.description(),
+          return polygon.refuse(number.location(), "has for a coordinate " + number.description(),
                                 "expected a number in m");
         coordinates.push_back(number.number());
       }
-      polygon.add_vertex(coordinates, vertex.place());
+      polygon.add_vertex(coordinates, vertex.location());
     }
   }
 
   /// Says what is wrong and keeps the place of a block.
-  void add_unsound(const JsonValue& value, const std::string& title, const std::string& what,
+  void add_invalid(const JsonValue& value, const std::string& title, const std::string& what,
                    const std::string& cure, std::vector<BlockRecord>& blocks) {
-    PolygonBuilder polygon(title, value.place(), problems_);
-    polygon.refuse(value.place(), what, cure);
+    PolygonBuilder polygon(title, value.location(), problems_);
+    polygon.refuse(value.location(), what, cure);
     blocks.push_back(std::move(polygon).finish());
   }
 

@@ -8,7 +8,7 @@
 namespace ddacontact::scene_format {
 
 /// A FeatureCollection, a Feature, or a Polygon, MultiPolygon or GeometryCollection on its own. Every polygon
-/// is a block; a feature of another geometry is a problem and an unsound block, so that those after it keep
+/// is a block; a feature of another geometry is a problem and an invalid block, so that those after it keep
 /// their index.
 GeometryBlocks read_geojson(const std::string& text, const std::shared_ptr<const std::string>& source,
                             ProblemList& problems);

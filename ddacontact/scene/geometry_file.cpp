@@ -19,7 +19,7 @@ std::string small_ending(const std::string& path) {
   return ending;
 }
 
-GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems,
+GeometryBlocks read_geometry_file(const std::string& path, const SourceLocation& key, ProblemList& problems,
                                   const std::string& key_name) {
   const std::string ending = small_ending(path);
   const bool is_json = ending == ".geojson" || ending == ".json";
@@ -50,11 +50,11 @@ GeometryBlocks read_geometry_file(const std::string& path, const Place& key, Pro
 }
 
 bool add_geometry(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
-  if (!document.places.written("blocks")) return true;
+  if (!document.locations.written("blocks")) return true;
   document.has_all_blocks = false;
-  if (!document.places.good("blocks")) return true;
+  if (!document.locations.good("blocks")) return true;
   GeometryBlocks file = read_geometry_file((directory / *document.geometry_file).string(),
-                                           document.places.of("blocks"), problems);
+                                           document.locations.of("blocks"), problems);
   document.has_all_blocks = file.complete;
   if (document.blocks.empty())
     document.blocks = std::move(file.blocks);

@@ -14,13 +14,13 @@ std::string small_ending(const std::string& path);
 
 struct GeometryBlocks {
   std::vector<BlockRecord> blocks;
-  bool complete = false;    ///< every polygon has its place in `blocks`, unsound ones too
+  bool complete = false;    ///< every polygon has its place in `blocks`, invalid ones too
   bool unreadable = false;  ///< the file could not be read
 };
 
 /// Reads the file at `path`; its ending says what it is. `key` is the place of what names it, `key_name` its
 /// name, for problems with the file as a whole; other problems have `path` for a file.
-GeometryBlocks read_geometry_file(const std::string& path, const Place& key, ProblemList& problems,
+GeometryBlocks read_geometry_file(const std::string& path, const SourceLocation& key, ProblemList& problems,
                                   const std::string& key_name = "blocks");
 
 /// Appends the blocks of the file that the key 'blocks' of a document names; `directory` is the scene's.

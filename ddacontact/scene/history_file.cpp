@@ -139,14 +139,14 @@ class HistoryReader {
 
 bool read_histories(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
   bool readable = true;
-  const auto read = [&](History& history, const char* key, int columns, const Places& places) {
-    if (history.file.empty() || !places.good(key)) return;
+  const auto read = [&](History& history, const char* key, int columns, const KeyLocations& locations) {
+    if (history.file.empty() || !locations.good(key)) return;
     const std::string path = (directory / history.file).string();
     const FileText file = read_text(path);
     history.columns = columns;
     if (file.text) return HistoryReader(path, history, problems).read(*file.text);
     readable = false;
-    problems.error(places.of(key),
+    problems.error(locations.of(key),
                    "'" + std::string(key) + "' = '" + path + "' cannot be read: " + file.reason,
                    "the path is relative to the scene's");
   };
@@ -154,12 +154,13 @@ bool read_histories(const std::filesystem::path& directory, Document& document, 
     for (const auto& [history, key] : {std::pair{&support.history, "history"},
                                        {&support.velocity_history, "velocity_history"},
                                        {&support.acceleration_history, "acceleration_history"}})
-      if (*history) read(**history, key, 3, support.places);
+      if (*history) read(**history, key, 3, support.locations);
   for (LoadRecord& load : document.loads)
-    if (load.history) read(*load.history, "history", load.type == Load::Kind::pressure ? 2 : 3, load.places);
+    if (load.history)
+      read(*load.history, "history", load.type == Load::Kind::pressure ? 2 : 3, load.locations);
   for (QuietRecord& quiet : document.quiet_boundaries)
-    if (quiet.incoming) read(*quiet.incoming, "incoming", 3, quiet.places);
-  for (QuakeRecord& quake : document.quakes) read(quake.acceleration, "acceleration", 3, quake.places);
+    if (quiet.incoming) read(*quiet.incoming, "incoming", 3, quiet.locations);
+  for (QuakeRecord& quake : document.quakes) read(quake.acceleration, "acceleration", 3, quake.locations);
   return readable;
 }
 

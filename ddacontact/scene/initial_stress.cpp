@@ -5,10 +5,11 @@
 namespace ddacontact::scene_format {
 
 void put_initial_stress(Document& document) {
-  if (!document.initial_stress || !document.places.good("initial_stress")) return;
+  if (!document.initial_stress || !document.locations.good("initial_stress")) return;
   const InitialStress& given = *document.initial_stress;
   for (BlockRecord& block : document.blocks) {
-    if (block.places.written("stress") || !block.places.good("vertices") || block.vertices.points.cols() < 3)
+    if (block.locations.written("stress") || !block.locations.good("vertices") ||
+        block.vertices.points.cols() < 3)
       continue;
     const double height = polyfem::area_moments(block.vertices.points).centroid.y();
     block.stress = given.stress + given.gradient * (height - given.level);

@@ -17,7 +17,8 @@ constexpr std::size_t deepest_nesting = 64;
 std::string plain_message(std::string message) {
   if (const auto number = message.find("] "); number != std::string::npos) message.erase(0, number + 2);
   if (message.starts_with("parse error"))
-    if (const auto place = message.find(": "); place != std::string::npos) message.erase(0, place + 2);
+    if (const auto location = message.find(": "); location != std::string::npos)
+      message.erase(0, location + 2);
   const auto token = message.find("; last read: '"), expected = message.rfind("; expected ");
   if (token != std::string::npos)
     message.erase(token,
@@ -46,7 +47,7 @@ std::string cure(std::string_view word, std::string_view what) {
 }
 
 /// Takes the events of the parser, which come in the order of the text; a cursor follows them from token to
-/// token, because the parser tells places of errors only.
+/// token, because the parser tells locations of errors only.
 class JsonTreeBuilder {
  public:
   JsonTreeBuilder(const std::string& text, JsonTree& tree, ProblemList& problems)
@@ -131,7 +132,7 @@ class JsonTreeBuilder {
     add(kind);
     open_.push_back(static_cast<int>(tree_.nodes.size()) - 1);
     if (open_.size() <= deepest_nesting) return true;
-    problems_.error(JsonValue(tree_, open_.back()).place(),
+    problems_.error(JsonValue(tree_, open_.back()).location(),
                     "JSON nested more than " + std::to_string(deepest_nesting) + " deep",
                     "no geometry needs more than ten");
     return false;
@@ -155,7 +156,7 @@ class JsonTreeBuilder {
     const auto twice =
         std::adjacent_find(keys.begin(), keys.end(), [&](int a, int b) { return name(a) == name(b); });
     if (twice == keys.end()) return true;
-    problems_.error(JsonValue(tree_, *(twice + 1)).place(),
+    problems_.error(JsonValue(tree_, *(twice + 1)).location(),
                     "the key '" + excerpt(name(*twice)) + "' stands twice",
                     "write each key of an object once");
     return false;

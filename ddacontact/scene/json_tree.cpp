@@ -13,7 +13,8 @@ std::vector<JsonValue> JsonValue::elements() const {
 std::vector<JsonMember> JsonValue::members() const {
   std::vector<JsonMember> members;
   for (int i = node_ + 1; i < node().end; i = tree_->nodes[i + 1].end)
-    members.push_back({JsonValue(*tree_, i).text(), JsonValue(*tree_, i).place(), JsonValue(*tree_, i + 1)});
+    members.push_back(
+        {JsonValue(*tree_, i).text(), JsonValue(*tree_, i).location(), JsonValue(*tree_, i + 1)});
   return members;
 }
 

@@ -39,7 +39,7 @@ class JsonValue {
 
   JsonKind kind() const { return node().kind; }
   bool is(JsonKind other) const { return kind() == other; }
-  Place place() const { return {tree_->source, node().line, node().column}; }
+  SourceLocation location() const { return {tree_->source, node().line, node().column}; }
   /// Of a number, or 1 and 0 for true and false.
   double number() const { return node().number; }
   /// Of a string.
@@ -61,7 +61,7 @@ class JsonValue {
 
 struct JsonMember {
   const std::string& key;
-  Place place;  ///< of the key
+  SourceLocation location;  ///< of the key
   JsonValue value;
 };
 

@@ -10,7 +10,7 @@ struct MemoryEstimate {
   double scene = 0;        ///< as it is read and kept
   double blocks = 0;       ///< shapes, states, forces
   double contacts = 0;     ///< about three for two vertices
-  double matrix = 0;       ///< of a step, with the places of its parts or what takes its place
+  double matrix = 0;       ///< of a step, with the index arrays of its assembly, or of what replaces it
   double factor = 0;       ///< c n log2 n entries of n rows, and what making it takes; 0: see `has_factor`
   bool has_factor = true;  ///< whether a factor is counted: see needs_factor
   double n_rows = 0;       ///< unknowns that are not held

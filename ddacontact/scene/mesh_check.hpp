@@ -11,9 +11,9 @@ namespace ddacontact::scene_format {
 /// way round.
 MeshOptions with_record(MeshOptions options, const MeshRecord& record);
 
-/// Complains when the cells asked for are too many, or are quads and the sound outline is not convex with
+/// Complains when the cells requested are too many, or are quads and the valid outline is not convex with
 /// four corners. `of_all` is what the analysis says, for the
-/// places of keys that the block has not.
+/// locations of keys that the block has not.
 void check_mesh(const CheckedOutline& outline, const MeshOptions& options, const BlockRecord& block,
                 const MeshRecord& of_all, const std::string& title, ProblemList& problems);
 

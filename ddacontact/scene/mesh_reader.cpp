@@ -13,14 +13,14 @@ namespace {
 
 /// The message of a reader, "PATH:LINE: WHAT: CURE" or "PATH: WHAT: CURE", as a problem of the file.
 void add_problem(const std::string& message, const std::string& path, ProblemList& problems) {
-  Place place{std::make_shared<const std::string>(path), 1, 1};
+  SourceLocation location{std::make_shared<const std::string>(path), 1, 1};
   std::string_view text = message;
   if (text.starts_with(path + ":")) text.remove_prefix(path.size() + 1);
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), place.line);
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), location.line);
   if (status == std::errc()) text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   const std::size_t colon = text.rfind(": ");
-  problems.error(place, std::string(text.substr(0, colon)),
+  problems.error(location, std::string(text.substr(0, colon)),
                  colon == text.npos ? "write the mesh again" : std::string(text.substr(colon + 2)));
 }
 
@@ -40,12 +40,12 @@ GeometryBlocks read_mesh_blocks(const std::string& path, ProblemList& problems) 
     add_problem(error.what(), path, problems);
     return result;
   }
-  const Place place{std::make_shared<const std::string>(path), 1, 1};
+  const SourceLocation location{std::make_shared<const std::string>(path), 1, 1};
   for (int c = 0; c < named.mesh.n_cells(); ++c) {
     BlockRecord& block = result.blocks.emplace_back();
     block.origin = "cell " + std::to_string(c);
-    block.places.table = place;
-    block.places.add("vertices", place, true);
+    block.locations.table = location;
+    block.locations.add("vertices", location, true);
     block.vertices.points = named.mesh.outline(c);
   }
   for (const auto& [name, cells] : named.cell_groups)

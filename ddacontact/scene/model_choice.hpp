@@ -1,4 +1,4 @@
-/// \file What the model "auto" is for a block: the cheapest one that is sound for it.
+/// \file What the model "auto" is for a block: the cheapest one that is valid for it.
 ///
 /// 1. By shape: Wachspress functions where every corner turns left by more than two degrees, else mean value
 ///    functions.
@@ -28,7 +28,7 @@ namespace ddacontact {
 /// A scene that states every model.
 struct ChosenModels {
   Scene scene;
-  std::vector<std::string> reasons;  ///< of every block: why it has its model; empty: it was asked for
+  std::vector<std::string> reasons;  ///< of every block: why it has its model; empty: the user chose it
 };
 
 /// Puts models in the place of "auto". `missing` finds what `missing_bending` says of a scene that states

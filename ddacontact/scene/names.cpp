@@ -21,31 +21,31 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
 
 }  // namespace
 
-void NameTable::add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
-                    const std::string& origin) {
+void NameTable::add(const std::optional<std::string>& name, const KeyLocations& locations,
+                    ProblemList& problems, const std::string& origin) {
   const int index = size();
   const std::string of_origin = origin.empty() ? "" : " of " + origin;
   origins_.push_back(of_origin);
   names_.push_back(name.value_or(""));
-  if (!name || !places.good("name")) return;
-  const Place& place = places.of("name");
+  if (!name || !locations.good("name")) return;
+  const SourceLocation& location = locations.of("name");
   if (name->empty()) {
-    problems.error(place, "'name' = ''" + of_origin + " is empty", "write a name or leave it out");
+    problems.error(location, "'name' = ''" + of_origin + " is empty", "write a name or leave it out");
     return;
   }
   if (std::any_of(name->begin(), name->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
-    problems.error(place, "'name' = '" + excerpt(*name) + "'" + of_origin + " holds control characters",
+    problems.error(location, "'name' = '" + excerpt(*name) + "'" + of_origin + " holds control characters",
                    "use letters and digits");
-  if (whole_number(*name)) number_names_.emplace_back(index, place);
+  if (whole_number(*name)) number_names_.emplace_back(index, location);
   const auto [known, is_new] = indices_.emplace(*name, index);
   if (!is_new)
-    problems.error(place,
+    problems.error(location,
                    "the name '" + excerpt(*name) + "'" + of_origin + " is taken by " + kind_ + ' ' +
                        std::to_string(known->second),
                    "give each " + kind_ + " a name of its own");
 }
 
-int NameTable::find(const Reference& reference, const Place& place, ProblemList& problems,
+int NameTable::find(const Reference& reference, const SourceLocation& location, ProblemList& problems,
                     const std::string& asked_by) const {
   if (!reference.index) {
     if (const auto known = indices_.find(reference.name); known != indices_.end()) return known->second;
@@ -57,7 +57,7 @@ int NameTable::find(const Reference& reference, const Place& place, ProblemList&
   const std::string range =
       size() == 0 ? "there is no " + kind_ : "indices run from 0 to " + std::to_string(size() - 1);
   if (index) {
-    problems.error(place, "unknown " + kind_ + " '" + std::to_string(*index) + "'" + of_asker, range);
+    problems.error(location, "unknown " + kind_ + " '" + std::to_string(*index) + "'" + of_asker, range);
     return -1;
   }
   std::string cure = range;
@@ -68,15 +68,15 @@ int NameTable::find(const Reference& reference, const Place& place, ProblemList&
       if (!name.empty()) known.emplace_back(name);
     cure = suggestion(reference.name, kind_, known);
   }
-  problems.error(place, "unknown " + kind_ + " '" + excerpt(reference.name) + "'" + of_asker, cure);
+  problems.error(location, "unknown " + kind_ + " '" + excerpt(reference.name) + "'" + of_asker, cure);
   return -1;
 }
 
 void NameTable::warn_of_ambiguous_names(ProblemList& problems) const {
-  for (const auto& [member, place] : number_names_) {
+  for (const auto& [member, location] : number_names_) {
     const std::int64_t index = *whole_number(names_[member]);
     if (index < size() && names_[index].empty() && names_[member] == std::to_string(index))
-      problems.warning(place,
+      problems.warning(location,
                        "results call " + kind_ + " " + names_[member] + ", which has no name, the same",
                        "choose another name");
   }

@@ -17,7 +17,7 @@ class NameTable {
 
   /// The next member. One that is empty, taken or holds control characters is a problem.
   /// `origin`, where not empty, follows its title in messages: "block 3 of feature 7".
-  void add(const std::optional<std::string>& name, const Places& places, ProblemList& problems,
+  void add(const std::optional<std::string>& name, const KeyLocations& locations, ProblemList& problems,
            const std::string& origin = {});
 
   /// Some members are not known: from now on one that is not found is no problem.
@@ -26,7 +26,7 @@ class NameTable {
   /// The index of a member called by name, by index, or by its index as a string when no one has that name;
   /// -1 and a problem at `place` when there is none. `asked_by`, where not empty, is told in the problem:
   /// "feature 7".
-  int find(const Reference& reference, const Place& place, ProblemList& problems,
+  int find(const Reference& reference, const SourceLocation& location, ProblemList& problems,
            const std::string& asked_by = {}) const;
 
   /// Warns of names that are the index of a member without a name: results would call two members the same.
@@ -38,8 +38,8 @@ class NameTable {
 
  private:
   std::string kind_;
-  std::vector<std::string> names_, origins_;         ///< origins as " of feature 7"
-  std::vector<std::pair<int, Place>> number_names_;  ///< members whose name is a number
+  std::vector<std::string> names_, origins_;                  ///< origins as " of feature 7"
+  std::vector<std::pair<int, SourceLocation>> number_names_;  ///< members whose name is a number
   std::unordered_map<std::string, int> indices_;
   mutable int suggestions_ = 0;
   bool incomplete_ = false;

@@ -153,12 +153,12 @@ Complaint corner_complaint(const Points& polygon, int vertex, int name) {
 }
 
 /// The vertex's place, but the setting's where one changed any vertex.
-const Place& place_of_vertex(const Outline& outline, int vertex, const Places& places) {
-  for (const Place& place : outline.places)
-    if (place.source != places.table.source) return place;
-  if (vertex < 0 || outline.places.empty() || places.of("vertices").source != places.table.source)
-    return places.of("vertices");
-  return outline.places[vertex];
+const SourceLocation& location_of_vertex(const Outline& outline, int vertex, const KeyLocations& locations) {
+  for (const SourceLocation& location : outline.locations)
+    if (location.source != locations.table.source) return location;
+  if (vertex < 0 || outline.locations.empty() || locations.of("vertices").source != locations.table.source)
+    return locations.of("vertices");
+  return outline.locations[vertex];
 }
 
 }  // namespace
@@ -167,11 +167,11 @@ double CheckedOutline::distance_outside(const Vec2& point) const {
   return polyfem::distance_outside(polygon, point);
 }
 
-CheckedOutline check_outline(const Outline& outline, BlockModel model, const Places& places,
+CheckedOutline check_outline(const Outline& outline, BlockModel model, const KeyLocations& locations,
                              const std::string& title, ProblemList& problems) {
   const Index n = outline.points.cols();
   const auto refuse = [&](const Complaint& complaint) {
-    problems.error(place_of_vertex(outline, complaint.vertex, places), title + ' ' + complaint.what,
+    problems.error(location_of_vertex(outline, complaint.vertex, locations), title + ' ' + complaint.what,
                    complaint.cure);
     return CheckedOutline{};
   };

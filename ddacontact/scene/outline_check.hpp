@@ -8,11 +8,11 @@
 namespace ddacontact::scene_format {
 
 struct CheckedOutline {
-  Points polygon;       ///< counter-clockwise; without columns when the outline is not sound
+  Points polygon;       ///< counter-clockwise; without columns when the outline is not valid
   double size = 0;      ///< square root of the area, m
   bool turned = false;  ///< given clockwise
 
-  bool sound() const { return polygon.cols() > 0; }
+  bool valid() const { return polygon.cols() > 0; }
   /// How far a point lies outside, m; 0 inside and on the outline.
   double distance_outside(const Vec2& point) const;
 };
@@ -32,7 +32,7 @@ inline constexpr double narrowest_of_mesh = 1e-6;
 /// those at the other end of an edge shorter than that. A clockwise outline is turned around. The model
 /// wachspress wants strictly convex ones: every corner turns by more than `straight_turn`. `title` names the
 /// block in messages.
-CheckedOutline check_outline(const Outline& outline, BlockModel model, const Places& places,
+CheckedOutline check_outline(const Outline& outline, BlockModel model, const KeyLocations& locations,
                              const std::string& title, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -14,17 +14,18 @@ constexpr int most_overlaps = 1000;
 
 }  // namespace
 
-double size_of_pair(const PlacedOutline& a, const PlacedOutline& b) {
+double size_of_pair(const PositionedOutline& a, const PositionedOutline& b) {
   if (a.held) return b.outline.size;
   if (b.held) return a.outline.size;
   return std::min(a.outline.size, b.outline.size);
 }
 
-bool check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& names, ProblemList& problems) {
+bool check_overlaps(const std::vector<PositionedOutline>& blocks, const NameTable& names,
+                    ProblemList& problems) {
   std::vector<int> index;
   std::vector<Box> boxes;
   for (int i = 0; i < static_cast<int>(blocks.size()); ++i) {
-    if (!blocks[i].outline.sound()) continue;
+    if (!blocks[i].outline.valid()) continue;
     index.push_back(i);
     boxes.push_back(bounding_box(blocks[i].outline.polygon));
   }
@@ -37,18 +38,18 @@ bool check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& n
     const std::vector<Box> part(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(next));
     for (const auto& [a, b] : overlapping_pairs(part)) {
       if (static_cast<std::size_t>(b) < done) continue;
-      const PlacedOutline &p = blocks[index[a]], &q = blocks[index[b]];
+      const PositionedOutline &p = blocks[index[a]], &q = blocks[index[b]];
       if (p.held && q.held) continue;
       const double depth = -separation(p.outline.polygon, q.outline.polygon);
       const double limit = deepest_overlap * size_of_pair(p, q);
       if (depth <= limit) continue;
       if (++found > most_overlaps) {
-        problems.error(q.place, "more overlapping blocks follow",
+        problems.error(q.location, "more overlapping blocks follow",
                        "only the first " + std::to_string(most_overlaps) + " pairs are listed");
         return false;
       }
       problems.error(
-          q.place,
+          q.location,
           names.title(index[b]) + " overlaps " + names.title(index[a]) + " by " + rounded(depth) + " m",
           "move them apart; up to " + rounded(limit) + " m, 1e-3 of the size, is accepted");
     }

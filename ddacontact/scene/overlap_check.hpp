@@ -12,17 +12,18 @@ namespace ddacontact::scene_format {
 inline constexpr double deepest_overlap = 1e-3;
 
 /// What the check needs of each block.
-struct PlacedOutline {
+struct PositionedOutline {
   CheckedOutline outline;
   bool held = false;  ///< in x and y at every vertex; two held blocks may overlap
-  Place place;
+  SourceLocation location;
 };
 
 /// The size of a pair, m: that of the smaller block, held blocks not counted.
-double size_of_pair(const PlacedOutline& a, const PlacedOutline& b);
+double size_of_pair(const PositionedOutline& a, const PositionedOutline& b);
 
-/// A problem for each pair of sound blocks that overlap deeply; after 1000 of them it says so and stops.
+/// A problem for each pair of valid blocks that overlap deeply; after 1000 of them it says so and stops.
 /// Returns whether there is none.
-bool check_overlaps(const std::vector<PlacedOutline>& blocks, const NameTable& names, ProblemList& problems);
+bool check_overlaps(const std::vector<PositionedOutline>& blocks, const NameTable& names,
+                    ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -42,10 +42,10 @@ Values values_of(const toml::table& parameters, ProblemList& problems) {
   for (const auto& [key, node] : parameters) {
     const std::string name(key.str()), value = text_of(node);
     if (!is_name(name))
-      problems.error(place_of(key, problems), "the parameter '" + excerpt(name) + "' has no good name",
+      problems.error(location_of(key, problems), "the parameter '" + excerpt(name) + "' has no good name",
                      "use letters, digits, '_' and '-'");
     else if (value.empty())
-      problems.error(place_of(node, problems),
+      problems.error(location_of(node, problems),
                      "the parameter '" + excerpt(name) + "' is " + description_of(node),
                      "write a number, or a string with its unit such as \"2 m\"");
     values.emplace(name, value.empty() ? "0" : value);
@@ -83,7 +83,7 @@ class Substitution {
     std::vector<std::string_view> known;
     for (const auto& [name, value] : values_) known.push_back(name);
     problems_.error(
-        place_of(text, problems_), "unknown parameter '" + excerpt(written) + "'",
+        location_of(text, problems_), "unknown parameter '" + excerpt(written) + "'",
         known.empty() ? "write it in [parameters]" : suggestion(written.substr(1), "parameter", known));
     text = std::string(written) + std::string(assigned) + "0";
   }

@@ -12,14 +12,14 @@ namespace ddacontact::scene_format {
 class PolygonBuilder {
  public:
   /// `title` names the polygon in messages: "feature 7". `place` is its own.
-  PolygonBuilder(std::string title, Place place, ProblemList& problems)
-      : title_(std::move(title)), place_(std::move(place)), problems_(problems) {}
+  PolygonBuilder(std::string title, SourceLocation location, ProblemList& problems)
+      : title_(std::move(title)), location_(std::move(location)), problems_(problems) {}
 
-  void begin_ring(const Place& place);
+  void begin_ring(const SourceLocation& location);
   /// x and y, and a third coordinate that must be 0.
-  void add_vertex(const std::vector<double>& coordinates, const Place& place);
+  void add_vertex(const std::vector<double>& coordinates, const SourceLocation& location);
   /// Notes what a reader found wrong itself.
-  void refuse(const Place& place, const std::string& what, const std::string& cure);
+  void refuse(const SourceLocation& location, const std::string& what, const std::string& cure);
 
   /// A block with these vertices, without the one that closes the ring; when something was wrong, with
   /// 'vertices' marked as not good.
@@ -29,7 +29,7 @@ class PolygonBuilder {
   void close_ring();
 
   std::string title_;
-  Place place_, ring_place_;
+  SourceLocation location_, ring_location_;
   ProblemList& problems_;
   int n_rings_ = 0;
   bool good_ = true;

@@ -15,17 +15,18 @@ std::string on_one_line(std::string text) {
 
 }  // namespace
 
-void ProblemList::error(const Place& place, std::string what, std::string cure) {
-  add(Problem::Severity::error, place, std::move(what), std::move(cure));
+void ProblemList::error(const SourceLocation& location, std::string what, std::string cure) {
+  add(Problem::Severity::error, location, std::move(what), std::move(cure));
 }
 
-void ProblemList::warning(const Place& place, std::string what, std::string cure) {
-  add(Problem::Severity::warning, place, std::move(what), std::move(cure));
+void ProblemList::warning(const SourceLocation& location, std::string what, std::string cure) {
+  add(Problem::Severity::warning, location, std::move(what), std::move(cure));
 }
 
-void ProblemList::add(Problem::Severity severity, const Place& place, std::string what, std::string cure) {
-  problems_.push_back({severity, on_one_line(place.source ? *place.source : file_), place.line, place.column,
-                       on_one_line(std::move(what)), on_one_line(std::move(cure))});
+void ProblemList::add(Problem::Severity severity, const SourceLocation& location, std::string what,
+                      std::string cure) {
+  problems_.push_back({severity, on_one_line(location.source ? *location.source : file_), location.line,
+                       location.column, on_one_line(std::move(what)), on_one_line(std::move(cure))});
 }
 
 std::vector<Problem> ProblemList::sorted() && {

@@ -10,7 +10,7 @@
 namespace ddacontact::scene_format {
 
 /// Where something stands: a line and a column (both from 1) of the scene file, a geometry file or a setting.
-struct Place {
+struct SourceLocation {
   std::shared_ptr<const std::string> source;  ///< the other file or the setting; none: the scene file
   int line = 1, column = 1;
 };
@@ -20,8 +20,8 @@ class ProblemList {
   /// `file` is the scene's name in the messages.
   explicit ProblemList(std::string file) : file_(std::move(file)) {}
 
-  void error(const Place& place, std::string what, std::string cure);
-  void warning(const Place& place, std::string what, std::string cure);
+  void error(const SourceLocation& location, std::string what, std::string cure);
+  void warning(const SourceLocation& location, std::string what, std::string cure);
 
   const std::string& file() const { return file_; }
   std::size_t size() const { return problems_.size(); }
@@ -33,7 +33,7 @@ class ProblemList {
   std::vector<Problem> sorted() &&;
 
  private:
-  void add(Problem::Severity severity, const Place& place, std::string what, std::string cure);
+  void add(Problem::Severity severity, const SourceLocation& location, std::string what, std::string cure);
 
   std::string file_;
   std::vector<Problem> problems_;

@@ -18,11 +18,13 @@
 namespace ddacontact::scene_format {
 
 /// Where a table and the values of its keys stand.
-class Places {
+class KeyLocations {
  public:
-  Place table;
+  SourceLocation table;
 
-  void add(const char* key, Place place, bool good) { values_.push_back({key, std::move(place), good}); }
+  void add(const char* key, SourceLocation location, bool good) {
+    values_.push_back({key, std::move(location), good});
+  }
   /// Written, good or not.
   bool written(std::string_view key) const { return find(key) != nullptr; }
   /// Written and of the right type, unit and range.
@@ -36,15 +38,15 @@ class Places {
     return !value || value->good;
   }
   /// Of the value; of the table when the key is left out.
-  const Place& of(std::string_view key) const {
+  const SourceLocation& of(std::string_view key) const {
     const Value* value = find(key);
-    return value ? value->place : table;
+    return value ? value->location : table;
   }
 
  private:
   struct Value {
     const char* key;
-    Place place;
+    SourceLocation location;
     bool good;
   };
   const Value* find(std::string_view key) const {
@@ -131,7 +133,7 @@ struct Parameters {};
 /// The vertices of a block with their places.
 struct Outline {
   Points points;
-  std::vector<Place> places;
+  std::vector<SourceLocation> locations;
 };
 
 /// The joint of each edge; an empty name: that of the materials.
@@ -157,7 +159,7 @@ struct MeshRecord {
   std::optional<double> cell_size;  ///< m; at most one of the two
   std::optional<bool> edge_nodes;
   std::optional<double> at_contact;  ///< m
-  Places places;                     ///< of the keys
+  KeyLocations locations;            ///< of the keys
 };
 
 /// A block has at most as many cells.
@@ -177,28 +179,28 @@ struct AnalysisRecord {
   std::optional<double> beta, gamma;
   std::optional<GradientCorrection> gradient_correction;
   std::optional<double> cutting_factor;
-  Places places;
+  KeyLocations locations;
 };
 
 struct ContactRecord {
   ContactOptions options;
   std::optional<ContactMethod> method;
   std::optional<double> normal_stiffness, tangential_stiffness, penetration_tolerance;
-  Places places;
+  KeyLocations locations;
 };
 
 struct MaterialRecord {
   std::string name;
   std::optional<double> density, unit_weight;
   double young = 0, poisson = 0;
-  Places places;
+  KeyLocations locations;
 };
 
 struct JointRecord {
   std::optional<std::string> name;
   Joint joint;
   std::optional<std::array<Reference, 2>> between;
-  Places places;
+  KeyLocations locations;
 };
 
 /// What a stage changes of a joint.
@@ -207,7 +209,7 @@ struct JointChange {
   std::optional<double> friction_angle, cohesion, tensile_strength, restitution, dashpot,
       residual_friction_angle;
   std::optional<bool> glued;
-  Places places;
+  KeyLocations locations;
 };
 
 /// A number of a joint's law and what changes it.
@@ -234,7 +236,7 @@ struct BlockRecord {
   double angular_velocity = 0;
   Vec3 stress{0, 0, 0};
   std::string origin;  ///< of a geometry file: "feature 7"; empty for a [[block]]
-  Places places;
+  KeyLocations locations;
 };
 
 struct SupportRecord {
@@ -244,7 +246,7 @@ struct SupportRecord {
   std::optional<Vec2> displacement, velocity;
   std::optional<History> history, velocity_history, acceleration_history;
   std::optional<Interpolation> interpolation;
-  Places places;
+  KeyLocations locations;
 };
 
 struct LoadRecord {
@@ -256,20 +258,20 @@ struct LoadRecord {
   std::optional<Vec2> force;
   std::optional<History> history;
   std::optional<double> ramp;
-  Places places;
+  KeyLocations locations;
 };
 
 struct QuietRecord {
   LineSegment on;
   std::vector<QuietBoundary::Face> faces;  ///< that lie on it, once they are looked for
   std::optional<History> incoming;
-  Places places;
+  KeyLocations locations;
 };
 
 struct QuakeRecord {
   History acceleration;
   double scale = 1;
-  Places places;
+  KeyLocations locations;
 };
 
 struct BoltRecord {
@@ -277,7 +279,7 @@ struct BoltRecord {
   Outline points;
   RockBolt bolt;
   std::optional<double> bond_stiffness;
-  Places places;
+  KeyLocations locations;
 };
 
 struct MonitorRecord {
@@ -285,18 +287,18 @@ struct MonitorRecord {
   BlockReference block;
   std::optional<Location> at;
   std::optional<int> vertex;
-  Places places;
+  KeyLocations locations;
 };
 
-/// Blocks with the places of their names.
+/// Blocks with the locations of their names.
 struct BlockList {
   std::vector<BlockReference> blocks;
-  std::vector<Place> places;
+  std::vector<SourceLocation> locations;
 };
 
 /// A table inside another one.
 struct InnerTable {
-  Places places;
+  KeyLocations locations;
 };
 template <class T>
 concept Inner = std::derived_from<T, InnerTable>;
@@ -325,17 +327,17 @@ struct StageRecord {
   GroupNames add;  ///< bolts
   std::optional<RestCriterion> until;
   std::optional<WaterRecord> water;
-  Places places;
+  KeyLocations locations;
 };
 
 struct SolverRecord {
   Skips skip;
-  Places places;
+  KeyLocations locations;
 };
 
 struct OutputRecord {
   OutputOptions options;
-  Places places;
+  KeyLocations locations;
 };
 
 /// `boundary`: corners, or a file.
@@ -411,7 +413,7 @@ struct DomainRecord {
   std::vector<VoronoiRecord> voronoi;
   std::vector<RegionRecord> regions;
   std::vector<OpeningRecord> openings;
-  Places places;
+  KeyLocations locations;
 };
 
 struct Document {
@@ -439,7 +441,7 @@ struct Document {
   std::vector<StageRecord> stages;
   SolverRecord solver;
   OutputRecord output;
-  Places places;
+  KeyLocations locations;
 };
 
 }  // namespace ddacontact::scene_format

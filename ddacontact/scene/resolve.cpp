@@ -22,22 +22,23 @@ namespace {
 
 /// In kg/m3, from the density or the unit weight; 0 and a problem without either.
 double density_of(const MaterialRecord& record, const AnalysisRecord& analysis, ProblemList& problems) {
-  const Places& places = record.places;
-  const Place& place = places.of("unit_weight");
+  const KeyLocations& locations = record.locations;
+  const SourceLocation& location = locations.of("unit_weight");
   const std::string cure = "write 'density', in kg/m3";
-  if (!places.written("density") && !places.written("unit_weight"))
-    problems.error(places.table, "missing key 'density' in [[material]]",
+  if (!locations.written("density") && !locations.written("unit_weight"))
+    problems.error(locations.table, "missing key 'density' in [[material]]",
                    "add 'density' in kg/m3, or 'unit_weight' in N/m3");
-  if (places.written("density") && places.written("unit_weight"))
-    problems.error(place, "both 'density' and 'unit_weight' are given", "leave one of them out");
-  if (!places.good("unit_weight") || !analysis.places.usable("gravity")) return record.density.value_or(0);
+  if (locations.written("density") && locations.written("unit_weight"))
+    problems.error(location, "both 'density' and 'unit_weight' are given", "leave one of them out");
+  if (!locations.good("unit_weight") || !analysis.locations.usable("gravity"))
+    return record.density.value_or(0);
 
   const double gravity = analysis.options.gravity.norm();
   const double density = gravity > 0 ? *record.unit_weight / gravity : 0;
   if (gravity == 0)
-    problems.error(place, "'unit_weight' without gravity says nothing about the mass", cure);
+    problems.error(location, "'unit_weight' without gravity says nothing about the mass", cure);
   else if (!Bounds{smallest_positive, largest_number}.contain(density))
-    problems.error(place, "'unit_weight' over gravity is a density of '" + rounded(density) + "' kg/m3",
+    problems.error(location, "'unit_weight' over gravity is a density of '" + rounded(density) + "' kg/m3",
                    cure);
   return density;
 }
@@ -45,7 +46,7 @@ double density_of(const MaterialRecord& record, const AnalysisRecord& analysis, 
 std::vector<Material> resolve_materials(const Document& document, NameTable& names, ProblemList& problems) {
   std::vector<Material> materials;
   for (const MaterialRecord& record : document.materials) {
-    names.add(record.name, record.places, problems);
+    names.add(record.name, record.locations, problems);
     materials.push_back(
         {record.name, density_of(record, document.analysis, problems), record.young, record.poisson});
   }
@@ -54,17 +55,19 @@ std::vector<Material> resolve_materials(const Document& document, NameTable& nam
 
 /// Whether the file leaves no doubt about what is held, where the blocks are and what pulls.
 bool holds_are_known(const Document& document, const BlockTable& blocks, const Scene& scene) {
-  const auto usable = [](const Places& places) { return places.usable("mode") && places.usable("gravity"); };
-  if (!document.has_all_blocks || !usable(document.analysis.places)) return false;
+  const auto usable = [](const KeyLocations& locations) {
+    return locations.usable("mode") && locations.usable("gravity");
+  };
+  if (!document.has_all_blocks || !usable(document.analysis.locations)) return false;
   for (std::size_t s = 0; s < scene.stages.size(); ++s) {
     const StageRecord& record = document.stages[s];
-    if (!usable(record.places) || !record.places.usable("remove") ||
+    if (!usable(record.locations) || !record.locations.usable("remove") ||
         scene.stages[s].removed.size() != record.remove.blocks.size())
       return false;
   }
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     const BlockRecord& record = document.blocks[b];
-    if (!blocks.outlines[b].outline.sound() || !record.places.usable("fixed") ||
+    if (!blocks.outlines[b].outline.valid() || !record.locations.usable("fixed") ||
         scene.blocks[b].fixed_vertices.size() != record.fixed.some.size())
       return false;
   }
@@ -84,7 +87,7 @@ void warn_of_unused_joints(const Document& document, const NameTable& names, con
     const auto [a, b] = *between;
     if (a == b ? n_blocks_of(a) > 1 : n_blocks_of(a) > 0 && n_blocks_of(b) > 0) continue;
     problems.warning(
-        document.joints[j].places.of("between"),
+        document.joints[j].locations.of("between"),
         names.title(static_cast<int>(j)) + " is never used: no two blocks have the materials of 'between'",
         "give blocks these materials, or leave the joint out");
   }
@@ -115,7 +118,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);
-  if (std::ranges::all_of(blocks.outlines, [](const PlacedOutline& of) { return of.outline.sound(); }))
+  if (std::ranges::all_of(blocks.outlines, [](const PositionedOutline& of) { return of.outline.valid(); }))
     check_corner_rounding(document, scene, blocks, problems);
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
   scene.stages = resolve_stages(document, joints, blocks, bolts.names, scene.contact.method, problems);

@@ -10,18 +10,19 @@ namespace {
 /// A point may lie outside its block by this times the block's size.
 constexpr double outside_tolerance = 1e-9;
 
-int find_block(const Reference& reference, const Places& places, const BlockTable& blocks,
+int find_block(const Reference& reference, const KeyLocations& locations, const BlockTable& blocks,
                ProblemList& problems) {
-  return places.good("block") ? blocks.names.find(reference, places.of("block"), problems) : -1;
+  return locations.good("block") ? blocks.names.find(reference, locations.of("block"), problems) : -1;
 }
 
 /// Complains when more than one of the keys is written; says whether any is.
-bool at_most_one(std::initializer_list<const char*> keys, const Places& places, ProblemList& problems) {
+bool at_most_one(std::initializer_list<const char*> keys, const KeyLocations& locations,
+                 ProblemList& problems) {
   const char* first = nullptr;
   for (const char* key : keys) {
-    if (!places.written(key)) continue;
+    if (!locations.written(key)) continue;
     if (first)
-      problems.error(places.of(key), "both '" + std::string(first) + "' and '" + key + "' are given",
+      problems.error(locations.of(key), "both '" + std::string(first) + "' and '" + key + "' are given",
                      "leave one of them out");
     else
       first = key;
@@ -29,13 +30,13 @@ bool at_most_one(std::initializer_list<const char*> keys, const Places& places, 
   return first != nullptr;
 }
 
-void check_inside(const Vec2& point, const char* kind, int block, const Place& place,
+void check_inside(const Vec2& point, const char* kind, int block, const SourceLocation& location,
                   const BlockTable& blocks, ProblemList& problems) {
-  if (block < 0 || !blocks.outlines[block].outline.sound()) return;
+  if (block < 0 || !blocks.outlines[block].outline.valid()) return;
   const CheckedOutline& outline = blocks.outlines[block].outline;
   const double distance = outline.distance_outside(point);
   if (distance <= outside_tolerance * outline.size) return;
-  problems.error(place,
+  problems.error(location,
                  std::string(kind) + " at (" + short_number(point.x()) + ", " + short_number(point.y()) +
                      ") lies " + rounded(distance) + " m outside " + blocks.names.title(block),
                  "move it into the block or onto its outline");
@@ -43,7 +44,7 @@ void check_inside(const Vec2& point, const char* kind, int block, const Place& p
 
 /// The number of vertices of a block whose vertices could be read, else 0.
 int n_vertices(int block, const Document& document, const BlockTable& blocks) {
-  return block >= 0 && document.blocks[block].places.good("vertices") ? blocks.holds.n_vertices(block) : 0;
+  return block >= 0 && document.blocks[block].locations.good("vertices") ? blocks.holds.n_vertices(block) : 0;
 }
 
 TimeFunction displacement_of(const SupportRecord& record) {
@@ -53,7 +54,7 @@ TimeFunction displacement_of(const SupportRecord& record) {
     function.value = *record.velocity;
   }
   using Kind = TimeFunction::Kind;
-  const auto is_good = [&](const char* key) { return record.places.good(key); };
+  const auto is_good = [&](const char* key) { return record.locations.good(key); };
   if (is_good("history")) {
     const bool of_file = !record.history->file.empty();
     const bool smooth = record.interpolation.value_or(
@@ -74,11 +75,11 @@ bool moves(const Support& support, int axis) {
 }
 
 /// Complains of entries of two numbers where a vector is meant, and the other way round.
-void check_columns(const std::optional<History>& history, const char* key, int columns, const Places& places,
-                   ProblemList& problems) {
-  if (!places.good(key) || history->columns == columns) return;
+void check_columns(const std::optional<History>& history, const char* key, int columns,
+                   const KeyLocations& locations, ProblemList& problems) {
+  if (!locations.good(key) || history->columns == columns) return;
   problems.error(
-      places.of(key),
+      locations.of(key),
       "entries of '" + std::string(key) + "' have " + std::to_string(history->columns) + " numbers",
       columns == 2 ? "a pressure has entries [t, value]" : "write [t, x, y]");
 }
@@ -86,26 +87,26 @@ void check_columns(const std::optional<History>& history, const char* key, int c
 /// Less than seven entries a period of a sine.
 constexpr double coarse_sampling = 0.1;
 
-void warn_of_sampling(const std::vector<Vec3>& entries, const char* key, const Places& places,
+void warn_of_sampling(const std::vector<Vec3>& entries, const char* key, const KeyLocations& locations,
                       ProblemList& problems) {
   if (sampling_error(entries) > coarse_sampling)
-    problems.warning(places.of(key),
+    problems.warning(locations.of(key),
                      "'" + std::string(key) + "' is sampled coarsely: lines between its entries are " +
                          rounded(100 * sampling_error(entries)) + " % away from a smooth curve through them",
                      "use a record with a shorter interval, or filter out what is faster");
 }
 
 /// Takes hold of one vertex along one axis.
-void hold(const Support& support, int index, int vertex, int axis, const Place& place, BlockTable& blocks,
-          ProblemList& problems) {
+void hold(const Support& support, int index, int vertex, int axis, const SourceLocation& location,
+          BlockTable& blocks, ProblemList& problems) {
   int& by = blocks.holds.by(support.block, vertex, axis);
   const std::string where = "vertex '" + std::to_string(vertex) + "' of " + blocks.names.title(support.block);
   if (by >= 0)
-    problems.error(place,
+    problems.error(location,
                    where + " is held in " + "xy"[axis] + " by support " + std::to_string(by) + " already",
                    "hold each direction of a vertex once");
   else if (by == Holds::fixed && moves(support, axis))
-    problems.error(place, where + " is fixed and moved in " + "xy"[axis],
+    problems.error(location, where + " is fixed and moved in " + "xy"[axis],
                    "take it out of 'fixed' or out of this support");
   if (by == Holds::nobody) by = index;
 }
@@ -126,24 +127,24 @@ const LoadKeys& keys_of(Load::Kind kind) {
 void require(bool present, const char* key, const LoadRecord& record, ProblemList& problems) {
   if (present) return;
   const LoadKeys& keys = keys_of(record.type);
-  problems.error(record.places.table, "missing key '" + std::string(key) + "' in [[load]]",
+  problems.error(record.locations.table, "missing key '" + std::string(key) + "' in [[load]]",
                  "a load of type \"" + std::string(keys.name) + "\" has " + keys.has);
 }
 
 void check_load_keys(const LoadRecord& record, ProblemList& problems) {
   const LoadKeys& keys = keys_of(record.type);
-  const Places& places = record.places;
+  const KeyLocations& locations = record.locations;
   for (const char* key : keys.foreign)
-    if (places.written(key))
-      problems.error(places.of(key),
+    if (locations.written(key))
+      problems.error(locations.of(key),
                      "'" + std::string(key) + "' does not belong to a load of type '" + keys.name + "'",
                      std::string("such a load has ") + keys.has);
   if (record.type == Load::Kind::pressure) {
-    require(places.written("edge"), "edge", record, problems);
-    require(at_most_one({"value", "history"}, places, problems), "value", record, problems);
+    require(locations.written("edge"), "edge", record, problems);
+    require(at_most_one({"value", "history"}, locations, problems), "value", record, problems);
   } else {
-    if (record.type == Load::Kind::point) require(places.written("at"), "at", record, problems);
-    require(at_most_one({"force", "history"}, places, problems), "force", record, problems);
+    if (record.type == Load::Kind::point) require(locations.written("at"), "at", record, problems);
+    require(at_most_one({"force", "history"}, locations, problems), "force", record, problems);
   }
 }
 
@@ -152,33 +153,33 @@ void check_load_keys(const LoadRecord& record, ProblemList& problems) {
 std::vector<Support> resolve_supports(const Document& document, BlockTable& blocks, ProblemList& problems) {
   std::vector<Support> supports;
   for (const SupportRecord& record : document.supports) {
-    const Places& places = record.places;
+    const KeyLocations& locations = record.locations;
     Support support;
-    support.block = find_block(record.block, places, blocks, problems);
-    support.hold_x = record.axes != Axes::y;
-    support.hold_y = record.axes != Axes::x;
-    at_most_one({"displacement", "velocity", "history", "velocity_history", "acceleration_history"}, places,
-                problems);
-    check_columns(record.history, "history", 3, places, problems);
-    check_columns(record.velocity_history, "velocity_history", 3, places, problems);
-    check_columns(record.acceleration_history, "acceleration_history", 3, places, problems);
+    support.block = find_block(record.block, locations, blocks, problems);
+    support.fix_x = record.axes != Axes::y;
+    support.fix_y = record.axes != Axes::x;
+    at_most_one({"displacement", "velocity", "history", "velocity_history", "acceleration_history"},
+                locations, problems);
+    check_columns(record.history, "history", 3, locations, problems);
+    check_columns(record.velocity_history, "velocity_history", 3, locations, problems);
+    check_columns(record.acceleration_history, "acceleration_history", 3, locations, problems);
     support.displacement = displacement_of(record);
     if (support.displacement.kind == TimeFunction::Kind::smooth_history)
-      warn_of_sampling(record.history->entries, "history", places, problems);
-    if (places.written("interpolation") && !places.written("history"))
-      problems.error(places.of("interpolation"), "'interpolation' without 'history'", "leave it out");
+      warn_of_sampling(record.history->entries, "history", locations, problems);
+    if (locations.written("interpolation") && !locations.written("history"))
+      problems.error(locations.of("interpolation"), "'interpolation' without 'history'", "leave it out");
     const int n = n_vertices(support.block, document, blocks);
-    if (places.good("vertices")) {
+    if (locations.good("vertices")) {
       if (record.vertices.some.empty() && !record.vertices.on)
-        problems.error(places.of("vertices"), "'vertices' is empty", "name the vertices to be held");
+        problems.error(locations.of("vertices"), "'vertices' is empty", "name the vertices to be held");
       if (n > 0)
         support.vertices = check_vertex_indices(record.vertices.some, n, blocks.names.title(support.block),
-                                                places.of("vertices"), problems);
+                                                locations.of("vertices"), problems);
     }
     const int index = static_cast<int>(supports.size());
     for (const int vertex : support.vertices) {
-      if (support.hold_x) hold(support, index, vertex, 0, places.of("vertices"), blocks, problems);
-      if (support.hold_y) hold(support, index, vertex, 1, places.of("vertices"), blocks, problems);
+      if (support.fix_x) hold(support, index, vertex, 0, locations.of("vertices"), blocks, problems);
+      if (support.fix_y) hold(support, index, vertex, 1, locations.of("vertices"), blocks, problems);
     }
     supports.push_back(std::move(support));
   }
@@ -188,23 +189,25 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
 std::vector<Load> resolve_loads(const Document& document, const BlockTable& blocks, ProblemList& problems) {
   std::vector<Load> loads;
   for (const LoadRecord& record : document.loads) {
-    const Places& places = record.places;
+    const KeyLocations& locations = record.locations;
     Load load;
     load.kind = record.type;
-    load.block = find_block(record.block, places, blocks, problems);
-    if (places.good("type")) check_load_keys(record, problems);
+    load.block = find_block(record.block, locations, blocks, problems);
+    if (locations.good("type")) check_load_keys(record, problems);
     load.at = record.at.value_or(Vec2::Zero());
-    if (places.good("at")) check_inside(load.at, "point load", load.block, places.of("at"), blocks, problems);
+    if (locations.good("at"))
+      check_inside(load.at, "point load", load.block, locations.of("at"), blocks, problems);
     load.edge = record.edge ? record.edge->edge : 0;
     const int n = n_vertices(load.block, document, blocks);
-    if (places.good("edge") && n > 0 && (load.edge < 0 || load.edge >= n))
-      problems.error(places.of("edge"),
+    if (locations.good("edge") && n > 0 && (load.edge < 0 || load.edge >= n))
+      problems.error(locations.of("edge"),
                      blocks.names.title(load.block) + " has no edge '" + std::to_string(load.edge) + "'",
                      "edges run from 0 to " + std::to_string(n - 1));
     load.force.value = record.type == Load::Kind::pressure ? Vec2(record.value.value_or(0), 0)
                                                            : record.force.value_or(Vec2::Zero());
-    check_columns(record.history, "history", record.type == Load::Kind::pressure ? 2 : 3, places, problems);
-    if (places.good("history"))
+    check_columns(record.history, "history", record.type == Load::Kind::pressure ? 2 : 3, locations,
+                  problems);
+    if (locations.good("history"))
       load.force = history_function(TimeFunction::Kind::history, record.history->entries);
     load.force.rise = record.ramp.value_or(0);
     loads.push_back(std::move(load));
@@ -220,10 +223,10 @@ std::vector<QuietBoundary> resolve_quiet_boundaries(const Document& document, Bl
     boundary.from = record.on.from;
     boundary.to = record.on.to;
     boundary.faces = record.faces;
-    check_columns(record.incoming, "incoming", 3, record.places, problems);
-    if (record.places.good("incoming")) {
+    check_columns(record.incoming, "incoming", 3, record.locations, problems);
+    if (record.locations.good("incoming")) {
       boundary.incoming = history_function(TimeFunction::Kind::history, record.incoming->entries);
-      warn_of_sampling(record.incoming->entries, "incoming", record.places, problems);
+      warn_of_sampling(record.incoming->entries, "incoming", record.locations, problems);
     }
     for (const QuietBoundary::Face& face : boundary.faces) {
       const int n = n_vertices(face.block, document, blocks);
@@ -231,7 +234,7 @@ std::vector<QuietBoundary> resolve_quiet_boundaries(const Document& document, Bl
       for (int axis = 0; axis < 2; ++axis)
         if (blocks.holds.by(face.block, face.edge, axis) != Holds::nobody &&
             blocks.holds.by(face.block, (face.edge + 1) % n, axis) != Holds::nobody) {
-          problems.error(record.places.table,
+          problems.error(record.locations.table,
                          "edge '" + std::to_string(face.edge) + "' of " + blocks.names.title(face.block) +
                              " is quiet and held in " + "xy"[axis],
                          "what is held lets no waves out: take it out of the support, 'fixed' or this line");
@@ -245,11 +248,11 @@ std::vector<QuietBoundary> resolve_quiet_boundaries(const Document& document, Bl
 std::vector<Quake> resolve_quakes(const Document& document, ProblemList& problems) {
   std::vector<Quake> quakes;
   for (const QuakeRecord& record : document.quakes) {
-    check_columns(record.acceleration, "acceleration", 3, record.places, problems);
-    if (!record.places.good("acceleration")) continue;
+    check_columns(record.acceleration, "acceleration", 3, record.locations, problems);
+    if (!record.locations.good("acceleration")) continue;
     std::vector<Vec3> entries = record.acceleration.entries;
     for (Vec3& entry : entries) entry.tail<2>() *= record.scale;
-    warn_of_sampling(entries, "acceleration", record.places, problems);
+    warn_of_sampling(entries, "acceleration", record.locations, problems);
     quakes.push_back({history_function(TimeFunction::Kind::history, std::move(entries))});
   }
   return quakes;
@@ -260,26 +263,26 @@ std::vector<Monitor> resolve_monitors(const Document& document, const BlockTable
   NameTable names("monitor");
   std::vector<Monitor> monitors;
   for (const MonitorRecord& record : document.monitors) {
-    const Places& places = record.places;
-    names.add(record.name, places, problems);
+    const KeyLocations& locations = record.locations;
+    names.add(record.name, locations, problems);
     Monitor monitor;
     monitor.name = record.name;
-    monitor.block = find_block(record.block, places, blocks, problems);
-    if (!at_most_one({"at", "vertex"}, places, problems))
-      problems.error(places.table, "missing key 'at' in [[monitor]]",
+    monitor.block = find_block(record.block, locations, blocks, problems);
+    if (!at_most_one({"at", "vertex"}, locations, problems))
+      problems.error(locations.table, "missing key 'at' in [[monitor]]",
                      "add 'at' = [x, y] or \"centroid\", or 'vertex' = k");
     if (record.at && record.at->point) {
       monitor.kind = Monitor::Kind::point;
       monitor.at = *record.at->point;
-      if (places.good("at"))
-        check_inside(monitor.at, "monitor", monitor.block, places.of("at"), blocks, problems);
+      if (locations.good("at"))
+        check_inside(monitor.at, "monitor", monitor.block, locations.of("at"), blocks, problems);
     } else if (record.vertex) {
       monitor.kind = Monitor::Kind::vertex;
       monitor.vertex = *record.vertex;
       const int n = n_vertices(monitor.block, document, blocks);
-      if (places.good("vertex") && n > 0 && (monitor.vertex < 0 || monitor.vertex >= n))
+      if (locations.good("vertex") && n > 0 && (monitor.vertex < 0 || monitor.vertex >= n))
         problems.error(
-            places.of("vertex"),
+            locations.of("vertex"),
             blocks.names.title(monitor.block) + " has no vertex '" + std::to_string(monitor.vertex) + "'",
             "vertices run from 0 to " + std::to_string(n - 1));
     }

@@ -6,26 +6,27 @@
 namespace ddacontact::scene_format {
 
 bool Holds::holds_all(std::size_t block) const {
-  return std::all_of(held_by_[block].begin(), held_by_[block].end(),
+  return std::all_of(prescribed_by_[block].begin(), prescribed_by_[block].end(),
                      [](const auto& by) { return by[0] != nobody && by[1] != nobody; });
 }
 
 bool Holds::holds_any(std::size_t block) const {
-  return std::any_of(held_by_[block].begin(), held_by_[block].end(),
+  return std::any_of(prescribed_by_[block].begin(), prescribed_by_[block].end(),
                      [](const auto& by) { return by[0] != nobody || by[1] != nobody; });
 }
 
 std::vector<int> check_vertex_indices(const std::vector<int>& indices, int n_vertices,
-                                      const std::string& title, const Place& place, ProblemList& problems) {
+                                      const std::string& title, const SourceLocation& location,
+                                      ProblemList& problems) {
   std::vector<int> good;
   std::vector<bool> seen(n_vertices, false);
   for (const int k : indices) {
     if (k >= n_vertices) {
       problems.error(
-          place, title + " has no vertex '" + std::to_string(k) + "'",
+          location, title + " has no vertex '" + std::to_string(k) + "'",
           n_vertices > 0 ? "vertices run from 0 to " + std::to_string(n_vertices - 1) : "it has no vertices");
     } else if (seen[k]) {
-      problems.error(place, "vertex '" + std::to_string(k) + "' stands twice", "write each vertex once");
+      problems.error(location, "vertex '" + std::to_string(k) + "' stands twice", "write each vertex once");
     } else {
       seen[k] = true;
       good.push_back(k);
@@ -46,7 +47,7 @@ void warn_of_clockwise_blocks(const Document& document, const BlockTable& table,
   if (first < 0) return;
   const std::string title = table.names.title(first);
   problems.warning(
-      table.outlines[first].place,
+      table.outlines[first].location,
       n_more == 0 ? title + " runs clockwise: it is turned around"
                   : title + " and " + std::to_string(n_more) + " more run clockwise: they are turned around",
       "vertices keep their numbers");
@@ -55,9 +56,9 @@ void warn_of_clockwise_blocks(const Document& document, const BlockTable& table,
 /// The cells of a mesh each turn with a frame of their own.
 void check_kinematics(const BlockRecord& block, const AnalysisRecord& analysis, Kinematics kinematics,
                       const std::string& title, ProblemList& problems) {
-  if (kinematics == Kinematics::corotational || !analysis.places.usable("kinematics")) return;
-  const bool own = block.places.written("model");
-  problems.error(own ? block.places.of("model") : analysis.places.of("block_model"),
+  if (kinematics == Kinematics::corotational || !analysis.locations.usable("kinematics")) return;
+  const bool own = block.locations.written("model");
+  problems.error(own ? block.locations.of("model") : analysis.locations.of("block_model"),
                  "the model \"mesh\" of " + title + " needs kinematics = \"corotational\"",
                  "write that, or model = \"mean_value\"");
 }
@@ -66,12 +67,12 @@ void check_kinematics(const BlockRecord& block, const AnalysisRecord& analysis, 
 std::vector<int> resolve_edge_joints(const BlockRecord& block, const NameTable& joints,
                                      const std::string& title, ProblemList& problems) {
   std::vector<int> numbers;
-  const Place& place = block.places.of("edge_joints");
+  const SourceLocation& location = block.locations.of("edge_joints");
   for (const Reference& joint : block.edge_joints->joints)
-    numbers.push_back(joint.name.empty() && !joint.index ? -1 : joints.find(joint, place, problems));
+    numbers.push_back(joint.name.empty() && !joint.index ? -1 : joints.find(joint, location, problems));
   const auto n_edges = static_cast<std::size_t>(block.vertices.points.cols());
-  if (block.places.good("vertices") && numbers.size() != n_edges)
-    problems.error(place,
+  if (block.locations.good("vertices") && numbers.size() != n_edges)
+    problems.error(location,
                    "'edge_joints' of " + title + " names " + std::to_string(numbers.size()) + " joints for " +
                        std::to_string(n_edges) + " edges",
                    "write one for each edge, \"\" where the materials decide");
@@ -87,16 +88,16 @@ BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analy
   table.outlines.reserve(document.blocks.size());
   for (const BlockRecord& record : document.blocks) {
     const int index = table.names.size();
-    const Places& places = record.places;
-    table.names.add(record.name, places, problems, record.origin);
+    const KeyLocations& locations = record.locations;
+    table.names.add(record.name, locations, problems, record.origin);
     const std::string title = table.names.title(index);
 
     BlockDescription& block = table.descriptions.emplace_back();
     block.name = record.name.value_or("");
-    if (places.good("material"))
-      block.material = materials.find(record.material, places.of("material"), problems, record.origin);
+    if (locations.good("material"))
+      block.material = materials.find(record.material, locations.of("material"), problems, record.origin);
     block.vertices = record.vertices.points;
-    if (record.edge_joints && places.usable("edge_joints"))
+    if (record.edge_joints && locations.usable("edge_joints"))
       block.edge_joints = resolve_edge_joints(record, joints, title, problems);
     block.groups = record.groups;
     block.model = record.model.value_or(analysis.block_model);
@@ -105,24 +106,26 @@ BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analy
     block.angular_velocity = record.angular_velocity;
     block.stress = record.stress;
 
-    PlacedOutline& placed = table.outlines.emplace_back();
-    placed.place = places.of("vertices");
-    const bool model_is_known =
-        places.written("model") ? places.good("model") : document.analysis.places.usable("block_model");
-    if (places.good("vertices"))
+    PositionedOutline& placed = table.outlines.emplace_back();
+    placed.location = locations.of("vertices");
+    const bool model_is_known = locations.written("model")
+                                    ? locations.good("model")
+                                    : document.analysis.locations.usable("block_model");
+    if (locations.good("vertices"))
       placed.outline = check_outline(record.vertices, model_is_known ? block.model : BlockModel::automatic,
-                                     places, title, problems);
+                                     locations, title, problems);
     if (model_is_known && block.model == BlockModel::mesh) {
       check_kinematics(record, document.analysis, analysis.kinematics, title, problems);
-      if (placed.outline.sound())
+      if (placed.outline.valid())
         check_mesh(placed.outline, block.mesh, record, document.analysis.mesh, title, problems);
     }
 
     const int n = static_cast<int>(block.vertices.cols());
     table.holds.add_block(n);
     block.fixed = record.fixed.all;
-    if (places.good("fixed") && places.good("vertices"))
-      block.fixed_vertices = check_vertex_indices(record.fixed.some, n, title, places.of("fixed"), problems);
+    if (locations.good("fixed") && locations.good("vertices"))
+      block.fixed_vertices =
+          check_vertex_indices(record.fixed.some, n, title, locations.of("fixed"), problems);
     for (const int k : block.fixed_vertices)
       for (const int axis : {0, 1}) table.holds.by(index, k, axis) = Holds::fixed;
     for (int k = 0; block.fixed && k < n; ++k)

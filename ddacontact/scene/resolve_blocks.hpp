@@ -13,23 +13,25 @@ class Holds {
  public:
   static constexpr int nobody = -1, fixed = -2;
 
-  void add_block(int n_vertices) { held_by_.emplace_back(n_vertices, std::array<int, 2>{nobody, nobody}); }
-  int n_vertices(int block) const { return static_cast<int>(held_by_[block].size()); }
+  void add_block(int n_vertices) {
+    prescribed_by_.emplace_back(n_vertices, std::array<int, 2>{nobody, nobody});
+  }
+  int n_vertices(int block) const { return static_cast<int>(prescribed_by_[block].size()); }
   /// `fixed`, the index of a support, or `nobody`. `axis` 0 is x, 1 is y.
-  int& by(int block, int vertex, int axis) { return held_by_[block][vertex][axis]; }
+  int& by(int block, int vertex, int axis) { return prescribed_by_[block][vertex][axis]; }
   /// Whether every vertex is held in both directions.
   bool holds_all(std::size_t block) const;
   /// Whether some vertex is held in some direction.
   bool holds_any(std::size_t block) const;
 
  private:
-  std::vector<std::vector<std::array<int, 2>>> held_by_;
+  std::vector<std::vector<std::array<int, 2>>> prescribed_by_;
 };
 
 struct BlockTable {
   NameTable names{"block"};
   std::vector<BlockDescription> descriptions;
-  std::vector<PlacedOutline> outlines;
+  std::vector<PositionedOutline> outlines;
   Holds holds;
 };
 
@@ -40,6 +42,7 @@ BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analy
 /// Complains about indices that are no vertex of a block of `n_vertices` or stand twice; the good ones
 /// remain.
 std::vector<int> check_vertex_indices(const std::vector<int>& indices, int n_vertices,
-                                      const std::string& title, const Place& place, ProblemList& problems);
+                                      const std::string& title, const SourceLocation& location,
+                                      ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -19,7 +19,7 @@ class BoltCheck {
   BoltCheck(const BoltRecord& record, const BlockTable& blocks,
             const std::vector<BlockDescription>& descriptions, ProblemList& problems)
       : record_(record),
-        places_(record.places),
+        locations_(record.locations),
         bolt_(record.bolt),
         blocks_(blocks),
         descriptions_(descriptions),
@@ -30,30 +30,30 @@ class BoltCheck {
 
   RockBolt bolt() const { return bolt_; }
 
-  /// What does not hang on the blocks. False: where it runs is not known.
+  /// What does not depend on the blocks. False: where it runs is not known.
   bool check_keys() {
     const bool grouted = bolt_.kind == RockBolt::Kind::grouted;
-    if (grouted && !places_.written("bond_stiffness"))
-      problems_.error(places_.table, "missing key 'bond_stiffness' in [[bolt]]",
+    if (grouted && !locations_.written("bond_stiffness"))
+      problems_.error(locations_.table, "missing key 'bond_stiffness' in [[bolt]]",
                       "a bolt of type \"grouted\" has one, in N/m2");
     for (const char* key : {"bond_stiffness", "bond_strength"})
-      if (!grouted && places_.usable("type") && places_.written(key))
-        problems_.error(places_.of(key),
+      if (!grouted && locations_.usable("type") && locations_.written(key))
+        problems_.error(locations_.of(key),
                         std::string("'") + key + "' does not belong to a bolt of type 'anchored'",
                         "leave it out, or write type = \"grouted\"");
     check_forces();
-    if (!places_.good("points")) return false;
+    if (!locations_.good("points")) return false;
     const Points& points = record_.points.points;
     if (points.cols() != 2) {
-      problems_.error(places_.of("points"), "'points' holds " + std::to_string(points.cols()) + " points",
+      problems_.error(locations_.of("points"), "'points' holds " + std::to_string(points.cols()) + " points",
                       "a bolt runs straight between two: points = [[x, y], [x, y]]");
       return false;
     }
     bolt_.from = points.col(0);
     bolt_.to = points.col(1);
-    if (bolt_.from != bolt_.to) return places_.usable("type");
-    problems_.error(places_.of("points"), "the bolt has no length: both its ends are at " + text(bolt_.from),
-                    "move one of them");
+    if (bolt_.from != bolt_.to) return locations_.usable("type");
+    problems_.error(locations_.of("points"),
+                    "the bolt has no length: both its ends are at " + text(bolt_.from), "move one of them");
     return false;
   }
 
@@ -65,11 +65,11 @@ class BoltCheck {
     std::ranges::sort(blocks);
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
     if (blocks.size() < 2)
-      problems_.error(places_.of("points"),
+      problems_.error(locations_.of("points"),
                       "the bolt lies in " + blocks_.names.title(blocks.front()) + " alone",
                       "let it join two blocks");
     else if (std::ranges::all_of(blocks, [&](int b) { return descriptions_[b].fixed; }))
-      problems_.error(places_.of("points"), "the bolt joins blocks that are all fixed",
+      problems_.error(locations_.of("points"), "the bolt joins blocks that are all fixed",
                       "let it join one that may move, or leave it out");
     return blocks;
   }
@@ -80,13 +80,13 @@ class BoltCheck {
   }
 
   void check_forces() {
-    if (!places_.good("pretension")) return;
-    if (places_.good("yield_force") && bolt_.pretension > *bolt_.yield_force)
-      problems_.error(places_.of("pretension"), "'pretension' is larger than 'yield_force'",
+    if (!locations_.good("pretension")) return;
+    if (locations_.good("yield_force") && bolt_.pretension > *bolt_.yield_force)
+      problems_.error(locations_.of("pretension"), "'pretension' is larger than 'yield_force'",
                       "at most " + short_number(*bolt_.yield_force) + " N");
-    if (places_.good("rupture_strain") && places_.good("area") && places_.good("young") &&
+    if (locations_.good("rupture_strain") && locations_.good("area") && locations_.good("young") &&
         bolt_.pretension > *bolt_.rupture_strain * bolt_.area * bolt_.young)
-      problems_.error(places_.of("pretension"), "'pretension' strains the bar beyond 'rupture_strain'",
+      problems_.error(locations_.of("pretension"), "'pretension' strains the bar beyond 'rupture_strain'",
                       "at most " + short_number(*bolt_.rupture_strain * bolt_.area * bolt_.young) + " N");
   }
 
@@ -102,7 +102,7 @@ class BoltCheck {
       least = distance;
       nearest = static_cast<int>(b);
     }
-    problems_.error(record_.points.places[which],
+    problems_.error(record_.points.locations[which],
                     "the end of the bolt at " + text(end) + " lies outside all blocks",
                     "move it into a block or onto its outline; the nearest is " +
                         blocks_.names.title(nearest) + ", " + rounded(least) + " m away");
@@ -114,7 +114,7 @@ class BoltCheck {
     for (std::size_t which : {0, 1}) {
       const std::vector<int> found = at(which == 0 ? bolt_.from : bolt_.to, which);
       if (found.size() > 1)
-        problems_.error(record_.points.places[which],
+        problems_.error(record_.points.locations[which],
                         "the end of the bolt lies on the face between " + blocks_.names.title(found[0]) +
                             " and " + blocks_.names.title(found[1]),
                         "move it into the block that it is fixed in");
@@ -132,7 +132,7 @@ class BoltCheck {
     const double length = (bolt_.to - bolt_.from).norm();
     for (const BoltPiece& piece : pieces) {
       if (reached - piece.from > bolt_tolerance * length && !all.empty())
-        problems_.error(places_.of("points"),
+        problems_.error(locations_.of("points"),
                         "the bolt runs along the face between " + blocks_.names.title(all.back()) + " and " +
                             blocks_.names.title(piece.block),
                         "turn or move it a little");
@@ -141,11 +141,11 @@ class BoltCheck {
       bonded += piece.to - piece.from;
     }
     if (all.empty())
-      problems_.error(places_.of("points"), "the bolt runs along faces and passes no block",
+      problems_.error(locations_.of("points"), "the bolt runs along faces and passes no block",
                       "turn or move it a little");
     if (bolt_.bond_stiffness > 0 && bolt_.area > 0 && bolt_.young > 0 &&
         bonded > most_bond_lengths * std::sqrt(bolt_.area * bolt_.young / bolt_.bond_stiffness))
-      problems_.error(places_.of("bond_stiffness"),
+      problems_.error(locations_.of("bond_stiffness"),
                       "the bolt is more than " + short_number(most_bond_lengths) +
                           " times as long as its force needs to fade in the bond",
                       "take a smaller 'bond_stiffness', or an anchored bolt");
@@ -153,7 +153,7 @@ class BoltCheck {
   }
 
   const BoltRecord& record_;
-  const Places& places_;
+  const KeyLocations& locations_;
   RockBolt bolt_;
   const BlockTable& blocks_;
   const std::vector<BlockDescription>& descriptions_;
@@ -168,11 +168,11 @@ ResolvedBolts resolve_bolts(const Document& document, const BlockTable& blocks,
   ResolvedBolts resolved;
   const bool blocks_known =
       document.has_all_blocks && !descriptions.empty() &&
-      std::ranges::all_of(blocks.outlines, [](const PlacedOutline& of) { return of.outline.sound(); });
+      std::ranges::all_of(blocks.outlines, [](const PositionedOutline& of) { return of.outline.valid(); });
   for (const BoltRecord& record : document.bolts) {
-    resolved.names.add(record.name, record.places, problems);
+    resolved.names.add(record.name, record.locations, problems);
     if (method == ContactMethod::classic)
-      problems.error(record.places.table, "bolts need the contact method 'staged'",
+      problems.error(record.locations.table, "bolts need the contact method 'staged'",
                      "write method = \"staged\" in [contact]");
     BoltCheck check(record, blocks, descriptions, problems);
     resolved.blocks.emplace_back();

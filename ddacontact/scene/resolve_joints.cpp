@@ -10,35 +10,37 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-/// Springs let blocks bounce as they please: only the staged method can give what is asked for.
-void check_restitution(std::optional<double> restitution, const Places& places, const ContactRecord& contact,
-                       ContactMethod method, ProblemList& problems) {
+/// Springs let blocks bounce as they please: only the staged method can give what is requested.
+void check_restitution(std::optional<double> restitution, const KeyLocations& locations,
+                       const ContactRecord& contact, ContactMethod method, ProblemList& problems) {
   if (method != ContactMethod::classic || !restitution || *restitution == 0) return;
-  if (!places.good("restitution") || !contact.places.usable("method")) return;
-  problems.error(places.of("restitution"),
+  if (!locations.good("restitution") || !contact.locations.usable("method")) return;
+  problems.error(locations.of("restitution"),
                  "'restitution' = '" + short_number(*restitution) + "' needs the contact method 'staged'",
                  "leave it out, or write method = \"staged\" in [contact]");
 }
 
-void check_method(const char* key, const Places& places, ContactMethod method, ProblemList& problems) {
+void check_method(const char* key, const KeyLocations& locations, ContactMethod method,
+                  ProblemList& problems) {
   if (method == ContactMethod::classic)
-    problems.error(places.of(key), "'" + std::string(key) + "' needs the contact method 'staged'",
+    problems.error(locations.of(key), "'" + std::string(key) + "' needs the contact method 'staged'",
                    "leave it out, or write method = \"staged\" in [contact]");
 }
 
 /// A joint has both springs or none, and they throw off what meets.
-void check_springs(const Joint& joint, const Places& places, ContactMethod method, ProblemList& problems) {
-  const bool normal = joint.normal_stiffness && places.good("normal_stiffness"),
-             shear = joint.shear_stiffness && places.good("shear_stiffness");
-  if (normal) check_method("normal_stiffness", places, method, problems);
+void check_springs(const Joint& joint, const KeyLocations& locations, ContactMethod method,
+                   ProblemList& problems) {
+  const bool normal = joint.normal_stiffness && locations.good("normal_stiffness"),
+             shear = joint.shear_stiffness && locations.good("shear_stiffness");
+  if (normal) check_method("normal_stiffness", locations, method, problems);
   if (normal && !joint.shear_stiffness)
-    problems.error(places.of("normal_stiffness"), "'normal_stiffness' without 'shear_stiffness'",
+    problems.error(locations.of("normal_stiffness"), "'normal_stiffness' without 'shear_stiffness'",
                    "add 'shear_stiffness' in Pa/m: a joint is rigid in both directions or in none");
   if (shear && !joint.normal_stiffness)
-    problems.error(places.of("shear_stiffness"), "'shear_stiffness' without 'normal_stiffness'",
+    problems.error(locations.of("shear_stiffness"), "'shear_stiffness' without 'normal_stiffness'",
                    "add 'normal_stiffness' in Pa/m: a joint is rigid in both directions or in none");
-  if (normal && joint.restitution && places.good("restitution"))
-    problems.error(places.of("restitution"), "'restitution' of a joint that has a stiffness",
+  if (normal && joint.restitution && locations.good("restitution"))
+    problems.error(locations.of("restitution"), "'restitution' of a joint that has a stiffness",
                    "leave it out: blocks part as the joint's springs have it, with a 'dashpot' slower");
 }
 
@@ -51,36 +53,36 @@ bool has_dynamic_steps(const Document& document) {
 }
 
 /// What rises does so by the work of friction.
-void check_dilation(const Joint& joint, const Places& places, const Document& document, ContactMethod method,
-                    ProblemList& problems) {
-  if (joint.dilation_slip && !joint.dilation_angle && places.good("dilation_slip"))
-    problems.error(places.of("dilation_slip"), "'dilation_slip' without 'dilation_angle'",
+void check_dilation(const Joint& joint, const KeyLocations& locations, const Document& document,
+                    ContactMethod method, ProblemList& problems) {
+  if (joint.dilation_slip && !joint.dilation_angle && locations.good("dilation_slip"))
+    problems.error(locations.of("dilation_slip"), "'dilation_slip' without 'dilation_angle'",
                    "add 'dilation_angle' in degrees, or leave it out");
-  if (!joint.dilation_angle || !places.good("dilation_angle")) return;
-  check_method("dilation_angle", places, method, problems);
+  if (!joint.dilation_angle || !locations.good("dilation_angle")) return;
+  check_method("dilation_angle", locations, method, problems);
   if (has_dynamic_steps(document))
     problems.error(
-        places.of("dilation_angle"), "'dilation_angle' with dynamic steps",
+        locations.of("dilation_angle"), "'dilation_angle' with dynamic steps",
         "write mode = \"static\" in [analysis] and in all stages: blocks hop on what lifts them, and "
         "dynamic steps do not follow that");
   if (!joint.dilation_slip)
-    problems.error(places.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
+    problems.error(locations.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
                    "add 'dilation_slip', the slip in m up to which the joint dilates");
   const double friction = joint.residual_friction_angle.value_or(joint.friction_angle);
   if (*joint.dilation_angle > friction)
-    problems.error(places.of("dilation_angle"),
+    problems.error(locations.of("dilation_angle"),
                    "'dilation_angle' = '" + short_number(*joint.dilation_angle) +
                        "' is larger than the angle of friction once it slides, " + short_number(friction),
                    "friction has to do the work that lifts the block: make it smaller");
 }
 
-/// A scene without joints can be asked for the one that it has all the same.
+/// A scene without joints may name the one that it has all the same.
 void add_default_joint(NamedJoints& table, ProblemList& problems) {
   Joint& joint = table.joints.emplace_back();
   joint.name = "default";
-  Places places;
-  places.add("name", {}, true);
-  table.names.add(joint.name, places, problems);
+  KeyLocations locations;
+  locations.add("name", {}, true);
+  table.names.add(joint.name, locations, problems);
 }
 
 /// The joints that edges of blocks name.
@@ -102,26 +104,26 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
   std::vector<Joint>& joints = table.joints;
   const std::set<std::string> of_edges = joints_of_edges(document);
   for (const JointRecord& record : document.joints) {
-    const Places& places = record.places;
-    table.names.add(record.name, places, problems);
+    const KeyLocations& locations = record.locations;
+    table.names.add(record.name, locations, problems);
     Joint joint = record.joint;
     joint.name = record.name.value_or("");
-    check_restitution(joint.restitution, places, document.contact, method, problems);
-    check_springs(joint, places, method, problems);
-    check_dilation(joint, places, document, method, problems);
-    if (record.between && places.good("between")) {
-      const int a = materials.find((*record.between)[0], places.of("between"), problems);
-      const int b = materials.find((*record.between)[1], places.of("between"), problems);
+    check_restitution(joint.restitution, locations, document.contact, method, problems);
+    check_springs(joint, locations, method, problems);
+    check_dilation(joint, locations, document, method, problems);
+    if (record.between && locations.good("between")) {
+      const int a = materials.find((*record.between)[0], locations.of("between"), problems);
+      const int b = materials.find((*record.between)[1], locations.of("between"), problems);
       if (a >= 0 && b >= 0) joint.between = std::array<int, 2>{std::min(a, b), std::max(a, b)};
       for (std::size_t other = 0; joint.between && other < joints.size(); ++other)
         if (joints[other].between == joint.between)
-          problems.error(places.of("between"),
+          problems.error(locations.of("between"),
                          "the two materials already follow " + table.names.title(static_cast<int>(other)),
                          "leave one 'between' out");
     } else if (!record.between && !joints.empty() && document.has_all_blocks &&
                !of_edges.contains(record.name.value_or(std::to_string(joints.size())))) {
       problems.warning(
-          places.table,
+          locations.table,
           table.names.title(table.names.size() - 1) +
               " is never used: it has no 'between', no edge names it, and only the first joint is the "
               "default",
@@ -138,11 +140,11 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
   std::vector<Joint> joints = of_scene.joints;
   std::vector<bool> is_changed(joints.size(), false);
   for (const JointChange& change : stage.joints) {
-    check_restitution(change.restitution, change.places, contact, method, problems);
-    const int index = of_scene.names.find(change.joint, change.places.table, problems);
+    check_restitution(change.restitution, change.locations, contact, method, problems);
+    const int index = of_scene.names.find(change.joint, change.locations.table, problems);
     if (index < 0) continue;
     if (is_changed[index])
-      problems.error(change.places.table, of_scene.names.title(index) + " stands twice in 'joints'",
+      problems.error(change.locations.table, of_scene.names.title(index) + " stands twice in 'joints'",
                      "write all of its keys in one place");
     is_changed[index] = true;
     for (const auto& [of_joint, of_change] : joint_law)

@@ -15,16 +15,16 @@ namespace {
 /// Keys of [analysis] or, where a stage has them, of that.
 class OwnKeys {
  public:
-  OwnKeys(const Places& own, const Places& of_scene) : own_(own), of_scene_(of_scene) {}
+  OwnKeys(const KeyLocations& own, const KeyLocations& of_scene) : own_(own), of_scene_(of_scene) {}
 
   bool written(std::string_view key) const { return own_.written(key); }
   bool usable(std::string_view key) const {
     return own_.usable(key) && (own_.written(key) || of_scene_.usable(key));
   }
-  const Place& of(std::string_view key) const { return own_.of(key); }
+  const SourceLocation& of(std::string_view key) const { return own_.of(key); }
 
  private:
-  const Places &own_, &of_scene_;
+  const KeyLocations &own_, &of_scene_;
 };
 
 void resolve_scheme(const AnalysisRecord& record, const OwnKeys& own, AnalysisOptions& options,
@@ -79,22 +79,24 @@ AnalysisOptions resolve(const AnalysisRecord& record, const OwnKeys& own, Proble
 }
 
 /// A stiffness that is left out follows from other numbers: it may be beyond what could be written.
-double default_stiffness(double value, const char* key, const Places& places, ProblemList& problems) {
+double default_stiffness(double value, const char* key, const KeyLocations& locations,
+                         ProblemList& problems) {
   if (value > largest_number || (value > 0 && value < smallest_positive))
-    problems.error(places.table, "the default of '" + std::string(key) + "' is '" + rounded(value) + "' N/m2",
+    problems.error(locations.table,
+                   "the default of '" + std::string(key) + "' is '" + rounded(value) + "' N/m2",
                    "write '" + std::string(key) + "' or a moderate 'young'");
   return value;
 }
 
 /// The classic method is a plain penalty method: it lets blocks penetrate as deep as its springs need.
 double resolve_tolerance(const ContactRecord& record, ContactMethod method, ProblemList& problems) {
-  const Places& places = record.places;
+  const KeyLocations& locations = record.locations;
   const bool classic = method == ContactMethod::classic;
   const Defaults& of_method = classic ? paper_defaults : standard_defaults;
   const double tolerance = record.penetration_tolerance.value_or(of_method.penetration_tolerance);
-  if (classic && tolerance != 0 && places.good("penetration_tolerance") && places.usable("method"))
+  if (classic && tolerance != 0 && locations.good("penetration_tolerance") && locations.usable("method"))
     problems.error(
-        places.of("penetration_tolerance"),
+        locations.of("penetration_tolerance"),
         "'penetration_tolerance' = '" + short_number(tolerance) + "' needs the contact method 'staged'",
         "write 0 or leave it out, or write method = \"staged\"");
   return tolerance;
@@ -103,7 +105,7 @@ double resolve_tolerance(const ContactRecord& record, ContactMethod method, Prob
 }  // namespace
 
 AnalysisOptions resolve_analysis(const AnalysisRecord& record, ProblemList& problems) {
-  return resolve(record, {record.places, record.places}, problems);
+  return resolve(record, {record.locations, record.locations}, problems);
 }
 
 AnalysisOptions resolve_analysis(const AnalysisRecord& of_scene, const StageRecord& stage,
@@ -121,31 +123,31 @@ AnalysisOptions resolve_analysis(const AnalysisRecord& of_scene, const StageReco
   if (stage.beta) record.beta = stage.beta;
   if (stage.gamma) record.gamma = stage.gamma;
   if (stage.cutting_factor) record.cutting_factor = stage.cutting_factor;
-  return resolve(record, {stage.places, of_scene.places}, problems);
+  return resolve(record, {stage.locations, of_scene.locations}, problems);
 }
 
 ContactOptions resolve_contact(const ContactRecord& record, Preset preset,
                                const std::vector<Material>& materials, ProblemList& problems) {
-  const Places& places = record.places;
+  const KeyLocations& locations = record.locations;
   ContactOptions options = record.options;
   options.method = record.method.value_or(defaults_of(preset).method);
   double stiffest = 0;
   for (const Material& material : materials) stiffest = std::max(stiffest, material.young);
   options.normal_stiffness = record.normal_stiffness
                                  ? *record.normal_stiffness
-                                 : default_stiffness(40 * stiffest, "normal_stiffness", places, problems);
+                                 : default_stiffness(40 * stiffest, "normal_stiffness", locations, problems);
   options.tangential_stiffness =
       record.tangential_stiffness
           ? *record.tangential_stiffness
-          : default_stiffness(options.normal_stiffness / 2.5, "tangential_stiffness", places, problems);
+          : default_stiffness(options.normal_stiffness / 2.5, "tangential_stiffness", locations, problems);
   options.penetration_tolerance = resolve_tolerance(record, options.method, problems);
-  if (options.method == ContactMethod::classic && options.corner_rounding > 0 && places.usable("method"))
-    problems.error(places.of("corner_rounding"),
+  if (options.method == ContactMethod::classic && options.corner_rounding > 0 && locations.usable("method"))
+    problems.error(locations.of("corner_rounding"),
                    "'corner_rounding' = '" + short_number(options.corner_rounding) +
                        "' needs the contact method 'staged'",
                    "write 0 or leave it out, or write method = \"staged\"");
-  if (options.method == ContactMethod::classic && options.tolerance && places.usable("method"))
-    problems.error(places.of("tolerance"), "'tolerance' needs the contact method 'staged'",
+  if (options.method == ContactMethod::classic && options.tolerance && locations.usable("method"))
+    problems.error(locations.of("tolerance"), "'tolerance' needs the contact method 'staged'",
                    "leave it out, or write method = \"staged\"");
   return options;
 }

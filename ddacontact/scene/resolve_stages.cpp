@@ -20,12 +20,12 @@ class Removals {
   std::vector<int> operator()(const BlockList& list, int stage) {
     std::vector<int> removed;
     for (std::size_t i = 0; i < list.blocks.size(); ++i) {
-      const Place& place = list.places[i];
-      const int block = blocks_.names.find(list.blocks[i], place, problems_);
+      const SourceLocation& location = list.locations[i];
+      const int block = blocks_.names.find(list.blocks[i], location, problems_);
       if (block < 0) continue;
       if (since_[block] >= 0) {
         const bool here = since_[block] == stage;
-        problems_.error(place,
+        problems_.error(location,
                         blocks_.names.title(block) +
                             (here ? " stands twice" : " is gone since " + stages_.title(since_[block])),
                         "remove each block once");
@@ -57,14 +57,14 @@ class Installations {
   /// The bolts that a stage installs; those that are there already are a problem.
   std::vector<int> operator()(const StageRecord& record, int stage) {
     std::vector<int> installed;
-    const Place& place = record.places.of("add");
+    const SourceLocation& location = record.locations.of("add");
     for (const std::string& name : record.add) {
-      const int bolt = bolts_.find({name, {}}, place, problems_);
+      const int bolt = bolts_.find({name, {}}, location, problems_);
       if (bolt < 0) continue;
       if (since_[bolt] >= 0) {
         const bool here = since_[bolt] == stage;
         problems_.error(
-            place,
+            location,
             bolts_.title(bolt) + (here ? " stands twice" : " is there since " + stages_.title(since_[bolt])),
             "add each bolt once");
         continue;
@@ -88,7 +88,7 @@ void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList
   const bool were_fewer = n_steps <= most;
   n_steps += record.steps;
   if (n_steps > most && were_fewer)
-    problems.error(record.places.of("steps"),
+    problems.error(record.locations.of("steps"),
                    "with these 'steps' the stages have '" + std::to_string(n_steps) + "' in all",
                    "at most " + std::to_string(most) + " can be counted");
 }
@@ -105,8 +105,8 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
   std::vector<StageDescription> stages;
   for (const StageRecord& record : document.stages) {
     const int index = names.size();
-    const Places& places = record.places;
-    names.add(record.name, places, problems);
+    const KeyLocations& locations = record.locations;
+    names.add(record.name, locations, problems);
     StageDescription& stage = stages.emplace_back();
     stage.name = record.name.value_or("");
     stage.analysis = resolve_analysis(document.analysis, record, problems);
@@ -119,7 +119,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.removed = removals(record.remove, index);
     stage.bolts = installations(record, index);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
-      problems.error(places.of("remove"), names.title(index) + " leaves no block", "leave one at least");
+      problems.error(locations.of("remove"), names.title(index) + " leaves no block", "leave one at least");
   }
   return stages;
 }

@@ -6,14 +6,14 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-void check_table(const std::optional<Outline>& table, const char* key, const Places& places,
+void check_table(const std::optional<Outline>& table, const char* key, const KeyLocations& locations,
                  ProblemList& problems) {
-  if (!places.good(key)) return;
+  if (!locations.good(key)) return;
   if (table->points.cols() == 0)
-    problems.error(places.of(key), "'" + std::string(key) + "' has no points", "write [[x, y], ...]");
+    problems.error(locations.of(key), "'" + std::string(key) + "' has no points", "write [[x, y], ...]");
   for (Index k = 1; k < table->points.cols(); ++k)
     if (!(table->points(0, k) > table->points(0, k - 1)))
-      problems.error(table->places[k],
+      problems.error(table->locations[k],
                      "the table turns back at x = " + short_number(table->points(0, k)) + " m",
                      "give its points from left to right, each x once");
 }
@@ -24,18 +24,18 @@ Water water_of(const WaterRecord& record, const WaterRecord* before, const Vec2&
   const auto chosen = [&](auto WaterRecord::*key) {
     return record.*key || !before ? record.*key : before->*key;
   };
-  check_table(record.table, "table", record.places, problems);
-  check_table(record.joint_table, "joint_table", record.places, problems);
+  check_table(record.table, "table", record.locations, problems);
+  check_table(record.joint_table, "joint_table", record.locations, problems);
   const std::optional<Outline> table = chosen(&WaterRecord::table),
                                joint_table = chosen(&WaterRecord::joint_table);
   const bool joints = chosen(&WaterRecord::joints).value_or(true);
-  if (!table && !record.places.written("table"))
-    problems.error(record.places.table, "water without 'table'", "add 'table' = [[x, y], ...]");
+  if (!table && !record.locations.written("table"))
+    problems.error(record.locations.table, "water without 'table'", "add 'table' = [[x, y], ...]");
   if (!joints && record.joint_table)
-    problems.error(record.places.of("joint_table"), "'joint_table' where 'joints' is false",
+    problems.error(record.locations.of("joint_table"), "'joint_table' where 'joints' is false",
                    "leave one of them out");
   if (gravity.y() >= 0)
-    problems.error(record.places.table, "water has no weight: gravity does not point down",
+    problems.error(record.locations.table, "water has no weight: gravity does not point down",
                    "write 'gravity' = [0, -9.8] in [analysis]");
   Water water;
   water.density = chosen(&WaterRecord::density).value_or(water.density);

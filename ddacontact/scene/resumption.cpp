@@ -51,20 +51,20 @@ const toml::node* child_of(const toml::node& node, const Path::value_type& name)
 
 /// Where a path, or as much of it as is there, stands in a file.
 toml::source_position find_in_file(const std::string& file, const Path& path) {
-  toml::source_position place{1, 1};
+  toml::source_position location{1, 1};
   const toml::table table = toml::parse_file(file);
   const toml::node* node = &table;
   for (const auto& name : path) {
     node = child_of(*node, name);
     if (!node) break;
-    if (node->source().begin) place = node->source().begin;
+    if (node->source().begin) location = node->source().begin;
   }
-  return place;
+  return location;
 }
 
-Problem mismatch(const std::string& scene_file, toml::source_position place, const std::string& what) {
-  return {Problem::Severity::error,       scene_file, static_cast<int>(place.line),
-          static_cast<int>(place.column), what,       cure};
+Problem mismatch(const std::string& scene_file, toml::source_position location, const std::string& what) {
+  return {Problem::Severity::error,          scene_file, static_cast<int>(location.line),
+          static_cast<int>(location.column), what,       cure};
 }
 
 /// Of two texts, the first line of each that differs, and its number.

@@ -23,7 +23,7 @@ void check_corner_rounding(const Document& document, const Scene& scene, const B
     edge = "an edge of " + blocks.names.title(static_cast<int>(b)) + ", " + rounded(length) + " m long";
   }
   if (ratio < largest) return;
-  problems.error(document.contact.places.of("corner_rounding"),
+  problems.error(document.contact.locations.of("corner_rounding"),
                  "'corner_rounding' = '" + short_number(ratio) + "' leaves nothing of " + edge,
                  "write at most " + short_number(std::floor(largest * 999) / 1000) + ", or 0");
 }

@@ -5,7 +5,7 @@
 
 namespace ddacontact::scene_format {
 
-/// A problem where the circles at the two ends of some edge would use it up. All outlines must be sound.
+/// A problem where the circles at the two ends of some edge would use it up. All outlines must be valid.
 void check_corner_rounding(const Document& document, const Scene& scene, const BlockTable& blocks,
                            ProblemList& problems);
 

@@ -66,7 +66,7 @@ struct BlockDescription {
 struct Support {
   int block = 0;
   std::vector<int> vertices;
-  bool hold_x = true, hold_y = true;
+  bool fix_x = true, fix_y = true;
   TimeFunction displacement;  ///< m
 };
 

@@ -49,16 +49,16 @@ Stiffest stiffest_block(const Scene& scene, const std::vector<bool>& may_turn) {
 void check_scheme(const Document& document, const Scene& scene, const NameTable& blocks,
                   const std::vector<bool>& may_turn, ProblemList& problems) {
   const Stiffest stiffest = stiffest_block(scene, may_turn);
-  const auto check = [&](const AnalysisOptions& analysis, const Places& own) {
+  const auto check = [&](const AnalysisOptions& analysis, const KeyLocations& own) {
     const double crossings = stiffest.crossings * analysis.time_step;
     if (analysis.mode != Mode::dynamic || analysis.scheme != Scheme::newmark ||
         analysis.gamma >= least_gamma || analysis.kinematics != Kinematics::corotational ||
         crossings <= most_crossings)
       return false;
-    const Place& place = own.written("gamma")    ? own.of("gamma")
-                         : own.written("scheme") ? own.of("scheme")
-                                                 : document.analysis.places.of("scheme");
-    problems.warning(place,
+    const SourceLocation& location = own.written("gamma")    ? own.of("gamma")
+                                     : own.written("scheme") ? own.of("scheme")
+                                                             : document.analysis.locations.of("scheme");
+    problems.warning(location,
                      "scheme \"newmark\" with gamma = '" + short_number(analysis.gamma) +
                          "' is not stable when stiff blocks turn: in a step of " +
                          short_number(analysis.time_step) + " s a wave runs through " +
@@ -67,29 +67,28 @@ void check_scheme(const Document& document, const Scene& scene, const NameTable&
     return true;
   };
   // By damping the explicit scheme's critical step becomes 2/w (sqrt(1 + z^2) - z), see critical_step.
-  const auto check_explicit = [&](const AnalysisOptions& analysis, const Places& own) {
+  const auto check_explicit = [&](const AnalysisOptions& analysis, const KeyLocations& own) {
     const double w = frequency_of_square * stiffest.crossings, z = analysis.damping.stiffness * w / 2,
                  shortened = std::hypot(1, z) + z;
     if (analysis.mode != Mode::dynamic || analysis.scheme != Scheme::central_difference ||
         shortened <= most_shortened)
       return false;
-    const Place& place =
-        own.written("damping") ? own.of("damping") : document.analysis.places.of("damping");
-    problems.error(place,
-                   "scheme \"explicit\" with a damping stiffness of '" +
-                       short_number(analysis.damping.stiffness) + "' s is stable in steps below about " +
-                       rounded(2 / w / shortened) + " s alone: without it below " +
-                       rounded(2 / w) + " s, by " + blocks.title(stiffest.block),
-                   "write a stiffness of at most " + rounded((most_shortened - 1) / w) +
-                       " s, or scheme = \"decaying\"");
+    const SourceLocation& location =
+        own.written("damping") ? own.of("damping") : document.analysis.locations.of("damping");
+    problems.error(
+        location,
+        "scheme \"explicit\" with a damping stiffness of '" + short_number(analysis.damping.stiffness) +
+            "' s is stable in steps below about " + rounded(2 / w / shortened) +
+            " s alone: without it below " + rounded(2 / w) + " s, by " + blocks.title(stiffest.block),
+        "write a stiffness of at most " + rounded((most_shortened - 1) / w) + " s, or scheme = \"decaying\"");
     return true;
   };
-  const auto check_both = [&](const AnalysisOptions& analysis, const Places& own) {
+  const auto check_both = [&](const AnalysisOptions& analysis, const KeyLocations& own) {
     return check(analysis, own) || check_explicit(analysis, own);
   };
-  if (scene.stages.empty()) check_both(scene.analysis, document.analysis.places);
+  if (scene.stages.empty()) check_both(scene.analysis, document.analysis.locations);
   for (std::size_t s = 0; s < scene.stages.size(); ++s)
-    if (check_both(scene.stages[s].analysis, document.stages[s].places)) return;
+    if (check_both(scene.stages[s].analysis, document.stages[s].locations)) return;
 }
 
 }  // namespace ddacontact::scene_format

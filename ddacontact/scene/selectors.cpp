@@ -18,7 +18,7 @@ namespace ddacontact::scene_format {
 namespace {
 
 bool has_outline(const BlockRecord& block) {
-  return block.places.good("vertices") && block.vertices.points.cols() >= 3;
+  return block.locations.good("vertices") && block.vertices.points.cols() >= 3;
 }
 
 Vec2 centroid(const BlockRecord& block) {
@@ -78,17 +78,17 @@ Vec2 middle(const BlockSelector& selector) {
   return {(x0 + x1) / 2, (y0 + y1) / 2};
 }
 
-void complain_of_group(const std::string& group, const Document& document, const Place& place,
+void complain_of_group(const std::string& group, const Document& document, const SourceLocation& location,
                        ProblemList& problems) {
   std::set<std::string> groups;
   for (const BlockRecord& block : document.blocks) groups.insert(block.groups.begin(), block.groups.end());
   problems.error(
-      place, "no block is in the group '" + excerpt(group) + "'",
+      location, "no block is in the group '" + excerpt(group) + "'",
       groups.empty() ? "no block has a 'group'" : suggestion(group, "group", {groups.begin(), groups.end()}));
 }
 
-void complain_of_place(const BlockSelector& selector, const Document& document, const Place& place,
-                       ProblemList& problems) {
+void complain_of_location(const BlockSelector& selector, const Document& document,
+                          const SourceLocation& location, ProblemList& problems) {
   const Vec2 x = middle(selector);
   int nearest_block = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -103,7 +103,7 @@ void complain_of_place(const BlockSelector& selector, const Document& document, 
                                        : "no block has its centroid in the " +
                                              std::string(selector.box ? "box" : "polygon") + " around " +
                                              point_text(x);
-  problems.error(place, what,
+  problems.error(location, what,
                  nearest_block < 0
                      ? "there is no block"
                      : "the nearest is block '" +
@@ -113,7 +113,7 @@ void complain_of_place(const BlockSelector& selector, const Document& document, 
 
 /// Nothing on a line: which vertex of these blocks is nearest to it.
 void complain_of_line(const LineSegment& line, const std::vector<int>& blocks, const char* what,
-                      const Document& document, const Place& place, ProblemList& problems) {
+                      const Document& document, const SourceLocation& location, ProblemList& problems) {
   std::string cure = "none of these blocks has vertices";
   double least = std::numeric_limits<double>::infinity();
   for (const int b : blocks) {
@@ -127,7 +127,7 @@ void complain_of_line(const LineSegment& line, const std::vector<int>& blocks, c
              rounded(distance) + " m away";
     }
   }
-  problems.error(place,
+  problems.error(location,
                  std::string("no ") + what + " lies on the line from " + point_text(line.from) + " to " +
                      point_text(line.to),
                  cure);
@@ -141,7 +141,7 @@ class Expansion {
   std::vector<Record> of(const std::vector<Record>& records, const Expand& expand) {
     std::vector<Record> all;
     for (const Record& record : records) {
-      const std::vector<int> blocks = blocks_of(record.block, record.places);
+      const std::vector<int> blocks = blocks_of(record.block, record.locations);
       if (!record.block.selector && !has_line(record))
         all.push_back(record);
       else
@@ -158,7 +158,7 @@ class Expansion {
       if (!record.vertices.on || !one.vertices.some.empty()) all.push_back(std::move(one));
     }
     if (record.vertices.on && !blocks.empty() && all.size() == before)
-      complain_of_line(*record.vertices.on, blocks, "vertex", document_, record.places.of("vertices"),
+      complain_of_line(*record.vertices.on, blocks, "vertex", document_, record.locations.of("vertices"),
                        problems_);
   }
 
@@ -174,11 +174,11 @@ class Expansion {
       }
     }
     if (on && !blocks.empty() && all.size() == before)
-      complain_of_line(*record.edge->on, blocks, "edge", document_, record.places.of("edge"), problems_);
+      complain_of_line(*record.edge->on, blocks, "edge", document_, record.locations.of("edge"), problems_);
   }
 
   void quiet_boundary(QuietRecord& record) const {
-    if (!record.places.good("on")) return;
+    if (!record.locations.good("on")) return;
     std::vector<int> blocks;
     for (int b = 0; b < static_cast<int>(document_.blocks.size()); ++b) {
       if (!has_outline(document_.blocks[b])) continue;
@@ -186,7 +186,7 @@ class Expansion {
       for (const int edge : edges_on(record.on, document_.blocks[b])) record.faces.push_back({b, edge});
     }
     if (record.faces.empty() && document_.has_all_blocks)
-      complain_of_line(record.on, blocks, "edge", document_, record.places.of("on"), problems_);
+      complain_of_line(record.on, blocks, "edge", document_, record.locations.of("on"), problems_);
   }
 
   void monitor(const MonitorRecord& record, const std::vector<int>& blocks, std::vector<MonitorRecord>& all) {
@@ -204,14 +204,14 @@ class Expansion {
       const BlockReference& one = blocks.blocks[i];
       const auto add = [&](BlockReference block) {
         all.blocks.push_back(std::move(block));
-        all.places.push_back(blocks.places[i]);
+        all.locations.push_back(blocks.locations[i]);
       };
       if (!one.selector) {
         found.insert(find(one));
         add(one);
         continue;
       }
-      for (const int b : find_blocks(*one.selector, document_, blocks.places[i], problems_))
+      for (const int b : find_blocks(*one.selector, document_, blocks.locations[i], problems_))
         if (found.insert(b).second) add(Reference{"", b});
     }
     blocks = std::move(all);
@@ -229,9 +229,9 @@ class Expansion {
     return one;
   }
 
-  std::vector<int> blocks_of(const BlockReference& block, const Places& places) {
-    if (!places.good("block")) return {};
-    if (block.selector) return find_blocks(*block.selector, document_, places.of("block"), problems_);
+  std::vector<int> blocks_of(const BlockReference& block, const KeyLocations& locations) {
+    if (!locations.good("block")) return {};
+    if (block.selector) return find_blocks(*block.selector, document_, locations.of("block"), problems_);
     const int index = find(block);
     return index < 0 ? std::vector<int>() : std::vector{index};
   }
@@ -251,16 +251,16 @@ class Expansion {
 
 }  // namespace
 
-std::vector<int> find_blocks(const BlockSelector& selector, const Document& document, const Place& place,
-                             ProblemList& problems) {
+std::vector<int> find_blocks(const BlockSelector& selector, const Document& document,
+                             const SourceLocation& location, ProblemList& problems) {
   std::vector<int> found;
   for (std::size_t b = 0; b < document.blocks.size(); ++b)
     if (catches(selector, document.blocks[b])) found.push_back(static_cast<int>(b));
   if (!found.empty() || !document.has_all_blocks) return found;
   if (selector.group)
-    complain_of_group(*selector.group, document, place, problems);
+    complain_of_group(*selector.group, document, location, problems);
   else
-    complain_of_place(selector, document, place, problems);
+    complain_of_location(selector, document, location, problems);
   return found;
 }
 

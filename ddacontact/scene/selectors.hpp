@@ -14,7 +14,7 @@ inline constexpr double on_line = 1e-6;
 void expand_selectors(Document& document, ProblemList& problems);
 
 /// The blocks that a selector finds, ascending.
-std::vector<int> find_blocks(const BlockSelector& selector, const Document& document, const Place& place,
-                             ProblemList& problems);
+std::vector<int> find_blocks(const BlockSelector& selector, const Document& document,
+                             const SourceLocation& location, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -57,7 +57,7 @@ class Setting {
   Setting(const std::string& text, ProblemList& problems)
       : text_(text),
         source_("--set " + text),
-        place_{std::make_shared<const std::string>(source_), 1, 1},
+        location_{std::make_shared<const std::string>(source_), 1, 1},
         problems_(problems) {}
 
   void apply(toml::table& root) {
@@ -85,7 +85,7 @@ class Setting {
   }
 
  private:
-  void refuse(const std::string& what, const std::string& cure) { problems_.error(place_, what, cure); }
+  void refuse(const std::string& what, const std::string& cure) { problems_.error(location_, what, cure); }
   void refuse_part(std::size_t part, const std::string& cure) {
     refuse("unknown '" + excerpt(path_[part]) + "' in the path of the setting", cure);
   }
@@ -215,7 +215,7 @@ class Setting {
 
   const std::string& text_;
   std::string source_;
-  Place place_;
+  SourceLocation location_;
   ProblemList& problems_;
   Path path_;
   toml::table value_;

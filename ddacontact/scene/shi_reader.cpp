@@ -21,7 +21,7 @@ class ShiReader {
       : text_(text), source_(std::move(source)), problems_(problems) {}
 
   Drawing read() {
-    reach_ = number("the least distance of vertices");
+    search_margin_ = number("the least distance of vertices");
     const int n_joints = count("joint lines"), n_boundary = count("boundary lines"),
               n_materials = count("material lines"), n_bolts = count("bolts"), n_fixed = count("fixed lines"),
               n_points = count("loaded points") + count("measured points") + count("holes");
@@ -76,7 +76,7 @@ class ShiReader {
     line.points.resize(2, 2);
     for (Index k = 0; k < 4; ++k) line.points(k % 2, k / 2) = number("x1 y1 x2 y2 and the type of a joint");
     line.layer = std::to_string(count("the joint type"));
-    line.place = {source_, line_, 1};
+    line.location = {source_, line_, 1};
     return line;
   }
 
@@ -84,9 +84,9 @@ class ShiReader {
   void chain(std::vector<DrawnLine> lines) {
     while (!lines.empty()) {
       std::vector<Vec2> points{lines.front().points.col(0), lines.front().points.col(1)};
-      DrawnLine ring{{}, true, "boundary", lines.front().place};
+      DrawnLine ring{{}, true, "boundary", lines.front().location};
       lines.erase(lines.begin());
-      const auto near = [&](const Vec2& a, const Vec2& b) { return (a - b).norm() <= reach_; };
+      const auto near = [&](const Vec2& a, const Vec2& b) { return (a - b).norm() <= search_margin_; };
       for (auto next = lines.begin(); next != lines.end();) {
         const Vec2 a = next->points.col(0), b = next->points.col(1);
         if (!near(a, points.back()) && !near(b, points.back())) {
@@ -98,7 +98,7 @@ class ShiReader {
         next = lines.begin();
       }
       if (points.size() < 4 || !near(points.front(), points.back()))
-        throw ShiError{ring.place.line, 1, "the boundary lines do not close",
+        throw ShiError{ring.location.line, 1, "the boundary lines do not close",
                        "each must begin where another one ends"};
       points.pop_back();
       ring.points.resize(2, static_cast<Index>(points.size()));
@@ -110,7 +110,7 @@ class ShiReader {
   const std::string& text_;
   std::size_t at_ = 0, line_start_ = 0;
   int line_ = 1;
-  double reach_ = 0;
+  double search_margin_ = 0;
   std::shared_ptr<const std::string> source_;
   ProblemList& problems_;
   Drawing drawing_;

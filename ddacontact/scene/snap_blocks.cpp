@@ -12,14 +12,15 @@ void snap_blocks(Document& document, ProblemList& problems) {
   if (!document.snap) return;
   std::vector<Points> outlines;
   for (const BlockRecord& block : document.blocks) {
-    if (!block.places.good("vertices") || block.vertices.points.cols() < 3) return;  // that is told elsewhere
+    if (!block.locations.good("vertices") || block.vertices.points.cols() < 3)
+      return;  // that is told elsewhere
     outlines.push_back(block.vertices.points);
   }
   const polyfem::Snapping snapping = polyfem::snap_outlines(outlines, *document.snap);
   if (snapping.collapsed) {
     const BlockRecord& block = document.blocks[*snapping.collapsed];
     return problems.error(
-        block.places.of("vertices"),
+        block.locations.of("vertices"),
         "two vertices of the block are nearer than 'snap' = '" + short_number(*document.snap) + "' m",
         "snap by less, or take its short edges out: dda cut --shortest-edge L");
   }

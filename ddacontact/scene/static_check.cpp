@@ -13,9 +13,9 @@ namespace {
 constexpr std::size_t most_loose = 1000;
 
 /// The blocks that each one nearly touches.
-std::vector<std::vector<int>> find_neighbours(const std::vector<PlacedOutline>& blocks) {
+std::vector<std::vector<int>> find_neighbours(const std::vector<PositionedOutline>& blocks) {
   std::vector<Box> boxes;
-  for (const PlacedOutline& block : blocks)
+  for (const PositionedOutline& block : blocks)
     boxes.push_back(bounding_box(block.outline.polygon, nearly_touching * block.outline.size));
   std::vector<std::vector<int>> neighbours(blocks.size());
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
@@ -28,12 +28,12 @@ std::vector<std::vector<int>> find_neighbours(const std::vector<PlacedOutline>& 
 }
 
 /// The boxes of the blocks in a frame whose y points against gravity.
-std::vector<Box> boxes_along(const Vec2& gravity, const std::vector<PlacedOutline>& blocks) {
+std::vector<Box> boxes_along(const Vec2& gravity, const std::vector<PositionedOutline>& blocks) {
   const Vec2 up = -gravity.normalized();
   Eigen::Matrix2d frame;
   frame << up.y(), -up.x(), up.x(), up.y();
   std::vector<Box> boxes;
-  for (const PlacedOutline& block : blocks) boxes.push_back(bounding_box(frame * block.outline.polygon));
+  for (const PositionedOutline& block : blocks) boxes.push_back(bounding_box(frame * block.outline.polygon));
   return boxes;
 }
 
@@ -42,10 +42,10 @@ bool falls_onto(const Box& block, const Box& other) {
 }
 
 /// Spreads from blocks that are held to those they hold.
-class HeldBlocks {
+class SupportedBlocks {
  public:
   /// Of all blocks, those it `has` are there.
-  HeldBlocks(const std::vector<std::vector<int>>& neighbours, const std::vector<bool>& has)
+  SupportedBlocks(const std::vector<std::vector<int>>& neighbours, const std::vector<bool>& has)
       : neighbours_(neighbours), is_settled_(has) {
     is_settled_.flip();
     for (std::size_t b = 0; b < has.size(); ++b)
@@ -55,39 +55,39 @@ class HeldBlocks {
   void hold(int block) {
     if (is_settled_[block]) return;
     is_settled_[block] = true;
-    held_.push_back(block);
+    supported_.push_back(block);
   }
   void spread_to_neighbours() {
-    for (; n_spread_ < held_.size(); ++n_spread_)
-      for (const int neighbour : neighbours_[held_[n_spread_]]) hold(neighbour);
+    for (; n_spread_ < supported_.size(); ++n_spread_)
+      for (const int neighbour : neighbours_[supported_[n_spread_]]) hold(neighbour);
     std::erase_if(loose_, [this](int block) { return is_settled_[block]; });
   }
   void spread_upwards(const std::vector<Box>& boxes) {
-    for (std::size_t i = 0; i < held_.size() && !loose_.empty(); ++i) {
-      const Box& below = boxes[held_[i]];
+    for (std::size_t i = 0; i < supported_.size() && !loose_.empty(); ++i) {
+      const Box& below = boxes[supported_[i]];
       for (const int block : loose_)
         if (falls_onto(boxes[block], below)) hold(block);
-      if (n_spread_ < held_.size()) spread_to_neighbours();
+      if (n_spread_ < supported_.size()) spread_to_neighbours();
     }
   }
   const std::vector<int>& loose() const { return loose_; }
 
  private:
   const std::vector<std::vector<int>>& neighbours_;
-  std::vector<bool> is_settled_;   ///< held, or not there
-  std::vector<int> held_, loose_;  ///< in the order in which they were found; in that of the scene
-  std::size_t n_spread_ = 0;       ///< of held_, those whose neighbours are held
+  std::vector<bool> is_settled_;        ///< held, or not there
+  std::vector<int> supported_, loose_;  ///< in the order in which they were found; in that of the scene
+  std::size_t n_spread_ = 0;            ///< of held_, those whose neighbours are held
 };
 
 /// The blocks of a part that nothing holds.
 std::vector<int> find_loose(const StaticPart& part, const BlockTable& blocks,
                             const std::vector<std::vector<int>>& neighbours) {
-  HeldBlocks held(neighbours, part.has);
+  SupportedBlocks supported(neighbours, part.has);
   for (int b = 0; b < blocks.names.size(); ++b)
-    if (blocks.holds.holds_any(b)) held.hold(b);
-  held.spread_to_neighbours();
-  for (const Vec2& gravity : part.gravities) held.spread_upwards(boxes_along(gravity, blocks.outlines));
-  return held.loose();
+    if (blocks.holds.holds_any(b)) supported.hold(b);
+  supported.spread_to_neighbours();
+  for (const Vec2& gravity : part.gravities) supported.spread_upwards(boxes_along(gravity, blocks.outlines));
+  return supported.loose();
 }
 
 }  // namespace
@@ -133,11 +133,11 @@ void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& part
       if (is_listed[block]) continue;
       is_listed[block] = true;
       if (n_listed++ == most_loose) {
-        (problems.*complain)(blocks.outlines[block].place, "more blocks follow that nothing holds",
+        (problems.*complain)(blocks.outlines[block].location, "more blocks follow that nothing holds",
                              "only the first " + std::to_string(most_loose) + " are listed");
         return;
       }
-      (problems.*complain)(blocks.outlines[block].place,
+      (problems.*complain)(blocks.outlines[block].location,
                            blocks.names.title(block) + " is free and nothing can hold it in " + part.title +
                                (part.after_motion ? ", unless it has moved before" : ""),
                            "hold a vertex, or let it rest on something held, or use mode = \"dynamic\"");

@@ -20,14 +20,14 @@ void TableReader::operator()(const Key& key, Skips& skips) {
   const toml::node* node = find(key);
   if (!node) return;
   const toml::table* table = node->as_table();
-  places_.add(key.name, place_of(*node, problems_), table != nullptr);
+  locations_.add(key.name, location_of(*node, problems_), table != nullptr);
   if (!table)
-    return problems_.error(place_of(*node, problems_),
+    return problems_.error(location_of(*node, problems_),
                            "'" + std::string(key.name) + "' is " + description_of(*node),
                            "expected " + type_text(skips));
   const std::string quoted_title = "'" + std::string(key.name) + "'";
-  Places places;
-  TableReader reader(*table, quoted_title, places, problems_);
+  KeyLocations locations;
+  TableReader reader(*table, quoted_title, locations, problems_);
   describe(skips, reader);
   reader.refuse_other_keys();
 }
@@ -36,9 +36,9 @@ void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) 
   const toml::node* node = find(key);
   if (!node) return;
   const toml::table* joints = node->as_table();
-  places_.add(key.name, place_of(*node, problems_), joints != nullptr);
+  locations_.add(key.name, location_of(*node, problems_), joints != nullptr);
   const auto wrong_type = [&](const toml::node& of, const std::string& name, const std::string& expected) {
-    problems_.error(place_of(of, problems_), "'" + name + "' is " + description_of(of),
+    problems_.error(location_of(of, problems_), "'" + name + "' is " + description_of(of),
                     "expected " + expected);
   };
   if (!joints) return wrong_type(*node, key.name, type_text(changes));
@@ -51,9 +51,9 @@ void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) 
     }
     JointChange& change = changes.emplace_back();
     change.joint.name = name.str();
-    change.places.table = place_of(name, problems_);
+    change.locations.table = location_of(name, problems_);
     const std::string quoted_title = "'" + title + "'";
-    TableReader reader(*law, quoted_title, change.places, problems_);
+    TableReader reader(*law, quoted_title, change.locations, problems_);
     describe_change(change, reader);
     reader.refuse_other_keys();
   }
@@ -76,7 +76,7 @@ std::string cure_of_unknown(std::string_view name, std::string_view table,
 void TableReader::refuse_other_keys() {
   for (const auto& [name, node] : table_) {
     if (std::find(known_.begin(), known_.end(), name.str()) != known_.end()) continue;
-    problems_.error(place_of(name, problems_),
+    problems_.error(location_of(name, problems_),
                     "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_),
                     cure_of_unknown(name.str(), title_, known_));
   }
@@ -86,11 +86,11 @@ void TableReader::refuse(const Key& key, const std::string& what, const std::str
   if (!find(key)) return;
   for (const auto& [name, node] : table_)
     if (name == key.name)
-      problems_.error(place_of(name, problems_), "'" + std::string(key.name) + "' " + what, cure);
+      problems_.error(location_of(name, problems_), "'" + std::string(key.name) + "' " + what, cure);
 }
 
 void TableReader::missing(const Key& key, const std::string& expected) {
-  problems_.error(places_.table, "missing key '" + std::string(key.name) + "' in " + std::string(title_),
+  problems_.error(locations_.table, "missing key '" + std::string(key.name) + "' in " + std::string(title_),
                   "add '" + std::string(key.name) + "': " + expected);
 }
 

@@ -13,8 +13,9 @@ namespace ddacontact::scene_format {
 class TableReader {
  public:
   /// `title` is what the table is called in messages: "[contact]", "[[block]]".
-  TableReader(const toml::table& table, std::string_view title, Places& places, ProblemList& problems)
-      : table_(table), title_(title), places_(places), problems_(problems) {}
+  TableReader(const toml::table& table, std::string_view title, KeyLocations& locations,
+              ProblemList& problems)
+      : table_(table), title_(title), locations_(locations), problems_(problems) {}
 
   template <class T>
   void operator()(const Key& key, T& value) {
@@ -42,10 +43,10 @@ class TableReader {
     if (const toml::array* array = node->as_array())
       for (const toml::node& element : *array) read_inner(element, title, records.emplace_back());
     else
-      problems_.error(place_of(*node, problems_),
+      problems_.error(location_of(*node, problems_),
                       "'" + std::string(key.name) + "' is " + description_of(*node),
                       "write " + title + " for each");
-    places_.add(key.name, place_of(*node, problems_), problems_.size() == n_problems);
+    locations_.add(key.name, location_of(*node, problems_), problems_.size() == n_problems);
   }
   /// KEY = { ... }
   template <Inner Record>
@@ -54,7 +55,7 @@ class TableReader {
     if (!node) return;
     const std::size_t n_problems = problems_.size();
     read_inner(*node, "'" + std::string(key.name) + "'", record.emplace());
-    places_.add(key.name, place_of(*node, problems_), problems_.size() == n_problems);
+    locations_.add(key.name, location_of(*node, problems_), problems_.size() == n_problems);
   }
 
   void operator()(const Key& key, OfTheWholeRun);
@@ -62,7 +63,7 @@ class TableReader {
   void operator()(const Key& key, Skips& skips);
   void operator()(const Key& key, std::vector<JointChange>& changes);
 
-  /// To be called after all keys: complains about those that no one asked for.
+  /// To be called after all keys: complains about unknown keys.
   void refuse_other_keys();
 
  protected:
@@ -74,16 +75,16 @@ class TableReader {
   template <class T>
   void read(const Key& key, const toml::node& node, T& value) {
     const bool good = ValueReader(key, problems_)(node, value);
-    places_.add(key.name, place_of(node, problems_), good);
+    locations_.add(key.name, location_of(node, problems_), good);
   }
   template <Inner Record>
   void read_inner(const toml::node& node, const std::string& title, Record& record) {
     const toml::table* table = node.as_table();
     if (!table)
-      return problems_.error(place_of(node, problems_), title + " is " + description_of(node),
+      return problems_.error(location_of(node, problems_), title + " is " + description_of(node),
                              "expected " + type_text(record));
-    record.places.table = place_of(node, problems_);
-    TableReader reader(*table, title, record.places, problems_);
+    record.locations.table = location_of(node, problems_);
+    TableReader reader(*table, title, record.locations, problems_);
     describe(record, reader);
     reader.refuse_other_keys();
   }
@@ -97,7 +98,7 @@ class TableReader {
 
   const toml::table& table_;
   std::string_view title_;
-  Places& places_;
+  KeyLocations& locations_;
   ProblemList& problems_;
   std::vector<std::string_view> known_;
 };

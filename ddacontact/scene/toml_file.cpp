@@ -63,7 +63,7 @@ int find_long_key(std::string_view text) {
   return 0;
 }
 
-Place place_in(const toml::source_region& region, const ProblemList& problems) {
+SourceLocation place_in(const toml::source_region& region, const ProblemList& problems) {
   if (region.path && *region.path != problems.file()) return {region.path, 1, 1};
   return {nullptr, std::max(1, static_cast<int>(region.begin.line)),
           std::max(1, static_cast<int>(region.begin.column))};
@@ -96,17 +96,17 @@ int column_of_key(const std::string& text, const toml::source_position& position
 
 void add_syntax_error(const toml::parse_error& error, const std::string& text, ProblemList& problems) {
   const std::string what(error.description());
-  Place place = place_in(error.source(), problems);
+  SourceLocation location = place_in(error.source(), problems);
   std::string cure = "the file is read no further: mend this first";
   if (what.find("cannot redefine") != std::string::npos) {
     cure = "a key or table may be written once; several of a kind are [[block]], [[material]], ...";
-    if (!place.source) place.column = column_of_key(text, error.source().begin, what);
+    if (!location.source) location.column = column_of_key(text, error.source().begin, what);
   } else if (what.find("utf-8") != std::string::npos) {
     cure = "save the file as UTF-8";
   } else if (what.find("expected a comment or whitespace") != std::string::npos) {
     cure = "one key = value a line; a quantity with its unit stands in quotes: \"5 cm\"";
   }
-  problems.error(place, "not TOML: " + what, cure);
+  problems.error(location, "not TOML: " + what, cure);
 }
 
 }  // namespace
@@ -126,11 +126,11 @@ std::optional<toml::table> parse_toml(const std::string& text, const std::string
   }
 }
 
-Place place_of(const toml::node& node, const ProblemList& problems) {
+SourceLocation location_of(const toml::node& node, const ProblemList& problems) {
   return place_in(changed_part(node, 2).source(), problems);
 }
 
-Place place_of(const toml::key& key, const ProblemList& problems) {
+SourceLocation location_of(const toml::key& key, const ProblemList& problems) {
   return place_in(key.source(), problems);
 }
 

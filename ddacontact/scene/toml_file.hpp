@@ -17,8 +17,8 @@ std::optional<toml::table> parse_toml(const std::string& text, const std::string
 
 /// Where a value stands. A value that a setting replaced, or an array that one changed, is placed in the
 /// setting.
-Place place_of(const toml::node& node, const ProblemList& problems);
-Place place_of(const toml::key& key, const ProblemList& problems);
+SourceLocation location_of(const toml::node& node, const ProblemList& problems);
+SourceLocation location_of(const toml::key& key, const ProblemList& problems);
 
 /// A number, string or boolean as it is written, at most 40 characters; empty for other values.
 std::string literal_of(const toml::node& node);

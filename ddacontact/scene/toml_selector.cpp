@@ -19,7 +19,7 @@ bool ValueReader::read_parts(const toml::table& table, const std::vector<std::st
       good &= *read;
       continue;
     }
-    problems_.error(place_of(name, problems_),
+    problems_.error(location_of(name, problems_),
                     "unknown key '" + excerpt(name.str()) + "' in '" + key_.name + "'",
                     suggestion(name.str(), "key", known));
     good = false;
@@ -103,7 +103,7 @@ bool ValueReader::operator()(const toml::node& node, BlockSelector& value) const
                    return true;
                  });
   if (!good || table.size() == 1) return good;
-  problems_.error(place_of(node, problems_),
+  problems_.error(location_of(node, problems_),
                   "'" + std::string(key_.name) + "' selects by " + std::to_string(table.size()) + " keys",
                   "write one of { group }, { inside }, { at } and { box }");
   return false;

@@ -24,14 +24,14 @@ std::string ValueReader::element_name(int row, int column) const {
 
 bool ValueReader::wrong_type(const toml::node& node, const std::string& name,
                              const std::string& expected) const {
-  problems_.error(place_of(node, problems_), "'" + name + "' is " + description_of(node),
+  problems_.error(location_of(node, problems_), "'" + name + "' is " + description_of(node),
                   "expected " + expected);
   return false;
 }
 
 bool ValueReader::unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const {
   const std::string& word = node.as_string()->get();
-  problems_.error(place_of(node, problems_),
+  problems_.error(location_of(node, problems_),
                   "'" + std::string(key_.name) + "' = '" + excerpt(word) + "' is not known",
                   suggestion(word, "word", known));
   return false;
@@ -64,7 +64,7 @@ bool ValueReader::read_number(const toml::node& node, const Key& key, double& va
   if (!reading.error.empty()) {
     std::string cure = "expected " + expected_text(key, 0.0);
     if (*key.unit != '\0') cure += ", or a string with its unit such as \"1 " + std::string(key.unit) + '"';
-    problems_.error(place_of(node, problems_),
+    problems_.error(location_of(node, problems_),
                     "'" + element_name(row, column) + "' = '" + literal_of(node) + "' " + reading.error,
                     cure);
     return false;
@@ -103,7 +103,7 @@ bool ValueReader::operator()(const toml::node& node, int& value) const {
   const std::int64_t number = *whole;
   const bool fits = number <= std::numeric_limits<int>::max() && number >= std::numeric_limits<int>::min();
   if (!fits || !key_.bounds.contain(static_cast<double>(number))) {
-    problems_.error(place_of(node, problems_),
+    problems_.error(location_of(node, problems_),
                     "'" + std::string(key_.name) + "' = '" + std::to_string(number) + "' is " +
                         (fits ? "out of range" : "too large"),
                     "expected " + expected_text(key_, value));
@@ -139,7 +139,7 @@ bool ValueReader::operator()(const toml::node& node, RayleighDamping& value) con
     } else if (name == "stiffness") {
       good &= ValueReader(stiffness, problems_)(part, value.stiffness);
     } else {
-      problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'damping'",
+      problems_.error(location_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'damping'",
                       suggestion(name.str(), "key", {"mass", "stiffness"}));
       good = false;
     }
@@ -153,7 +153,7 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
   const auto read = [&](const Key& key, const toml::node& part, const char* name, auto& target) {
     target.emplace();
     const bool good = ValueReader(key, problems_)(part, *target);
-    value.places.add(name, place_of(part, problems_), good);
+    value.locations.add(name, location_of(part, problems_), good);
     return good;
   };
   bool good = true;
@@ -176,13 +176,13 @@ bool ValueReader::operator()(const toml::node& node, MeshRecord& value) const {
         good = wrong_type(part, "mesh.edge_nodes", "true or false");
     } else {
       problems_.error(
-          place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'mesh'",
+          location_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'mesh'",
           suggestion(name.str(), "key", {"kind", "cells", "cell_size", "edge_nodes", "at_contact"}));
       good = false;
     }
   }
   if (!value.cells || !value.cell_size) return good;
-  const Place &cells = value.places.of("cells"), &size = value.places.of("cell_size");
+  const SourceLocation &cells = value.locations.of("cells"), &size = value.locations.of("cell_size");
   problems_.error(cells.source ? cells : size, "both 'cells' and 'cell_size' are given in 'mesh'",
                   "leave one of them out");
   return false;
@@ -201,13 +201,13 @@ bool ValueReader::operator()(const toml::node& node, RestCriterion& value) const
     } else if (name == "displacement") {
       good &= ValueReader(displacement, problems_)(part, value.displacement.emplace());
     } else {
-      problems_.error(place_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'until'",
+      problems_.error(location_of(name, problems_), "unknown key '" + excerpt(name.str()) + "' in 'until'",
                       suggestion(name.str(), "key", {"kinetic", "displacement"}));
       good = false;
     }
   }
   if (!table->empty()) return good;
-  problems_.error(place_of(node, problems_), "'until' says nothing of when the stage ends",
+  problems_.error(location_of(node, problems_), "'until' says nothing of when the stage ends",
                   "write until = { kinetic = 1e-8, displacement = 1e-6 }, or one of the two");
   return false;
 }
@@ -257,7 +257,7 @@ bool ValueReader::operator()(const toml::node& node, Outline& value) const {
   if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
   const int size = static_cast<int>(array->size());
   value.points.resize(2, size);
-  value.places.reserve(array->size());
+  value.locations.reserve(array->size());
   bool good = true;
   for (int k = 0; k < size; ++k) {
     Vec2 point;
@@ -265,7 +265,7 @@ bool ValueReader::operator()(const toml::node& node, Outline& value) const {
       good = false;
     else
       value.points.col(k) = point;
-    value.places.push_back(place_of((*array)[k], problems_));
+    value.locations.push_back(location_of((*array)[k], problems_));
   }
   return good;
 }
@@ -311,7 +311,7 @@ bool ValueReader::operator()(const toml::node& node, History& value) const {
     for (int k = 0; k < value.columns; ++k)
       if (!read_number((*row)[k], k == 0 ? time : key_, entry[k], i, k)) good = false;
     if (good && !value.entries.empty() && !(value.entries.back()[0] < entry[0])) {
-      problems_.error(place_of((*row)[0], problems_),
+      problems_.error(location_of((*row)[0], problems_),
                       "'" + element_name(i, 0) + "' = '" + short_number(entry[0]) +
                           "' is not later than the entry before",
                       "times must increase");
@@ -352,7 +352,7 @@ bool ValueReader::operator()(const toml::node& node, BlockList& value) const {
     BlockReference block;
     if ((*this)(element, block)) {
       value.blocks.push_back(std::move(block));
-      value.places.push_back(place_of(element, problems_));
+      value.locations.push_back(location_of(element, problems_));
     } else {
       good = false;
     }

@@ -28,7 +28,7 @@ class WktReader {
     } catch (const WktError& error) {
       const std::string found = error.token.text.empty() ? "the file ends too early"
                                                          : "not WKT at '" + excerpt(error.token.text) + "'";
-      problems_.error(error.token.place, found, error.expected + "; the file is read no further");
+      problems_.error(error.token.location, found, error.expected + "; the file is read no further");
     }
     return std::move(file_);
   }
@@ -42,7 +42,7 @@ class WktReader {
     const std::string number = tokens_.take().text;
     tokens_.expect(";");
     if (!std::exchange(has_reference_system_, true))
-      problems_.error(srid.place, "the reference system 'SRID=" + excerpt(number) + "' is not read",
+      problems_.error(srid.location, "the reference system 'SRID=" + excerpt(number) + "' is not read",
                       "coordinates are in m: leave 'SRID=...;' out everywhere");
   }
 
@@ -55,10 +55,10 @@ class WktReader {
     if (!measured.empty())
       return skip(word, title, "has the dimension '" + measured + "'",
                   "geometry is two-dimensional: leave it out");
-    if (kind == "POLYGON") return read_polygon(word.place, title);
+    if (kind == "POLYGON") return read_polygon(word.location, title);
     if (kind == "MULTIPOLYGON")
       return read_parts(word, title,
-                        [&](const std::string& part) { read_polygon(tokens_.token().place, part); });
+                        [&](const std::string& part) { read_polygon(tokens_.token().location, part); });
     if (kind == "GEOMETRYCOLLECTION")
       return read_parts(word, title, [&](const std::string& part) { read_geometry(part, depth + 1); });
     static const std::vector<std::string_view> known{"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
@@ -93,7 +93,8 @@ class WktReader {
 
   template <class ReadPart>
   void read_parts(const WktToken& word, const std::string& title, const ReadPart& read_part) {
-    if (take_empty()) return add_unsound(word.place, title, "is empty", "leave it out, or give it polygons");
+    if (take_empty())
+      return add_invalid(word.location, title, "is empty", "leave it out, or give it polygons");
     tokens_.expect("(");
     int index = 0;
     do {
@@ -102,12 +103,12 @@ class WktReader {
     tokens_.expect(")");
   }
 
-  void read_polygon(const Place& place, const std::string& title) {
-    PolygonBuilder polygon(title, place, problems_);
+  void read_polygon(const SourceLocation& location, const std::string& title) {
+    PolygonBuilder polygon(title, location, problems_);
     if (!take_empty()) {
       tokens_.expect("(");
       do {
-        polygon.begin_ring(tokens_.token().place);
+        polygon.begin_ring(tokens_.token().location);
         read_ring(polygon);
       } while (tokens_.take_if(","));
       tokens_.expect(")");
@@ -120,7 +121,7 @@ class WktReader {
     tokens_.expect("(");
     std::vector<double> coordinates;
     do {
-      const Place place = tokens_.token().place;
+      const SourceLocation location = tokens_.token().location;
       coordinates.clear();
       while (const std::optional<double> number = number_of(tokens_.token().text)) {
         coordinates.push_back(*number);
@@ -128,7 +129,7 @@ class WktReader {
       }
       if (coordinates.empty()) tokens_.fail("expected the number x");
       if (!tokens_.at(",") && !tokens_.at(")")) tokens_.fail("expected a number, ',' or ')'");
-      polygon.add_vertex(coordinates, place);
+      polygon.add_vertex(coordinates, location);
     } while (tokens_.take_if(","));
     tokens_.expect(")");
   }
@@ -136,7 +137,7 @@ class WktReader {
   /// Says what is wrong with a geometry and steps over what stands in its brackets.
   void skip(const WktToken& word, const std::string& title, const std::string& what,
             const std::string& cure) {
-    add_unsound(word.place, title, what, cure);
+    add_invalid(word.location, title, what, cure);
     if (take_empty()) return;
     int depth = 0;
     do {
@@ -146,10 +147,10 @@ class WktReader {
     } while (depth > 0);
   }
 
-  void add_unsound(const Place& place, const std::string& title, const std::string& what,
+  void add_invalid(const SourceLocation& location, const std::string& title, const std::string& what,
                    const std::string& cure) {
-    PolygonBuilder polygon(title, place, problems_);
-    polygon.refuse(place, what, cure);
+    PolygonBuilder polygon(title, location, problems_);
+    polygon.refuse(location, what, cure);
     file_.blocks.push_back(std::move(polygon).finish());
   }
 

@@ -42,7 +42,7 @@ void WktTokens::next() {
     cursor_.skip_until_any_of("\n");
     cursor_.skip_any_of(blanks);
   }
-  token_.place = {source_, cursor_.line(), cursor_.column()};
+  token_.location = {source_, cursor_.line(), cursor_.column()};
   const std::size_t begin = cursor_.offset();
   if (!cursor_.at_end() && signs.find(cursor_.peek()) != std::string_view::npos)
     cursor_.advance();

@@ -13,7 +13,7 @@ namespace ddacontact::scene_format {
 /// A word or number, a sign of its own, or with an empty text the end.
 struct WktToken {
   std::string text;
-  Place place;
+  SourceLocation location;
 };
 
 /// Ends the reading of a file.

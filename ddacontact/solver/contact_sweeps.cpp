@@ -56,7 +56,7 @@ bool ContactSweeps::set(FrictionProblem& problem, const std::vector<ContactTerm>
 bool ContactSweeps::take_blocks(FrictionProblem& problem) {
   const std::vector<int>& equation = problem.equation();
   const polyfem::Connectivity& unknowns = problem.unknowns();
-  place_.assign(equation.size(), -1);
+  slot_.assign(equation.size(), -1);
   unknown_.clear();
   block_of_.clear();
   blocks_.clear();
@@ -64,13 +64,13 @@ bool ContactSweeps::take_blocks(FrictionProblem& problem) {
   for (int e = 0; e < unknowns.n_elements(); ++e) {
     const std::span<const int> of_block = unknowns.rows_of(e);
     const auto n = static_cast<int>(of_block.size());
-    const auto is_held = [&](int u) { return equation[static_cast<std::size_t>(u)] < 0; };
-    if (std::ranges::all_of(of_block, is_held)) continue;
+    const auto is_prescribed = [&](int u) { return equation[static_cast<std::size_t>(u)] < 0; };
+    if (std::ranges::all_of(of_block, is_prescribed)) continue;
     if (n > largest_block || n % 2 != 0) return false;
     for (int u : of_block) {
-      if (place_[static_cast<std::size_t>(u)] >= 0) return false;
-      if (!is_held(u)) place_[static_cast<std::size_t>(u)] = static_cast<int>(unknown_.size());
-      unknown_.push_back(is_held(u) ? -1 : u);
+      if (slot_[static_cast<std::size_t>(u)] >= 0) return false;
+      if (!is_prescribed(u)) slot_[static_cast<std::size_t>(u)] = static_cast<int>(unknown_.size());
+      unknown_.push_back(is_prescribed(u) ? -1 : u);
       block_of_.push_back(static_cast<int>(blocks_.size()));
     }
     blocks_.push_back({e, static_cast<int>(unknown_.size()) - n, n, n_values});
@@ -107,9 +107,9 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
     std::array<int, AffineForm::capacity> seen;
     auto& [one, other] = row.sides;
     for (int u : terms[c].gap.unknowns()) {
-      const int place = place_[static_cast<std::size_t>(u)];
-      if (place < 0) continue;
-      const int first = place & ~1, block = block_of_[static_cast<std::size_t>(place)];
+      const int slot = slot_[static_cast<std::size_t>(u)];
+      if (slot < 0) continue;
+      const int first = slot & ~1, block = block_of_[static_cast<std::size_t>(slot)];
       const auto end = seen.begin() + row.n_entries;
       if (std::find(seen.begin(), end, first) != end) continue;
       seen[static_cast<std::size_t>(row.n_entries++)] = first;
@@ -190,16 +190,16 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
   Entry* const entries = entries_.data() + row.first_entry;
   int n = 0;
   for (std::size_t k = 0; k < u.size(); ++k) {
-    const int place = place_[static_cast<std::size_t>(u[k])];
-    if (place < 0) continue;
-    const int first = place & ~1;
-    Entry* entry = std::find_if(entries, entries + n, [&](const Entry& e) { return e.place == first; });
+    const int slot = slot_[static_cast<std::size_t>(u[k])];
+    if (slot < 0) continue;
+    const int first = slot & ~1;
+    Entry* entry = std::find_if(entries, entries + n, [&](const Entry& e) { return e.slot == first; });
     if (entry == entries + n) {
       *entry = {first, Vec2::Zero(), Vec2::Zero()};
       ++n;
     }
-    entry->gap[place & 1] = term.gap.coefficients()[k];
-    if (sheared) entry->slip[place & 1] = term.slip.coefficients()[k];
+    entry->gap[slot & 1] = term.gap.coefficients()[k];
+    if (sheared) entry->slip[slot & 1] = term.slip.coefficients()[k];
   }
   row.normal = row.mixed = row.shear = 0;
   for (const Side& side : row.sides) {
@@ -209,7 +209,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
     std::fill(normal, shear + side.n, 0);
     const auto for_own_entries = [&](const auto& work) {
       for (const Entry* entry = entries; entry < entries + n; ++entry)
-        if (const int at = entry->place - side.first; at >= 0 && at < side.n) work(*entry, at);
+        if (const int at = entry->slot - side.first; at >= 0 && at < side.n) work(*entry, at);
     };
     for_own_entries([&](const Entry& entry, int at) {
       const double *const by_first = inverse + at * side.n, *const by_second = by_first + side.n;
@@ -301,7 +301,7 @@ double ContactSweeps::visit(Row& row, const Tolerance& tolerance) {
   const Entry *const first = entries_.data() + row.first_entry, *const end = first + row.n_entries;
   double gap = row.gap, slip = row.slip;
   for (const Entry* entry = first; entry < end; ++entry) {
-    const Eigen::Map<const Vec2> x(change_.data() + entry->place);
+    const Eigen::Map<const Vec2> x(change_.data() + entry->slot);
     gap += entry->gap.dot(x);
     slip += entry->slip.dot(x);
   }
@@ -340,7 +340,7 @@ double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
 }
 
 /// Whether many of the contacts that are or were closed have changed their states.
-bool ContactSweeps::is_violent(const Stop& stop) const {
+bool ContactSweeps::has_many_changes(const Stop& stop) const {
   int n_closed = 0, n_changed = 0;
   for (const Row& row : rows_) {
     const int now = state_of(row.force, bound_under(row, row.force.normal));
@@ -388,15 +388,15 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
   VectorXd along_force, along;  // the direction of conjugate gradients
   for (double before = 0; report.sweeps < stop.most_sweeps;) {
     const VectorXd force = forces(), change = change_;
-    const Tolerance& tolerance = report.violent ? stop.violent : stop.quiet;
+    const Tolerance& tolerance = report.many_changes ? stop.many_changes : stop.quiet;
     for (bool forth : {true, false}) {
       ++report.sweeps;
       report.settled = visit_all(forth, tolerance) <= 1;
       if (report.settled) break;
     }
-    if (before == 0 && is_violent(stop)) {
-      report.violent = true;
-      report.settled = report.settled && stop.quiet.force <= stop.violent.force;
+    if (before == 0 && has_many_changes(stop)) {
+      report.many_changes = true;
+      report.settled = report.settled && stop.quiet.force <= stop.many_changes.force;
     }
     if (report.settled) break;
     const VectorXd by_force = forces() - force, by = change_ - change;

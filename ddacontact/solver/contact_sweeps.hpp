@@ -33,15 +33,15 @@ class ContactSweeps {
   };
   /// When sweeps end.
   struct Stop {
-    Tolerance quiet, violent;  ///< the latter where many contacts change their states
-    double many = 1;           ///< as a part of the contacts, in the first two sweeps
-    int few = 0;               ///< so many never are
+    Tolerance quiet, many_changes;  ///< the latter where many contacts change their states
+    double many = 1;                ///< as a part of the contacts, in the first two sweeps
+    int few = 0;                    ///< so many never are
     int most_sweeps = 1;
   };
   /// How sweeps ended.
   struct Report {
     int sweeps = 0;
-    bool settled = false, violent = false;
+    bool settled = false, many_changes = false;
   };
   /// Moves d, where the contacts exert these forces and leave this residual, and the forces, until no
   /// contact's force changes by more than the tolerance. Gradients are those of `set`.
@@ -58,7 +58,7 @@ class ContactSweeps {
   };
   /// How a contact follows two unknowns of a block, one after the other: coefficients of its gap and slip.
   struct Entry {
-    int place;
+    int slot;
     Vec2 gap, slip;
   };
   /// One of the blocks of a contact: where its unknowns and the columns of A^-1 G^T begin, its displacements
@@ -91,10 +91,10 @@ class ContactSweeps {
   void move(const Side& side, double normal, double shear);
   double visit(Row& row, const Tolerance& tolerance);
   double visit_all(bool forth, const Tolerance& tolerance);
-  bool is_violent(const Stop& stop) const;
+  bool has_many_changes(const Stop& stop) const;
   VectorXd forces() const;
 
-  std::vector<int> place_;     ///< of every unknown in packed vectors, -1: held
+  std::vector<int> slot_;      ///< of every unknown in packed vectors, -1: held
   std::vector<int> unknown_;   ///< at every place, -1: held
   std::vector<int> block_of_;  ///< at every place
   std::vector<Block> blocks_;

@@ -68,10 +68,10 @@ class FrictionProblem {
   void solve(const VectorXd& residual, VectorXd& correction);
   /// The same in single precision where that is quicker.
   void solve_roughly(const VectorXd& residual, VectorXd& correction);
-  /// b with 0 at held unknowns.
+  /// b with 0 at prescribed degrees of freedom.
   VectorXd free_part(const VectorXd& b) const;
 
-  /// Gradient of the potential at d, of held unknowns too. g0: the smooth part's at d0.
+  /// Gradient of the potential at d, of prescribed degrees of freedom too. g0: the smooth part's at d0.
   void compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
                         const VectorXd& d, VectorXd& residual) const;
   /// Moves the free unknowns of d to where the potential is least: Newton's method, the minimum along each

@@ -19,7 +19,7 @@ constexpr double near_law = 1e-5, near_balance = 1e-2, nearer = 1e-4;
 constexpr double least_distance = 1e-6;
 /// A solution is followed to this part of the way to the nearest bound, which this part of the contacts does
 /// not shorten for the others.
-constexpr double part_to_bound = 0.99, part_held_back = 0.01;
+constexpr double part_to_bound = 0.99, trimmed_part = 0.01;
 /// Tolerance of friction.
 constexpr double friction_tolerance = 1e-3;
 /// mu falls to no less than the third power of this part of its mean.
@@ -112,10 +112,10 @@ class InteriorPoint {
     if (!i.acts) return open;
     const bool is_open = i.unilateral && i.normal.x < i.normal.s;
     if (is_open && !laws_[c].bonded) return open;
-    const unsigned char closed = is_open ? open : pressed;
+    const unsigned char closed = is_open ? open : normal_active;
     if (!i.sheared) return closed;
-    if (i.holds) return closed | stuck;
-    return closed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : stuck);
+    if (i.holds) return closed | shear_active;
+    return closed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : shear_active);
   }
 
  private:
@@ -126,27 +126,27 @@ class InteriorPoint {
       forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
     system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
     scale_ = residual_.scale;
-    look_inside(scale_ * scale_);
+    evaluate_interior(scale_ * scale_);
     system_.problem().order_for_many(terms_);
     while (report_.solutions < most_solutions) {
       balance();
       const double mean = mean_product(0);
-      report_.found = std::isfinite(mean) && std::isfinite(residual_.own);
+      report_.found = std::isfinite(mean) && std::isfinite(residual_.block_relative);
       if (report_.found && tells_states(way_left(mean))) return true;
       report_.found = report_.found && factorize();
       if (!report_.found) return false;
       const double mu = find_direction(mean);
       ++report_.solutions;
-      advance(longest(part_held_back));
+      advance(longest(trimmed_part));
       look_();
-      look_inside(mu);
+      evaluate_interior(mu);
     }
     return false;
   }
 
   /// What is left of mu and of forces, 1: near.
   double way_left(double mean) const {
-    return std::max(std::sqrt(mean) / (near_law * scale_), residual_.own / near_balance);
+    return std::max(std::sqrt(mean) / (near_law * scale_), residual_.block_relative / near_balance);
   }
 
   /// Whether the states can be told where so much of the way is left.
@@ -204,7 +204,8 @@ class InteriorPoint {
       if (on_path && tells_states(way)) return;
       PathStep path;
       path.off = std::numeric_limits<double>::infinity();
-      if (std::isfinite(mean) && std::isfinite(residual_.own) && factorize()) path = look_along_path(mean);
+      if (std::isfinite(mean) && std::isfinite(residual_.block_relative) && factorize())
+        path = look_along_path(mean);
       ++report_.solutions;
       const bool reached = path.off <= near_path;
       if (on_path && !reached && (!(path.off <= far_from_path) || n_corrections == most_corrections)) {
@@ -213,7 +214,7 @@ class InteriorPoint {
         inside_ = kept.inside;
         d_ = kept.d;
         look_();
-        look_inside(mean_product(0));
+        evaluate_interior(mean_product(0));
         n_corrections = -1;
         continue;
       }
@@ -238,7 +239,7 @@ class InteriorPoint {
       combine(path, part);
       advance(std::min(1.0, longest()));
       look_();
-      look_inside(mean);
+      evaluate_interior(mean);
     }
   }
 
@@ -247,7 +248,7 @@ class InteriorPoint {
     d_ = system_.prescribed();
     look_();
     for (Inside& i : inside_) i = {};
-    look_inside(mu);
+    evaluate_interior(mu);
   }
 
   PathStep look_along_path(double mean) {
@@ -306,7 +307,7 @@ class InteriorPoint {
   }
 
   /// What the contacts' own equations have of d. Contacts that begin to act begin with mu.
-  void look_inside(double mu) {
+  void evaluate_interior(double mu) {
     for (std::size_t c = 0; c < inside_.size(); ++c) {
       Inside& i = inside_[c];
       const ContactTerm& term = terms_[c];
@@ -317,11 +318,11 @@ class InteriorPoint {
       i.tension = term.normal == ContactTerm::Normal::unilateral ? term.tension : 0;
       i.a = term.normal_multiplier + i.tension - i.p * term.gap(d_);
       if (i.acts && !acted) begin(c, mu);
-      look_at_friction(c);
+      evaluate_friction(c);
     }
   }
 
-  void look_at_friction(std::size_t c) {
+  void evaluate_friction(std::size_t c) {
     Inside& i = inside_[c];
     if (!i.acts || !i.sheared) return;
     const SweptLaw& law = laws_[c];
@@ -340,7 +341,7 @@ class InteriorPoint {
     const double root = std::sqrt(i.a * i.a + 4 * mu);
     i.normal.begin(i.a > 0 ? (i.a + root) / 2 : 2 * mu / (root - i.a), mu);
     if (!i.unilateral) i.normal.x = i.a;
-    look_at_friction(c);
+    evaluate_friction(c);
     if (i.holds) i.T = i.q;
     if (!i.slides()) return;
     const double size = std::abs(i.q) + i.b, least = least_distance * std::sqrt(mu);
@@ -382,7 +383,7 @@ class InteriorPoint {
       i.mixed = i.slides() ? i.wt * (f - k + i.sense) : 0;
       terms_[c].normal_stiffness = i.w * i.p;
       terms_[c].tangential_stiffness = i.wt * i.p_t;
-      active_[c] = i.sheared ? pressed | stuck : pressed;
+      active_[c] = i.sheared ? normal_active | shear_active : normal_active;
       if (i.mixed * i.rate != 0)
         couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p, c});
     }
@@ -450,10 +451,10 @@ class InteriorPoint {
     return length;
   }
   /// How far all but this part of them may.
-  double longest(double held_back = 0) {
+  double longest(double trimmed = 0) {
     std::vector<double> lengths{1};
     for (Inside& i : inside_) lengths.push_back(longest(i));
-    const auto first = lengths.begin() + static_cast<Index>(held_back * static_cast<double>(lengths.size()));
+    const auto first = lengths.begin() + static_cast<Index>(trimmed * static_cast<double>(lengths.size()));
     std::nth_element(lengths.begin(), first, lengths.end());
     return *first;
   }
@@ -493,10 +494,10 @@ class InteriorPoint {
 
 }  // namespace
 
-InteriorReport find_states_from_inside(StepSystem& system, const std::vector<Contact>& contacts,
-                                       const std::vector<SweptLaw>& laws, const std::function<void()>& look,
-                                       std::vector<ContactTerm>& terms, VectorXd& d,
-                                       std::vector<unsigned char>& states) {
+InteriorReport find_interior_point_states(StepSystem& system, const std::vector<Contact>& contacts,
+                                          const std::vector<SweptLaw>& laws,
+                                          const std::function<void()>& look, std::vector<ContactTerm>& terms,
+                                          VectorXd& d, std::vector<unsigned char>& states) {
   InteriorPoint point(system, contacts, laws, look, terms, d);
   const InteriorReport report = point.solve();
   for (std::size_t c = 0; c < terms.size(); ++c) states[c] = point.state(c);

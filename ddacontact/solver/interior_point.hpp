@@ -1,4 +1,4 @@
-/// \file Contacts kept strictly inside their laws: the way to the states of a violent step.
+/// \file The interior-point method for the contacts of a step with many active-set changes.
 #pragma once
 
 #include <ddacontact/solver/step_system.hpp>
@@ -9,30 +9,30 @@
 
 namespace ddacontact {
 
-/// How find_states_from_inside ended.
+/// How find_interior_point_states ended.
 struct InteriorReport {
   bool found = false;  ///< false: forces are not finite, or the matrix is not positive definite
   int solutions = 0;   ///< each with a factor of its own
   int fallbacks = 0;   ///< of them with friction that was not found to the tolerance
 };
 
-/// Finds the states of the contacts of a step where following them goes round in circles: a primal-dual
+/// Finds the states of the contacts of a step where the active-set iteration cycles: a primal-dual
 /// interior-point method (Mehrotra 1992). Each contact keeps, with a = lambda - p g and q = tau - p_t s,
 ///   N, y > 0:           N - y = a,                                        N y = mu,
 ///   u, v, f, k > 0:     u = b(N) - T,  v = b(N) + T,  T + f - k = q,      u f = v k = mu,
 /// (of a bond N and a with its tension added) whose limit mu -> 0 is its law, and mu falls with every
 /// solution of Newton's method for these and balance. It takes some twenty solutions whatever the number of
-/// contacts. Where that does not come near, as with much friction, the path of all mu is followed from large
-/// mu on by its length (Keller 1977), in some hundred solutions or more: between several solutions it turns
-/// round, and mu rises for a while.
+/// contacts. Where it does not converge, as with much friction, the central path is followed from large mu on
+/// by arc length (Keller 1977), in some hundred solutions or more: it has folds where the problem has several
+/// solutions, and mu rises for a while.
 ///
 /// \param[in] laws    beside their terms
 /// \param[in] look    makes the contacts' forms and `terms` anew at d, geometry included
 /// \param[in,out] d   where to start; then the last displacements. Blocks move as by StepSystem::move
 /// \param[out] states of the springs, see spring_state.hpp
-InteriorReport find_states_from_inside(StepSystem& system, const std::vector<Contact>& contacts,
-                                       const std::vector<SweptLaw>& laws, const std::function<void()>& look,
-                                       std::vector<ContactTerm>& terms, VectorXd& d,
-                                       std::vector<unsigned char>& states);
+InteriorReport find_interior_point_states(StepSystem& system, const std::vector<Contact>& contacts,
+                                          const std::vector<SweptLaw>& laws,
+                                          const std::function<void()>& look, std::vector<ContactTerm>& terms,
+                                          VectorXd& d, std::vector<unsigned char>& states);
 
 }  // namespace ddacontact

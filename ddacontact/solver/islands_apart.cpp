@@ -16,8 +16,8 @@ int root(std::vector<int>& parent, int k) {
 }
 
 /// Adds what the contact's forces do to a block that does not move.
-void add_to_held(const Contact& contact, const Range& unknowns, const VectorXd& d, Directions directions,
-                 VectorXd& external) {
+void add_to_prescribed(const Contact& contact, const Range& unknowns, const VectorXd& d,
+                       Directions directions, VectorXd& external) {
   const MovingVertexEdge& m = contact.motion;
   const GapAndSlip at_d = m.gap_and_slip_at(d, contact.history.lock, directions);
   for (const auto& [gradient, force] :
@@ -158,12 +158,12 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
   return true;
 }
 
-StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const StepStart& start,
-                                 const StepSystem& whole, const StagedOptions& options,
-                                 std::vector<Contact>& contacts, VectorXd& d) {
+ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const StepStart& start,
+                                        const StepSystem& whole, const ContactSolverOptions& options,
+                                        std::vector<Contact>& contacts, VectorXd& d) {
   work_ = {};
-  StagedReport report;
-  report.status = StagedStatus::settled;
+  ContactSolverReport report;
+  report.status = ContactSolverStatus::settled;
   Residual& residual = report.residual;
   residual.external = whole.load_forces() + whole.gravity_forces();
   residual.force = -residual.external;
@@ -176,12 +176,12 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     if (!island->system) island->system.emplace(blocks);
     StepSystem& system = *island->system;
     const Work before = work_of(system);
-    system.set_step(state, of_part, whole.held_stiffness());
+    system.set_step(state, of_part, whole.fixed_point_stiffness());
     system.problem().keep_factor(options.skip.unchanged_factor);
     std::vector<Contact> own;
     for (int c : island->contacts) own.push_back(island->to_part(blocks, contacts[c]));
     VectorXd own_d = island->of_part(start_d);
-    StagedReport own_report = solve_staged(system, options, own, own_d);
+    ContactSolverReport own_report = solve_contacts(system, options, own, own_d);
     part.take_out(blocks, state);
     add_difference(work_of(system), before, work_);
     for (std::size_t c = 0; c < own.size(); ++c)
@@ -191,42 +191,42 @@ StagedReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const S
     residual.force(part.unknowns()) = of_own.force;
     residual.external(part.unknowns()) = of_own.external;
     report.iterations = std::max(report.iterations, own_report.iterations);
-    report.interior_paths += own_report.interior_paths;
+    report.interior_point_solves += own_report.interior_point_solves;
     report.augmentations = std::max(report.augmentations, own_report.augmentations);
     report.sweeps += own_report.sweeps;
     report.tolerance = std::max(report.tolerance, own_report.tolerance);
     report.interior_solutions += own_report.interior_solutions;
     report.tangent += own_report.tangent;
     for (double Residual::*measure :
-         {&Residual::largest, &Residual::scale, &Residual::floor, &Residual::over_floor})
+         {&Residual::largest, &Residual::scale, &Residual::round_off, &Residual::over_round_off})
       residual.*measure = std::max(residual.*measure, of_own.*measure);
-    if (of_own.own > residual.own) {
-      residual.own = of_own.own;
+    if (of_own.block_relative > residual.block_relative) {
+      residual.block_relative = of_own.block_relative;
       residual.worst_block = of_own.worst_block < 0 ? -1 : part.blocks()[of_own.worst_block];
     }
-    if (own_report.status == StagedStatus::settled) continue;
+    if (own_report.status == ContactSolverStatus::settled) continue;
     report.status = own_report.status;
     report.worst_contact = own_report.worst_contact < 0 ? -1 : island->contacts[own_report.worst_contact];
     return report;
   }
 
   // On blocks at rest contacts of several islands act.
-  for (const HeldUnknown& held : blocks.held_unknowns())
-    residual.external[held.unknown] =
-        blocks.is_unchanging(blocks.block_of_place(held.vertex))
-            ? whole.load_forces()[held.unknown] + whole.gravity_forces()[held.unknown]
-            : residual.external[held.unknown];
+  for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
+    residual.external[prescribed.unknown] =
+        blocks.is_unchanging(blocks.block_of_point(prescribed.vertex))
+            ? whole.load_forces()[prescribed.unknown] + whole.gravity_forces()[prescribed.unknown]
+            : residual.external[prescribed.unknown];
   const VectorXd of_bolts = whole.bolt_forces(d);
-  for (const HeldUnknown& held : blocks.held_unknowns())
-    if (blocks.is_unchanging(blocks.block_of_place(held.vertex)))
-      residual.external[held.unknown] += of_bolts[held.unknown];
+  for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
+    if (blocks.is_unchanging(blocks.block_of_point(prescribed.vertex)))
+      residual.external[prescribed.unknown] += of_bolts[prescribed.unknown];
   for (const Contact& contact : contacts)
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
       if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
-        add_to_held(contact, blocks.block(b).unknowns(), d, options.directions, residual.external);
-  for (const HeldUnknown& held : blocks.held_unknowns())
-    if (blocks.is_unchanging(blocks.block_of_place(held.vertex)))
-      residual.force[held.unknown] = -residual.external[held.unknown];
+        add_to_prescribed(contact, blocks.block(b).unknowns(), d, options.directions, residual.external);
+  for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
+    if (blocks.is_unchanging(blocks.block_of_point(prescribed.vertex)))
+      residual.force[prescribed.unknown] = -residual.external[prescribed.unknown];
   return report;
 }
 

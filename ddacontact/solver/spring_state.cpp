@@ -17,37 +17,37 @@ bool bears_shear(const ContactTerm& term, const JointLaw& law) {
 
 unsigned char first_state(const Contact& contact, bool sheared) {
   if (!contact.closed()) return open;
-  if (!sheared) return pressed;
+  if (!sheared) return normal_active;
   const ContactHistory& history = contact.history;
-  if (!is_slipping(history.state)) return pressed | stuck;
+  if (!is_slipping(history.state)) return normal_active | shear_active;
   const bool upper = history.shear > 0 || history.state == ContactState::slip_backward;
-  return pressed | (upper ? at_upper : at_lower);
+  return normal_active | (upper ? at_upper : at_lower);
 }
 
 unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs) {
   const auto& [n, t] = springs;
   if (!n.acts() && term.bound == 0) return open;
-  const unsigned char closed = n.acts() ? pressed : open;
+  const unsigned char closed = n.acts() ? normal_active : open;
   if (!bears_shear(term, law)) return closed;
-  return closed | (t.acts() ? stuck : t.force > 0 ? at_upper : at_lower);
+  return closed | (t.acts() ? shear_active : t.force > 0 ? at_upper : at_lower);
 }
 
 unsigned char state_of(const ContactTerm& term, const JointLaw& law, bool bonded, const ContactForce& force) {
   if (term.normal == ContactTerm::Normal::absent) return open;
   const double bound = term.bound < infinity ? shear_bound(law, force.normal, bonded) : infinity;
-  const bool is_pressed = term.normal == ContactTerm::Normal::bilateral || force.normal > -term.tension;
-  if (!is_pressed && bound == 0) return open;
-  const unsigned char closed = is_pressed ? pressed : open;
+  const bool is_closed = term.normal == ContactTerm::Normal::bilateral || force.normal > -term.tension;
+  if (!is_closed && bound == 0) return open;
+  const unsigned char closed = is_closed ? normal_active : open;
   if (!bears_shear(term, law)) return closed;
-  return closed | (std::abs(force.shear) < bound ? stuck : force.shear > 0 ? at_upper : at_lower);
+  return closed | (std::abs(force.shear) < bound ? shear_active : force.shear > 0 ? at_upper : at_lower);
 }
 
 ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char state,
                             const ContactSprings& springs) {
   ContactForce force;
-  const bool follows = (state & pressed) || springs.normal.low == -infinity;
+  const bool follows = (state & normal_active) || springs.normal.low == -infinity;
   force.normal = follows ? springs.normal.force : springs.normal.low;
-  if (state & stuck) force.shear = springs.tangential.force;
+  if (state & shear_active) force.shear = springs.tangential.force;
   const double bound =
       force.normal < 0 && !bonded ? law.friction * force.normal : shear_bound(law, force.normal, bonded);
   if (state & at_upper) force.shear = bound;
@@ -57,7 +57,7 @@ ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char stat
 
 unsigned char next_state(unsigned char state, unsigned char at_d) {
   const bool turns = ((state | at_d) & (at_upper | at_lower)) == (at_upper | at_lower);
-  return turns ? static_cast<unsigned char>((at_d & pressed) | stuck) : at_d;
+  return turns ? static_cast<unsigned char>((at_d & normal_active) | shear_active) : at_d;
 }
 
 }  // namespace ddacontact

@@ -12,7 +12,7 @@ template <class Visit>
 void for_terms(const BlockSystem& blocks, const MaterialPoint& node, Visit&& visit) {
   if (node.block < 0) return;
   const Block& block = blocks.block(node.block);
-  for (int p = 0; p < block.n_places(); ++p) {
+  for (int p = 0; p < block.n_points(); ++p) {
     if (node.weights[p] == 0) continue;
     AffineForm x, y;
     block.vertex_map(p).add_to(x, Vec2::UnitX());
@@ -48,8 +48,8 @@ void StepBolt::begin(const BlockSystem& blocks, const BlockState& state, Directi
   for (std::size_t i = 0; i < maps_.size(); ++i) {
     maps_[i].clear();
     for_terms(blocks, bolt_->nodes[i], [&](int unknown, const Vec2& column) {
-      const auto place = std::ranges::lower_bound(unknowns_, unknown) - unknowns_.begin();
-      maps_[i].push_back({unknown, static_cast<int>(place), column});
+      const auto slot = std::ranges::lower_bound(unknowns_, unknown) - unknowns_.begin();
+      maps_[i].push_back({unknown, static_cast<int>(slot), column});
     });
   }
   for (int k = 0; k < bolt_->n_segments(); ++k) {
@@ -111,8 +111,8 @@ MatrixXd StepBolt::tangent() const {
     const Vec2 normal(-segment.direction.y(), segment.direction.x());
     for (const auto& [node, sign] : {std::pair{k, -1}, std::pair{k + 1, 1}})
       for (const Term& term : maps_[node]) {
-        along(k, term.place) += sign * term.column.dot(segment.direction);
-        across(k, term.place) += sign * std::sqrt(segment.turning) * term.column.dot(normal);
+        along(k, term.slot) += sign * term.column.dot(segment.direction);
+        across(k, term.slot) += sign * std::sqrt(segment.turning) * term.column.dot(normal);
       }
   }
   const double part = directions_ == Directions::mean ? 0.5 : 1;

@@ -39,7 +39,7 @@ class StepBolt {
 
  private:
   struct Term {
-    int unknown, place;  ///< in all, in unknowns_
+    int unknown, slot;  ///< in all, in unknowns_
     Vec2 column;
   };
   struct Segment {

@@ -59,24 +59,24 @@ StepSystem::StepSystem(BlockSystem& blocks)
   problem_.set_matrices(std::move(elements));
 }
 
-void StepSystem::set_step(const BlockState& state, const StepStart& start, double held_stiffness) {
+void StepSystem::set_step(const BlockState& state, const StepStart& start, double fixed_point_stiffness) {
   dt_ = start.dt;
   rule_ = start.rule;
-  held_stiffness_ = held_stiffness;
+  fixed_point_stiffness_ = fixed_point_stiffness;
   const double time = state.time + dt_, load_time = state.time + start.rule.load_time() * dt_;
   prescribed_ = blocks_.prescribed(state, time);
-  held_springs_.clear();
-  for (std::size_t h = 0; h < blocks_.held_vertices.size(); ++h) {
-    const HeldVertex& held = blocks_.held_vertices[h];
-    const int v = blocks_.block(held.block).vertices().first + held.vertex;
+  fixed_point_springs_.clear();
+  for (std::size_t h = 0; h < blocks_.fixed_vertices.size(); ++h) {
+    const FixedVertex& prescribed = blocks_.fixed_vertices[h];
+    const int v = blocks_.block(prescribed.block).vertices().first + prescribed.vertex;
     for (int axis = 0; axis < 2; ++axis) {
-      if (!(axis == 0 ? held.x : held.y)) continue;
-      HeldSpring spring{static_cast<int>(h), axis, {}, 0};
-      blocks_.block(held.block).vertex_map(held.vertex).add_to(spring.form, Vec2::Unit(axis));
-      const double target = held.motion.at(time, blocks_.end_time)[axis];
-      spring.target_change = target - held.motion.at(state.time, blocks_.end_time)[axis];
+      if (!(axis == 0 ? prescribed.x : prescribed.y)) continue;
+      FixedPointSpring spring{static_cast<int>(h), axis, {}, 0};
+      blocks_.block(prescribed.block).vertex_map(prescribed.vertex).add_to(spring.form, Vec2::Unit(axis));
+      const double target = prescribed.motion.at(time, blocks_.end_time)[axis];
+      spring.target_change = target - prescribed.motion.at(state.time, blocks_.end_time)[axis];
       spring.form.constant = blocks_.total_displacement(state, v, axis) - target;
-      held_springs_.push_back(spring);
+      fixed_point_springs_.push_back(spring);
     }
   }
   for (StepQuietFace& face : quiet_faces_) face.begin(blocks_, state, start);
@@ -126,12 +126,12 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
       stiffest_[b] = std::max(stiffest_[b], contact.law.normal_stiffness);
     }
   }
-  for (const HeldSpring& spring : held_springs_) {
-    const double force = -held_stiffness_ * spring.form(d);
+  for (const FixedPointSpring& spring : fixed_point_springs_) {
+    const double force = -fixed_point_stiffness_ * spring.form(d);
     spring.form.add_gradient(force, residual.external);
-    const int b = blocks_.held_vertices[spring.held_vertex].block;
+    const int b = blocks_.fixed_vertices[spring.fixed_vertex].block;
     magnitude_[b] += std::abs(force);
-    stiffest_[b] = std::max(stiffest_[b], held_stiffness_);
+    stiffest_[b] = std::max(stiffest_[b], fixed_point_stiffness_);
   }
 
   if (!quiet_faces_.empty()) {
@@ -167,31 +167,32 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     // by one unit.
     constexpr double of_gaps = 1. / 64;
     const double length = (rule_.has_half_steps() ? of_gaps : 1) * block.size() + furthest;
-    const double floor = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
-                                         rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
+    const double round_off = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
+                                             rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
     double largest = 0;
     for (int k = 0; k < u.count; ++k) {
       if (blocks_.equation()[u.first + k] < 0) continue;
       const double size = std::abs(r[k]) / lengths[k];
       if (!(size <= largest)) largest = size;  // lets a NaN through
     }
-    sums_[b] = {largest, sum, floor};
+    sums_[b] = {largest, sum, round_off};
   });
   residual.worst_block = -1;
-  residual.largest = residual.scale = residual.floor = residual.own = residual.over_floor = 0;
+  residual.largest = residual.scale = residual.round_off = residual.block_relative = residual.over_round_off =
+      0;
   for (std::size_t a = 0; a < active_.size(); ++a) {
-    const auto [largest, sum, floor] = sums_[active_[a]];
+    const auto [largest, sum, round_off] = sums_[active_[a]];
     residual.scale = std::max(residual.scale, sum);
-    residual.floor = std::max(residual.floor, floor);
+    residual.round_off = std::max(residual.round_off, round_off);
     if (!(largest <= residual.largest)) residual.largest = largest;
-    const double own = largest <= floor ? 0
-                       : sum > 0        ? (largest - floor) / sum
-                                        : std::numeric_limits<double>::infinity();
-    if (!(own <= residual.own)) {
-      residual.own = own;
+    const double own = largest <= round_off ? 0
+                       : sum > 0            ? (largest - round_off) / sum
+                                            : std::numeric_limits<double>::infinity();
+    if (!(own <= residual.block_relative)) {
+      residual.block_relative = own;
       residual.worst_block = active_[a];
     }
-    residual.over_floor = std::max(residual.over_floor, largest / floor);
+    residual.over_round_off = std::max(residual.over_round_off, largest / round_off);
   }
 }
 
@@ -232,7 +233,8 @@ VectorXd StepSystem::free_path() const {
     const Block& block = blocks_.block(active_[a]);
     block.free_path(d.segment(block.unknowns().first, block.unknowns().count));
   });
-  for (const HeldUnknown& held : blocks_.held_unknowns()) d[held.unknown] = prescribed_[held.unknown];
+  for (const PrescribedDof& prescribed : blocks_.prescribed_dofs())
+    d[prescribed.unknown] = prescribed_[prescribed.unknown];
   return d;
 }
 
@@ -240,8 +242,8 @@ VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
   VectorXd r = -load_forces_ - gravity_forces_;
   if (!quiet_faces_.empty()) r -= quiet_forces(d);
   if (!bolts_.empty()) r -= bolt_forces(d);
-  for (const HeldSpring& spring : held_springs_)
-    spring.form.add_gradient(held_stiffness_ * spring.form(d), r);
+  for (const FixedPointSpring& spring : fixed_point_springs_)
+    spring.form.add_gradient(fixed_point_stiffness_ * spring.form(d), r);
   for (int b : active_) {
     const Range& u = blocks_.block(b).unknowns();
     blocks_.block(b).forces(d.segment(u.first, u.count), forces_);
@@ -258,14 +260,14 @@ void StepSystem::linearize(const VectorXd& d) {
     block.tangent(d.segment(u.first, u.count),
                   problem_.elements().subspan(first_element_[a], block.n_parts()));
   });
-  for (const HeldSpring& spring : held_springs_) {
-    const int b = blocks_.held_vertices[spring.held_vertex].block;
+  for (const FixedPointSpring& spring : fixed_point_springs_) {
+    const int b = blocks_.fixed_vertices[spring.fixed_vertex].block;
     const auto assembled = std::lower_bound(assembled_.begin(), assembled_.end(), b);
     const Range& u = blocks_.block(b).unknowns();
     VectorXd a = VectorXd::Zero(u.end());
     spring.form.add_gradient(1, a);
     problem_.elements()[first_element_[assembled - assembled_.begin()]] +=
-        held_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
+        fixed_point_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
   }
   const polyfem::Connectivity& elements = problem_.unknowns();
   int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size() + bolts_.size());
@@ -310,7 +312,7 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
 
 double StepSystem::memory() const {
   return problem_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
-         bytes_of(held_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
+         bytes_of(fixed_point_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
          bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) + bytes_of(magnitude_) +
          bytes_of(stiffest_) + bytes_of(own_at_) + bytes_of(own_forces_) + bytes_of(own_sums_);
 }

@@ -11,19 +11,19 @@
 
 namespace ddacontact {
 
-/// How far from equilibrium: r = (what the blocks resist with) - (what acts on them).
+/// Residual of the balance of forces: r = internal and inertial forces - external and contact forces.
 struct Residual {
-  VectorXd force;      ///< of every unknown; at a held one it is the reaction
-  VectorXd external;   ///< what acts on every unknown: loads, gravity, contacts, holding springs
-  double largest = 0;  ///< over the free unknowns, forces (moments over the block's size), N per m
-  double scale = 0;    ///< the largest sum over a block of the magnitudes of the forces on it, N per m
-  double floor = 0;    ///< what round-off alone may leave, N per m
-  double own =
-      0;  ///< the largest over the free unknowns relative to the sum over its own block, floor taken off
-  int worst_block = -1;   ///< whose residual `own` is; -1: none is above its floor
-  double over_floor = 0;  ///< the largest over the free unknowns over the floor of its own block
+  VectorXd force;             ///< r of every unknown; at a prescribed one it is the reaction
+  VectorXd external;          ///< on every unknown: loads, gravity, contacts, springs at fixed points
+  double largest = 0;         ///< over the free unknowns, forces (moments over the block's size), N per m
+  double scale = 0;           ///< the largest sum over a block of the magnitudes of the forces on it, N per m
+  double round_off = 0;       ///< bound of the round-off in r, N per m
+  double block_relative = 0;  ///< the largest over the free unknowns over the force sum of its block, the
+                              ///< round-off bound subtracted
+  int worst_block = -1;       ///< that `block_relative` is of; -1: all are below their bounds
+  double over_round_off = 0;  ///< the largest over the free unknowns over the round-off bound of its block
 
-  bool balanced(double tolerance) const { return largest <= tolerance * scale + floor; }
+  bool balanced(double tolerance) const { return largest <= tolerance * scale + round_off; }
 };
 
 /// (13) of one step: measures residuals, assembles and factorizes their derivative.
@@ -32,13 +32,13 @@ class StepSystem {
   explicit StepSystem(BlockSystem& blocks);
 
   /// Begins a step of all blocks: their inertia (26), (27), and the loads.
-  /// \param[in] held_stiffness  of the springs that hold vertices of six-unknown blocks
-  void set_step(const BlockState& state, const StepStart& start, double held_stiffness);
+  /// \param[in] fixed_point_stiffness  of the springs that hold vertices of six-unknown blocks
+  void set_step(const BlockState& state, const StepStart& start, double fixed_point_stiffness);
 
   /// The length of the step, s.
   double dt() const { return dt_; }
   const StepRule& rule() const { return rule_; }
-  /// The step's displacements of the held unknowns, zero elsewhere.
+  /// The step's displacements of the prescribed degrees of freedom, zero elsewhere.
   const VectorXd& prescribed() const { return prescribed_; }
   /// The same, and elsewhere those of blocks without forces: where a solution starts.
   VectorXd free_path() const;
@@ -75,14 +75,14 @@ class StepSystem {
   double vertex_stiffness(int block, int vertex, const Vec2& normal) const;
 
   /// Springs that hold vertices of six-unknown blocks: displacement from where they should be.
-  struct HeldSpring {
-    int held_vertex;  ///< index in BlockSystem::held_vertices
+  struct FixedPointSpring {
+    int fixed_vertex;  ///< index in BlockSystem::fixed_vertices
     int axis;
     AffineForm form;
     double target_change;  ///< of the prescribed displacement within the step
   };
-  const std::vector<HeldSpring>& held_springs() const { return held_springs_; }
-  double held_stiffness() const { return held_stiffness_; }
+  const std::vector<FixedPointSpring>& fixed_point_springs() const { return fixed_point_springs_; }
+  double fixed_point_stiffness() const { return fixed_point_stiffness_; }
   /// Forces of the dashpots of quiet faces on all unknowns for displacements d.
   VectorXd quiet_forces(const VectorXd& d) const;
   /// Forces of the bolts on all unknowns at d.
@@ -103,21 +103,21 @@ class StepSystem {
 
   BlockSystem& blocks_;
   std::vector<int> active_;         ///< blocks that may change
-  std::vector<int> assembled_;      ///< blocks that have matrices: these and, where asked for, fixed ones
+  std::vector<int> assembled_;      ///< blocks that have matrices: these and, where requested, fixed ones
   std::vector<int> first_element_;  ///< of the matrix, of each of those
   VectorXd unknown_lengths_;
   FrictionProblem problem_;
   VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
-  std::vector<HeldSpring> held_springs_;
+  std::vector<FixedPointSpring> fixed_point_springs_;
   std::vector<StepQuietFace> quiet_faces_;
   mutable std::vector<StepBolt> bolts_;
-  double held_stiffness_ = 0;
+  double fixed_point_stiffness_ = 0;
   double dt_ = 0;
   StepRule rule_;
   VectorXd prescribed_, load_forces_, gravity_forces_;
   /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
   struct Sums {
-    double largest, sum, floor;
+    double largest, sum, round_off;
   };
   mutable BlockForces forces_;
   mutable std::vector<Sums> sums_;  ///< of all blocks

@@ -1,4 +1,4 @@
-/// \file What sweeps and the interior path know of a contact beside its term.
+/// \file What sweeps and the interior-point method know of a contact beside its term.
 #pragma once
 
 #include <ddacontact/contact/joint_law.hpp>

@@ -30,7 +30,7 @@ class TangentSolver {
   /// \param[in] problem  its last factor, of an earlier step, is not used
   TangentSolver(FrictionProblem& problem, const Skips& skip) : problem_(problem), stale_(skip.stale_factor) {}
 
-  /// x = 0 on held unknowns. False: the matrix is not positive definite.
+  /// x = 0 on prescribed degrees of freedom. False: the matrix is not positive definite.
   [[nodiscard]] bool solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
 

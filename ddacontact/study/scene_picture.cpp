@@ -137,8 +137,8 @@ class ScenePicture {
     const TimeFunction& motion = support.displacement;
     const bool moves = !motion.value.isZero(0) || motion.is_history();
     for (const int k : support.vertices)
-      held(scene_.blocks[support.block].vertices.col(k), support.hold_y, moves);
-    (moves ? any_moving_ : any_held_) |= !support.vertices.empty();
+      held(scene_.blocks[support.block].vertices.col(k), support.fix_y, moves);
+    (moves ? any_moving_ : any_prescribed_) |= !support.vertices.empty();
   }
 
   void draw_fixed(int b) {
@@ -146,7 +146,7 @@ class ScenePicture {
     for (Index k = 0; k < block.vertices.cols(); ++k)
       if (block.fixed || std::ranges::count(block.fixed_vertices, k) > 0) {
         held(block.vertices.col(k), true, false);
-        any_held_ = true;
+        any_prescribed_ = true;
       }
   }
 
@@ -255,7 +255,7 @@ class ScenePicture {
       const std::string& name = scene_.joints[j].name;
       items.push_back(swatch(line_colour(j), "joint " + (name.empty() ? std::to_string(j) : name)));
     }
-    if (any_held_) items.push_back(swatch(green, "held"));
+    if (any_prescribed_) items.push_back(swatch(green, "held"));
     if (any_moving_) items.push_back(swatch(red, "moved"));
     if (any_load_) items.push_back(swatch(red, "load"));
     if (scene_.water.any()) items.push_back(swatch(blue, "water table"));
@@ -269,7 +269,7 @@ class ScenePicture {
   View view_;
   SvgPage page_;
   std::vector<int> joints_shown_;
-  bool any_held_ = false, any_moving_ = false, any_load_ = false;
+  bool any_prescribed_ = false, any_moving_ = false, any_load_ = false;
 };
 
 }  // namespace

@@ -18,13 +18,13 @@ double depth(const BlockSystem& blocks, const BlockState& state, int a, int b) {
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& start,
                                         const BlockState& end) {
   constexpr double allowed = 1e-6;  // of the size of the smaller block, as of contacts
-  std::vector<int> wholly_held;
+  std::vector<int> fully_prescribed;
   for (int b = 0; b < blocks.n_blocks(); ++b)
-    if (blocks.is_present(b) && !blocks.is_movable(b)) wholly_held.push_back(b);
-  for (int a : wholly_held) {
+    if (blocks.is_present(b) && !blocks.is_movable(b)) fully_prescribed.push_back(b);
+  for (int a : fully_prescribed) {
     if (blocks.is_unchanging(a)) continue;
     const Box box = bounding_box(blocks.outline_from(end, a, a));
-    for (int b : wholly_held) {
+    for (int b : fully_prescribed) {
       const bool seen = b <= a && !blocks.is_unchanging(b);
       if (seen || !touch(box, bounding_box(blocks.outline_from(end, b, a)))) continue;
       const double limit = allowed * std::min(blocks.block(a).size(), blocks.block(b).size()),

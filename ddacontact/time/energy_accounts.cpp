@@ -64,7 +64,7 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
 
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
-                      double held_stiffness) {
+                      double fixed_point_stiffness) {
   double energy = sum_over_blocks(blocks.n_blocks(), [&](int b) {
     return blocks.is_present(b) ? blocks.block(b).elastic_energy(state) : 0;
   });
@@ -77,12 +77,12 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
     energy += stored_normal(properties, contact.history.state, contact.end_gap) +
               stored_shear(properties, contact.history.state, contact.end_slip);
   }
-  for (const HeldVertex& held : blocks.held_vertices) {
+  for (const FixedVertex& held : blocks.fixed_vertices) {
     const int v = blocks.block(held.block).vertices().first + held.vertex;
     const Vec2 target = held.motion.at(state.time, blocks.end_time);
     for (int axis = 0; axis < 2; ++axis) {
       const double stretch = blocks.total_displacement(state, v, axis) - target[axis];
-      if (axis == 0 ? held.x : held.y) energy += held_stiffness * stretch * stretch / 2;
+      if (axis == 0 ? held.x : held.y) energy += fixed_point_stiffness * stretch * stretch / 2;
     }
   }
   return energy + bolt_energy(blocks, state);
@@ -93,7 +93,7 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
   energy.gravity -= system.gravity_forces().dot(step.motion);
   energy.external += system.load_forces().dot(step.motion);
   if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(step.d).dot(step.motion);
-  for (const HeldUnknown& held : blocks.held_unknowns())
+  for (const PrescribedDof& held : blocks.prescribed_dofs())
     energy.external += step.residual.force[held.unknown] * step.motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());
   for_blocks(blocks.n_blocks(), [&](int b) {
@@ -103,10 +103,10 @@ void account_step(const BlockSystem& blocks, const StepSystem& system, const Acc
     energy.numerical_dissipated += of_block[0];
     energy.damping_dissipated += of_block[1];
   }
-  for (const StepSystem::HeldSpring& spring : system.held_springs()) {
+  for (const StepSystem::FixedPointSpring& spring : system.fixed_point_springs()) {
     const double change = spring.form.change(step.d) - spring.target_change;
-    energy.numerical_dissipated += system.held_stiffness() * change * change / 2;
-    energy.external -= system.held_stiffness() * spring.form(step.d) * spring.target_change;
+    energy.numerical_dissipated += system.fixed_point_stiffness() * change * change / 2;
+    energy.external -= system.fixed_point_stiffness() * spring.form(step.d) * spring.target_change;
   }
   for (const Contact& contact : step.contacts)
     account_contact(step.properties, system.rule().mean_forces(), contact, energy);

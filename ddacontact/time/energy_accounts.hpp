@@ -16,7 +16,7 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 /// of the springs of held vertices, and of bolts.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
-                      double held_stiffness);
+                      double fixed_point_stiffness);
 
 /// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {

@@ -63,14 +63,15 @@ Equilibrium find_equilibrium(const BlockSystem& blocks, const StepSystem& system
                              const VectorXd& velocity) {
   const std::vector<double> largest_contact = largest_contacts(blocks, contacts);
   VectorXd total = residual.external;
-  for (const HeldUnknown& held : blocks.held_unknowns()) total[held.unknown] += residual.force[held.unknown];
+  for (const PrescribedDof& held : blocks.prescribed_dofs())
+    total[held.unknown] += residual.force[held.unknown];
 
   Equilibrium found = find_motion(blocks, velocity);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Block& block = blocks.block(b);
     if (!blocks.is_movable(b)) continue;  // what supports drive has no balance of its own
-    const Range &u = block.unknowns(), &places = block.places();
+    const Range &u = block.unknowns(), &points = block.points();
     const auto size_of = [&](const VectorXd& forces) {
       const auto of_block = forces.segment(u.first, u.count);
       const Vec2 resultant = block.translations().transpose() * of_block;
@@ -78,7 +79,7 @@ Equilibrium find_equilibrium(const BlockSystem& blocks, const StepSystem& system
     };
     const double largest =
         std::max({largest_contact[b], size_of(system.gravity_forces()), size_of(system.load_forces()),
-                  reactions.middleCols(places.first, places.count).colwise().norm().maxCoeff()});
+                  reactions.middleCols(points.first, points.count).colwise().norm().maxCoeff()});
     judge(b, size_of(total), largest, found);
   }
   return found;

@@ -43,7 +43,7 @@ Equilibrium find_equilibrium(const BlockSystem& blocks, const std::vector<BlockF
                              const std::vector<Contact>& contacts, const VectorXd& velocity);
 /// \param[in] system     of the substep
 /// \param[in] residual   of its displacements: forces on all unknowns, reactions of prescribed ones
-/// \param[in] reactions  of supports, N per m, 2 x all places
+/// \param[in] reactions  of supports, N per m, 2 x all points
 /// \param[in] velocity   at the end of the substep; in a static one its displacements over its length
 Equilibrium find_equilibrium(const BlockSystem& blocks, const StepSystem& system, const Residual& residual,
                              const std::vector<Contact>& contacts, const Points& reactions,

@@ -13,7 +13,7 @@ struct FacePart {
   int neighbour = -1;  ///< < 0: none
 };
 
-/// All edges, divided where blocks that touch them begin and end, in the places of the start.
+/// All edges, divided where blocks that touch them begin and end, at their reference positions.
 std::vector<FacePart> divide_faces(const BlockSystem& blocks);
 
 /// Those of the blocks that are there, in a joint where the neighbour is there too.

@@ -66,10 +66,10 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   const auto n_blocks = static_cast<std::size_t>(blocks.n_blocks());
   result.forces.resize(n_blocks);
   blocks.prepare(initial, true);
-  std::vector<double> reach;
-  for (int b = 0; b < blocks.n_blocks(); ++b) reach.push_back(touching * blocks.block(b).size());
+  std::vector<double> search_margin;
+  for (int b = 0; b < blocks.n_blocks(); ++b) search_margin.push_back(touching * blocks.block(b).size());
   const std::vector<Contact> contacts =
-      builder.build_first(initial, VectorXd::Zero(blocks.n_unknowns()), reach);
+      builder.build_first(initial, VectorXd::Zero(blocks.n_unknowns()), search_margin);
   std::vector<ContactTerm> terms;
   for (const Contact& contact : contacts) terms.push_back(term_of(contact));
 
@@ -103,22 +103,22 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactForce force = contact_force(terms[c], d);
     if (force.normal == 0 && force.shear == 0) continue;
-    const VertexEdgePlace& place = contacts[c].motion.start;
-    const Vec2 along = (place.k - place.j).normalized(), out(along.y(), -along.x()),
+    const VertexEdgePositions& point = contacts[c].motion.start;
+    const Vec2 along = (point.k - point.j).normalized(), out(along.y(), -along.x()),
                on_vertex = force.normal * out + force.shear * along;
     const auto [vertex_block, vertex, edge_block, edge, corner] = contacts[c].pair;
     const Vec2 shift = initial.origin.col(edge_block) - initial.origin.col(vertex_block);
-    add(vertex_block, place.i + shift, on_vertex);
-    add(edge_block, place.i, -on_vertex);
+    add(vertex_block, point.i + shift, on_vertex);
+    add(edge_block, point.i, -on_vertex);
   }
-  for (const HeldUnknown& held : blocks.held_unknowns()) {
-    const int b = blocks.block_of_place(held.vertex);
+  for (const PrescribedDof& held : blocks.prescribed_dofs()) {
+    const int b = blocks.block_of_point(held.vertex);
     add(b, initial.position.col(held.vertex), r[held.unknown] * Vec2::Unit(held.axis));
   }
   for (const PointLoad& load : blocks.point_loads) {
-    const auto places = initial.position.middleCols(blocks.block(load.point.block).places().first,
-                                                    blocks.block(load.point.block).n_places());
-    add(load.point.block, places * load.point.weights, load.force.at(blocks.end_time, blocks.end_time));
+    const auto points = initial.position.middleCols(blocks.block(load.point.block).points().first,
+                                                    blocks.block(load.point.block).n_points());
+    add(load.point.block, points * load.point.weights, load.force.at(blocks.end_time, blocks.end_time));
   }
   blocks.add_edge_forces(initial, blocks.end_time, [&](int block, int vertex, const Vec2& force) {
     add(block, initial.position.col(blocks.block(block).vertices().first + vertex), force);

@@ -1,7 +1,7 @@
 #include <ddacontact/time/impacts.hpp>
 
 #include <ddacontact/block/rigid_velocity.hpp>
-#include <ddacontact/contact/contact_place.hpp>
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/time/islands.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
@@ -49,8 +49,8 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear,
                centre = block.moments().centroid;
     const Mat2 R = Eigen::Rotation2Dd(times[b] * v.angular).toRotationMatrix();
-    auto places = later.position.middleCols(block.places().first, block.places().count);
-    places = ((R * (places.colwise() - centre)).colwise() + (centre + shift)).eval();
+    auto points = later.position.middleCols(block.points().first, block.points().count);
+    points = ((R * (points.colwise() - centre)).colwise() + (centre + shift)).eval();
     if (later.coordinates.size() == 0) continue;
     auto s = later.coordinates.segment<3>(block.coordinates().first);
     s.head<2>() = (centre + shift + R * (Vec2(s.head<2>()) - centre)).eval();
@@ -91,13 +91,14 @@ namespace {
 class Flight {
  public:
   Flight(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-         const std::vector<Contact>& contacts, const StepRule& rule, double dt, const std::vector<char>& also)
+         const std::vector<Contact>& contacts, const StepRule& rule, double dt,
+         const std::vector<char>& forced)
       : blocks_(blocks),
         properties_(properties),
         contacts_(contacts),
         rule_(rule),
         dt_(dt),
-        also_(also),
+        also_(forced),
         start_(state),
         acceleration_(VectorXd::Zero(state.velocity.size())),
         last_(blocks.n_blocks(), 0),
@@ -142,8 +143,8 @@ class Flight {
     if (!restitution_of(properties_, contact.pair, rule_)) return {};
     if (contact.closed() && (rule_.has_half_steps() || carries_waves(blocks_, contact, dt_))) return {};
     const MovingVertexEdge& motion = contact.motion;
-    const RoundedPlace place = place_of(blocks_, start_, contact.pair);
-    const GapAndSlip at_start = motion.rates_at(place, contact.history.lock);
+    const RoundedPositions positions = positions_of(blocks_, start_, contact.pair);
+    const GapAndSlip at_start = motion.rates_at(positions, contact.history.lock);
     // From the last impact of either on.
     const double since = std::max(last_[contact.pair.vertex_block], last_[contact.pair.edge_block]),
                  growth = motion.change_along(at_start.by_gap, acceleration_),
@@ -153,7 +154,7 @@ class Flight {
     Vec2 apart = Vec2::Zero(), passing = Vec2::Zero();
     if (motion.is_at_corner()) {
       passing = from_corner(motion.moved(velocity_), *motion.rounding);
-      apart = from_corner(place, *motion.rounding) + since * passing;
+      apart = from_corner(positions, *motion.rounding) + since * passing;
     }
     double time = motion.is_at_corner() && !near
                       ? first_touch(apart, passing, motion.rounding->radius, dt_ - since)
@@ -257,7 +258,8 @@ class Flight {
       const Contact& contact = contacts_[c];
       const VertexEdge& pair = contact.pair;
       if (!std::isfinite(std::min(times[pair.vertex_block], times[pair.edge_block]))) continue;
-      const GapAndSlip rates = contact.motion.rates_at(place_of(blocks_, then, pair), contact.history.lock);
+      const GapAndSlip rates =
+          contact.motion.rates_at(positions_of(blocks_, then, pair), contact.history.lock);
       if (!first[c] && !touches(c, rates)) continue;
       const bool bounces = first[c] && meetings_[c].approach > 2 * blocks_.gravity.norm() * dt_;
       ImpactContact& part = found.contacts.emplace_back(ImpactContact{
@@ -323,10 +325,10 @@ class Flight {
 
 }  // namespace
 
-StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
+StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,
-                          const std::vector<char>& also) {
-  StepImpact impact = Flight(blocks, state, properties, contacts, rule, dt, also).follow();
+                          const std::vector<char>& forced) {
+  StepImpact impact = Flight(blocks, state, properties, contacts, rule, dt, forced).follow();
   if (impact.changes()) blocks.prepare(state);
   return impact;
 }

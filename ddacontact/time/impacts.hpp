@@ -42,9 +42,9 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] properties   of the contacts of these blocks
 /// \param[in] also         contacts that are known to close within the step; empty: none
-StepImpact foresee_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
+StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,
-                          const std::vector<char>& also);
+                          const std::vector<char>& forced);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

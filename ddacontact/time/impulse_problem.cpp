@@ -109,8 +109,8 @@ double ImpulseProblem::largest_rate() const {
   double largest = 0;
   for (const ContactTerm& term : terms_) {
     if (term.normal == ContactTerm::Normal::absent) continue;
-    const bool pressed = term.normal == ContactTerm::Normal::bilateral || term.normal_multiplier > 0;
-    largest = std::max(largest, pressed ? std::abs(term.gap.constant) : -term.gap.constant);
+    const bool is_closed = term.normal == ContactTerm::Normal::bilateral || term.normal_multiplier > 0;
+    largest = std::max(largest, is_closed ? std::abs(term.gap.constant) : -term.gap.constant);
     if (term.sheared && std::abs(term.tangential_multiplier) < term.bound)
       largest = std::max(largest, std::abs(term.slip.constant));
   }

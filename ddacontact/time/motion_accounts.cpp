@@ -15,7 +15,7 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
                      Contact& contact, StepWork& work) {
   const bool had_force = contact.history.normal != 0 && contact.law.compliant;
   if (contact.normal == 0 && contact.shear == 0 && !had_force) return;
-  const GapAndSlip start = contact.motion.rates_at(contact.motion.places(), contact.history.lock);
+  const GapAndSlip start = contact.motion.rates_at(contact.motion.positions(), contact.history.lock);
   const double slipped = contact.end_slip - start.slip;
   contact.gap_change = contact.motion.change_along(start.by_gap, straight);
   contact.slip_change = contact.motion.change_along(start.by_slip, straight);
@@ -48,7 +48,7 @@ StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system
   work.gravity -= system.gravity_forces().dot(step.straight);
   work.external += system.load_forces().dot(step.straight);
   if (!blocks.quiet_faces.empty()) work.damping -= system.quiet_forces(step.straight).dot(step.straight);
-  for (const HeldUnknown& held : blocks.held_unknowns()) {
+  for (const PrescribedDof& held : blocks.prescribed_dofs()) {
     const double reaction = step.residual.force[held.unknown], moved = step.prescribed[held.unknown];
     work.external += reaction * moved;
     work.scheme -= reaction * (step.straight[held.unknown] - moved);
@@ -71,7 +71,7 @@ std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSyste
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Block& block = blocks.block(b);
-    const Range &u = block.unknowns(), &places = block.places();
+    const Range &u = block.unknowns(), &points = block.points();
     const Vec3 momentum = block.motion()->resultant(straight.segment(u.first, u.count));
     const auto size_of = [&](const VectorXd& forces) {
       const auto of_block = forces.segment(u.first, u.count);
@@ -81,7 +81,7 @@ std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSyste
     sums[b].resultant = std::max(momentum.head<2>().norm(), std::abs(momentum[2]) / block.size());
     sums[b].largest =
         std::max({size_of(system.gravity_forces()), size_of(system.load_forces()),
-                  reactions.middleCols(places.first, places.count).colwise().norm().maxCoeff()});
+                  reactions.middleCols(points.first, points.count).colwise().norm().maxCoeff()});
   }
   return sums;
 }

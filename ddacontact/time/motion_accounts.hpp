@@ -29,13 +29,13 @@ struct BlockForceSum {
 struct MotionStep {
   const BlockState& from;          ///< where it starts: shifted and jumped by an impact
   const VectorXd& straight;        ///< the straight motion of all unknowns
-  const VectorXd& prescribed;      ///< displacements of the held unknowns
-  const Residual& residual;        ///< reactions of held unknowns
+  const VectorXd& prescribed;      ///< displacements of the prescribed degrees of freedom
+  const Residual& residual;        ///< reactions of prescribed degrees of freedom
   std::vector<Contact>& contacts;  ///< gap and slip changes are set to those of the straight motion
 };
 
 /// An impulse works on the straight motion of the shape at the start. What turns away from that on the way,
-/// of slips and of prescribed places, is the scheme's.
+/// of slips and of prescribed points, is the scheme's.
 StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system, const MotionStep& step);
 
 /// Mass times acceleration of every block, and the largest force beside those of contacts.

@@ -12,8 +12,8 @@ namespace {
 
 /// Parts of a block's size: contacts are looked for at least and at most this far.
 constexpr double least_reach = 0.01, largest_reach_ratio = 0.25;
-/// A foreseen step uses this much of what is allowed: contacts accelerate too.
-constexpr double foreseen_part = 0.9;
+/// A predicted step uses this much of what is allowed: contacts accelerate too.
+constexpr double predicted_part = 0.9;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void MotionLimits::set_analysis(const AnalysisOptions& analysis) {
   largest_displacement_ = analysis.max_displacement_ratio * larger_side / 2;
 }
 
-double MotionLimits::largest_reach(int block) const {
+double MotionLimits::largest_search_margin(int block) const {
   if (analysis_.preset == Preset::paper) return largest_displacement_;
   return std::min(largest_reach_ratio * blocks_.block(block).size(), largest_displacement_);
 }
@@ -48,10 +48,11 @@ void MotionLimits::find_speeds(const BlockState& state, const std::vector<Contac
   }
 }
 
-const std::vector<double>& MotionLimits::reach(const BlockState& state, const std::vector<ContactRecord>& met,
-                                               double dt, double scale) {
+const std::vector<double>& MotionLimits::search_margin(const BlockState& state,
+                                                       const std::vector<ContactRecord>& met, double dt,
+                                                       double scale) {
   find_speeds(state, met);
-  reach_.assign(blocks_.n_blocks(), 0);
+  search_margin_.assign(blocks_.n_blocks(), 0);
   VectorXd prescribed;
   const double fall = analysis_.gravity.norm() * dt * dt;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
@@ -62,23 +63,24 @@ const std::vector<double>& MotionLimits::reach(const BlockState& state, const st
       double furthest = 0;
       for (int v = 0; v < block.n_vertices(); ++v)
         furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
-      reach_[b] = furthest;
+      search_margin_[b] = furthest;
     } else {
       const double expected = 2 * (speed_[b] * dt + fall) + least_reach * block.size();
-      reach_[b] = std::min(scale * expected, largest_reach(b));
+      search_margin_[b] = std::min(scale * expected, largest_search_margin(b));
     }
   }
-  return reach_;
+  return search_margin_;
 }
 
-double MotionLimits::foreseen_step(const BlockState& state, const std::vector<ContactRecord>& met) {
+double MotionLimits::predicted_step(const BlockState& state, const std::vector<ContactRecord>& met) {
   double longest = std::numeric_limits<double>::infinity();
   if (analysis_.mode == Mode::statics) return longest;
   find_speeds(state, met);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     // v dt + g dt^2 / 2 = what is allowed, with v for the fastest vertex
-    const double v = speed_[b], g = analysis_.gravity.norm(), allowed = foreseen_part * largest_reach(b);
+    const double v = speed_[b], g = analysis_.gravity.norm(),
+                 allowed = predicted_part * largest_search_margin(b);
     if (v + g > 0) longest = std::min(longest, 2 * allowed / (v + std::sqrt(v * v + 2 * g * allowed)));
   }
   return longest;

@@ -24,16 +24,16 @@ class MotionLimits {
   /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
   /// `scale`, m. \param[in] met  contacts of the last step: who may meet whom
   /// Valid until the next call.
-  const std::vector<double>& reach(const BlockState& state, const std::vector<ContactRecord>& met, double dt,
-                                   double scale);
+  const std::vector<double>& search_margin(const BlockState& state, const std::vector<ContactRecord>& met,
+                                           double dt, double scale);
   /// The longest step that present velocities allow, s; infinity when nothing moves. A block that is hit is
   /// as fast as what hits it.
-  double foreseen_step(const BlockState& state, const std::vector<ContactRecord>& met);
+  double predicted_step(const BlockState& state, const std::vector<ContactRecord>& met);
 
   /// No vertex of any block may move further than this in a step, m.
   double largest_displacement() const { return largest_displacement_; }
   /// The furthest that contacts of a block are ever looked for, m.
-  double largest_reach(int block) const;
+  double largest_search_margin(int block) const;
 
  private:
   double fastest_vertex(const BlockState& state, int block) const;
@@ -43,7 +43,7 @@ class MotionLimits {
   const BlockSystem& blocks_;
   AnalysisOptions analysis_;
   double largest_displacement_ = 0;
-  std::vector<double> own_speed_, speed_, reach_;  ///< of each block
+  std::vector<double> own_speed_, speed_, search_margin_;  ///< of each block
 };
 
 }  // namespace ddacontact

@@ -11,7 +11,7 @@ namespace ddacontact {
 
 namespace {
 
-/// Combinations of the rigid modes that do not move the held unknowns.
+/// Combinations of the rigid modes that do not move the prescribed degrees of freedom.
 MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
   const auto [first, count] = block.unknowns();
   std::vector<Index> held;

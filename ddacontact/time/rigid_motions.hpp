@@ -8,7 +8,8 @@
 namespace ddacontact {
 
 /// The velocities of blocks as rigid bodies, by coefficients q whose kinetic energy is q.q / 2: up to three
-/// for each block, none for what a block's held unknowns prevent. On the shapes last prepared.
+/// for each block, none for what a block's prescribed degrees of freedom prevent. On the shapes last
+/// prepared.
 class RigidMotions {
  public:
   RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks);

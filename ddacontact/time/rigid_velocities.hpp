@@ -51,9 +51,9 @@ struct JumpReport {
 /// The jump of the velocities v when contacts collide: impulses P_N >= 0 that leave no approach, P_N u_N = 0,
 /// with friction |P_T| <= mu P_N opposed to the slip (compression); then, as Poisson, e P_N is given back at
 /// each contact, and contact and friction act once more, so that nothing approaches in the end. u are rates
-/// of the forms, of all unknowns; the jump is a rigid motion of each block that its held unknowns allow, on
-/// the shapes last prepared. Momentum is that of the impulses, equal and opposite. The kinetic energy never
-/// rises.
+/// of the forms, of all unknowns; the jump is a rigid motion of each block that its prescribed degrees of
+/// freedom allow, on the shapes last prepared. Momentum is that of the impulses, equal and opposite. The
+/// kinetic energy never rises.
 JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
                   const ImpactOptions& options);
 

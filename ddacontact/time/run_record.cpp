@@ -56,7 +56,7 @@ void visit_counts(Archive& visit, Counts& c) {
                       &c.solutions_with_stale_factor,
                       &c.krylov_iterations,
                       &c.solver_fallbacks,
-                      &c.interior_paths,
+                      &c.interior_point_solves,
                       &c.corner_solutions,
                       &c.unsettled_corners})
     visit(*count);

@@ -1,24 +1,24 @@
-/// \file What a run has done so far, in numbers.
+/// \file Counts of a run: steps, solutions, events.
 #pragma once
 
 namespace ddacontact {
 
-/// What a run has done so far.
+/// Totals since the start of the run, unless stated.
 struct StepCounts {
   long steps = 0;                  ///< whole steps of the length the scene states
-  long substeps = 0;               ///< accepted tries
-  long rejected = 0;               ///< tries given up and made again, most of them shorter
-  long overlap_rejections = 0;     ///< of these, because a vertex went into a block without a contact
-  long corner_solutions = 0;       ///< tries solved again because their motion led corners to other lines
-  long unsettled_corners = 0;      ///< of these, left although the last motion would lead to others again
+  long substeps = 0;               ///< accepted trial steps
+  long rejected = 0;               ///< trial steps rejected and repeated, most of them shorter
+  long overlap_rejections = 0;     ///< of these, for a missed penetration
+  long corner_solutions = 0;       ///< trial steps solved again because corners met other edges
+  long unsettled_corners = 0;      ///< of these, accepted although the last solution met other edges again
   long unconverged = 0;            ///< accepted although stick and slip had not settled
-  long open_close_iterations = 0;  ///< solutions of (13), in all tries
+  long open_close_iterations = 0;  ///< solutions of (13), in all trial steps
   long linear_solves = 0, factorizations = 0;
-  long interior_paths = 0;  ///< searches for contact states from inside the laws, see find_states_from_inside
+  long interior_point_solves = 0;  ///< see find_interior_point_states
   long augmentations = 0;
   long sweeps = 0;                                              ///< over the contacts, see ContactSweeps
   long solutions_with_stale_factor = 0, krylov_iterations = 0;  ///< see TangentSolver
-  long interior_solutions = 0;                                  ///< of open_close_iterations, those of paths
+  long interior_solutions = 0;   ///< of open_close_iterations, those of the interior-point method
   long solver_fallbacks = 0;     ///< sweeps, stale factors and friction by factors that did not converge
   double largest_tolerance = 0;  ///< that contacts were solved to in any accepted substep
   long broken_bonds = 0;
@@ -32,7 +32,7 @@ struct StepCounts {
   long asleep = 0;              ///< blocks asleep at the end of the last substep
   long equations = 0;           ///< of (13) in the last substep
   double max_penetration = 0;   ///< m, at the end of any substep
-  double max_residual = 0;      ///< Residual::own of any accepted substep, at most
+  double max_residual = 0;      ///< Residual::block_relative of any accepted substep, at most
 };
 
 }  // namespace ddacontact

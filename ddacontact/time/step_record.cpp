@@ -124,7 +124,7 @@ StepRecord read_record(std::istream& in) {
   record.contacts.resize(n_contacts);
   for (ContactRecord& contact : record.contacts) contact_numbers(numbers, contact);
   in >> std::ws;
-  if (!in.eof()) numbers.matrix(record.state.coordinates);  // else it follows from the places
+  if (!in.eof()) numbers.matrix(record.state.coordinates);  // else it follows from the points
   in >> std::ws;
   if (!in.eof()) numbers.matrix(record.state.bolts);  // else there are none
   record.progress.steps = record.steps;

@@ -56,7 +56,7 @@ bool Stepper::step() {
   bool made = false;
   {
     const PartInPlace while_stepping(*this);
-    made = carry_on();
+    made = make_substeps();
   }
   if (!made) return false;
   const std::optional<RestCriterion>& until = stages_[progress_.stage].until;
@@ -70,7 +70,7 @@ bool Stepper::step() {
 Stepper::Substep Stepper::next_substep(long steps_made) {
   const double end = progress_.start_time + static_cast<double>(steps_made + 1) * analysis_.time_step;
   const double remaining = end - state_.time;
-  const double wanted = std::min(substep_, limits_.foreseen_step(state_, contacts_));
+  const double wanted = std::min(substep_, limits_.predicted_step(state_, contacts_));
   const double shortest = shortest_substep * longest_substep();
   const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
   const double dt = without_round_off(remaining / pieces, analysis_.time_step, end);
@@ -81,13 +81,13 @@ double Stepper::longest_substep() const {
   return stable_ ? stable_->dt : analysis_.time_step;
 }
 
-bool Stepper::carry_on() {
+bool Stepper::make_substeps() {
   while (true) {
     const auto [dt, end, is_last, is_shortest] = next_substep(progress_.steps);
-    Try result;
+    Trial result;
     try {
-      result = try_step(dt);
-      if (result == Try::accepted) {
+      result = make_trial(dt);
+      if (result == Trial::accepted) {
         substep_ = std::min(longest_substep(), std::max(substep_, 2 * dt));
         if (is_last) {
           state_.time = end;
@@ -102,21 +102,21 @@ bool Stepper::carry_on() {
       }
     } catch (const std::bad_alloc& error) {
       if (accepting_) throw;
-      forget_tries();
+      discard_trials();
       stop_reason_ = dynamic_cast<const polyfem::OutOfMemory*>(&error)
                          ? error.what()
                          : "out of memory with " + std::to_string(blocks_.n_equations()) + " unknowns and " +
-                               std::to_string(tried_.size()) + " contacts";
+                               std::to_string(trial_contacts_.size()) + " contacts";
       return false;
     }
     ++counts_.rejected;
     if (is_interrupted()) return false;
-    if (result == Try::woke_blocks) continue;
-    if (result == Try::missed_contacts) {
+    if (result == Trial::woke_blocks) continue;
+    if (result == Trial::missed_contacts) {
       ++counts_.overlap_rejections;
       continue;
     }
-    if (result == Try::outran_detection) {
+    if (result == Trial::outran_detection) {
       reach_scale_ *= reach_growth;
       detected_ = false;
       continue;
@@ -132,12 +132,12 @@ bool Stepper::carry_on() {
 
 bool Stepper::is_interrupted() {
   if (!interrupted_ || !interrupted_()) return false;
-  forget_tries();
+  discard_trials();
   stop_reason_ = "interrupted";
   return true;
 }
 
-void Stepper::forget_tries() {
+void Stepper::discard_trials() {
   substep_ = accepted_.substep;
   counts_ = accepted_.counts;
   if (accepted_.sleeping) {
@@ -160,7 +160,7 @@ Stepper::Solution Stepper::find_solution(double dt) {
   return solve_with_corners(dt);
 }
 
-Stepper::Try Stepper::try_step(double dt) {
+Stepper::Trial Stepper::make_trial(double dt) {
   Solution solution;
   if (ahead_ && ahead_->dt == dt) {
     solution = std::move(ahead_->solution);
@@ -172,10 +172,10 @@ Stepper::Try Stepper::try_step(double dt) {
   }
 
   const polyfem::Stopwatch watch(times_.update);
-  if (wake_hit(solution)) return Try::woke_blocks;
-  rejection_ = solution.objection;
+  if (wake_hit(solution)) return Trial::woke_blocks;
+  rejection_ = solution.rejection;
   const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * longest_substep();
-  if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Try::rejected;
+  if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Trial::rejected;
 
   bool outran = false;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
@@ -187,37 +187,37 @@ Stepper::Try Stepper::try_step(double dt) {
     if (furthest > limits_.largest_displacement()) {
       rejection_ = "block " + quoted(blocks_.names[b]) +
                    " moves further in one step than max_displacement_ratio allows";
-      return Try::rejected;
+      return Trial::rejected;
     }
-    if (furthest > reach_[b]) {
+    if (furthest > search_margin_[b]) {
       rejection_ =
           "block " + quoted(blocks_.names[b]) + " moves further in one step than contacts are looked for";
-      if (reach_[b] >= limits_.largest_reach(b)) return Try::rejected;
+      if (search_margin_[b] >= limits_.largest_search_margin(b)) return Trial::rejected;
       outran = true;
     }
   }
-  if (outran) return Try::outran_detection;
+  if (outran) return Trial::outran_detection;
 
   BlockState next = solution.impact.changes() ? solution.impact.start : state_;
-  if (!advance(dt, solution, next)) return Try::rejected;
+  if (!advance(dt, solution, next)) return Trial::rejected;
   if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, state_, next)) {
     rejection_ = "supports drive blocks " + quoted(blocks_.names[(*overlap)[0]]) + " and " +
                  quoted(blocks_.names[(*overlap)[1]]) + " into each other";
-    return Try::rejected;
+    return Trial::rejected;
   }
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
-  if (analysis_.preset != Preset::paper && contact_builder_->find_entered(state_, next, tried_)) {
+  if (analysis_.preset != Preset::paper && contact_builder_->find_missed(state_, next, trial_contacts_)) {
     restart_contacts();
-    contact_builder_->add_entered(state_, tried_);
+    contact_builder_->add_missed(state_, trial_contacts_);
     keep_start();
-    return Try::missed_contacts;
+    return Trial::missed_contacts;
   }
   if (solution.friction_unsettled) {
     ++counts_.unconverged;
     last_unsettled_ = rejection_ + ", at time " + std::to_string(next.time) + " s";
   }
   accept(dt, solution, std::move(next));
-  return Try::accepted;
+  return Trial::accepted;
 }
 
 void Stepper::detect(double dt) {
@@ -225,26 +225,26 @@ void Stepper::detect(double dt) {
   look_around(dt);
   contact_builder_->keep_pairs(analysis_.skip.skin);
   if (begun_)
-    contact_builder_->build(state_, predicted_motion(dt), reach_, contacts_, tried_,
+    contact_builder_->build(state_, predicted_motion(dt), search_margin_, contacts_, trial_contacts_,
                             state_.time > progress_.start_time);
   else
-    tried_ = contact_builder_->build_first(state_, predicted_motion(dt), reach_);
+    trial_contacts_ = contact_builder_->build_first(state_, predicted_motion(dt), search_margin_);
   keep_start();
   detected_ = true;
 }
 
 void Stepper::keep_start() {
-  for_contacts(tried_.size(), [&](std::size_t c) {
-    tried_[c].start_state = tried_[c].history.state;
-    tried_[c].start_bonded = tried_[c].history.bonded;
+  for_contacts(trial_contacts_.size(), [&](std::size_t c) {
+    trial_contacts_[c].start_state = trial_contacts_[c].history.state;
+    trial_contacts_[c].start_bonded = trial_contacts_[c].history.bonded;
   });
-  has_tried_ = false;
+  trials_changed_ = false;
 }
 
 void Stepper::restart_contacts() {
-  if (!has_tried_) return;
-  for_contacts(tried_.size(), [&](std::size_t c) { contact_builder_->restart(tried_[c]); });
-  has_tried_ = false;
+  if (!trials_changed_) return;
+  for_contacts(trial_contacts_.size(), [&](std::size_t c) { contact_builder_->restart(trial_contacts_[c]); });
+  trials_changed_ = false;
 }
 
 std::vector<Contact> Stepper::contacts_to_begin_with() {
@@ -252,7 +252,7 @@ std::vector<Contact> Stepper::contacts_to_begin_with() {
   forget_ahead();
   detect(analysis_.time_step);
   detected_ = false;
-  return tried_;
+  return trial_contacts_;
 }
 
 }  // namespace ddacontact

@@ -5,8 +5,8 @@
 #include <ddacontact/classic/open_close.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/solver/contact_solver.hpp>
 #include <ddacontact/solver/islands_apart.hpp>
-#include <ddacontact/solver/staged.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
 #include <ddacontact/time/face_parts.hpp>
@@ -41,7 +41,7 @@ struct StepMemory {
   double factor = 0;     ///< of (13), and what making it takes
 };
 
-/// Owns the blocks, their state and their contacts, and carries them through time.
+/// Owns the blocks, their state and their contacts, and integrates them in time.
 class Stepper {
  public:
   /// \param[in] initial   the state at the start, with velocities and stresses
@@ -57,25 +57,25 @@ class Stepper {
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// Carries the state over one time_step, in as many substeps as it takes; first goes on to the next stage
-  /// when the last one has made its steps or its `until` came true. False when it has to stop: the state is
-  /// then that of the last accepted substep and `stop_reason` says why; also where memory does not suffice
-  /// for a try. Throws std::bad_alloc where it fails between two states: the record is of no use then.
+  /// Advances the state by one time_step, in as many substeps as it takes; first enters the next stage when
+  /// the present one has made its steps or its `until` holds. False when it has to stop: the state is then
+  /// that of the last accepted substep and `stop_reason` says why; also where memory does not suffice for a
+  /// trial step. Throws std::bad_alloc where it fails between two states: the record is of no use then.
   [[nodiscard]] bool step();
-  /// Asked after every try of a step: when it says so the step is left, as if the tries since the last
-  /// accepted substep had not been made; `step` returns false and `stop_reason` is "interrupted".
+  /// Called after every trial step. Where it returns true the trials since the last accepted substep are
+  /// discarded, `step` returns false and `stop_reason` is "interrupted".
   void interrupt_when(std::function<bool()> asked) { interrupted_ = std::move(asked); }
 
-  /// Where the run stands, and going on from there: a stepper of the same scene makes the same steps then.
-  /// Accounts begin anew. Throws Error for a record of an earlier stage than the present one.
+  /// The state of the run, and its restoration: a stepper of the same scene makes the same steps from there.
+  /// Energy accounts begin anew. Throws Error for a record of an earlier stage than the present one.
   StepRecord record() const;
   void restore(StepRecord record);
   /// The same with all accounts.
   RunRecord run_record() const;
   void restore(RunRecord record);
 
-  /// How hard the staged method tries, for those who measure it. Every stage sets its tolerance anew.
-  StagedOptions& staged_options() { return staged_; }
+  /// Limits of the contact solver, for measurements. Every stage sets its tolerance anew.
+  ContactSolverOptions& contact_solver_options() { return contact_solver_options_; }
 
   const BlockSystem& blocks() const { return blocks_; }
   /// The velocity is that at the time of the state; where the next substep is not solvable as it stands, that
@@ -127,10 +127,10 @@ class Stepper {
   const std::optional<StableStep>& stable_step() const { return stable_; }
 
  private:
-  enum class Try { accepted, rejected, outran_detection, missed_contacts, woke_blocks };
+  enum class Trial { accepted, rejected, outran_detection, missed_contacts, woke_blocks };
   class PartInPlace;
 
-  /// How far to try to go next, and until when the time_step lasts.
+  /// Length of the next trial step, and the end of the time_step.
   struct Substep {
     double dt, end;
     bool is_last, is_shortest;
@@ -138,7 +138,7 @@ class Stepper {
   /// \param[in] steps_made  of the present stage
   Substep next_substep(long steps_made);
   /// The steps of one time_step; false when it has to stop.
-  bool carry_on();
+  bool make_substeps();
   void enter_stage(int stage);
   /// The longest substep of the present stage, s.
   double longest_substep() const;
@@ -150,7 +150,7 @@ class Stepper {
   void start_accounts();
   /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
   void set_flight_acceleration();
-  Try try_step(double dt);
+  Trial make_trial(double dt);
   /// With half steps: solves the next substep, for the velocity at the present time lies between that in the
   /// middle of the last one and of this. Closes the accounts of the last one.
   void look_ahead(double dt);
@@ -166,21 +166,20 @@ class Stepper {
   /// forces. \param[in] from  where the step was computed from
   void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion);
   bool is_interrupted();
-  /// As if the tries since the last accepted substep had not been made.
-  void forget_tries();
+  /// Discards all trials since the last accepted substep.
+  void discard_trials();
   void detect(double dt);
-  /// Keeps what a try changes of contacts.
+  /// Keeps the part of the contacts that a trial changes.
   void keep_start();
-  /// Makes contacts what they were before the last try, if there was one.
+  /// Restores the contacts to before the last trial, if there was one.
   void restart_contacts();
-  /// What a try found: displacements, what they leave over, and why they cannot be accepted (empty: they
-  /// can).
+  /// The solution of a trial step, its residual, and the reason for its rejection (empty: none).
   struct Solution {
     VectorXd d;         ///< of all unknowns
     VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
     Residual residual;
     double tolerance = 0;  ///< that contact forces were solved to
-    std::string objection;
+    std::string rejection;
     bool friction_unsettled = false;  ///< and nothing else
     StepImpact impact;
     VectorXd start;                    ///< where d was looked for from, without an earlier solution
@@ -188,10 +187,10 @@ class Stepper {
   };
   /// Of a substep that begins now, with blocks woken and contacts looked for.
   Solution find_solution(double dt);
-  /// \param[in] nearby  what was found with contacts that differ little; may be null
-  Solution solve(double dt, const Solution* nearby = nullptr);
-  /// Of the contacts of the last try.
-  std::vector<ContactForce> tried_forces() const;
+  /// \param[in] warm_start  the solution with contacts that differ little; may be null
+  Solution solve(double dt, const Solution* warm_start = nullptr);
+  /// Of the trial contacts.
+  std::vector<ContactForce> trial_forces() const;
   /// From where the blocks are at the start of the step.
   static VectorXd motion_of(const Solution& solution);
   /// The same, with the lines that corners meet chosen by the motion that is found.
@@ -201,11 +200,11 @@ class Stepper {
   Solution solve_without(const std::vector<int>& doubtful, double dt, Solution& with);
   /// Of all unknowns in a step, as velocities and supports have it.
   VectorXd predicted_motion(double dt) const;
-  /// One try with an impact foreseen.
-  /// \param[in] nearby  what was found with an impact that differs little; may be null
-  Solution solve_with(double dt, StepImpact impact, const Solution* nearby);
-  /// Marks in `also` contacts that closed fast without having been foreseen; false: there are none.
-  bool find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const;
+  /// One trial with a predicted impact.
+  /// \param[in] warm_start  the solution with an impact that differs little; may be null
+  Solution solve_with(double dt, StepImpact impact, const Solution* warm_start);
+  /// Marks in `forced` contacts that closed fast that were not predicted; false: there are none.
+  bool find_unpredicted(double dt, const Solution& solution, std::vector<char>& forced) const;
   /// Whether blocks are carried on by their motions (BlockMotion).
   bool has_motions() const {
     return analysis_.scheme == Scheme::decaying || analysis_.scheme == Scheme::central_difference;
@@ -213,7 +212,7 @@ class Stepper {
   /// Of the blocks in the present state, where they are carried on by them.
   void find_motions();
   void solve_by_open_close(Solution& solution);
-  void solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution);
+  void solve_by_contact_solver(const StepStart& start, const Solution* warm_start, Solution& solution);
   std::string between(int contact) const;
   /// Whether an outline that is not convex is simple; notes one that was convex in `turned_concave_`.
   bool check_concave(int block, const BlockState& next);
@@ -246,9 +245,9 @@ class Stepper {
   /// Wakes the islands whose loads or supports change within the next substep.
   void wake_changing(double dt);
   /// Wakes the islands that supports in motion may reach, and looks anew for what is near the blocks awake
-  /// when they may leave where that was done. After it `reach_` holds.
+  /// when they may leave where that was done. After it `search_margin_` holds.
   void look_around(double dt);
-  /// Wakes what blocks hit in a try; false: nothing sleeping.
+  /// Wakes what blocks hit in a trial; false: nothing sleeping.
   bool wake_hit(const Solution& solution);
   bool wake(int b);
   void wake_all();
@@ -280,8 +279,8 @@ class Stepper {
   IslandsApart islands_;
   OpenCloseOptions open_close_;
   ContactMethod method_;
-  StagedOptions staged_;
-  double held_stiffness_;
+  ContactSolverOptions contact_solver_options_;
+  double fixed_point_stiffness_;
 
   BlockState state_;
   std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
@@ -291,12 +290,13 @@ class Stepper {
   std::vector<StageEnd> stage_ends_;
   RunWarnings warnings_;
 
-  std::vector<Contact> tried_;  ///< of the present substep, as the last try left them
-  std::vector<double> reach_;   ///< that they were looked for in
+  std::vector<Contact> trial_contacts_;  ///< of the present substep, after the last trial
+  std::vector<double> search_margin_;    ///< that they were looked for in
   double reach_scale_ = 1;
-  bool begun_ = false;      ///< a substep has been made: contacts carry on contacts_
-  bool detected_ = false;   ///< tried_ are those of state_
-  bool has_tried_ = false;  ///< tried_ are no longer what they were before
+  bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
+  bool detected_ = false;  ///< trial_contacts_ are those of state_
+  bool trials_changed_ =
+      false;  ///< by a trial: trial_contacts_ differ from those at the start of the substep
 
   std::optional<StableStep> stable_;  ///< of the present stage, by central differences
   double substep_ = 0;                ///< the length to try next, s
@@ -324,7 +324,7 @@ class Stepper {
     std::vector<Box> around;              ///< see SleepRecord
     std::vector<double> elastic;          ///< energy of each block at rest, J per m
     double elastic_outside = 0;           ///< of what is not in the part
-    Points reactions;  ///< of supports to those who sleep, 2 x all places; only of wholly held blocks
+    Points reactions;  ///< of supports to those who sleep, 2 x all points; only of wholly held blocks
     /// A function of time on a block.
     struct Watched {
       int block;
@@ -344,7 +344,7 @@ class Stepper {
   StepTimes times_;
   std::string stop_reason_, rejection_, last_unsettled_;
   std::vector<char> convex_;         ///< outlines that have been so to this moment
-  std::vector<int> turned_concave_;  ///< blocks, in the present try
+  std::vector<int> turned_concave_;  ///< blocks, in the present trial
   std::vector<std::string> notes_;
 };
 

@@ -43,8 +43,8 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     if (is_concave[b] && !check_concave(b, next)) return false;
   const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
   next.carried_dt = rule.has_half_steps() && !is_static() ? dt : 0;
-  for (const HeldUnknown& held :
-       blocks_.held_unknowns()) {  // to the bit, without the rounding of the motions
+  for (const PrescribedDof& held :
+       blocks_.prescribed_dofs()) {  // to the bit, without the rounding of the motions
     const int b = blocks_.block_of_unknown(held.unknown);
     if (!rule.has_half_steps() || blocks_.is_unchanging(b)) continue;
     next.position(held.axis, held.vertex) = state_.position(held.axis, held.vertex) +
@@ -60,7 +60,7 @@ bool Stepper::advance(double dt, const Solution& solution, BlockState& next) {
     next.velocity = next.carried;
     return true;
   }
-  for (const HeldUnknown& held : blocks_.held_unknowns()) {
+  for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
     // Where the trapezoidal rule goes on with this velocity d - dt v0 is a contact's force: a mean over the
     // step would be half a step late, and make it twice as large as the support's acceleration does.
     const bool of_both_sides = rule.mean_forces() && held.motion.is_history();
@@ -76,10 +76,11 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   const bool has_impact = solution.impact.changes();
   const BlockState& from = has_impact ? solution.impact.start : state_;
   if (has_motions()) {
-    for (Contact& contact : tried_)
+    for (Contact& contact : trial_contacts_)
       if (has_impact) contact_builder_->start_from(from, contact);
-    book(account_motion_step(blocks_, *system_,
-                             {from, solution.straight, system_->prescribed(), solution.residual, tried_}));
+    book(account_motion_step(
+        blocks_, *system_,
+        {from, solution.straight, system_->prescribed(), solution.residual, trial_contacts_}));
     if (has_impact) book_shift(solution.impact.shift);
     end_bolts(solution, solution.straight, next);
   } else {
@@ -88,7 +89,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
       motion += solution.impact.shift;
       measure_contacts(from, solution.d, motion);
     }
-    account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, tried_, properties_},
+    account_step(blocks_, *system_, {dt, solution.d, motion, solution.residual, trial_contacts_, properties_},
                  energy_.now);
     end_bolts(solution, motion, next);
   }
@@ -113,18 +114,19 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
                           ? "the functions of its starting shape"
                           : "mean value functions while a corner is concave"));
   }
-  contacts_.assign(tried_.begin(), tried_.end());
+  contacts_.assign(trial_contacts_.begin(), trial_contacts_.end());
   state_ = std::move(next);
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, fixed_point_stiffness_);
   if (asleep_) energy_.now.elastic += asleep_->elastic_outside;
   const bool some_fell_asleep = fall_asleep(dt);
   tolerated_work_ = 0;
-  for (const Contact& contact : tried_)
-    tolerated_work_ += std::max(contact.normal, 0.0) * staged_.penetration_tolerance * contact.size;
+  for (const Contact& contact : trial_contacts_)
+    tolerated_work_ +=
+        std::max(contact.normal, 0.0) * contact_solver_options_.penetration_tolerance * contact.size;
   ++counts_.substeps;
-  counts_.max_residual = std::max(counts_.max_residual, solution.residual.own);
+  counts_.max_residual = std::max(counts_.max_residual, solution.residual.block_relative);
   counts_.largest_tolerance = std::max(counts_.largest_tolerance, solution.tolerance);
   begun_ = true;
   last_dt_ = dt;
@@ -143,10 +145,10 @@ void Stepper::look_ahead(double dt) {
       ahead_ = Ahead{dt, find_solution(dt), counts_};
       ahead_->solution.start.resize(0);  // has served
     } catch (const std::bad_alloc&) {    // the step itself will say so
-      forget_tries();
+      discard_trials();
     }
     counts_ = accepted_.counts;
-    if (ahead_ && (ahead_->solution.objection.empty() || ahead_->solution.friction_unsettled)) {
+    if (ahead_ && (ahead_->solution.rejection.empty() || ahead_->solution.friction_unsettled)) {
       const Solution& solution = ahead_->solution;
       // An impact is yet to come.
       const double before = state_.carried_dt;
@@ -219,7 +221,7 @@ void Stepper::book_kinetic(double kinetic) {
 }
 
 void Stepper::measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion) {
-  for (Contact& contact : tried_) {
+  for (Contact& contact : trial_contacts_) {
     if (contact.normal == 0 && contact.shear == 0) continue;
     contact_builder_->start_from(from, contact);
     const GapAndSlip at_d =
@@ -233,17 +235,18 @@ void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_ve
   const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
   const double before = equilibrium_.unbalanced;
   const Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
-  equilibrium_ = has_motions()
-                     ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
-                                        tried_, velocity)
-                     : find_equilibrium(blocks_, *system_, solution.residual, tried_, reactions, velocity);
+  equilibrium_ =
+      has_motions()
+          ? find_equilibrium(blocks_, sum_forces(blocks_, *system_, solution.straight, reactions),
+                             trial_contacts_, velocity)
+          : find_equilibrium(blocks_, *system_, solution.residual, trial_contacts_, reactions, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = in_whole(*b);
   equilibrium_.unbalanced_before = before;
   warnings_.look(
       {.blocks = blocks_,
        .d = solution.d,
-       .contacts = tried_,
+       .contacts = trial_contacts_,
        .dt = dt,
        .time = state_.time + dt,
        .has_velocities = !is_static(),
@@ -271,17 +274,17 @@ void Stepper::prepare_and_keep_momentum() {
 void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
   Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
   reactions.setZero(2, state_.position.cols());
-  for (const HeldUnknown& held : blocks_.held_unknowns())
+  for (const PrescribedDof& held : blocks_.prescribed_dofs())
     reactions(held.axis, held.vertex) += residual.force[held.unknown];
-  for (const StepSystem::HeldSpring& spring : system_->held_springs()) {
-    const HeldVertex& held = blocks_.held_vertices[spring.held_vertex];
+  for (const StepSystem::FixedPointSpring& spring : system_->fixed_point_springs()) {
+    const FixedVertex& held = blocks_.fixed_vertices[spring.fixed_vertex];
     reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
-        system_->held_stiffness() * spring.form(d);
+        system_->fixed_point_stiffness() * spring.form(d);
   }
   if (!asleep_) return;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (asleep_->part->is_resting(b)) continue;
-    const Range &from = blocks_.block(b).places(), &to = asleep_->part->places_in_whole(b);
+    const Range &from = blocks_.block(b).points(), &to = asleep_->part->points_in_whole(b);
     reactions_.middleCols(to.first, to.count) =
         reactions.middleCols(from.first, from.count) + asleep_->reactions.middleCols(to.first, to.count);
   }
@@ -310,7 +313,7 @@ void Stepper::dilate(Contact& contact, double shear_before) {
 
 void Stepper::record_contacts() {
   counts_.contacts = asleep_ ? asleep_->n_closed : 0;
-  for (Contact& contact : tried_) {
+  for (Contact& contact : trial_contacts_) {
     ContactHistory& history = contact.history;
     contact.end_gap = contact.gap - history.gap_offset;
     const bool compliant = contact.law.compliant,

@@ -33,9 +33,9 @@ std::vector<ContactForce> forces_still_there(const std::vector<Contact>& had,
 VectorXd Stepper::predicted_motion(double dt) const {
   const bool at_rest = is_static() || analysis_.preset == Preset::paper;
   VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.going_on());
-  if (analysis_.preset == Preset::paper || blocks_.held_unknowns().empty()) return d;
+  if (analysis_.preset == Preset::paper || blocks_.prescribed_dofs().empty()) return d;
   const VectorXd prescribed = blocks_.prescribed(state_, state_.time + dt);
-  for (const HeldUnknown& held : blocks_.held_unknowns()) d[held.unknown] = prescribed[held.unknown];
+  for (const PrescribedDof& held : blocks_.prescribed_dofs()) d[held.unknown] = prescribed[held.unknown];
   return d;
 }
 
@@ -44,52 +44,52 @@ VectorXd Stepper::motion_of(const Solution& solution) {
 }
 
 Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, double dt, Solution& with) {
-  with.forces = tried_forces();
+  with.forces = trial_forces();
   restart_contacts();
-  const std::vector<Contact> all = tried_;
+  const std::vector<Contact> all = trial_contacts_;
   for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) {
-    tried_.erase(tried_.begin() + *c);
+    trial_contacts_.erase(trial_contacts_.begin() + *c);
     with.forces.erase(with.forces.begin() + *c);
   }
   Solution without = solve(dt, &with);
-  tried_ = all;
-  has_tried_ = false;
+  trial_contacts_ = all;
+  trials_changed_ = false;
   return without;
 }
 
 Stepper::Solution Stepper::solve_with_corners(double dt) {
   Solution solution = solve(dt);
   if (analysis_.preset == Preset::paper) return solution;
-  for (int round = 0; contact_builder_->has_choices() && solution.objection.empty(); ++round) {
-    const std::vector<Contact> solved = tried_;
-    const std::vector<int> doubtful =
-        contact_builder_->find_doubtful(tried_, staged_.residual_tolerance * solution.residual.scale);
+  for (int round = 0; contact_builder_->has_choices() && solution.rejection.empty(); ++round) {
+    const std::vector<Contact> solved = trial_contacts_;
+    const std::vector<int> doubtful = contact_builder_->find_doubtful(
+        trial_contacts_, contact_solver_options_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();
-      changed = contact_builder_->choose_again(state_, motion_of(solution), contacts_, tried_);
+      changed = contact_builder_->choose_again(state_, motion_of(solution), contacts_, trial_contacts_);
     } else {
       const Solution without = solve_without(doubtful, dt, solution);
-      if (without.objection.empty()) {
+      if (without.rejection.empty()) {
         ++counts_.corner_solutions;
-        changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, tried_);
+        changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, trial_contacts_);
       }
       const StepImpact& impact = solution.impact;
       if (impact.changes() || without.impact.changes()) {  // the step of the solution, not that without
         const BlockState& from = impact.changes() ? impact.start : state_;
         blocks_.prepare(from);
-        system_->set_step(from, step_from(analysis_, from, dt, state_.carried_dt), held_stiffness_);
+        system_->set_step(from, step_from(analysis_, from, dt, state_.carried_dt), fixed_point_stiffness_);
         blocks_.prepare(state_);
       }
     }
     if (changed && round == most_corner_rounds) ++counts_.unsettled_corners;
     if (!changed || round == most_corner_rounds) {
-      tried_ = solved;
-      has_tried_ = true;
+      trial_contacts_ = solved;
+      trials_changed_ = true;
       break;
     }
     keep_start();
-    solution.forces = forces_still_there(solved, tried_);
+    solution.forces = forces_still_there(solved, trial_contacts_);
     solution = solve(dt, &solution);
     ++counts_.corner_solutions;
   }

@@ -1,5 +1,5 @@
 // How a stepper leaves out the blocks that sleep.
-#include <ddacontact/contact/contact_place.hpp>
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 
@@ -59,7 +59,7 @@ double fastest_vertex(const Block& block, const VectorXd& velocity) {
 void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
                 VectorXd& F) {
   const MovingVertexEdge motion = motion_of(blocks, state, contact.pair);
-  const GapAndSlip rates = motion.rates_at(motion.places(), contact.history.lock);
+  const GapAndSlip rates = motion.rates_at(motion.positions(), contact.history.lock);
   motion.form(rates.by_gap).add_gradient(contact.normal, F);
   motion.form(rates.by_slip).add_gradient(contact.shear, F);
 }
@@ -102,9 +102,9 @@ std::vector<char> Stepper::find_restless(double dt) const {
     if (varies(face.incoming, from, to, end_time)) restless[face.block] = 1;
   for (const TimeFunction& of_record : blocks_.ground)
     if (varies(of_record, from, to, end_time)) restless.assign(restless.size(), 1);
-  for (const HeldUnknown& held : blocks_.held_unknowns())
-    if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_place(held.vertex)] = 1;
-  for (const HeldVertex& held : blocks_.held_vertices) restless[held.block] = 1;
+  for (const PrescribedDof& held : blocks_.prescribed_dofs())
+    if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_point(held.vertex)] = 1;
+  for (const FixedVertex& held : blocks_.fixed_vertices) restless[held.block] = 1;
   for (const Bolt& bolt : blocks_.bolts)
     for (const MaterialPoint& node : bolt.nodes)
       if (node.block >= 0 && acts(bolt, blocks_)) restless[node.block] = 1;
@@ -113,12 +113,13 @@ std::vector<char> Stepper::find_restless(double dt) const {
   const auto force_of_rest = [&](int b) {
     return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt) / dt;
   };
-  for (std::size_t c = 0; c < tried_.size(); ++c) {
-    const auto [vertex_block, vertex, edge_block, edge, corner] = tried_[c].pair;
-    const bool has_closed = tried_[c].start_state == ContactState::open && tried_[c].closed();
+  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
+    const auto [vertex_block, vertex, edge_block, edge, corner] = trial_contacts_[c].pair;
+    const bool has_closed =
+        trial_contacts_[c].start_state == ContactState::open && trial_contacts_[c].closed();
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
-      if ((has_closed && tried_[c].normal > force_of_rest(b)) ||
-          (tried_[c].closed() && !blocks_.is_movable(other) && restless[other]))
+      if ((has_closed && trial_contacts_[c].normal > force_of_rest(b)) ||
+          (trial_contacts_[c].closed() && !blocks_.is_movable(other) && restless[other]))
         restless[b] = 1;
   }
   return restless;
@@ -135,7 +136,7 @@ bool Stepper::fall_asleep(double dt) {
                                                     rest_speed(blocks_, b, dt));
   }
   std::vector<Pair> touching;
-  for (const Contact& contact : tried_)
+  for (const Contact& contact : trial_contacts_)
     if (contact.closed() && blocks_.is_movable(contact.pair.vertex_block) &&
         blocks_.is_movable(contact.pair.edge_block))
       touching.push_back({in_whole(contact.pair.vertex_block), in_whole(contact.pair.edge_block)});
@@ -177,17 +178,17 @@ void Stepper::wake_changing(double dt) {
 
 void Stepper::look_around(double dt) {
   while (true) {
-    reach_ = limits_.reach(state_, contacts_, dt, reach_scale_);
+    search_margin_ = limits_.search_margin(state_, contacts_, dt, reach_scale_);
     if (!asleep_) return;
     bool woken = false, covered = true;
     std::size_t k = 0;
     const double round_off = 1e-12;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (blocks_.is_unchanging(b)) continue;
-      const Box box = box_of(blocks_, state_, b, reach_[b]);
+      const Box box = box_of(blocks_, state_, b, search_margin_[b]);
       if (blocks_.is_movable(b))
         covered = covers(asleep_->around[k++], box) && covered;
-      else if (reach_[b] > round_off * blocks_.block(b).size())
+      else if (search_margin_[b] > round_off * blocks_.block(b).size())
         for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
           if (overlap(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
     }
@@ -207,8 +208,8 @@ void Stepper::look_around(double dt) {
 bool Stepper::wake_hit(const Solution& solution) {
   if (!asleep_) return false;
   bool woken = false;
-  for (std::size_t c = 0; c < tried_.size(); ++c) {
-    const Contact& contact = tried_[c];
+  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
+    const Contact& contact = trial_contacts_[c];
     if (!asleep_->part->is_resting(contact.pair.vertex_block) &&
         !asleep_->part->is_resting(contact.pair.edge_block))
       continue;
@@ -269,8 +270,8 @@ void Stepper::survey() {
   const auto watch = [&](int block, const TimeFunction& function) {
     if (watched[block] && !is_steady(function)) asleep.watched.push_back({block, &function});
   };
-  for (const HeldUnknown& held : blocks_.held_unknowns()) {
-    const int b = blocks_.block_of_place(held.vertex);
+  for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
+    const int b = blocks_.block_of_point(held.vertex);
     if (!blocks_.is_movable(b)) asleep.reactions(held.axis, held.vertex) -= forces[held.unknown];
     watch(b, held.motion);
   }
@@ -291,8 +292,8 @@ void Stepper::form_part(const std::vector<Box>* around) {
     resting[b] = sleeping_.is_asleep(b);
     takes_part[b] = blocks_.is_present(b) && !resting[b] && !blocks_.is_unchanging(b);
     if (takes_part[b] && blocks_.is_movable(b) && !around)
-      boxes.push_back(
-          box_of(blocks_, state_, b, neighbourhood * blocks_.block(b).size() + limits_.largest_reach(b)));
+      boxes.push_back(box_of(blocks_, state_, b,
+                             neighbourhood * blocks_.block(b).size() + limits_.largest_search_margin(b)));
   }
   asleep.around = around ? *around : boxes;
 

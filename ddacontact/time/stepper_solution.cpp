@@ -18,7 +18,7 @@ namespace {
 constexpr const char* cure_of_unsettled =
     " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it a "
     "smaller friction_angle)";
-/// A step is solved again so often for contacts that closed fast without having been foreseen.
+/// A step is solved again at most so often for contacts that closed fast and were not predicted.
 constexpr int most_impact_rounds = 4;
 
 /// Two states are in each other's place while it lives.
@@ -35,75 +35,76 @@ class Swapped {
 
 }  // namespace
 
-Stepper::Solution Stepper::solve(double dt, const Solution* nearby) {
+Stepper::Solution Stepper::solve(double dt, const Solution* warm_start) {
   const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
   const bool has_impacts =
       method_ != ContactMethod::classic && !is_static() &&
-      std::ranges::any_of(tried_, [&](const Contact& contact) {
+      std::ranges::any_of(trial_contacts_, [&](const Contact& contact) {
         return restitution_of(contact_builder_->properties(), contact.pair, rule).has_value();
       });
-  if (!has_impacts) return solve_with(dt, {}, nearby);
-  std::vector<char> also;
+  if (!has_impacts) return solve_with(dt, {}, warm_start);
+  std::vector<char> forced;
   Solution solution;
   for (int round = 0; round < most_impact_rounds; ++round) {
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
-      if (round > 0) solution.forces = tried_forces();
+      if (round > 0) solution.forces = trial_forces();
       restart_contacts();
-      impact = foresee_impact(blocks_, state_, contact_builder_->properties(), tried_, rule, dt, also);
+      impact =
+          predict_impact(blocks_, state_, contact_builder_->properties(), trial_contacts_, rule, dt, forced);
     }
-    solution = solve_with(dt, std::move(impact), round > 0 ? &solution : nearby);
-    if (!solution.objection.empty() || !find_unforeseen(dt, solution, also)) break;
+    solution = solve_with(dt, std::move(impact), round > 0 ? &solution : warm_start);
+    if (!solution.rejection.empty() || !find_unpredicted(dt, solution, forced)) break;
   }
   return solution;
 }
 
-std::vector<ContactForce> Stepper::tried_forces() const {
+std::vector<ContactForce> Stepper::trial_forces() const {
   std::vector<ContactForce> forces;
-  forces.reserve(tried_.size());
-  for (const Contact& contact : tried_) forces.push_back({contact.normal, contact.shear});
+  forces.reserve(trial_contacts_.size());
+  for (const Contact& contact : trial_contacts_) forces.push_back({contact.normal, contact.shear});
   return forces;
 }
 
-bool Stepper::find_unforeseen(double dt, const Solution& solution, std::vector<char>& also) const {
-  const std::vector<char> before = also;
-  also.resize(tried_.size(), 0);
-  for (std::size_t c = 0; c < tried_.size(); ++c) {
-    const Contact& start = tried_[c];
+bool Stepper::find_unpredicted(double dt, const Solution& solution, std::vector<char>& forced) const {
+  const std::vector<char> before = forced;
+  forced.resize(trial_contacts_.size(), 0);
+  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
+    const Contact& start = trial_contacts_[c];
     if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
     if (!restitution_of(contact_builder_->properties(), start.pair,
                         step_rule(analysis_, dt, state_.carried_dt)))
       continue;
     const double rate = start.motion.change_along(start.first_gap().gradient, state_.going_on());
-    if (-rate > least_approach(blocks_, start, dt)) also[c] = 1;
+    if (-rate > least_approach(blocks_, start, dt)) forced[c] = 1;
   }
-  return also != before && std::find(also.begin(), also.end(), 1) != also.end();
+  return forced != before && std::find(forced.begin(), forced.end(), 1) != forced.end();
 }
 
-Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Solution* nearby) {
+Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Solution* warm_start) {
   std::optional<Swapped> at_impact;  // the step starts from where the impact leads it
   if (impact.changes()) at_impact.emplace(state_, impact.start);
   const StepStart start = step_from(analysis_, state_, dt, state_.carried_dt);
   {
     const polyfem::Stopwatch watch(times_.assembly);
     if (impact.changes()) blocks_.prepare(state_);
-    system_->set_step(state_, start, held_stiffness_);
+    system_->set_step(state_, start, fixed_point_stiffness_);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
   restart_contacts();
-  has_tried_ = true;
-  for (std::size_t c = 0; c < tried_.size(); ++c) {
-    Contact& contact = tried_[c];
+  trials_changed_ = true;
+  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
+    Contact& contact = trial_contacts_[c];
     contact.damping = contact_builder_->dashpot(contact) / dt;
     if (impact.changes()) {
       contact_builder_->start_from(state_, contact);
       contact.meets = impact.hit[c];
     }
-    if (!nearby) continue;
-    contact.normal = nearby->forces[c].normal;
-    contact.shear = nearby->forces[c].shear;
+    if (!warm_start) continue;
+    contact.normal = warm_start->forces[c].normal;
+    contact.shear = warm_start->forces[c].shear;
   }
   Solution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
@@ -113,12 +114,12 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
-    solve_by_stages(start, nearby, solution);
+    solve_by_contact_solver(start, warm_start, solution);
   solution.straight = solution.d;
   solution.d = system_->displacement(solution.straight);
   at_impact.reset();
   if (impact.changes()) {
-    for (Contact& contact : tried_) contact_builder_->start_from(state_, contact);
+    for (Contact& contact : trial_contacts_) contact_builder_->start_from(state_, contact);
     blocks_.prepare(state_);
   }
   solution.impact = std::move(impact);
@@ -132,7 +133,7 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
 }
 
 void Stepper::solve_by_open_close(Solution& solution) {
-  OpenCloseReport report = iterate_open_close(*system_, open_close_, tried_, solution.d);
+  OpenCloseReport report = iterate_open_close(*system_, open_close_, trial_contacts_, solution.d);
   counts_.open_close_iterations += report.iterations;
   solution.residual = std::move(report.residual);
   switch (report.status) {
@@ -140,35 +141,39 @@ void Stepper::solve_by_open_close(Solution& solution) {
       return;
     case OpenCloseStatus::friction_unsettled:
       solution.friction_unsettled = true;
-      solution.objection = "stick and slip did not settle" + between(report.disagreeing);
+      solution.rejection = "stick and slip did not settle" + between(report.disagreeing);
       return;
     case OpenCloseStatus::unsettled:
-      solution.objection =
+      solution.rejection =
           "open and closed contacts did not settle" + between(report.disagreeing) + cure_of_unsettled;
       return;
     case OpenCloseStatus::not_positive_definite:
-      solution.objection = "the equations are not positive definite";
+      solution.rejection = "the equations are not positive definite";
       return;
     case OpenCloseStatus::not_finite:
-      solution.objection = "the solution is not finite";
+      solution.rejection = "the solution is not finite";
   }
 }
 
-void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, Solution& solution) {
-  staged_.local = !is_static() && (start.rule.is_explicit() ||
-                                   std::all_of(tried_.begin(), tried_.end(), [&](const Contact& contact) {
-                                     return carries_waves(blocks_, contact, system_->dt());
-                                   }));
-  staged_.skip = analysis_.skip;
-  staged_.directions = start.rule.directions();
-  staged_.is_static = is_static();
+void Stepper::solve_by_contact_solver(const StepStart& start, const Solution* warm_start,
+                                      Solution& solution) {
+  contact_solver_options_.local =
+      !is_static() &&
+      (start.rule.is_explicit() ||
+       std::all_of(trial_contacts_.begin(), trial_contacts_.end(),
+                   [&](const Contact& contact) { return carries_waves(blocks_, contact, system_->dt()); }));
+  contact_solver_options_.skip = analysis_.skip;
+  contact_solver_options_.directions = start.rule.directions();
+  contact_solver_options_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
-  staged_.again = nearby;
-  if (nearby) solution.d += nearby->straight - nearby->start;
+  contact_solver_options_.warm_start = warm_start;
+  if (warm_start) solution.d += warm_start->straight - warm_start->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
-                     islands_.divide(blocks_, tried_);
-  StagedReport report = apart ? islands_.solve(blocks_, state_, start, *system_, staged_, tried_, solution.d)
-                              : solve_staged(*system_, staged_, tried_, solution.d);
+                     islands_.divide(blocks_, trial_contacts_);
+  ContactSolverReport report =
+      apart ? islands_.solve(blocks_, state_, start, *system_, contact_solver_options_, trial_contacts_,
+                             solution.d)
+            : solve_contacts(*system_, contact_solver_options_, trial_contacts_, solution.d);
   if (apart) {
     const IslandsApart::Work& work = islands_.last_work();
     counts_.linear_solves += work.n_solves;
@@ -179,7 +184,7 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
     times_.solution += work.seconds.solution;
   }
   counts_.open_close_iterations += report.iterations;
-  counts_.interior_paths += report.interior_paths;
+  counts_.interior_point_solves += report.interior_point_solves;
   counts_.augmentations += report.augmentations;
   counts_.sweeps += report.sweeps;
   counts_.interior_solutions += report.interior_solutions;
@@ -189,26 +194,26 @@ void Stepper::solve_by_stages(const StepStart& start, const Solution* nearby, So
   solution.tolerance = report.tolerance;
   solution.residual = std::move(report.residual);
   switch (report.status) {
-    case StagedStatus::settled:
+    case ContactSolverStatus::settled:
       return;
-    case StagedStatus::unsettled:
-      solution.objection =
+    case ContactSolverStatus::unsettled:
+      solution.rejection =
           "contact forces did not come into balance" + between(report.worst_contact) + cure_of_unsettled;
       return;
-    case StagedStatus::penetrating:
-      solution.objection = "penetration did not fall below its tolerance" + between(report.worst_contact);
+    case ContactSolverStatus::penetrating:
+      solution.rejection = "penetration did not fall below its tolerance" + between(report.worst_contact);
       return;
-    case StagedStatus::not_positive_definite:
-      solution.objection = "the equations are not positive definite";
+    case ContactSolverStatus::not_positive_definite:
+      solution.rejection = "the equations are not positive definite";
       return;
-    case StagedStatus::not_finite:
-      solution.objection = "the solution is not finite";
+    case ContactSolverStatus::not_finite:
+      solution.rejection = "the solution is not finite";
   }
 }
 
 std::string Stepper::between(int contact) const {
   if (contact < 0) return "";
-  const VertexEdge& pair = tried_[contact].pair;
+  const VertexEdge& pair = trial_contacts_[contact].pair;
   return ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
          quoted(blocks_.names[pair.edge_block]);
 }

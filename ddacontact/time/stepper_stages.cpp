@@ -12,7 +12,7 @@ namespace ddacontact {
 
 namespace {
 
-/// What contacts are solved to by central differences where nothing else is asked for: a step's error is made
+/// What contacts are solved to by central differences where nothing else is requested: a step's error is made
 /// up for in the next, and the scheme's own is larger (doc/verification/tolerance.md).
 constexpr double tolerance_of_explicit_steps = 1e-3;
 
@@ -52,8 +52,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       limits_(blocks_, stages_.front().analysis),
       properties_(contacts),
       method_(contacts.method),
-      staged_(contacts.tolerance, contacts.penetration_tolerance),
-      held_stiffness_(contacts.normal_stiffness),
+      contact_solver_options_(contacts.tolerance, contacts.penetration_tolerance),
+      fixed_point_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
       reactions_(Points::Zero(2, state_.position.cols())),
       warnings_(blocks_.n_blocks()),
@@ -72,8 +72,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
                       !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
   }
-  const std::vector<Contact> first = contact_builder_->build_first(
-      state_, predicted_motion(analysis_.time_step), limits_.reach(state_, {}, analysis_.time_step, 1));
+  const std::vector<Contact> first =
+      contact_builder_->build_first(state_, predicted_motion(analysis_.time_step),
+                                    limits_.search_margin(state_, {}, analysis_.time_step, 1));
   contacts_.assign(first.begin(), first.end());
   accepted_ = {substep_, counts_, {}};
   set_flight_acceleration();
@@ -99,7 +100,8 @@ void Stepper::apply(const Stage& stage) {
   if (stable_ && stable_->n_decaying > 0)
     notes_.push_back("by the explicit scheme " + std::to_string(stable_->n_decaying) +
                      " slivers do not vibrate: their deformation decays");
-  staged_.solve_to(properties_.tolerance || !stable_ ? properties_.tolerance : tolerance_of_explicit_steps);
+  contact_solver_options_.solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
+                                                                     : tolerance_of_explicit_steps);
 }
 
 void Stepper::find_motions() {
@@ -133,7 +135,7 @@ void Stepper::enter_stage(int stage) {
   Energy& e = energy_.now;
   // What goes with the blocks that are taken out is work done on them, as what pretensions bring.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),
-               elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
+               elastic = elastic_energy(blocks_, state_, contacts_, properties_, fixed_point_stiffness_);
   e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
   e.kinetic = kinetic;
   e.elastic = elastic;
@@ -190,7 +192,7 @@ void Stepper::leave_stage() {
 void Stepper::start_accounts() {
   energy_ = {};
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, held_stiffness_);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, fixed_point_stiffness_);
   energy_.start();
   equilibrium_ = {};
   stage_ends_.clear();
@@ -237,8 +239,8 @@ StepMemory Stepper::memory() const {
   return {.state = bytes_of(s.bolts) + bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
                    bytes_of(s.carried) + bytes_of(s.stress) + bytes_of(s.coordinates) + bytes_of(s.rotation) +
                    bytes_of(reactions_),
-          .contacts = bytes_of(contacts_) + bytes_of(tried_),
-          .detection = contact_builder_->memory() + bytes_of(reach_),
+          .contacts = bytes_of(contacts_) + bytes_of(trial_contacts_),
+          .detection = contact_builder_->memory() + bytes_of(search_margin_),
           .equations = system_->memory(),
           .factor = system_->problem().cholesky().memory()};
 }

@@ -5,7 +5,7 @@
 
 namespace ddacontact {
 
-double support_velocity(const HeldUnknown& held, double time, double dt, double end_time) {
+double support_velocity(const PrescribedDof& held, double time, double dt, double end_time) {
   constexpr double much = 4;
   double way[4];  // in the steps that end at time - dt, time, ...
   Vec2 before = held.motion.at(time - 2 * dt, end_time);

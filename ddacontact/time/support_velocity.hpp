@@ -9,6 +9,6 @@ namespace ddacontact {
 /// more than in the steps beside, that before.
 /// \param[in] time      at the end of the step, s
 /// \param[in] end_time  of the analysis, s
-double support_velocity(const HeldUnknown& held, double time, double dt, double end_time);
+double support_velocity(const PrescribedDof& held, double time, double dt, double end_time);
 
 }  // namespace ddacontact

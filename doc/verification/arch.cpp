@@ -30,7 +30,7 @@ struct Seen {
   double size;
 };
 
-std::vector<Seen> look_at(const Frame& frame) {
+std::vector<Seen> evaluate(const Frame& frame) {
   std::vector<Seen> seen;
   for (int b = 0; b < n_blocks; ++b) {
     const std::vector<Sample> all = samples(frame, b);
@@ -112,7 +112,7 @@ void frictionless(Report& report) {
   report.paragraph("### Without friction (figure 11)");
   picture(report, "arch_frictionless", "Figure 11: the arch without friction after 30 steps", affine,
           wachspress, RangeSharing::rows);
-  const std::vector<Seen> seen = look_at(wachspress.frame);
+  const std::vector<Seen> seen = evaluate(wachspress.frame);
   const auto left = ends(seen[0], &Sample::s1), right = ends(seen[6], &Sample::s1);
   const auto left2 = ends(seen[0], &Sample::s2), right2 = ends(seen[6], &Sample::s2);
   const auto variation = [&](int b) { return seen[b].extremes.most_s1.s1 - seen[b].extremes.least_s1.s1; };
@@ -149,7 +149,7 @@ void with_friction(Report& report) {
   report.paragraph("### Friction angle 30 degrees (figures 12 and 13)");
   picture(report, "arch_friction30", "Figures 12 and 13: the arch with friction after 30 steps", affine,
           wachspress, RangeSharing::rows);
-  const std::vector<Seen> seen = look_at(wachspress.frame);
+  const std::vector<Seen> seen = evaluate(wachspress.frame);
   bool affine_negative = true, bottom = true, top = true, biaxial_everywhere = true;
   double negative_part = 0, larger_part = 0;
   for (const Seen& block : seen) {

@@ -66,7 +66,7 @@ Frame alone(const Frame& frame, int block) {
   one.stress_offset = frame.stress_offset.col(block);
   one.mean_stress = frame.mean_stress.col(block);
   one.cells.clear();
-  one.corner_places.clear();
+  one.corner_points.clear();
   one.add_outline_cell(0);
   one.contacts.clear();
   return one;

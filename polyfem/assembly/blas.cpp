@@ -19,9 +19,9 @@ Function* loaded(const char* name) {
 bool there_is_room_for_the_buffer(std::size_t beside) {
   if (!loaded<char*()>("openblas_get_config")) return true;
   const std::size_t size = (std::size_t{128} << 20) + beside;
-  void* const place = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (place == MAP_FAILED) throw OutOfMemory("not enough memory for the 128 MB that OpenBLAS works in");
-  munmap(place, size);
+  void* const slot = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (slot == MAP_FAILED) throw OutOfMemory("not enough memory for the 128 MB that OpenBLAS works in");
+  munmap(slot, size);
   return true;
 }
 

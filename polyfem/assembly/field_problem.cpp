@@ -82,12 +82,12 @@ std::vector<int> expanded(const std::vector<int>& vertices, int n_components) {
 }
 
 std::string words(const FreeMotion& motion, const PolygonMesh& mesh) {
-  const std::string place = mesh.vertex_name(motion.vertex);
+  const std::string slot = mesh.vertex_name(motion.vertex);
   if (motion.n_vertices == 1)
-    return place +
+    return slot +
            " belongs to no cell, and not all its unknowns are held: leave it out of the mesh, or hold them";
   const std::string part =
-      "the part of the mesh with " + place + " (" + std::to_string(motion.n_vertices) + " vertices)";
+      "the part of the mesh with " + slot + " (" + std::to_string(motion.n_vertices) + " vertices)";
   if (motion.translation.size() == 1)
     return part + " has no value to start from: hold one of its vertices at least";
   std::ostringstream text;
@@ -113,7 +113,7 @@ FieldProblem::FieldProblem(const PolygonMesh& mesh, int n_components, Symmetry s
       n_components_(n_components),
       cells_at_(checked(mesh, n_components)),
       matrix_(mesh, n_components),
-      held_(n_components * static_cast<int>(mesh.vertices.cols())),
+      prescribed_(n_components * static_cast<int>(mesh.vertices.cols())),
       loads_(VectorXd::Zero(n_components * mesh.vertices.cols())),
       cell_loads_(loads_),
       u_(loads_),
@@ -134,12 +134,13 @@ void FieldProblem::hold(int vertex, int component, double value) {
   if (!std::isfinite(value))
     throw Error(mesh_->vertex_name(vertex) + " is held at a value that is not finite");
   if (tied_.is_tied(k)) throw Error(mesh_->vertex_name(vertex) + " is tied: it cannot be held as well");
-  if (held_.hold(k, value) || !tied_.empty() || transposed_) factorized_ = false;
+  if (prescribed_.hold(k, value) || !tied_.empty() || transposed_) factorized_ = false;
 }
 
 void FieldProblem::tie(int vertex, int component, const std::vector<Followed>& followed, double constant) {
   const int k = unknown(vertex, component);
-  if (held_.is_held(k)) throw Error(mesh_->vertex_name(vertex) + " is held: it cannot be tied as well");
+  if (prescribed_.is_prescribed(k))
+    throw Error(mesh_->vertex_name(vertex) + " is held: it cannot be tied as well");
   bool finite = std::isfinite(constant);
   std::vector<TieTerm> terms;
   for (const Followed& other : followed) {
@@ -168,7 +169,7 @@ int FieldProblem::roll(int vertex, const Vec2& normal, double value) {
 }
 
 void FieldProblem::release_all() {
-  held_.release_all();
+  prescribed_.release_all();
   tied_.release_all();
   factorized_ = false;
 }
@@ -254,7 +255,7 @@ void FieldProblem::clear_loads() {
 }
 
 void FieldProblem::assemble(const CellMatrix& cell_matrix) {
-  held_.forget_couplings();
+  prescribed_.forget_couplings();
   matrix_.set_zero();
   if (transposed_) transposed_->set_zero();
   cell_loads_.setZero();
@@ -310,12 +311,12 @@ const VectorXd& FieldProblem::solve() {
     return u_;
   }
   VectorXd f = loads;
-  held_.move_to_right_hand_side(f);
+  prescribed_.move_to_right_hand_side(f);
   cholesky_.solve(f, u_);
-  held_.set_values(u_);
-  reactions_ = held_.forces(u_);
+  prescribed_.set_values(u_);
+  reactions_ = prescribed_.forces(u_);
   for (int k = 0; k < n_unknowns(); ++k)
-    if (held_.is_held(k)) reactions_[k] -= loads[k];
+    if (prescribed_.is_prescribed(k)) reactions_[k] -= loads[k];
   return u_;
 }
 
@@ -335,7 +336,7 @@ const SparseMatrix& FieldProblem::matrix() {
   if (!assembled_) throw Error("a matrix is asked for before its problem is assembled: call assemble first");
   if (transposed_)
     throw Error("a lower triangle is asked for, but the matrix is not symmetric: ask for full_matrix");
-  held_.put_back(matrix_.lower());
+  prescribed_.put_back(matrix_.lower());
   factorized_ = false;
   return matrix_.lower();
 }
@@ -350,22 +351,22 @@ SparseMatrix FieldProblem::full_matrix() {
 
 void FieldProblem::pass_on(VectorXd& forces) const {
   if (!tied_.empty()) {
-    const Reduction reduction = tied_.reduce(held_, n_unknowns());
+    const Reduction reduction = tied_.reduce(prescribed_, n_unknowns());
     const VectorXd felt = reduction.T.transpose() * forces;
     forces.setZero();
     for (int k = 0, column = 0; k < n_unknowns(); ++k)
-      if (!tied_.is_tied(k) && !held_.is_held(k)) forces[k] = felt[column++];
+      if (!tied_.is_tied(k) && !prescribed_.is_prescribed(k)) forces[k] = felt[column++];
   }
   for (int k = 0; k < n_unknowns(); ++k)
-    if (held_.is_held(k)) forces[k] = 0;
+    if (prescribed_.is_prescribed(k)) forces[k] = 0;
 }
 
 /// T^T K T, by Cholesky or LU.
 void FieldProblem::factorize_reduced() {
   if (const auto motion =
-          transposed_ ? std::nullopt : find_free_motion(*mesh_, n_components_, matrix(), held_, tied_))
+          transposed_ ? std::nullopt : find_free_motion(*mesh_, n_components_, matrix(), prescribed_, tied_))
     throw Error(words(*motion, *mesh_));
-  factorized_ = reduced_.set(full_matrix(), tied_.reduce(held_, n_unknowns()), !transposed_);
+  factorized_ = reduced_.set(full_matrix(), tied_.reduce(prescribed_, n_unknowns()), !transposed_);
   if (factorized_) return;
   if (transposed_)
     throw Error(
@@ -379,9 +380,9 @@ void FieldProblem::factorize() {
     factorize_reduced();
     return;
   }
-  held_.put_back(matrix_.lower());
-  held_.take_out(matrix_.lower());
-  if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), held_, tied_))
+  prescribed_.put_back(matrix_.lower());
+  prescribed_.take_out(matrix_.lower());
+  if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), prescribed_, tied_))
     throw Error(words(*motion, *mesh_));
   if (cholesky_.n_analyses() == 0) {
     const std::vector<int> order = minimum_degree_order(matrix_.first_neighbours(), matrix_.neighbours());

@@ -1,8 +1,8 @@
 /// \file From a mesh to a field on it: unknowns at vertices, some held or tied, loads, one sparse system.
 #pragma once
 
-#include <polyfem/assembly/held_unknowns.hpp>
 #include <polyfem/assembly/mesh_matrix.hpp>
+#include <polyfem/assembly/prescribed_dofs.hpp>
 #include <polyfem/assembly/reduced_system.hpp>
 #include <polyfem/mesh/vertex_cells.hpp>
 
@@ -32,8 +32,9 @@ struct Followed {
 ///
 /// Holding, loading and assembling come in any order and may be repeated between solutions; what is still
 /// good is kept: the analysis for as long as the problem lives, the factor until the matrix or the set of
-/// held unknowns changes. So further right hand sides, and other values at held unknowns, cost a
-/// substitution. With ties, or without symmetry, another value at a held unknown costs a factor as well.
+/// prescribed degrees of freedom changes. So further right hand sides, and other values at prescribed degrees
+/// of freedom, cost a substitution. With ties, or without symmetry, another value at a prescribed degree of
+/// freedom costs a factor as well.
 ///
 /// Factors are made by the BLAS in use: `pin_blas_to_one_thread` first, if the last bits must not depend on
 /// the number of its threads (small problems are faster, too).
@@ -94,8 +95,8 @@ class FieldProblem {
 
   /// The last solution.
   const VectorXd& solution() const { return u_; }
-  /// Loads needed at held unknowns beyond those applied, K u - f, and what ties exert on what they tie; zero
-  /// elsewhere. Of the last solution, whatever was changed since; zero before.
+  /// Loads needed at prescribed degrees of freedom beyond those applied, K u - f, and what ties exert on what
+  /// they tie; zero elsewhere. Of the last solution, whatever was changed since; zero before.
   const VectorXd& reactions() const { return reactions_; }
 
   /// The number of an unknown: its row in the matrix and in all vectors. Throws Error when there is none.
@@ -114,7 +115,7 @@ class FieldProblem {
   /// The right hand side: loads of vertices, edges and cells, with no unknown held.
   VectorXd loads() const { return loads_ + cell_loads_; }
   const TiedUnknowns& tied() const { return tied_; }
-  bool is_held(int unknown) const { return held_.is_held(unknown); }
+  bool is_prescribed(int unknown) const { return prescribed_.is_prescribed(unknown); }
 
   int n_unknowns() const { return static_cast<int>(u_.size()); }
   int n_analyses() const { return cholesky_.n_analyses(); }
@@ -134,7 +135,7 @@ class FieldProblem {
   VertexCells cells_at_;
   MeshMatrix matrix_;                     ///< with the held rows and columns taken out once it is factorized
   std::optional<MeshMatrix> transposed_;  ///< without symmetry: the upper triangle as a lower one
-  HeldUnknowns held_;
+  PrescribedDofs prescribed_;
   TiedUnknowns tied_;
   VectorXd loads_, cell_loads_, u_, reactions_;
   Cholesky cholesky_;

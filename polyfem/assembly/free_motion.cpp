@@ -9,7 +9,8 @@
 namespace polyfem {
 namespace {
 
-constexpr double held_tolerance = 1e-14;    // of the squares of a motion at held unknowns, summed
+constexpr double prescribed_tolerance =
+    1e-14;  // of the squares of a motion at prescribed degrees of freedom, summed
 constexpr double energy_tolerance = 1e-13;  // of the energy that the diagonal alone would give
 
 /// The vertices of each part, parts one after another: vertex[first[p]] .. vertex[first[p + 1] - 1].
@@ -77,14 +78,15 @@ class Motions {
   double radius_;
 };
 
-/// Those combinations of motions that leave held unknowns where they are and keep ties, one a column.
-MatrixXd not_held(const Motions& motions, int n_components, std::span<const int> part,
-                  const HeldUnknowns& held, const TiedUnknowns& tied) {
+/// Those combinations of motions that leave prescribed degrees of freedom where they are and keep ties, one a
+/// column.
+MatrixXd not_prescribed(const Motions& motions, int n_components, std::span<const int> part,
+                        const PrescribedDofs& prescribed, const TiedUnknowns& tied) {
   MatrixXd squares = MatrixXd::Zero(motions.n_motions(), motions.n_motions());
   for (const int v : part)
     for (int c = 0; c < n_components; ++c) {
       const int k = n_components * v + c;
-      if (!held.is_held(k) && !tied.is_tied(k)) continue;
+      if (!prescribed.is_prescribed(k) && !tied.is_tied(k)) continue;
       VectorXd kept = motions.at(v, c);
       if (tied.is_tied(k))
         for (const auto& [other, factor] : tied.ties().at(k).terms)
@@ -92,7 +94,7 @@ MatrixXd not_held(const Motions& motions, int n_components, std::span<const int>
       squares += kept * kept.transpose();
     }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(squares);
-  const Index n_free = (modes.eigenvalues().array() < held_tolerance).count();
+  const Index n_free = (modes.eigenvalues().array() < prescribed_tolerance).count();
   return modes.eigenvectors().leftCols(n_free);
 }
 
@@ -123,21 +125,21 @@ std::optional<VectorXd> without_energy(const Eigen::Ref<const MatrixXd>& motions
 }  // namespace
 
 std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
-                                           const SparseMatrix& lower, const HeldUnknowns& held,
+                                           const SparseMatrix& lower, const PrescribedDofs& prescribed,
                                            const TiedUnknowns& tied) {
   const Parts parts = parts_of(mesh, n_components, tied);
   MatrixXd rows(std::max(n_components, 3), lower.cols());  // as many of them as there are motions
   for (std::size_t p = 0; p + 1 < parts.first.size(); ++p) {
     const auto part = std::span(parts.vertex).subspan(parts.first[p], parts.first[p + 1] - parts.first[p]);
     const Motions motions(mesh, n_components, part);
-    const MatrixXd free = not_held(motions, n_components, part, held, tied);
+    const MatrixXd free = not_prescribed(motions, n_components, part, prescribed, tied);
     if (free.cols() == 0) continue;
     auto displacements = rows.topRows(free.cols());
     for (const int v : part)
       for (int c = 0; c < n_components; ++c) {
         const int k = n_components * v + c;
         displacements.col(k).setZero();
-        if (!held.is_held(k)) displacements.col(k) = free.transpose() * motions.at(v, c);
+        if (!prescribed.is_prescribed(k)) displacements.col(k) = free.transpose() * motions.at(v, c);
       }
     if (const auto combination = without_energy(displacements, n_components, part, lower)) {
       VectorXd motion = free * *combination;

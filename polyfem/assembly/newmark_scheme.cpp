@@ -35,11 +35,11 @@ void NewmarkScheme::start(const VectorXd& u, const VectorXd& v, const VectorXd& 
                 " unknowns: give a displacement, a velocity and a load for each");
   u_ = u;
   v_ = v;
-  HeldUnknowns held(effective_.n_unknowns());
+  PrescribedDofs prescribed(effective_.n_unknowns());
   for (int k = 0; k < effective_.n_unknowns(); ++k)
-    if (effective_.is_held(k)) held.hold(k, 0);
+    if (effective_.is_prescribed(k)) prescribed.hold(k, 0);
   SparseMatrix mass = matrices_.lower_mass();
-  held.take_out(mass);
+  prescribed.take_out(mass);
   Cholesky cholesky;
   cholesky.analyze(mass);
   if (!cholesky.factorize(mass))
@@ -47,7 +47,7 @@ void NewmarkScheme::start(const VectorXd& u, const VectorXd& v, const VectorXd& 
         "Newmark's scheme: the mass matrix is not positive definite; give every cell a density above 0 "
         "and a rule without negative weights");
   VectorXd f = matrices_.loads() + loads - matrices_.stiffness_times(u);
-  held.move_to_right_hand_side(f);
+  prescribed.move_to_right_hand_side(f);
   cholesky.solve(f, a_);
 }
 

@@ -9,7 +9,8 @@ namespace polyfem {
 ///     (K + M / (beta dt^2)) u_n+1 = f + M p / (beta dt^2),
 ///     a_n+1 = (u_n+1 - p) / (beta dt^2),    v_n+1 = v_n + dt ((1 - gamma) a_n + gamma a_n+1)
 /// (Hughes, section 9.1). (1/4, 1/2), the default, is of second order, stable for any dt and keeps the energy
-/// of vibration; gamma > 1/2 damps. One factor serves all steps with the same set of held unknowns.
+/// of vibration; gamma > 1/2 damps. One factor serves all steps with the same set of prescribed degrees of
+/// freedom.
 class NewmarkScheme {
  public:
   /// Of the scheme; those of average acceleration are the default.

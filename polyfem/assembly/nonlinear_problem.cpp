@@ -20,7 +20,8 @@ constexpr double wrong_tangent = 0.05;
 
 /// What the next step must be below: the largest of the last three residuals, as of slender parts each second
 /// one may rise (non-monotone line search, Grippo, Lampariello and Lucidi 1986). The first step is free: it
-/// brings load and held unknowns on, and the residual before it is that of the load's increment alone.
+/// brings load and prescribed degrees of freedom on, and the residual before it is that of the load's
+/// increment alone.
 double residual_bound(const std::vector<double>& residuals) {
   if (residuals.size() < 2) return std::numeric_limits<double>::infinity();
   const auto first = residuals.end() - std::min<std::ptrdiff_t>(3, std::ssize(residuals) - 1);
@@ -36,12 +37,12 @@ NonlinearProblem::NonlinearProblem(const PolygonMesh& mesh, int n_components, Ce
       cell_forces_(std::move(cell_forces)),
       linear_(mesh, n_components, symmetry),
       loads_(VectorXd::Zero(linear_.n_unknowns())),
-      held_values_(loads_),
+      prescribed_values_(loads_),
       u_(loads_) {}
 
 void NonlinearProblem::hold(int vertex, int component, double value) {
   linear_.hold(vertex, component, value);
-  held_values_[linear_.unknown(vertex, component)] = value;
+  prescribed_values_[linear_.unknown(vertex, component)] = value;
 }
 
 void NonlinearProblem::tie(int vertex, int component, const std::vector<Followed>& followed,
@@ -63,8 +64,8 @@ void NonlinearProblem::remember_tie(int vertex, int component) {
 bool NonlinearProblem::prescribe(const VectorXd& u, double t) {
   bool moves = false;
   for (int k = 0; k < linear_.n_unknowns(); ++k) {
-    if (!linear_.is_held(k)) continue;
-    const double way = t * held_values_[k] - u[k];
+    if (!linear_.is_prescribed(k)) continue;
+    const double way = t * prescribed_values_[k] - u[k];
     moves = moves || way != 0;
     linear_.hold(k / n_components_, k % n_components_, way);
   }

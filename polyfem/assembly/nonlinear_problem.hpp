@@ -17,7 +17,8 @@ struct NewtonReport {
   std::string reason;  ///< of not converging: where, and the cure
 };
 
-/// Newton's method for forces(u) = t loads, with a load factor t and held unknowns at t times their values.
+/// Newton's method for forces(u) = t loads, with a load factor t and prescribed degrees of freedom at t times
+/// their values.
 ///
 ///     NonlinearProblem problem(mesh, 2, forces_of_cell);
 ///     for (double t : {0.25, 0.5, 0.75, 1.})
@@ -79,7 +80,7 @@ class NonlinearProblem {
   CellForces cell_forces_;
   FieldProblem linear_;  ///< of an iteration
   TiedUnknowns tied_;    ///< at t = 1
-  VectorXd loads_, held_values_, u_;
+  VectorXd loads_, prescribed_values_, u_;
 };
 
 }  // namespace polyfem

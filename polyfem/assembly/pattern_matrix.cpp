@@ -101,19 +101,18 @@ int place_of(const SparseMatrix& matrix, int row, int column, int guess) {
 /// Of every two of the rows of every element, the later one fastest, the place of their entry in the lower
 /// triangle; -1 when one of the two is left out.
 /// \param[in] stride  between places that may follow each other
-void find_places(const Connectivity& elements, const SparseMatrix& lower, int stride,
-                 std::vector<int>& place) {
-  place.clear();
+void find_slots(const Connectivity& elements, const SparseMatrix& lower, int stride, std::vector<int>& slot) {
+  slot.clear();
   for (int e = 0; e < elements.n_elements(); ++e) {
     const auto rows = elements.rows_of(e);
     for (std::size_t j = 0; j < rows.size(); ++j) {
       int last = -1;
       for (std::size_t i = j; i < rows.size(); ++i) {
         const bool kept = rows[i] >= 0 && rows[j] >= 0;
-        place.push_back(
+        slot.push_back(
             kept ? place_of(lower, std::max(rows[i], rows[j]), std::min(rows[i], rows[j]), last + stride)
                  : -1);
-        last = place.back();
+        last = slot.back();
       }
     }
   }
@@ -173,14 +172,13 @@ bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivit
   group_size_ = size;
   groups_ = std::move(groups);
   set_zero();
-  first_place_.assign(static_cast<std::size_t>(groups_.n_elements()) + 1, 0);
+  first_slot_.assign(static_cast<std::size_t>(groups_.n_elements()) + 1, 0);
   for (int e = 0; e < groups_.n_elements(); ++e) {
     const std::size_t k = groups_.rows_of(e).size();
-    first_place_[static_cast<std::size_t>(e) + 1] =
-        first_place_[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
+    first_slot_[static_cast<std::size_t>(e) + 1] = first_slot_[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
   }
-  place_.reserve(first_place_.back());
-  find_places(groups_, lower_, group_size_, place_);
+  slot_.reserve(first_slot_.back());
+  find_slots(groups_, lower_, group_size_, slot_);
   return changed;
 }
 
@@ -200,12 +198,12 @@ template <int size, class Entry>
 void PatternMatrix::add_groups(int element, const Entry& entry) {
   const auto groups = groups_.rows_of(element);
   const int n = static_cast<int>(groups.size());
-  const int* place = place_.data() + first_place_[static_cast<std::size_t>(element)];
+  const int* slot = slot_.data() + first_slot_[static_cast<std::size_t>(element)];
   const int* outer = lower_.outerIndexPtr();
   double* values = lower_.valuePtr();
   for (int j = 0; j < n; ++j)
-    for (int i = j; i < n; ++i, ++place) {
-      if (*place < 0) continue;
+    for (int i = j; i < n; ++i, ++slot) {
+      if (*slot < 0) continue;
       const int row = groups[static_cast<std::size_t>(i)], column = groups[static_cast<std::size_t>(j)];
       double entries[size][size];  // by columns
       for (int l = 0; l < size; ++l)
@@ -214,7 +212,7 @@ void PatternMatrix::add_groups(int element, const Entry& entry) {
       const int first = std::min(row, column);
       for (int l = 0; l < size; ++l) {
         // A column of a group lacks the top of the one before.
-        double* const top = values + *place + (l > 0 ? outer[first + l] - outer[first] - l : 0);
+        double* const top = values + *slot + (l > 0 ? outer[first + l] - outer[first] - l : 0);
         if (row >= column)
           for (int k = i == j ? l : 0; k < size; ++k) top[k] += entries[l][k];
         else
@@ -250,7 +248,7 @@ double PatternMatrix::memory() const {
   const auto bytes = [](const auto& numbers) {
     return static_cast<double>(numbers.capacity() * sizeof(numbers[0]));
   };
-  return bytes(groups_.first) + bytes(groups_.rows) + bytes(first_place_) + bytes(place_) +
+  return bytes(groups_.first) + bytes(groups_.rows) + bytes(first_slot_) + bytes(slot_) +
          static_cast<double>(lower_.data().allocatedSize()) *
              (sizeof(double) + sizeof(SparseMatrix::StorageIndex)) +
          static_cast<double>(lower_.outerSize()) * sizeof(SparseMatrix::StorageIndex);

@@ -9,7 +9,7 @@
 namespace polyfem {
 
 /// Which rows each small matrix touches: element e has rows[first[e]] .. rows[first[e + 1] - 1], a row < 0
-/// being left out (a held unknown).
+/// being left out (a prescribed degree of freedom).
 struct Connectivity {
   std::vector<int> first{0};
   std::vector<int> rows;
@@ -60,9 +60,9 @@ class PatternMatrix {
   /// The rows of all elements come in groups of so many, a multiple of it and the next ones: the columns of a
   /// group have the same rows then, and where one entry of two groups is tells where the others are.
   int group_size_ = 1;
-  Connectivity groups_;                   ///< first rows of the groups of each element
-  std::vector<std::size_t> first_place_;  ///< of each element in place_
-  std::vector<int> place_;  ///< index into lower_.valuePtr() for each two groups of an element, or -1
+  Connectivity groups_;                  ///< first rows of the groups of each element
+  std::vector<std::size_t> first_slot_;  ///< of each element in place_
+  std::vector<int> slot_;  ///< index into lower_.valuePtr() for each two groups of an element, or -1
   SparseMatrix lower_;
 };
 

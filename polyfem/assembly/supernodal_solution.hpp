@@ -12,7 +12,7 @@ namespace polyfem {
 /// x = (L L^T)^-1 b, L supernodal and of real numbers with its ordering. CHOLMOD asks BLAS for each group;
 /// those of small blocks have a few columns, for which the calls cost more than what they do.
 ///
-/// Threads share a large factor by parts of its elimination tree that hang together with the rest by the
+/// Threads share a large factor by parts of its elimination tree that are connected with the rest by the
 /// groups above them alone. The parts follow from L: x has the same bytes with any number of threads.
 class SupernodalSolution {
  public:

@@ -7,7 +7,8 @@ namespace polyfem {
 
 /// (M + theta dt K) u_n+1 = M u_n - (1 - theta) dt K u_n + dt f (Hughes, section 8.1). theta = 1/2
 /// (Crank-Nicolson) is of second order, theta = 1 (backward Euler) of first order and without oscillations;
-/// both are stable for any dt. One factor serves all steps with the same set of held unknowns.
+/// both are stable for any dt. One factor serves all steps with the same set of prescribed degrees of
+/// freedom.
 class ThetaScheme {
  public:
   /// \param[in] mesh  kept by reference, as by `FieldProblem`, which throws for what is wrong with it

@@ -19,8 +19,8 @@ class Resolver {
   explicit Resolver(const std::map<int, TiedUnknowns::Tie>& ties) : ties_(ties) {}
 
   const Resolved& resolve(int unknown) {
-    const auto [place, is_new] = resolved_.try_emplace(unknown);
-    Resolved& resolved = place->second;  // stays where it is while others are added
+    const auto [slot, is_new] = resolved_.try_emplace(unknown);
+    Resolved& resolved = slot->second;  // stays where it is while others are added
     if (resolved.done) return resolved;
     if (!is_new)
       throw Error("unknown " + std::to_string(unknown) +
@@ -47,16 +47,16 @@ class Resolver {
 
 }  // namespace
 
-Reduction TiedUnknowns::reduce(const HeldUnknowns& held, int n_unknowns) const {
+Reduction TiedUnknowns::reduce(const PrescribedDofs& prescribed, int n_unknowns) const {
   std::vector<int> column(static_cast<std::size_t>(n_unknowns), -1);
   int n_columns = 0;
   for (int k = 0; k < n_unknowns; ++k)
-    if (!is_tied(k) && !held.is_held(k)) column[static_cast<std::size_t>(k)] = n_columns++;
+    if (!is_tied(k) && !prescribed.is_prescribed(k)) column[static_cast<std::size_t>(k)] = n_columns++;
 
   Reduction reduction{SparseMatrix(n_unknowns, n_columns), VectorXd::Zero(n_unknowns)};
-  held.set_values(reduction.g);
+  prescribed.set_values(reduction.g);
   std::vector<Eigen::Triplet<double, int>> entries;
-  const VectorXd held_values = reduction.g;
+  const VectorXd prescribed_values = reduction.g;
   Resolver resolver(ties_);
   for (int k = 0; k < n_unknowns; ++k) {
     if (const int own = column[static_cast<std::size_t>(k)]; own >= 0) entries.emplace_back(k, own, 1.);
@@ -64,8 +64,8 @@ Reduction TiedUnknowns::reduce(const HeldUnknowns& held, int n_unknowns) const {
     const Resolved& resolved = resolver.resolve(k);
     reduction.g[k] = resolved.constant;
     for (const auto& [master, factor] : resolved.factors) {
-      if (held.is_held(master))
-        reduction.g[k] += factor * held_values[master];
+      if (prescribed.is_prescribed(master))
+        reduction.g[k] += factor * prescribed_values[master];
       else
         entries.emplace_back(k, column[static_cast<std::size_t>(master)], factor);
     }

@@ -2,7 +2,7 @@
 /// ties, periodic cells.
 #pragma once
 
-#include <polyfem/assembly/held_unknowns.hpp>
+#include <polyfem/assembly/prescribed_dofs.hpp>
 
 #include <map>
 
@@ -40,7 +40,7 @@ class TiedUnknowns {
   const std::map<int, Tie>& ties() const { return ties_; }
 
   /// Throws Error, with the unknown's number, where relations go in a circle.
-  Reduction reduce(const HeldUnknowns& held, int n_unknowns) const;
+  Reduction reduce(const PrescribedDofs& prescribed, int n_unknowns) const;
 
  private:
   std::map<int, Tie> ties_;

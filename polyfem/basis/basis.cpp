@@ -13,9 +13,9 @@ void Basis::operator()(const PointsRef& polygon, const Vec2& x, ShapeValues& sha
 }
 
 void require_suitable(const Basis& basis, const PointsRef& polygon) {
-  if (const std::optional<Objection> objection = basis.find_objection(polygon))
-    throw Error(std::string(basis.name()) + ": vertex " + std::to_string(objection->vertex) + " " +
-                objection->reason);
+  if (const std::optional<Rejection> rejection = basis.find_rejection(polygon))
+    throw Error(std::string(basis.name()) + ": vertex " + std::to_string(rejection->vertex) + " " +
+                rejection->reason);
 }
 
 }  // namespace polyfem

@@ -25,7 +25,7 @@ struct ShapeTable {
 };
 
 /// Why a basis cannot be used on a polygon.
-struct Objection {
+struct Rejection {
   int vertex;          ///< where it shows
   std::string reason;  ///< with the cure, to follow "vertex 3 "
 };
@@ -39,7 +39,7 @@ class Basis {
 
   /// What forbids this basis on a simple counter-clockwise polygon; nothing when it can be used. Whether the
   /// polygon is simple and counter-clockwise is not looked at: see `find_defect`.
-  virtual std::optional<Objection> find_objection(const PointsRef& polygon) const = 0;
+  virtual std::optional<Rejection> find_rejection(const PointsRef& polygon) const = 0;
 
   /// Values and gradients at points of the closed polygon, one a column of `points`; many points at once
   /// cost less each. Reuses the table's storage. May throw Error when the polygon is unsuitable, as

@@ -161,11 +161,11 @@ void write(const Extreme& nearest, std::span<Term> terms, Index row, ShapeTable&
 
 }  // namespace
 
-std::optional<Objection> MeanValue::find_objection(const PointsRef& polygon) const {
+std::optional<Rejection> MeanValue::find_rejection(const PointsRef& polygon) const {
   const Index n = polygon.cols();
   for (Index i = 0; i < n; ++i)
     if (polygon.col(i) == polygon.col((i + 1) % n))
-      return Objection{static_cast<int>(i), "is in the same place as the next: leave one of them out"};
+      return Rejection{static_cast<int>(i), "is in the same place as the next: leave one of them out"};
   return std::nullopt;
 }
 

@@ -24,7 +24,7 @@ class MeanValue final : public Basis {
  public:
   std::string_view name() const override { return "mean_value"; }
   /// A vertex in the place of the next one; nothing else is wrong with a simple polygon.
-  std::optional<Objection> find_objection(const PointsRef& polygon) const override;
+  std::optional<Rejection> find_rejection(const PointsRef& polygon) const override;
   void evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const override;
 };
 

@@ -180,9 +180,9 @@ bool is_well_shaped(const PointsRef& polygon) {
 
 }  // namespace
 
-std::optional<Objection> Wachspress::find_objection(const PointsRef& polygon) const {
+std::optional<Rejection> Wachspress::find_rejection(const PointsRef& polygon) const {
   if (const std::optional<int> corner = find_non_convex_corner(polygon))
-    return Objection{*corner, "does not turn left, which Wachspress functions need: use mean_value"};
+    return Rejection{*corner, "does not turn left, which Wachspress functions need: use mean_value"};
   return std::nullopt;
 }
 

@@ -25,7 +25,7 @@ class Wachspress final : public Basis {
  public:
   std::string_view name() const override { return "wachspress"; }
   /// A corner that does not turn left. Exact.
-  std::optional<Objection> find_objection(const PointsRef& polygon) const override;
+  std::optional<Rejection> find_rejection(const PointsRef& polygon) const override;
   /// Throws Error, naming the vertex and the cure, where a corner is concave or straight.
   void evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const override;
 };

@@ -7,7 +7,7 @@
 
 namespace polyfem {
 
-/// What is asked for does not fit into memory, or its entries cannot be counted; the message says what.
+/// What is requested does not fit into memory, or its entries cannot be counted; the message says what.
 class OutOfMemory : public std::bad_alloc {
  public:
   explicit OutOfMemory(const std::string& message) : message_(message) {}

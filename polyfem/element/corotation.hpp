@@ -66,11 +66,11 @@ class CorotatedElement {
 
   /// The frame of nodes at y (2 x m), whose round-off is that of y: give them from an origin nearby. The
   /// common translation is taken out of u, as large ones would leave K u a resultant of their round-off.
-  /// Whoever tries places that may be collapsed or mirrored must look at the stretch before asking for
+  /// Whoever tries positions that may be collapsed or mirrored must look at the stretch before asking for
   /// forces.
   template <class Of>
   void frame(const Eigen::Ref<const typename Of::Vectors>& nodes, CorotatedFrameOf<Of>& frame) const;
-  /// The rest of a frame whose stretch, rotation and local places are known.
+  /// The rest of a frame whose stretch, rotation and local positions are known.
   template <class Of>
   void complete(CorotatedFrameOf<Of>& frame) const;
   /// The rotation of the frame of nodes at y alone.

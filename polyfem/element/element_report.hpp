@@ -1,7 +1,7 @@
 /// \file An element's own account: accuracy, soundness, shape.
 #pragma once
 
-#include <polyfem/element/soundness.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/tolerance.hpp>
 
 #include <string>
@@ -20,7 +20,7 @@ struct ElementReport {
   /// K and M are as `judge` wants them, and every deformation has between half and twice its energy: a rule
   /// of too few points keeps full rank long after it has lost sight of a function that is large in a small
   /// place.
-  bool sound = false;
+  bool definite = false;
   double least_turn = 0;  ///< sine of the turning angle where the polygon is nearest to straight
   int straightest_corner = 0;
   double least_angle = 0;  ///< the smallest angle inside, in radians

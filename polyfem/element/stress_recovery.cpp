@@ -29,7 +29,7 @@ void extrapolate_to_vertices(const PointsRef& polygon, const TabulatedElement& e
                              const Eigen::Ref<const MatrixXd>& at_points, MatrixXd& at_vertices) {
   assert(at_points.cols() == element.n_points());
   // Weighted moments about the points' centre, where mean and slope are found apart from each other. All
-  // places are seen from vertex 0: the digits of a far origin are taken off first, by exact differences.
+  // positions are seen from vertex 0: the digits of a far origin are taken off first, by exact differences.
   const VectorXd& w = element.rule.weights;
   const Points points = element.rule.points.colwise() - polygon.col(0);
   const Vec2 centre = points * w / element.area;

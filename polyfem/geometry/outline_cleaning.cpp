@@ -35,20 +35,20 @@ class Outline {
   bool drop(int k) {
     std::vector<Vec2> rest = vertices_;
     rest.erase(rest.begin() + k);
-    if (!is_sound(rest, {k - 1})) return false;
+    if (!is_valid(rest, {k - 1})) return false;
     vertices_ = std::move(rest);
     sources_.erase(sources_.begin() + k);
     return true;
   }
 
   /// Makes one vertex at `place` of the two ends of an edge, or changes nothing.
-  bool merge(int edge, const Vec2& place) {
+  bool merge(int edge, const Vec2& position) {
     const int k = edge, next = index(edge + 1);
     std::vector<Vec2> rest = vertices_;
-    rest[k] = place;
+    rest[k] = position;
     rest.erase(rest.begin() + next);
     const int merged = next == 0 ? k - 1 : k;
-    if (!is_sound(rest, {merged - 1, merged})) return false;
+    if (!is_valid(rest, {merged - 1, merged})) return false;
     vertices_ = std::move(rest);
     sources_[k].insert(sources_[k].end(), sources_[next].begin(), sources_[next].end());
     std::sort(sources_[k].begin(), sources_[k].end());
@@ -63,7 +63,7 @@ class Outline {
 
   /// Whether a polygon is simple and counter-clockwise, of which all but the `changed` edges are known to be
   /// those of such a one.
-  static bool is_sound(const std::vector<Vec2>& polygon, std::initializer_list<int> changed) {
+  static bool is_valid(const std::vector<Vec2>& polygon, std::initializer_list<int> changed) {
     if (polygon.size() < 3) return false;
     for (const int edge : changed)
       if (!is_free(polygon, edge)) return false;

@@ -46,14 +46,14 @@ MeshFile::MeshFile(const NamedMesh& named) : MeshFile(named.mesh) {
 }
 
 void MeshFile::add(VtuSection section, std::string_view name, const Eigen::Ref<const MatrixXd>& values,
-                   Index n_places) {
-  if (n_places == 0 ? values.size() != 0 : values.size() % n_places != 0 || values.size() == 0)
+                   Index n_points) {
+  if (n_points == 0 ? values.size() != 0 : values.size() % n_points != 0 || values.size() == 0)
     throw Error("the field \"" + std::string(name) + "\" has " + std::to_string(values.size()) +
-                " values for " + std::to_string(n_places) +
+                " values for " + std::to_string(n_points) +
                 (section == VtuSection::point_data ? " vertices" : " cells") +
                 ": it needs the same number for each");
-  const Index n_components = n_places == 0 ? 1 : values.size() / n_places;
-  const MatrixXd columns = values.reshaped(n_components, n_places);
+  const Index n_components = n_points == 0 ? 1 : values.size() / n_points;
+  const MatrixXd columns = values.reshaped(n_components, n_points);
   if (n_components == 2)
     file_.add(section, name, span_of(in_space(columns)), 3);
   else

@@ -31,7 +31,7 @@ class MeshFile {
 
  private:
   void add(VtuSection section, std::string_view name, const Eigen::Ref<const MatrixXd>& values,
-           Index n_places);
+           Index n_points);
 
   VtuFile file_;
   Index n_vertices_, n_cells_;

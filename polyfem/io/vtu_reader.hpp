@@ -8,7 +8,7 @@
 
 namespace polyfem {
 
-/// A file in memory; arrays are inflated when they are asked for. Everything throws FileError, which names
+/// A file in memory; arrays are inflated when they are requested. Everything throws FileError, which names
 /// the file, when it is missing, damaged or of another form.
 class VtuReader {
  public:

@@ -50,7 +50,7 @@ class Division {
     Vec2 centre_place = Vec2::Zero();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       middles.push_back(middle_between(whole, corners[k], corners[(k + 1) % corners.size()]));
-      centre_place += place(whole[middles.back()]) / static_cast<double>(corners.size());
+      centre_place += position(whole[middles.back()]) / static_cast<double>(corners.size());
     }
     const auto centre = static_cast<int>(vertices_.size());
     vertices_.push_back(centre_place);
@@ -84,8 +84,8 @@ class Division {
     std::vector<std::size_t> corners;
     const std::size_t n = cell.size();
     for (std::size_t k = 0; k < n; ++k) {
-      const Vec2 before = place(cell[k]) - place(cell[(k + n - 1) % n]),
-                 after = place(cell[(k + 1) % n]) - place(cell[k]);
+      const Vec2 before = position(cell[k]) - position(cell[(k + n - 1) % n]),
+                 after = position(cell[(k + 1) % n]) - position(cell[k]);
       if (std::abs(cross(before, after)) > least * before.norm() * after.norm() || before.dot(after) < 0)
         corners.push_back(k);
     }
@@ -94,16 +94,16 @@ class Division {
 
   /// Of the vertices from one corner to the next, that in the middle; there is one.
   std::size_t middle_between(const std::vector<int>& whole, std::size_t first, std::size_t last) const {
-    const Vec2 middle = (place(whole[first]) + place(whole[last])) / 2;
+    const Vec2 middle = (position(whole[first]) + position(whole[last])) / 2;
     std::size_t nearest = first;
     for (std::size_t k = first; k != last; k = (k + 1) % whole.size())
-      if ((place(whole[k]) - middle).norm() < (place(whole[nearest]) - middle).norm()) nearest = k;
+      if ((position(whole[k]) - middle).norm() < (position(whole[nearest]) - middle).norm()) nearest = k;
     return nearest;
   }
 
   void halve(std::span<const int> cell, std::size_t first, std::size_t last) {
-    const Vec2 a = place(cell[first]), side = place(cell[last]) - a;
-    const auto along = [&](int vertex) { return (place(vertex) - a).dot(side) / side.squaredNorm(); };
+    const Vec2 a = position(cell[first]), side = position(cell[last]) - a;
+    const auto along = [&](int vertex) { return (position(vertex) - a).dot(side) / side.squaredNorm(); };
     for (std::size_t k = first; k != last; k = (k + 1) % cell.size())
       if (std::abs(along(cell[k]) - 0.5) < near_middle) return;
     for (std::size_t k = first; k != last; k = (k + 1) % cell.size()) {
@@ -112,21 +112,21 @@ class Division {
       if (start > 0.5 || end < 0.5) continue;
       const auto [at, is_new] = middles_.try_emplace(edge(from, to), static_cast<int>(vertices_.size()));
       if (is_new)
-        vertices_.push_back(place(from) + (0.5 - start) / (end - start) * (place(to) - place(from)));
+        vertices_.push_back(position(from) + (0.5 - start) / (end - start) * (position(to) - position(from)));
       return;
     }
   }
 
   void require_seen(int c, const std::vector<int>& part) const {
-    const Vec2 centre = place(part[0]);
+    const Vec2 centre = position(part[0]);
     for (std::size_t k = 1; k + 1 < part.size(); ++k)
-      if (!(cross(place(part[k]) - centre, place(part[k + 1]) - centre) > 0))
+      if (!(cross(position(part[k]) - centre, position(part[k + 1]) - centre) > 0))
         throw Error("cell " + std::to_string(c) +
                     " cannot be divided from the mean of its sides' middles, which does not see all of them: "
                     "divide concave cells into convex ones first (convex_parts)");
   }
 
-  const Vec2& place(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
+  const Vec2& position(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
 
   const PolygonMesh& mesh_;
   std::vector<Vec2> vertices_;

@@ -62,9 +62,9 @@ class VertexColumns {
                        std::numeric_limits<double>::min()});
     for (const CellEdge& edge : edges)
       for (const int v : {edge.from, edge.to})
-        places_.push_back({column_of(vertices(0, v)), vertices(1, v), v});
-    std::sort(places_.begin(), places_.end());
-    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+        positions_.push_back({column_of(vertices(0, v)), vertices(1, v), v});
+    std::sort(positions_.begin(), positions_.end());
+    positions_.erase(std::unique(positions_.begin(), positions_.end()), positions_.end());
   }
 
   /// Calls visit(vertex) for all vertices near the segment ab, and some that are not.
@@ -81,9 +81,11 @@ class VertexColumns {
         low = std::max(low, std::min(from, to) - width_ / 4);
         high = std::min(high, std::max(from, to) + width_ / 4);
       }
-      for (auto place = std::lower_bound(places_.begin(), places_.end(), Place{column, low - distance, -1});
-           place != places_.end() && place->column == column && place->y <= high + distance; ++place)
-        visit(place->vertex);
+      for (auto position =
+               std::lower_bound(positions_.begin(), positions_.end(), Place{column, low - distance, -1});
+           position != positions_.end() && position->column == column && position->y <= high + distance;
+           ++position)
+        visit(position->vertex);
     }
   }
 
@@ -98,7 +100,7 @@ class VertexColumns {
 
   static constexpr double most_columns = 0x1p40;  // can be counted in double, with room for round-off
   double left_, width_;
-  std::vector<Place> places_;
+  std::vector<Place> positions_;
 };
 
 }  // namespace

@@ -185,7 +185,7 @@ class Inspection {
 
   const PolygonMesh& mesh_;
   Points polygon_;
-  std::vector<CellEdge> edges_;  ///< of sound cells, counter-clockwise
+  std::vector<CellEdge> edges_;  ///< of valid cells, counter-clockwise
 };
 
 }  // namespace

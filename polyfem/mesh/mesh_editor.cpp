@@ -8,8 +8,11 @@
 
 namespace polyfem {
 
-MeshEditor::MeshEditor(const PolygonMesh& mesh, std::vector<VertexPlace> places, const Points& domain)
-    : vertices_(mesh.vertices), domain_(domain), places_(std::move(places)), cells_of_(vertices_.cols()) {
+MeshEditor::MeshEditor(const PolygonMesh& mesh, std::vector<BoundaryPosition> positions, const Points& domain)
+    : vertices_(mesh.vertices),
+      domain_(domain),
+      positions_(std::move(positions)),
+      cells_of_(vertices_.cols()) {
   cells_.reserve(mesh.n_cells());
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const std::span<const int> corners = mesh.cell(c);
@@ -44,7 +47,7 @@ std::vector<int> MeshEditor::neighbours(int v) const {
 }
 
 std::vector<Vec2> MeshEditor::merged_positions(int u, int v) const {
-  const VertexPlace &p = places_[u], &q = places_[v];
+  const BoundaryPosition &p = positions_[u], &q = positions_[v];
   if (p.inside() && q.inside()) return {(vertex(u) + vertex(v)) / 2, vertex(u), vertex(v)};
   if (p.inside()) return {vertex(v)};
   if (q.inside()) return {vertex(u)};
@@ -97,8 +100,8 @@ bool MeshEditor::collapse(int u, int v, double wanted_turn, bool may_vanish) {
   if (best <= 0 || best < std::min(wanted_turn, before)) return false;
 
   vertices_.col(u) = best_position;
-  const VertexPlace &p = places_[u], &q = places_[v];
-  if (p.inside() || q.corner >= 0) places_[u] = q;
+  const BoundaryPosition &p = positions_[u], &q = positions_[v];
+  if (p.inside() || q.corner >= 0) positions_[u] = q;
   cells_of_[v].clear();
   cells_of_[u].clear();
   for (std::size_t i = 0; i < around.size(); ++i) {
@@ -116,13 +119,13 @@ bool MeshEditor::collapse(int u, int v, double wanted_turn, bool may_vanish) {
 }
 
 bool MeshEditor::move(int v, const Vec2& target) {
-  const VertexPlace& place = places_[v];
-  if (place.corner >= 0) return false;
+  const BoundaryPosition& position = positions_[v];
+  if (position.corner >= 0) return false;
   const Vec2 old = vertex(v);
   Vec2 step = target - old;
-  if (place.edge >= 0) {
+  if (position.edge >= 0) {
     const Vec2 along =
-        (domain_.col((place.edge + 1) % domain_.cols()) - domain_.col(place.edge)).normalized();
+        (domain_.col((position.edge + 1) % domain_.cols()) - domain_.col(position.edge)).normalized();
     step = along.dot(step) * along;
   }
   const double before = least_turn_around(v);

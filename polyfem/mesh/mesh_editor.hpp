@@ -1,7 +1,7 @@
 /// \file Changes a mesh of convex cells without breaking one.
 #pragma once
 
-#include <polyfem/mesh/boundary_places.hpp>
+#include <polyfem/mesh/boundary_positions.hpp>
 #include <polyfem/mesh/polygon_mesh.hpp>
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace polyfem {
 /// "Turn" of a cell is the least sine by which one of its corners turns, see corner_turn.hpp.
 class MeshEditor {
  public:
-  MeshEditor(const PolygonMesh& mesh, std::vector<VertexPlace> places, const Points& domain);
+  MeshEditor(const PolygonMesh& mesh, std::vector<BoundaryPosition> positions, const Points& domain);
 
   /// Those that have vanished are counted too.
   int n_cells() const { return static_cast<int>(cells_.size()); }
@@ -42,7 +42,7 @@ class MeshEditor {
 
   /// The mesh as it is now, without the cells that vanished; unused vertices stay.
   PolygonMesh mesh() const;
-  const std::vector<VertexPlace>& places() const { return places_; }
+  const std::vector<BoundaryPosition>& positions() const { return positions_; }
 
  private:
   std::vector<Vec2> merged_positions(int u, int v) const;
@@ -50,7 +50,7 @@ class MeshEditor {
   std::vector<int> merged_cell(int c, int u, int v) const;
 
   Points vertices_, domain_;
-  std::vector<VertexPlace> places_;
+  std::vector<BoundaryPosition> positions_;
   int n_vanished_ = 0;
   std::vector<std::vector<int>> cells_, cells_of_;  ///< cells_of_[v]: those with corner v, ascending
 };

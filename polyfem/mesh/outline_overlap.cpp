@@ -64,7 +64,7 @@ std::optional<std::pair<CellEdge, CellEdge>> find_overlap(const Points& vertices
 
   const auto below = [&](int a, int b) { return is_below(edges[a], edges[b]); };
   std::set<int, decltype(below)> line(below);  // the edges across the sweep, from bottom to top
-  std::vector<decltype(line)::iterator> place(edges.size());
+  std::vector<decltype(line)::iterator> position(edges.size());
   std::optional<std::pair<CellEdge, CellEdge>> overlap;
   const auto look_below = [&](auto upper) {
     if (overlap || upper == line.end() || upper == line.begin()) return;
@@ -72,19 +72,19 @@ std::optional<std::pair<CellEdge, CellEdge>> find_overlap(const Points& vertices
     if (is_conflict(edges[a], edges[b])) overlap.emplace(outlines[a], outlines[b]);
   };
   for (auto event = events.begin(); event != events.end() && !overlap;) {
-    const auto next_place = std::find_if(
+    const auto next_position = std::find_if(
         event, events.end(), [&](const Event& other) { return other.x != event->x || other.y != event->y; });
     auto above = line.end();
-    for (; event != next_place && !event->begins; ++event) above = line.erase(place[event->edge]);
-    if (event == next_place) look_below(above);
-    for (auto begin = event; begin != next_place; ++begin) {
-      const auto [position, is_new] = line.insert(begin->edge);
-      if (!is_new) return std::pair(outlines[*position], outlines[begin->edge]);
-      place[begin->edge] = position;
+    for (; event != next_position && !event->begins; ++event) above = line.erase(position[event->edge]);
+    if (event == next_position) look_below(above);
+    for (auto begin = event; begin != next_position; ++begin) {
+      const auto [inserted, is_new] = line.insert(begin->edge);
+      if (!is_new) return std::pair(outlines[*inserted], outlines[begin->edge]);
+      position[begin->edge] = inserted;
     }
-    for (; event != next_place; ++event) {
-      look_below(place[event->edge]);
-      look_below(std::next(place[event->edge]));
+    for (; event != next_position; ++event) {
+      look_below(position[event->edge]);
+      look_below(std::next(position[event->edge]));
     }
   }
   return overlap;

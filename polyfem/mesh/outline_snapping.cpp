@@ -14,27 +14,27 @@ namespace polyfem {
 namespace {
 
 /// Places that several vertices share.
-class SharedPlaces {
+class SharedPoints {
  public:
-  explicit SharedPlaces(double distance) : distance_(distance) {}
+  explicit SharedPoints(double distance) : distance_(distance) {}
 
-  const std::vector<Vec2>& places() const { return places_; }
+  const std::vector<Vec2>& positions() const { return positions_; }
   /// The first place within the distance; a new one where there is none.
   int number(const Vec2& point) {
     const Square at{std::llround(point.x() / distance_), std::llround(point.y() / distance_)};
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
         for (const int k : squares_[{at[0] + dx, at[1] + dy}])
-          if ((places_[k] - point).norm() <= distance_) return k;
-    squares_[at].push_back(static_cast<int>(places_.size()));
-    places_.push_back(point);
-    return static_cast<int>(places_.size()) - 1;
+          if ((positions_[k] - point).norm() <= distance_) return k;
+    squares_[at].push_back(static_cast<int>(positions_.size()));
+    positions_.push_back(point);
+    return static_cast<int>(positions_.size()) - 1;
   }
 
  private:
   using Square = std::array<std::int64_t, 2>;
   double distance_;
-  std::vector<Vec2> places_;
+  std::vector<Vec2> positions_;
   std::map<Square, std::vector<int>> squares_;
 };
 
@@ -48,33 +48,33 @@ std::vector<Edge> edges_of(const std::vector<std::vector<int>>& polygons) {
   return {edges.begin(), edges.end()};
 }
 
-/// Moves places onto edges that they are near and no ends of. Whether any was moved.
-bool move_onto_edges(std::vector<Vec2>& places, const std::vector<Edge>& edges, double distance) {
+/// Moves positions onto edges that they are near and no ends of. Whether any was moved.
+bool move_onto_edges(std::vector<Vec2>& positions, const std::vector<Edge>& edges, double distance) {
   std::vector<Segment> segments;
-  for (const auto& [from, to] : edges) segments.push_back({places[from], places[to], 0});
+  for (const auto& [from, to] : edges) segments.push_back({positions[from], positions[to], 0});
   const SegmentGrid index(segments, static_cast<double>(segments.size()));
   const double on_it = 1e-9 * distance;
   bool moved = false;
-  for (int p = 0; p < static_cast<int>(places.size()); ++p) {
+  for (int p = 0; p < static_cast<int>(positions.size()); ++p) {
     std::set<int> nearby;
     for (const double dx : {-distance, 0.0, distance})
       for (const double dy : {-distance, 0.0, distance})
-        for (const int e : index.near(places[p] + Vec2(dx, dy))) nearby.insert(e);
-    Vec2 target = places[p];
+        for (const int e : index.near(positions[p] + Vec2(dx, dy))) nearby.insert(e);
+    Vec2 target = positions[p];
     double least = distance;
     for (const int e : nearby) {
       const auto [from, to] = edges[e];
       if (from == p || to == p) continue;
-      const Vec2 along = places[to] - places[from], arm = places[p] - places[from];
+      const Vec2 along = positions[to] - positions[from], arm = positions[p] - positions[from];
       const double t = along.dot(arm) / along.squaredNorm();
-      const Vec2 foot = places[from] + t * along;
-      const double away = (foot - places[p]).norm();
+      const Vec2 foot = positions[from] + t * along;
+      const double away = (foot - positions[p]).norm();
       if (t <= 0 || t >= 1 || away >= least) continue;
       least = away;
       target = foot;
     }
-    moved = moved || (target - places[p]).norm() > on_it;
-    places[p] = target;
+    moved = moved || (target - positions[p]).norm() > on_it;
+    positions[p] = target;
   }
   return moved;
 }
@@ -83,7 +83,7 @@ bool move_onto_edges(std::vector<Vec2>& places, const std::vector<Edge>& edges, 
 
 Snapping snap_outlines(std::vector<Points>& outlines, double distance) {
   Snapping result;
-  SharedPlaces shared(distance);
+  SharedPoints shared(distance);
   std::vector<std::vector<int>> polygons;
   for (const Points& outline : outlines) {
     std::vector<int>& corners = polygons.emplace_back();
@@ -95,16 +95,16 @@ Snapping snap_outlines(std::vector<Points>& outlines, double distance) {
       return result;
     }
   }
-  std::vector<Vec2> places = shared.places();
+  std::vector<Vec2> positions = shared.positions();
   const std::vector<Edge> edges = edges_of(polygons);
   constexpr int most_rounds = 8;  // each moves edges that others lie on
-  for (int round = 0; round < most_rounds && move_onto_edges(places, edges, distance); ++round) {
+  for (int round = 0; round < most_rounds && move_onto_edges(positions, edges, distance); ++round) {
   }
   for (std::size_t p = 0; p < polygons.size(); ++p)
     for (std::size_t k = 0; k < polygons[p].size(); ++k) {
-      const Vec2& place = places[polygons[p][k]];
-      result.n_moved += outlines[p].col(static_cast<Index>(k)) != place;
-      outlines[p].col(static_cast<Index>(k)) = place;
+      const Vec2& position = positions[polygons[p][k]];
+      result.n_moved += outlines[p].col(static_cast<Index>(k)) != position;
+      outlines[p].col(static_cast<Index>(k)) = position;
     }
   return result;
 }

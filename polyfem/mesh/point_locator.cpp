@@ -55,9 +55,9 @@ PointLocator::PointLocator(const PolygonMesh& mesh) : mesh_(&mesh) {
 
 /// The square of the point of the grid nearest to x.
 PointLocator::Square PointLocator::square_of(const Vec2& x) const {
-  const Vec2 place = (x - low_) / side_;
-  return {static_cast<int>(std::clamp(place.x(), 0., n_columns_ - 1.)),
-          static_cast<int>(std::clamp(place.y(), 0., n_rows_ - 1.))};
+  const Vec2 position = (x - low_) / side_;
+  return {static_cast<int>(std::clamp(position.x(), 0., n_columns_ - 1.)),
+          static_cast<int>(std::clamp(position.y(), 0., n_rows_ - 1.))};
 }
 
 std::span<const int> PointLocator::cells_in(int column, int row) const {

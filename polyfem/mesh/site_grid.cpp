@@ -21,9 +21,9 @@ SiteGrid::SiteGrid(const Points& sites, const Vec2& low, const Vec2& high) : low
   indices_.resize(sites.cols());
   sites_.resize(2, sites.cols());
   for (Index i = 0; i < sites.cols(); ++i) {
-    const int place = next[square(i)]++;
-    indices_[place] = static_cast<int>(i);
-    sites_.col(place) = sites.col(i);
+    const int position = next[square(i)]++;
+    indices_[position] = static_cast<int>(i);
+    sites_.col(position) = sites.col(i);
   }
 }
 

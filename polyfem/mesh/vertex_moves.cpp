@@ -22,7 +22,7 @@ bool is_convex(const PointsRef& polygon) {
   return !find_non_convex_corner(polygon, least_turn_kept);
 }
 
-bool is_sound(const PointsRef& polygon, bool convex) {
+bool is_valid(const PointsRef& polygon, bool convex) {
   return convex ? is_convex(polygon) : !find_defect(polygon) && signed_area(polygon) > 0;
 }
 
@@ -53,18 +53,18 @@ void perturb_inner_vertices(PolygonMesh& mesh, double amount, std::uint64_t seed
 
   for (int v = 0; v < static_cast<int>(is_fixed.size()); ++v) {
     if (is_fixed[v] || cells[v].empty()) continue;
-    const Vec2 place = mesh.vertices.col(v);
+    const Vec2 position = mesh.vertices.col(v);
     const double reach = amount * shortest_edge(mesh, v, cells[v]) / std::numbers::sqrt2;
     const double x = uniform(), y = uniform();
     Vec2 move = reach * Vec2(x, y);
     const auto spoils = [&] {
       return std::any_of(cells[v].begin(), cells[v].end(),
-                         [&](int c) { return !is_sound(mesh.outline(c), was_convex[c]); });
+                         [&](int c) { return !is_valid(mesh.outline(c), was_convex[c]); });
     };
     mesh.vertices.col(v) += move;
     for (int n_tries = 1; spoils(); ++n_tries) {
       move = n_tries < most_tries ? Vec2(move / 2) : Vec2::Zero();
-      mesh.vertices.col(v) = place + move;
+      mesh.vertices.col(v) = position + move;
       if (n_tries == most_tries) break;
     }
   }

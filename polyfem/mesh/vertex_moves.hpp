@@ -1,4 +1,4 @@
-/// \file Other places for the vertices of a mesh.
+/// \file Other positions for the vertices of a mesh.
 #pragma once
 
 #include <polyfem/mesh/polygon_mesh.hpp>

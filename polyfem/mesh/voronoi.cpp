@@ -4,7 +4,7 @@
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/geometry/validity.hpp>
-#include <polyfem/mesh/boundary_places.hpp>
+#include <polyfem/mesh/boundary_positions.hpp>
 #include <polyfem/mesh/clipped_diagram.hpp>
 #include <polyfem/mesh/convex_cuts.hpp>
 #include <polyfem/mesh/local_frame.hpp>
@@ -84,20 +84,20 @@ Points prepared(const PointsRef& domain) {
 /// All in local coordinates.
 struct LocalMesh {
   PolygonMesh mesh;
-  std::vector<VertexPlace> places;
+  std::vector<BoundaryPosition> positions;
 };
 
 LocalMesh local_voronoi(const Points& domain, double cell_size, const VoronoiOptions& options) {
   Points sites = random_sites(domain, options.n_cells, options.seed);
   for (int step = 0; step < options.lloyd_steps; ++step) sites = lloyd_step(domain, sites);
   PolygonMesh mesh = weld(clipped_voronoi_diagram(domain, sites), weld_distance * cell_size);
-  std::vector<VertexPlace> places = boundary_places(mesh, domain, weld_distance * cell_size);
-  MeshEditor editor(cut_into_convex(mesh, concave_turn), std::move(places), domain);
+  std::vector<BoundaryPosition> positions = boundary_positions(mesh, domain, weld_distance * cell_size);
+  MeshEditor editor(cut_into_convex(mesh, concave_turn), std::move(positions), domain);
   for (const double turn : {wanted_turn, wanted_turn, accepted_turn}) {
     collapse_short_edges(editor, options.smallest_edge * cell_size, turn, options.n_cells);
     bend_straight_corners(editor, wanted_turn);
   }
-  return {cut_into_convex(editor.mesh(), tolerated_turn), editor.places()};
+  return {cut_into_convex(editor.mesh(), tolerated_turn), editor.positions()};
 }
 
 /// Cells row by row, see the header.
@@ -107,26 +107,27 @@ std::vector<int> cell_order(const PolygonMesh& mesh, double row_height) {
     int cell;
     auto key() const { return std::tie(row, x, y, cell); }
   };
-  std::vector<Place> places;
+  std::vector<Place> positions;
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const Vec2 centroid = area_moments(mesh.outline(c)).centroid;
-    places.push_back({std::floor(centroid.y() / row_height), centroid.x(), centroid.y(), c});
+    positions.push_back({std::floor(centroid.y() / row_height), centroid.x(), centroid.y(), c});
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.key() < b.key(); });
+  std::sort(positions.begin(), positions.end(),
+            [](const Place& a, const Place& b) { return a.key() < b.key(); });
   std::vector<int> order;
-  for (const Place& place : places) order.push_back(place.cell);
+  for (const Place& position : positions) order.push_back(position.cell);
   return order;
 }
 
 /// Vertices on the outline are placed anew on its edges, so that they are as near to them as doubles allow.
-Vec2 world_vertex(const Vec2& local, const VertexPlace& place, const Points& local_domain,
+Vec2 world_vertex(const Vec2& local, const BoundaryPosition& position, const Points& local_domain,
                   const Points& domain, const LocalFrame& frame) {
-  if (place.corner >= 0) return domain.col(place.corner);
-  if (place.edge < 0) return frame.to_world(local);
-  const Index next = (place.edge + 1) % domain.cols();
-  const Vec2 edge = local_domain.col(next) - local_domain.col(place.edge);
-  const double along = edge.dot(local - local_domain.col(place.edge)) / edge.squaredNorm();
-  return domain.col(place.edge) + along * (domain.col(next) - domain.col(place.edge));
+  if (position.corner >= 0) return domain.col(position.corner);
+  if (position.edge < 0) return frame.to_world(local);
+  const Index next = (position.edge + 1) % domain.cols();
+  const Vec2 edge = local_domain.col(next) - local_domain.col(position.edge);
+  const double along = edge.dot(local - local_domain.col(position.edge)) / edge.squaredNorm();
+  return domain.col(position.edge) + along * (domain.col(next) - domain.col(position.edge));
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ PolygonMesh voronoi(const PointsRef& domain, const VoronoiOptions& options) {
   const LocalMesh local = local_voronoi(local_outline, cell_size, options);
 
   PolygonMesh result;
-  std::vector<int> new_index(local.places.size(), -1), corners, used;
+  std::vector<int> new_index(local.positions.size(), -1), corners, used;
   for (const int c : cell_order(local.mesh, cell_size)) {
     corners.clear();
     for (const int v : local.mesh.cell(c)) {
@@ -155,8 +156,8 @@ PolygonMesh voronoi(const PointsRef& domain, const VoronoiOptions& options) {
   }
   result.vertices.resize(2, static_cast<Index>(used.size()));
   for (std::size_t i = 0; i < used.size(); ++i)
-    result.vertices.col(static_cast<Index>(i)) =
-        world_vertex(local.mesh.vertices.col(used[i]), local.places[used[i]], local_outline, outline, frame);
+    result.vertices.col(static_cast<Index>(i)) = world_vertex(
+        local.mesh.vertices.col(used[i]), local.positions[used[i]], local_outline, outline, frame);
   for (int c = 0; c < result.n_cells(); ++c)
     if (find_non_convex_corner(result.outline(c), required_turn))
       throw Error("a Voronoi cell came out with a straight corner; another seed or number of cells may help");

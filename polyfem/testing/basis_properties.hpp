@@ -36,15 +36,15 @@ TYPED_TEST_P(BasisProperties, ObjectsToOtherPolygonsOrIsRightThere) {
   std::vector<SamplePolygon> others = concave_samples();
   others.push_back({"square, every other vertex on an edge", with_middle_vertices(square)});
   for (const SamplePolygon& polygon : others) {
-    const std::optional<Objection> objection = this->basis_.find_objection(polygon.vertices);
-    if (!objection) {
+    const std::optional<Rejection> rejection = this->basis_.find_rejection(polygon.vertices);
+    if (!rejection) {
       this->expect_consistent(this->evaluate(polygon, this->places(polygon)), 1, worst);
       continue;
     }
     worst.see(0, 1, polygon, Vec2::Zero());
-    EXPECT_GE(objection->vertex, 0) << polygon.name;
-    EXPECT_LT(objection->vertex, polygon.vertices.cols()) << polygon.name;
-    EXPECT_FALSE(objection->reason.empty()) << polygon.name;
+    EXPECT_GE(rejection->vertex, 0) << polygon.name;
+    EXPECT_LT(rejection->vertex, polygon.vertices.cols()) << polygon.name;
+    EXPECT_FALSE(rejection->reason.empty()) << polygon.name;
     try {
       require_suitable(this->basis_, polygon.vertices);
       ADD_FAILURE() << "no error on: " << polygon.name;
@@ -56,7 +56,7 @@ TYPED_TEST_P(BasisProperties, ObjectsToOtherPolygonsOrIsRightThere) {
 
 TYPED_TEST_P(BasisProperties, ValuesSumToOne) {
   WorstError worst;
-  this->for_each_place([&](const BasisSample& at, double) {
+  this->for_each_point([&](const BasisSample& at, double) {
     for (Index q = 0; q < at.points.cols(); ++q)
       worst.see(std::abs(at.table.values.row(q).sum() - 1), this->sum_tolerance(at.polygon), at.polygon,
                 at.x(q));
@@ -65,7 +65,7 @@ TYPED_TEST_P(BasisProperties, ValuesSumToOne) {
 
 TYPED_TEST_P(BasisProperties, ValuesReproduceThePosition) {
   WorstError worst;
-  this->for_each_place([&](const BasisSample& at, double size) {
+  this->for_each_point([&](const BasisSample& at, double size) {
     for (Index q = 0; q < at.points.cols(); ++q) {
       const Vec2 error = (at.polygon.vertices.colwise() - at.x(q)) * at.table.values.row(q).transpose();
       worst.see(error.norm(), this->sum_tolerance(at.polygon) * size, at.polygon, at.x(q));
@@ -75,7 +75,7 @@ TYPED_TEST_P(BasisProperties, ValuesReproduceThePosition) {
 
 TYPED_TEST_P(BasisProperties, GradientsSumToZero) {
   WorstError worst;
-  this->for_each_place([&](const BasisSample& at, double) {
+  this->for_each_point([&](const BasisSample& at, double) {
     for (Index q = 0; q < at.points.cols(); ++q)
       worst.see(at.gradients(q).rowwise().sum().norm(),
                 this->sum_tolerance(at.polygon) * at.largest_gradient(q), at.polygon, at.x(q));
@@ -84,7 +84,7 @@ TYPED_TEST_P(BasisProperties, GradientsSumToZero) {
 
 TYPED_TEST_P(BasisProperties, GradientsReproduceTheIdentity) {
   WorstError worst;
-  this->for_each_place([&](const BasisSample& at, double size) {
+  this->for_each_point([&](const BasisSample& at, double size) {
     for (Index q = 0; q < at.points.cols(); ++q) {
       const Mat2 of_position = (at.polygon.vertices.colwise() - at.x(q)) * at.gradients(q).transpose();
       worst.see((of_position - Mat2::Identity()).norm(),
@@ -212,7 +212,7 @@ TYPED_TEST_P(BasisProperties, DoesNotDependOnWhichVertexIsTheFirst) {
         const Index k = (i + n / 2) % n;
         worst_value.see(std::abs(other.table.values(q, i) - at.table.values(q, k)),
                         2 * this->tolerance(polygon), polygon, at.x(q));
-        if (q < this->n_smooth_places)
+        if (q < this->n_smooth_points)
           worst_gradient.see((other.gradients(q).col(i) - at.gradients(q).col(k)).norm(),
                              4 * this->tolerance(polygon) * at.largest_gradient(q), polygon, at.x(q));
       }

@@ -10,7 +10,7 @@ namespace polyfem {
 
 /// What a basis is good for: what it is tried on, and how it is judged.
 struct BasisPromises {
-  SampleShapes shapes = SampleShapes::strictly_convex;  ///< what it takes without objection
+  SampleShapes shapes = SampleShapes::strictly_convex;  ///< what it takes without rejecting it
   /// Error of values, and of gradients over the largest at the point; n / 10 times as much beyond n = 10.
   double tolerance = 1e-14;
   bool affine = false;  ///< follows every affine map, not only translations, turns and changes of scale
@@ -61,9 +61,9 @@ class BasisProperties : public ::testing::Test {
     for (const SamplePolygon& polygon : sample_polygons(promises_.shapes, promises_.largest_n))
       check(polygon);
   }
-  /// Points inside and on an edge, `n_smooth_places` of them, then at vertices, where gradients may be a
+  /// Points inside and on an edge, `n_smooth_points` of them, then at vertices, where gradients may be a
   /// matter of definition.
-  static constexpr Index n_smooth_places = 11;
+  static constexpr Index n_smooth_points = 11;
   static Points places(const SamplePolygon& polygon) {
     const Points inside = inner_points(polygon.vertices, 8), on_edge = edge_points(polygon.vertices, 1);
     Points points(2, inside.cols() + on_edge.cols() + 2);
@@ -71,7 +71,7 @@ class BasisProperties : public ::testing::Test {
     return points;
   }
   /// Those, in polygons of sizes from 1e-6 to 1e6 and up to 1e8 times their size away from the origin.
-  void for_each_place(const std::function<void(const BasisSample& sample, double size)>& check) const {
+  void for_each_point(const std::function<void(const BasisSample& sample, double size)>& check) const {
     for_each_polygon([&](const SamplePolygon& polygon) {
       const Points points = places(polygon);
       for (const int exponent : {-20, 0, 20})
@@ -93,7 +93,7 @@ class BasisProperties : public ::testing::Test {
     WorstError worst_value, worst_gradient;
     for_each_polygon([&](const SamplePolygon& polygon) {
       const auto mapped = [&](const Points& at) -> Points { return (A * at).colwise() + b; };
-      const Points points = places(polygon).leftCols(n_smooth_places);
+      const Points points = places(polygon).leftCols(n_smooth_points);
       const BasisSample before = evaluate(polygon, points);
       const BasisSample after = evaluate({polygon.name, mapped(polygon.vertices)}, mapped(points));
       for (Index q = 0; q < points.cols(); ++q) {

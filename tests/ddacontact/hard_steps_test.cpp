@@ -59,9 +59,9 @@ TEST(HardSteps, StatesFoundFromInsideMakeStepsThatFollowingThemDoesNot) {
       once.scene.analysis.cutting_factor = 1e-4;  // the first rejected try is the last
       const BuiltScene built = build_at(once);
       Stepper& stepper = *built.stepper;
-      stepper.staged_options().inside = inside;
+      stepper.contact_solver_options().interior_point = inside;
       const bool made = stepper.step();
-      EXPECT_TRUE(inside || stepper.counts().interior_paths == 0);
+      EXPECT_TRUE(inside || stepper.counts().interior_point_solves == 0);
       if (made && inside && stepper.counts().substeps == 1) {
         EXPECT_LE(stepper.counts().open_close_iterations, 300 * (1 + stepper.counts().corner_solutions));
       }

@@ -69,7 +69,7 @@ void expect_same_motion(const Stepper& one, const Stepper& other, const Analysis
   const std::vector<double> tolerated = tolerated_forces(other, analysis.gravity);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
-    const double moved = apart.middleCols(block.places().first, block.n_places()).cwiseAbs().maxCoeff(),
+    const double moved = apart.middleCols(block.points().first, block.n_points()).cwiseAbs().maxCoeff(),
                  faster = change.segment(block.unknowns().first, block.n_unknowns()).cwiseAbs().maxCoeff(),
                  by_forces =
                      reach_of_force(block) * tolerated[static_cast<std::size_t>(b)] / block.mass_total() * dt;

@@ -3,7 +3,7 @@
 
 #include <ddacontact/study/factor_bracket.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
-#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/monitor_target.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 using namespace ddacontact;
 
 Vec2 travel_of(const BuiltScene& built, const std::string& monitor) {
-  for (const Probe& probe : built.probes)
+  for (const MonitorTarget& probe : built.monitor_targets)
     if (probe.name == monitor) return observe(probe, *built.stepper).displacement;
   throw std::runtime_error("no monitor " + monitor);
 }
@@ -38,10 +38,10 @@ TEST(Practice, DamSlidesAtItsFactorOfSafety) {
 TEST(Practice, DrumsSwayTheSameInShorterSteps) {
   std::vector<double> sways;
   for (const int factor : {2, 4}) {
-    BuiltScene built = support::build_example("drums.toml",
-                                              {"analysis.time_step=" + std::to_string(0.0025 / factor),
-                                               "stage.settle.steps=" + std::to_string(10 * factor),
-                                               "stage.shake.steps=" + std::to_string(3200 * factor)});
+    BuiltScene built =
+        support::build_example("drums.toml", {"analysis.time_step=" + std::to_string(0.0025 / factor),
+                                              "stage.settle.steps=" + std::to_string(10 * factor),
+                                              "stage.shake.steps=" + std::to_string(3200 * factor)});
     double& sway = sways.emplace_back(0);
     for (int step = 0; step < 3210 * factor; ++step) {
       ASSERT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
@@ -98,7 +98,7 @@ TEST(Practice, DiskOnAPlateHasHertzsPressure) {
   // Places and forces of the nodes in contact; each bears the pressure over half the way to its neighbours.
   const Block& of_disk = built.stepper->blocks().block(1);
   const Points x = built.stepper->blocks().positions(built.stepper->state());
-  const auto place = [&](int k) -> Vec2 {
+  const auto point = [&](int k) -> Vec2 {
     return x.col(of_disk.vertices().first + (k + of_disk.n_vertices()) % of_disk.n_vertices());
   };
   double force = 0, first = 0, second = 0, most = 0;
@@ -106,9 +106,9 @@ TEST(Practice, DiskOnAPlateHasHertzsPressure) {
     ASSERT_EQ(contact.pair.vertex_block, 1);
     const int k = contact.pair.vertex;
     force += contact.normal;
-    first += contact.normal * place(k).x();
-    second += contact.normal * place(k).x() * place(k).x();
-    most = std::max(most, 2 * contact.normal / std::abs(place(k + 1).x() - place(k - 1).x()));
+    first += contact.normal * point(k).x();
+    second += contact.normal * point(k).x() * point(k).x();
+    most = std::max(most, 2 * contact.normal / std::abs(point(k + 1).x() - point(k - 1).x()));
   }
   const double half_width = std::sqrt(4 * force * (1 - poisson * poisson) / (std::numbers::pi * young));
   // The second moment of Hertz's pressure is a^2 / 4.

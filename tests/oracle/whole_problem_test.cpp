@@ -56,7 +56,7 @@ VectorXd our_solution(const TriangulationMesh& mesh, const oracle::PlaneStrain& 
 
 enum class Cells { parallelograms, trapezoids, triangles, quadrilaterals };
 
-/// A unit square, coloured, its inner vertices moved at random so that cells are what is asked for; turned.
+/// A unit square, coloured, its inner vertices moved at random so that cells are what is requested; turned.
 void make(Cells cells, dealii::Triangulation<2>& triangulation) {
   constexpr unsigned n = 12;
   dealii::Triangulation<2> squares;

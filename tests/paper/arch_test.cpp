@@ -47,14 +47,14 @@ TEST_P(Arch, FallsWithoutFriction) {
   BuiltScene built = build("arch_frictionless");
   ASSERT_TRUE(support::run(*built.stepper, 30)) << built.stepper->stop_reason();
   EXPECT_GE(largest_displacement(*built.stepper), 0.1);
-  const Vec2 crown = observe(built.probes.front(), *built.stepper).velocity;
+  const Vec2 crown = observe(built.monitor_targets.front(), *built.stepper).velocity;
   EXPECT_LE(crown.y(), -1.0);  // and goes on falling
 }
 
 TEST_P(Arch, IsSymmetricAboutTheCrown) {
   BuiltScene built = build("arch_frictionless");
   ASSERT_TRUE(support::run(*built.stepper, 20));
-  EXPECT_NEAR(observe(built.probes.front(), *built.stepper).displacement.x(), 0, 1e-9);
+  EXPECT_NEAR(observe(built.monitor_targets.front(), *built.stepper).displacement.x(), 0, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothModels, Arch, testing::Values("wachspress", "affine"),

@@ -5,7 +5,7 @@
 //
 // The name of a benchmark says who, where the points are (inside: at most 0.9 of the way from the centre to
 // the boundary; boundary: at 1e-9 of it from the boundary), the polygon's vertices n and how many points are
-// asked for at once.
+// requested at once.
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <tests/support/random_polygon.hpp>

@@ -21,7 +21,7 @@ using namespace ddacontact;
 
 constexpr int n_blocks = 100000;
 /// How far contacts are looked for, of a block's size.
-constexpr double reach = 0.02;
+constexpr double search_margin = 0.02;
 
 struct Blocks {
   std::vector<Points> outlines;
@@ -31,9 +31,9 @@ struct Blocks {
   void add(const Points& outline) {
     const double size = std::sqrt(polyfem::signed_area(outline));
     outlines.push_back(outline);
-    reaches.push_back(reach * size);
+    reaches.push_back(search_margin * size);
     half_widths.push_back(half_width(outline));
-    boxes.push_back(bounding_box(outline, reach * size));
+    boxes.push_back(bounding_box(outline, search_margin * size));
   }
 };
 
@@ -99,7 +99,7 @@ void whole(benchmark::State& state, const Blocks& blocks) {
     contacts.clear();
     choices.clear();
     for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) {
-      const double size = std::min(blocks.reaches[a], blocks.reaches[b]) / reach;
+      const double size = std::min(blocks.reaches[a], blocks.reaches[b]) / search_margin;
       const PairLimits limits{blocks.reaches[a] + blocks.reaches[b],
                               std::min(blocks.half_widths[a], blocks.half_widths[b]), 1e-6 * size,
                               1e-4 * size};

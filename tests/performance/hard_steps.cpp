@@ -44,7 +44,7 @@ Outcome try_steps(const Method& method, const std::vector<HardStep>& steps) {
     step.scene.analysis.cutting_factor = 1e-4;  // the first rejected try is the last
     const BuiltScene built = build_at(step);
     Stepper& stepper = *built.stepper;
-    stepper.staged_options().inside = method.inside;
+    stepper.contact_solver_options().interior_point = method.inside;
     bool made;
     {
       const polyfem::Stopwatch watch(outcome.seconds);
@@ -109,7 +109,7 @@ void collect_from(const Scene& scene, const std::string& name, long least,
 
 void run_drops(int n) {
   struct Sum {
-    long drops = 0, steps = 0, substeps = 0, rejected = 0, interior_paths = 0, stopped = 0, rises = 0;
+    long drops = 0, steps = 0, substeps = 0, rejected = 0, interior_point_solves = 0, stopped = 0, rises = 0;
     double residual = 0, overlap = 0, rise = 0;
   };
   std::map<std::string, Sum> sums;
@@ -138,7 +138,7 @@ void run_drops(int n) {
       sum.steps += counts.steps;
       sum.substeps += counts.substeps;
       sum.rejected += counts.rejected;
-      sum.interior_paths += counts.interior_paths;
+      sum.interior_point_solves += counts.interior_point_solves;
       sum.stopped += !made;
       sum.rises += rises;
       sum.residual = std::max(sum.residual, counts.max_residual);
@@ -161,7 +161,7 @@ void run_drops(int n) {
     std::printf("| %s | %ld | %ld | %ld | %ld | %.2f | %ld | %ld | %.1e | %.1e | %ld | %.1e |\n",
                 name == "~all" ? "all" : name.c_str(), s.drops, s.steps, s.substeps, s.rejected,
                 100. * static_cast<double>(s.rejected) / static_cast<double>(s.substeps + s.rejected),
-                s.stopped, s.interior_paths, s.residual, s.overlap, s.rises, s.rise);
+                s.stopped, s.interior_point_solves, s.residual, s.overlap, s.rises, s.rise);
 }
 
 }  // namespace

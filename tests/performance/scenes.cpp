@@ -107,9 +107,9 @@ Scene slope_with(int n, double friction_angle) {
   add_block(scene, box(bottom, 0, bottom + 1, height), true);
   const Vec2 out_of_face(-std::sin(face), std::cos(face));
   const Mat2 turn = Eigen::Rotation2Dd(dip).toRotationMatrix();
-  const int reach = static_cast<int>(2 * bottom) + 2;
-  for (int row = -reach; row < reach; ++row)
-    for (int column = -reach; column < reach; ++column) {
+  const int search_margin = static_cast<int>(2 * bottom) + 2;
+  for (int row = -search_margin; row < search_margin; ++row)
+    for (int column = -search_margin; column < search_margin; ++column) {
       Points block = turn * box(column, row, column + 1, row + 1);
       if (block.row(1).maxCoeff() <= 0 || block.row(1).minCoeff() >= height ||
           block.row(0).minCoeff() >= bottom || (out_of_face.transpose() * block).minCoeff() >= 0)

@@ -99,7 +99,7 @@ double largest_displacement(const Stepper& stepper) {
   const Points displacements = stepper.blocks().displacements(stepper.state());
   double size = 0;
   for_free_blocks(stepper, [&](int b) {
-    const Range& places = stepper.blocks().block(b).places();
+    const Range& places = stepper.blocks().block(b).points();
     size = std::max(size, displacements.middleCols(places.first, places.count).colwise().norm().maxCoeff());
   });
   return size;
@@ -189,7 +189,8 @@ void add_momenta(const Stepper& stepper, const Scales& scale, Rows& rows) {
   rows.add("angular momentum", angular, scale.mass * scale.speed * scale.length, "kg m2/s");
 }
 
-void add_monitor(const Probe& probe, const Stepper& stepper, bool moves, const Scales& scale, Rows& rows) {
+void add_monitor(const MonitorTarget& probe, const Stepper& stepper, bool moves, const Scales& scale,
+                 Rows& rows) {
   const Motion motion = observe(probe, stepper);
   rows.add("displacement of " + probe.name, motion.displacement, scale.displacement, "m");
   if (moves) rows.add("velocity of " + probe.name, motion.velocity, scale.speed, "m/s");
@@ -235,7 +236,7 @@ std::vector<Measured> measure(const ListedScene& listed) {
   if (moves) add_momenta(stepper, scale, rows);
   rows.add("largest displacement", largest_displacement(stepper), scale.displacement, "m");
   rows.add("area", area_of(stepper), scale.area, "m2");
-  for (const Probe& probe : built.probes)
+  for (const MonitorTarget& probe : built.monitor_targets)
     if (stepper.blocks().is_present(probe.block())) add_monitor(probe, stepper, moves, scale, rows);
   if (listed.scene_class != SceneClass::chaotic) rows.exact("closed contacts", stepper.counts().contacts);
   if (scene.contact.penetration_tolerance > 0)

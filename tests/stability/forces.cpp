@@ -22,7 +22,7 @@ std::set<VertexEdge> bonded(const Contacts& contacts) {
 }
 
 /// \param[in] positions  of all places
-VertexEdgePlace place_of(const VertexEdge& pair, const BlockSystem& blocks, const Points& positions) {
+VertexEdgePositions place_of(const VertexEdge& pair, const BlockSystem& blocks, const Points& positions) {
   const Range &of_vertex = blocks.block(pair.vertex_block).vertices(),
               &of_edge = blocks.block(pair.edge_block).vertices();
   return {positions.col(of_vertex.first + pair.vertex), positions.col(of_edge.first + pair.edge),

@@ -253,7 +253,7 @@ bool same_counts(const Run& one, const Run& other) {
   const StepCounts &a = one.counts, &b = other.counts;
   return a.steps == b.steps && a.substeps == b.substeps && a.rejected == b.rejected &&
          a.open_close_iterations == b.open_close_iterations && a.contacts_max == b.contacts_max &&
-         a.interior_paths == b.interior_paths && a.augmentations == b.augmentations;
+         a.interior_point_solves == b.interior_point_solves && a.augmentations == b.augmentations;
 }
 
 Scene as_read(const Scene& scene) {

@@ -48,7 +48,7 @@ constexpr Model models[] = {{"wachspress", BlockModel::wachspress},
                             {"mesh", BlockModel::mesh},
                             {"affine", BlockModel::affine}};
 
-struct Soundness {
+struct Definiteness {
   double unity = 0;  ///< largest |sum of the functions - 1|, on the outline and inside
   double rigid = 0;  ///< elastic force of a turn of 0.3 rad and a translation, over |K| |d|
   bool finite = true;
@@ -68,8 +68,8 @@ double defect_of_unity(const Points& corners, const polyfem::Basis& basis) {
   return (table.values.rowwise().sum().array() - 1).abs().maxCoeff();
 }
 
-Soundness look_at(const Points& outline, const Model& model) {
-  Soundness sound;
+Definiteness evaluate(const Points& outline, const Model& model) {
+  Definiteness sound;
   Scene scene = rock_scene(1e-3, 20);
   scene.joints[0].friction_angle = 30;
   const Vec2 low = outline.rowwise().minCoeff(), high = outline.rowwise().maxCoeff();
@@ -121,7 +121,7 @@ void hard_shapes(Page& page) {
   int unsound = 0;
   for (const HardShape& shape : hard_shapes_of_facts())
     for (const Model& model : models) {
-      const Soundness sound = look_at(shape.outline, model);
+      const Definiteness sound = evaluate(shape.outline, model);
       unity = std::max(unity, sound.unity);
       rigid = std::max(rigid, sound.rigid);
       const bool ends_well = sound.finite && sound.refused.empty();

@@ -158,7 +158,7 @@ class Drawing {
 };
 
 /// `origin`: of the stepper's places in the scene.
-void look_at(const Stepper& stepper, const Vec2& origin, AnyDrop& drop) {
+void evaluate(const Stepper& stepper, const Vec2& origin, AnyDrop& drop) {
   const BlockSystem& blocks = stepper.blocks();
   const BlockState& state = stepper.state();
   const auto fail = [&](int a, int b, const std::string& what) {
@@ -222,7 +222,7 @@ AnyDrop run_any_drop(std::uint64_t seed) {
     drop.rises += gain > energy_rise * largest;
     drop.rise = std::max(drop.rise, gain / largest);
     before = mechanical();
-    look_at(stepper, built.labels.origin, drop);
+    evaluate(stepper, built.labels.origin, drop);
   }
   for (const BlockDescription& block : scene.blocks) drop.blocks += !block.fixed;
   const StepCounts& counts = stepper.counts();

@@ -11,7 +11,7 @@ namespace support {
 class DirectMeanValue final : public polyfem::Basis {
  public:
   std::string_view name() const override { return "direct mean value"; }
-  std::optional<polyfem::Objection> find_objection(const polyfem::PointsRef&) const override {
+  std::optional<polyfem::Rejection> find_rejection(const polyfem::PointsRef&) const override {
     return std::nullopt;
   }
 

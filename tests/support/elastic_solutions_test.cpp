@@ -24,12 +24,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Hole", support::hole_solution(2, 0.3, 0.4, 0.7)}),
     [](const auto& test) { return test.param.name; });
 
-const std::vector<Vec2> places{{0.3, 0.45}, {0.7, -0.2}, {1.1, 0.6}, {0.5, 0.}};
+const std::vector<Vec2> points{{0.3, 0.45}, {0.7, -0.2}, {1.1, 0.6}, {0.5, 0.}};
 constexpr double h = 1e-4;
 
 TEST_P(ElasticSolutionTest, StressIsHookesOfTheDisplacements) {
   const auto& [young, poisson, plane, u, stress, b] = GetParam().solution;
-  for (const Vec2& p : places) {
+  for (const Vec2& p : points) {
     const Vec2 u_x = (u(p + Vec2(h, 0)) - u(p - Vec2(h, 0))) / (2 * h);
     const Vec2 u_y = (u(p + Vec2(0, h)) - u(p - Vec2(0, h))) / (2 * h);
     const Vec3 strain(u_x.x(), u_y.y(), u_x.y() + u_y.x());
@@ -41,7 +41,7 @@ TEST_P(ElasticSolutionTest, StressIsHookesOfTheDisplacements) {
 
 TEST_P(ElasticSolutionTest, StressBalancesTheBodyForce) {
   const support::ElasticSolution& field = GetParam().solution;
-  for (const Vec2& p : places) {
+  for (const Vec2& p : points) {
     const Vec3 s_x = (field.stress(p + Vec2(h, 0)) - field.stress(p - Vec2(h, 0))) / (2 * h);
     const Vec3 s_y = (field.stress(p + Vec2(0, h)) - field.stress(p - Vec2(0, h))) / (2 * h);
     Vec2 residual(s_x[0] + s_y[2], s_x[2] + s_y[1]);

@@ -11,15 +11,15 @@ namespace support {
 
 /// A vertex in the middle or anywhere on some edges, next to exactly.
 inline Points with_straight_vertices(const Points& polygon, double probability, std::mt19937& random) {
-  std::vector<Vec2> places;
+  std::vector<Vec2> points;
   for (Index k = 0; k < polygon.cols(); ++k) {
     const Vec2 from = polygon.col(k), to = polygon.col((k + 1) % polygon.cols());
-    places.push_back(from);
+    points.push_back(from);
     if (uniform(0, 1, random) < probability)
-      places.emplace_back(from + uniform(0.2, 0.8, random) * (to - from));
+      points.emplace_back(from + uniform(0.2, 0.8, random) * (to - from));
   }
-  Points result(2, static_cast<Index>(places.size()));
-  for (std::size_t k = 0; k < places.size(); ++k) result.col(static_cast<Index>(k)) = places[k];
+  Points result(2, static_cast<Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) result.col(static_cast<Index>(k)) = points[k];
   return result;
 }
 

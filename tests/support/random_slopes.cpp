@@ -90,9 +90,9 @@ class SlopeDrawing {
   std::vector<Line> set(double angle, double spacing) {
     const Vec2 normal(-std::sin(angle), std::cos(angle));
     std::vector<Line> lines;
-    for (double place = -4 * height + between(0, spacing); place < 4 * height;
-         place += spacing * between(0.6, 1.4))
-      lines.push_back({place * normal, along(angle)});
+    for (double point = -4 * height + between(0, spacing); point < 4 * height;
+         point += spacing * between(0.6, 1.4))
+      lines.push_back({point * normal, along(angle)});
     return lines;
   }
 
@@ -142,10 +142,10 @@ Slab random_slab(std::uint64_t seed) {
   slab.scene = rigid_rock();
   const int n_layers = 1 + static_cast<int>(uniform(0, 4, random)),
             n_columns = 1 + static_cast<int>(uniform(0, 8, random));
-  std::vector<double> levels{0}, places{0};
+  std::vector<double> levels{0}, points{0};
   for (int k = 0; k < n_layers; ++k) levels.push_back(levels.back() + uniform(0.5, 1.5, random));
   const double least_width = 1.3 * levels.back() * std::tan(slab.dip);
-  for (int k = 0; k < n_columns; ++k) places.push_back(places.back() + least_width * uniform(1, 2, random));
+  for (int k = 0; k < n_columns; ++k) points.push_back(points.back() + least_width * uniform(1, 2, random));
   // The plane rises to the right; its blocks end beside the columns' joints, not at them.
   Mat2 turn;
   turn << std::cos(slab.dip), -std::sin(slab.dip), std::sin(slab.dip), std::cos(slab.dip);
@@ -154,13 +154,13 @@ Slab random_slab(std::uint64_t seed) {
     outline << from, to, to, from, low, low, high, high;
     slab.scene.blocks.push_back(rock_block(turn * outline, fixed));
   };
-  const double length = places.back(), room = std::max(length, 10.0);  // m, that it may slide
+  const double length = points.back(), room = std::max(length, 10.0);  // m, that it may slide
   const double joint = length * uniform(-0.5, 1, random);
   add(-room, joint, -1, 0, true);
   add(joint, length + 1, -1, 0, true);
-  for (std::size_t column = 0; column + 1 < places.size(); ++column)
+  for (std::size_t column = 0; column + 1 < points.size(); ++column)
     for (std::size_t row = 0; row + 1 < levels.size(); ++row)
-      add(places[column], places[column + 1], levels[row], levels[row + 1], false);
+      add(points[column], points[column + 1], levels[row], levels[row + 1], false);
   return slab;
 }
 

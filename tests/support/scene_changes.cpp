@@ -117,9 +117,9 @@ Scene turned(Scene scene, const Mat2& by) {
   }
   for (Support& support : scene.supports) {
     change(support.displacement, 1, turn);
-    if (support.hold_x == support.hold_y) continue;
+    if (support.fix_x == support.fix_y) continue;
     if (!is_signed_permutation(by)) throw Error("a support along one axis cannot be turned by any angle");
-    if (std::abs(by(0, 0)) < 0.5) std::swap(support.hold_x, support.hold_y);
+    if (std::abs(by(0, 0)) < 0.5) std::swap(support.fix_x, support.fix_y);
   }
   for (Load& load : scene.loads) {
     load.at = turn(load.at);

@@ -76,7 +76,7 @@ class Pair {
         // The blocks lie on both sides of their common line where their edges run in opposite directions.
         const double from = std::max(0.0, edge.along(end)), to = std::min(edge.length, edge.along(start));
         if (to - from <= tolerance_) continue;
-        for (const double place : {from, to}) add(edge.from + place * edge.direction, edge.inwards());
+        for (const double point : {from, to}) add(edge.from + point * edge.direction, edge.inwards());
       }
   }
 

@@ -66,7 +66,7 @@ Bent bend(Scene scene, const Beam& beam, int tip_block) {
   Bent bent;
   bent.seconds = seconds_of([&] { bent.built = run(scene); });
   bent.unknowns = bent.built.stepper->blocks().n_unknowns();
-  bent.deflection = -observe(bent.built.probes[0], *bent.built.stepper).displacement.y();
+  bent.deflection = -observe(bent.built.monitor_targets[0], *bent.built.stepper).displacement.y();
   return bent;
 }
 

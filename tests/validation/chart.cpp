@@ -53,16 +53,16 @@ double friction_to_tilt(const Slope& slope, double slenderness) {
 }
 
 /// Of a rigid block.
-Start rigid_start(const Slope& slope, const Place& place) {
-  if (place.slenderness >= 1) return {place.friction < 1, false};
-  const bool slides = place.friction < friction_to_tilt(slope, place.slenderness);
-  return {slides, !slides || place.slenderness < place.friction};
+Start rigid_start(const Slope& slope, const Place& point) {
+  if (point.slenderness >= 1) return {point.friction < 1, false};
+  const bool slides = point.friction < friction_to_tilt(slope, point.slenderness);
+  return {slides, !slides || point.slenderness < point.friction};
 }
 
-Start computed_start(const Slope& slope, const Place& place) {
-  const double a = radians(slope.angle), h = slope.height, b = place.slenderness * slope.steepness() * h;
+Start computed_start(const Slope& slope, const Place& point) {
+  const double a = radians(slope.angle), h = slope.height, b = point.slenderness * slope.steepness() * h;
   Scene scene = rock_scene(time_step, 1);
-  scene.joints[0].friction_angle = std::atan(place.friction * slope.steepness()) * 360 / turn;
+  scene.joints[0].friction_angle = std::atan(point.friction * slope.steepness()) * 360 / turn;
   scene.blocks = {block(turned(rectangle(-2 * h - b, -h, 12 * h + 2 * b, h), -a), true),
                   block(turned(rectangle(0, 0, b, h), -a))};
   const BuiltScene built = build(scene);
@@ -78,7 +78,7 @@ Start computed_start(const Slope& slope, const Place& place) {
 /// Places on both sides of a boundary.
 struct Boundary {
   const char* between;
-  std::vector<Place> places;
+  std::vector<Place> points;
 };
 
 std::vector<Boundary> boundaries(const Slope& slope) {
@@ -87,18 +87,18 @@ std::vector<Boundary> boundaries(const Slope& slope) {
                               {"topples, without or with sliding", {}},
                               {"slides, without or with toppling", {}}};
   for (const double side : {1 - aside, 1 + aside}) {
-    for (const double slenderness : {1.05, 1.2, 1.4, 1.6}) found[0].places.push_back({side, slenderness});
-    for (const double friction : {1.05, 1.2, 1.4, 1.6}) found[1].places.push_back({friction, side});
+    for (const double slenderness : {1.05, 1.2, 1.4, 1.6}) found[0].points.push_back({side, slenderness});
+    for (const double friction : {1.05, 1.2, 1.4, 1.6}) found[1].points.push_back({friction, side});
     for (const double slenderness : {0.2, 0.4, 0.6, 0.8, 0.9})
-      found[2].places.push_back({side * friction_to_tilt(slope, slenderness), slenderness});
-    for (const double friction : {0.2, 0.4, 0.6, 0.8}) found[3].places.push_back({friction, side * friction});
+      found[2].points.push_back({side * friction_to_tilt(slope, slenderness), slenderness});
+    for (const double friction : {0.2, 0.4, 0.6, 0.8}) found[3].points.push_back({friction, side * friction});
   }
   return found;
 }
 
 /// All over the chart, but for places within `aside` of a boundary.
 std::vector<Place> grid(const Slope& slope) {
-  std::vector<Place> places;
+  std::vector<Place> points;
   for (double friction = 0.05; friction < 1.7; friction += 0.15)
     for (double slenderness = 0.1; slenderness < 1.7; slenderness += 0.15) {
       const Start start = rigid_start(slope, {friction, slenderness});
@@ -106,9 +106,9 @@ std::vector<Place> grid(const Slope& slope) {
       for (const double side : {1 - aside, 1 + aside})
         near_boundary = near_boundary || rigid_start(slope, {side * friction, slenderness}) != start ||
                         rigid_start(slope, {friction, side * slenderness}) != start;
-      if (!near_boundary) places.push_back({friction, slenderness});
+      if (!near_boundary) points.push_back({friction, slenderness});
     }
-  return places;
+  return points;
 }
 
 /// The map of a slope with its boundaries, and what blocks were seen to do.
@@ -131,12 +131,12 @@ class Map {
       chart_.series.push_back({.name = name(kind), .x = {}, .y = {}, .markers = true});
   }
 
-  void mark(const Place& place, const Start& seen) {
+  void mark(const Place& point, const Start& seen) {
     for (std::size_t k = 0; k < kinds.size(); ++k)
       if (seen == kinds[k]) {
         Series& series = chart_.series[chart_.series.size() - kinds.size() + k];
-        series.x.push_back(place.friction);
-        series.y.push_back(place.slenderness);
+        series.x.push_back(point.friction);
+        series.y.push_back(point.slenderness);
       }
   }
   const Chart& chart() const { return chart_; }
@@ -149,13 +149,13 @@ struct Tally {
   int n = 0, n_right = 0;
   std::string wrong;
 
-  void add(const Slope& slope, const Place& place, const Start& seen) {
-    const Start expected = rigid_start(slope, place);
+  void add(const Slope& slope, const Place& point, const Start& seen) {
+    const Start expected = rigid_start(slope, point);
     ++n;
     n_right += seen == expected;
     if (seen != expected)
-      wrong += fmt::format(" {:g}°, {:.3g}, {:.3g}: {} instead of {};", slope.angle, place.friction,
-                           place.slenderness, name(seen), name(expected));
+      wrong += fmt::format(" {:g}°, {:.3g}, {:.3g}: {} instead of {};", slope.angle, point.friction,
+                           point.slenderness, name(seen), name(expected));
   }
   std::string text() const { return fmt::format("{} of {}{}", n_right, n, wrong); }
 };
@@ -187,15 +187,15 @@ void chart(Report& report) {
   std::vector<std::vector<std::string>> rows{{"places beside the boundary", "as the chart says"}};
   for (const Slope& slope : slopes) {
     Map map(slope);
-    const auto look = [&](const std::vector<Place>& places, Tally& tally) {
-      for (const Place& place : places) {
-        const Start seen = computed_start(slope, place);
-        tally.add(slope, place, seen);
-        map.mark(place, seen);
+    const auto look = [&](const std::vector<Place>& points, Tally& tally) {
+      for (const Place& point : points) {
+        const Start seen = computed_start(slope, point);
+        tally.add(slope, point, seen);
+        map.mark(point, seen);
       }
     };
     const std::vector<Boundary> beside = boundaries(slope);
-    for (std::size_t k = 0; k < beside.size(); ++k) look(beside[k].places, tallies[k]);
+    for (std::size_t k = 0; k < beside.size(); ++k) look(beside[k].points, tallies[k]);
     look(grid(slope), tallies.back());
     charts.push_back(map.chart());
   }

@@ -150,13 +150,13 @@ Series computed_way(const Shaking& shaking, double time_step) {
   scene.supports = {base};
   const BuiltScene built = settled(scene);
   Stepper& stepper = *built.stepper;
-  const auto place = [&] { return (travel(stepper, 1) - travel(stepper, 0)).dot(slider.down()); };
-  const double start = place();
+  const auto point = [&] { return (travel(stepper, 1) - travel(stepper, 0)).dot(slider.down()); };
+  const double start = point();
   Series way;
   for (int k = 1; k <= scene.analysis.steps; ++k) {
     run(stepper, 1);
     way.x.push_back(k * time_step);
-    way.y.push_back(place() - start);
+    way.y.push_back(point() - start);
   }
   return way;
 }

@@ -72,14 +72,14 @@ Scene bar_scene(const Setting& setting) {
     Support roller;
     roller.block = b;
     roller.vertices = {0, 1, 2, 3};
-    roller.hold_x = false;
+    roller.fix_x = false;
     scene.supports.push_back(roller);
   }
   if (setting.fixed_end) {
     Support end;
     end.block = n - 1;
     end.vertices = {1, 2};
-    end.hold_y = false;
+    end.fix_y = false;
     scene.supports.push_back(end);
   }
   const auto push = [&](int part, int edge, double with) {
@@ -143,13 +143,13 @@ Passed pass(const Setting& setting) {
       run(stepper, 1);
       const double t = stepper.state().time;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double v = observe(built.probes[k], stepper).velocity.x() / unit;
+        const double v = observe(built.monitor_targets[k], stepper).velocity.x() / unit;
         if (v >= 0.5 && !std::isfinite(passed.arrival[k]))
           passed.arrival[k] = t - dt * (v - 0.5) / (v - before[k]);
         before[k] = v;
       }
       velocity.take(t, before[1]);
-      end_velocity.take(t, observe(built.probes[3], stepper).velocity.x() / unit);
+      end_velocity.take(t, observe(built.monitor_targets[3], stepper).velocity.x() / unit);
       if (setting.bar != Bar::mesh) {
         const double force = normal_force_between(stepper, middle - 1, middle) / height;
         stress.take(t, (force - (setting.bar == Bar::pressed ? 2 * pressure : 0)) / pressure);

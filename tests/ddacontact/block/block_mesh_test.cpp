@@ -30,7 +30,7 @@ std::vector<Points> outlines() {
 }
 
 Points cell(const BlockMesh& mesh, std::size_t c) {
-  return mesh.places(Eigen::all, mesh.cells[c]);
+  return mesh.points(Eigen::all, mesh.cells[c]);
 }
 
 TEST(BlockMesh, CellsFillTheOutlineAndKeepItsVertices) {
@@ -46,11 +46,11 @@ TEST(BlockMesh, CellsFillTheOutlineAndKeepItsVertices) {
         }
         const double area = polyfem::signed_area(outline);
         EXPECT_NEAR(sum, area, 1e-11 * area);
-        EXPECT_NEAR(polyfem::signed_area(mesh.places.leftCols(mesh.n_outline)), area, 1e-11 * area);
+        EXPECT_NEAR(polyfem::signed_area(mesh.points.leftCols(mesh.n_outline)), area, 1e-11 * area);
         ASSERT_EQ(static_cast<Index>(mesh.vertex.size()), outline.cols());
         EXPECT_EQ(mesh.vertex.front(), 0);
         for (Index k = 0; k < outline.cols(); ++k)
-          EXPECT_EQ(mesh.places.col(mesh.vertex[static_cast<std::size_t>(k)]), outline.col(k))
+          EXPECT_EQ(mesh.points.col(mesh.vertex[static_cast<std::size_t>(k)]), outline.col(k))
               << "to the bit";
         EXPECT_TRUE(std::is_sorted(mesh.vertex.begin(), mesh.vertex.end()));
       }
@@ -59,14 +59,14 @@ TEST(BlockMesh, CellsFillTheOutlineAndKeepItsVertices) {
 TEST(BlockMesh, WithoutNodesOnEdgesTheOutlineIsThatOfTheBlock) {
   for (const Points& outline : outlines()) {
     const BlockMesh mesh = divide(outline, options(CellKind::voronoi, 30, false));
-    EXPECT_EQ(mesh.places.leftCols(mesh.n_outline), outline);
+    EXPECT_EQ(mesh.points.leftCols(mesh.n_outline), outline);
     ASSERT_FALSE(mesh.on_straight_edges.empty());
-    for (const BlockMesh::EdgePlace& on : mesh.on_straight_edges) {
+    for (const BlockMesh::EdgePoint& on : mesh.on_straight_edges) {
       EXPECT_EQ(on.end, (on.start + 1) % mesh.n_outline);
       EXPECT_GT(on.along, 0);
       EXPECT_LT(on.along, 1);
       const Vec2 x = (1 - on.along) * outline.col(on.start) + on.along * outline.col(on.end);
-      EXPECT_LE((mesh.places.col(on.place) - x).norm(), 1e-12 * outline.norm());
+      EXPECT_LE((mesh.points.col(on.point) - x).norm(), 1e-12 * outline.norm());
     }
   }
 }
@@ -101,9 +101,9 @@ TEST(BlockMesh, QuadsDoNotDependOnTheNumberingOfTheOutline) {
                    next = support::points({{length, 0}, {length, 1}, {0.1, 1}, {0, 0}});
       const BlockMesh one = divide(outline, options(CellKind::quads, cells)),
                       other = divide(next, options(CellKind::quads, cells));
-      ASSERT_EQ(one.places.cols(), other.places.cols()) << length << ' ' << cells;
-      for (const Vec2& x : one.places.colwise())
-        EXPECT_LE((other.places.colwise() - x).colwise().norm().minCoeff(), 1e-14 * length);
+      ASSERT_EQ(one.points.cols(), other.points.cols()) << length << ' ' << cells;
+      for (const Vec2& x : one.points.colwise())
+        EXPECT_LE((other.points.colwise() - x).colwise().norm().minCoeff(), 1e-14 * length);
     }
 }
 

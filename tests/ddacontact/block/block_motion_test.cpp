@@ -64,11 +64,11 @@ struct Flight {
       A.col(k) = column - at_zero;
     }
     EXPECT_LE((A - A.transpose()).norm(), 1e-9 * A.norm());
-    Points places(2, 4);
+    Points points(2, 4);
     const VectorXd d = -A.ldlt().solve(at_zero);
     lost = motion.losses(d);
     stored = motion.stored_energy(d);
-    motion.end(d, VectorXd(), coordinates, places, velocity);
+    motion.end(d, VectorXd(), coordinates, points, velocity);
     previous = length;
   }
   VectorXd rates() const { return shape.motions().velocities_of(coordinates, velocity.reshaped(2, 4)); }
@@ -85,8 +85,7 @@ struct Flight {
 MatrixXd mass_of(const CorotationalShape& shape) {
   MatrixXd M = MatrixXd::Zero(8, 8);
   for (Index a = 0; a < 4; ++a)
-    for (Index b = 0; b < 4; ++b)
-      M.block<2, 2>(2 * a, 2 * b) = shape.cells[0].mass(a, b) * Mat2::Identity();
+    for (Index b = 0; b < 4; ++b) M.block<2, 2>(2 * a, 2 * b) = shape.cells[0].mass(a, b) * Mat2::Identity();
   return M;
 }
 

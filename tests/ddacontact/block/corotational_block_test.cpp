@@ -130,8 +130,8 @@ struct OneBlock {
   }
 };
 
-constexpr Scheme all_schemes[] = {Scheme::decaying, Scheme::midpoint, Scheme::dda, Scheme::newmark,
-                                  Scheme::backward_euler, Scheme::central_difference};
+constexpr Scheme all_schemes[] = {Scheme::decaying, Scheme::midpoint,       Scheme::dda,
+                                  Scheme::newmark,  Scheme::backward_euler, Scheme::central_difference};
 
 StepRule rule_of(Scheme scheme) {
   AnalysisOptions options;
@@ -303,7 +303,7 @@ TEST_P(CorotationalBlocks, ASteadySpinStaysSteadyInLargeSteps) {
     const VectorXd u = bordered.partialPivLu().solve(centrifugal).head(2 * m);
     ASSERT_GT(u.norm(), 1e-3 * X.norm());
     Points stretched = (X + u).reshaped(2, m);
-    if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
+    if (shape.points.size() > 0) stretched = (stretched * shape.points.transpose()).eval();
     for (Scheme scheme : {Scheme::midpoint, Scheme::decaying}) {
       if (scheme == Scheme::decaying) {  // in the frame of the motions: J X M u = 0 in place of B(u) = 0
         MatrixXd by_momenta = bordered;
@@ -311,7 +311,7 @@ TEST_P(CorotationalBlocks, ASteadySpinStaysSteadyInLargeSteps) {
         by_momenta.topRightCorner(2 * m, 1) = shape.motions().turning.reshaped();
         const VectorXd in_frame = by_momenta.partialPivLu().solve(centrifugal).head(2 * m);
         stretched = (X + in_frame).reshaped(2, m);
-        if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
+        if (shape.points.size() > 0) stretched = (stretched * shape.points.transpose()).eval();
       }
       OneBlock spinning(one);
       spinning.state.position = stretched;

@@ -56,9 +56,9 @@ class AnyShape : public testing::TestWithParam<Shape> {
 
   /// Displacements of the unknowns that move every place by u0 + G (x - centroid).
   VectorXd affine(const Vec2& u0, const Mat2& G) const {
-    MatrixXd maps = MatrixXd::Zero(2 * block.n_places(), block.n_unknowns());
-    VectorXd wanted(2 * block.n_places());
-    for (int p = 0; p < block.n_places(); ++p) {
+    MatrixXd maps = MatrixXd::Zero(2 * block.n_points(), block.n_unknowns());
+    VectorXd wanted(2 * block.n_points());
+    for (int p = 0; p < block.n_points(); ++p) {
       for (int u = 0; u < block.n_unknowns(); ++u)
         maps.block<2, 1>(2 * p, u) = block.vertex_map(p)(VectorXd::Unit(block.n_unknowns(), u));
       wanted.segment<2>(2 * p) = u0 + G * (state.position.col(p) - block.moments().centroid);
@@ -103,13 +103,13 @@ TEST_P(AnyShape, LinearDisplacementsMakeAUniformStressAndNoForceInside) {
   }
   BlockForces forces;
   block.forces(d, forces);
-  for (int p = block.n_vertices(); GetParam().edge_nodes && p < block.n_places(); ++p)
+  for (int p = block.n_vertices(); GetParam().edge_nodes && p < block.n_points(); ++p)
     EXPECT_LE(forces.elastic.segment<2>(2 * p).norm(), 1e-5 * forces.elastic.norm());
 }
 
 TEST_P(AnyShape, AMaterialPointIsASumOfPlaces) {
   for (const Vec2& x : {Vec2(0.3, 0.4), Vec2(1.9, 0.9), Vec2(0, 0), Vec2(1, 0)}) {
-    const VectorXd weights = block.place_weights(x);
+    const VectorXd weights = block.point_weights(x);
     EXPECT_NEAR(weights.sum(), 1, 1e-13);
     EXPECT_LE((block.reference() * weights - x).norm(), 1e-12);
   }
@@ -192,7 +192,7 @@ TEST(MeshBlock, AnEdgeIsHeldWhereItsEndsAre) {
   const Stepper& stepper = *held.stepper;
   const Points moved = stepper.blocks().displacements(stepper.state());
   double furthest = 0;
-  for (int p = 0; p < stepper.blocks().block(0).n_places(); ++p)
+  for (int p = 0; p < stepper.blocks().block(0).n_points(); ++p)
     if (stepper.blocks().reference()(0, p) == 0) furthest = std::max(furthest, moved.col(p).norm());
   EXPECT_EQ(furthest, 0);
   EXPECT_NEAR(stepper.reactions().row(1).sum(), 4 * 2500 * 10, 1e-6 * 1e5);
@@ -213,8 +213,8 @@ TEST(MeshBlock, AnEdgeBetweenTwoSupportsIsFree) {
     Support support;
     support.block = 0;
     support.vertices = {corner};
-    support.hold_x = corner == 0;
-    support.hold_y = true;
+    support.fix_x = corner == 0;
+    support.fix_y = true;
     scene.supports.push_back(support);
   }
   const BuiltScene beam = run(scene);

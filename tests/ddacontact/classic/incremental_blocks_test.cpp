@@ -235,7 +235,7 @@ TEST_P(BlockModels, LoadsHaveTheirResultantsAndMoments) {
     };
     const Vec2 x = support::random_point_in(one.outline(), random), force(3, -5);
     one.system.end_time = 1;
-    one.system.point_loads = {{{1, one.block().place_weights(x + Vec2(one.state.origin.col(1)))},
+    one.system.point_loads = {{{1, one.block().point_weights(x + Vec2(one.state.origin.col(1)))},
                                {TimeFunction::Kind::ramp, 2 * force, {}}}};
     EXPECT_LE((applied() - Vec3(3, -5, cross(x - c, force))).norm(), 1e-11);
 
@@ -262,7 +262,7 @@ TEST_P(BlockModels, AMaterialPointTravelsWithAffineMotions) {
   for_each_block([&](const OneBlock& one) {
     const Vec2 x = support::random_point_in(one.outline(), random);
     const MaterialPoint point =
-        MaterialPoint{1, one.block().place_weights(x + Vec2(one.state.origin.col(1)))};
+        MaterialPoint{1, one.block().point_weights(x + Vec2(one.state.origin.col(1)))};
     EXPECT_LE((one.system.interpolate(point, one.state.position) - x).norm(), 1e-12);
     const Mat2 G = Mat2::Random();
     const Vec2 expected = Vec2(1, 2) + G * (x - one.block().moments().centroid);
@@ -348,13 +348,13 @@ TEST(AffineBlock, ControlVerticesAreDistinctWellSpreadAndHeldOnesFirst) {
   for (int trial = 0; trial < 300; ++trial) {
     const int n = 3 + trial % 8;
     const Points outline = support::random_convex_polygon(n, random);
-    std::vector<bool> held_x(n), held_y(n);
+    std::vector<bool> fixed_x(n), fixed_y(n);
     for (int v = 0; v < n; ++v) {
-      held_x[v] = random() % 3 == 0;
-      held_y[v] = random() % 3 == 0;
+      fixed_x[v] = random() % 3 == 0;
+      fixed_y[v] = random() % 3 == 0;
     }
-    const ControlVertices control = choose_control_vertices(outline, held_x, held_y);
-    for (const auto& [chosen, held] : {std::pair(control.x, held_x), std::pair(control.y, held_y)}) {
+    const ControlVertices control = choose_control_vertices(outline, fixed_x, fixed_y);
+    for (const auto& [chosen, held] : {std::pair(control.x, fixed_x), std::pair(control.y, fixed_y)}) {
       EXPECT_TRUE(chosen[0] != chosen[1] && chosen[1] != chosen[2] && chosen[2] != chosen[0]);
       const auto n_held = std::count(held.begin(), held.end(), true);
       const auto among = std::count_if(chosen.begin(), chosen.end(), [&h = held](int v) { return h[v]; });

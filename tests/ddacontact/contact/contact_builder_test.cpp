@@ -18,7 +18,7 @@ struct BlockOnPlate {
   BuiltScene built;
   ContactBuilder builder;
   BlockState state;
-  std::vector<double> reach{0.1, 0.1};
+  std::vector<double> search_margin{0.1, 0.1};
 
   explicit BlockOnPlate(double shift_x, double shift_y, double friction = 0.5, double width = 1)
       : built(build(scene(shift_x, shift_y, width))),
@@ -34,10 +34,10 @@ struct BlockOnPlate {
   }
   VectorXd at_rest() const { return VectorXd::Zero(state.velocity.size()); }
   void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }
-  std::vector<Contact> first() { return builder.build_first(state, at_rest(), reach); }
+  std::vector<Contact> first() { return builder.build_first(state, at_rest(), search_margin); }
   std::vector<Contact> after(const std::vector<Contact>& previous) {
     std::vector<Contact> contacts;
-    builder.build(state, at_rest(), reach, {previous.begin(), previous.end()}, contacts);
+    builder.build(state, at_rest(), search_margin, {previous.begin(), previous.end()}, contacts);
     return contacts;
   }
 };
@@ -164,18 +164,18 @@ TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
     for (int k = 0; k < 30; ++k) scene.blocks.push_back(block(rectangle(k + 0.5 * (row % 2), row, 1, 1)));
   const BuiltScene built = build(scene);
   BlockState state = built.stepper->state();
-  const std::vector<double> reach(scene.blocks.size(), 0.02);
+  const std::vector<double> search_margin(scene.blocks.size(), 0.02);
   ContactBuilder kept(built.stepper->blocks(), BlockOnPlate::properties(0.5)),
       searched(built.stepper->blocks(), BlockOnPlate::properties(0.5));
   searched.keep_pairs(false);
-  std::vector<Contact> by_kept = kept.build_first(state, state.velocity, reach), by_searched;
+  std::vector<Contact> by_kept = kept.build_first(state, state.velocity, search_margin), by_searched;
   for (int step = 0; step < 6; ++step) {
     const std::vector<ContactRecord> before(by_kept.begin(), by_kept.end());
     state.position += 1e-3 * Points::Random(2, state.position.cols());
     polyfem::set_threads(1 + step % 3);
-    kept.build(state, state.velocity, reach, before, by_kept);
+    kept.build(state, state.velocity, search_margin, before, by_kept);
     polyfem::set_threads(1);
-    searched.build(state, state.velocity, reach, before, by_searched);
+    searched.build(state, state.velocity, search_margin, before, by_searched);
     ASSERT_EQ(by_kept.size(), by_searched.size());
     for (std::size_t c = 0; c < by_kept.size(); ++c) {
       const Contact &p = by_kept[c], &q = by_searched[c];

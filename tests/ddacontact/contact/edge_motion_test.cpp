@@ -13,13 +13,13 @@ namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-Vec6 coordinates(const VertexEdgePlace& place) {
-  return (Vec6() << place.i, place.j, place.k).finished();
+Vec6 coordinates(const VertexEdgePositions& positions) {
+  return (Vec6() << positions.i, positions.j, positions.k).finished();
 }
 Vec6 components(const VertexEdgeGradient& gradient) {
   return (Vec6() << gradient.i, gradient.j, gradient.k).finished();
 }
-VertexEdgePlace place_at(const Vec6& x) {
+VertexEdgePositions place_at(const Vec6& x) {
   return {x.head<2>(), x.segment<2>(2), x.tail<2>()};
 }
 
@@ -40,8 +40,8 @@ struct Measure {
     return components(is_gap ? gap_mean_gradient(place_at(x0), place_at(x1))
                              : slip_mean_gradient(place_at(x0), place_at(x1), lock));
   }
-  VertexEdgeForm first_order(const VertexEdgePlace& place) const {
-    return is_gap ? gap_form(place) : slip_form(place, lock);
+  VertexEdgeForm first_order(const VertexEdgePositions& positions) const {
+    return is_gap ? gap_form(positions) : slip_form(positions, lock);
   }
   /// The same by the definition, for coordinates of any number type.
   template <class Number>
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(OfAVertexAndAnEdge, EdgeMotion,
                          measure_name);
 
 TEST(EdgeMotion, GapIsNegativeInsideACounterClockwiseBlockAndSlipGrowsAlongItsEdge) {
-  const VertexEdgePlace inside{{0.5, 0.1}, {0, 0}, {2, 0}}, outside{{0.5, -0.1}, {0, 0}, {2, 0}};
+  const VertexEdgePositions inside{{0.5, 0.1}, {0, 0}, {2, 0}}, outside{{0.5, -0.1}, {0, 0}, {2, 0}};
   EXPECT_DOUBLE_EQ(gap(inside), -0.1);
   EXPECT_DOUBLE_EQ(gap(outside), 0.1);
   EXPECT_DOUBLE_EQ(slip(inside, 0), 0.5);
@@ -272,12 +272,13 @@ TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
 TEST(GapAndSlip, AreThoseOfTheFunctionsOfEach) {
   std::mt19937 random{7};
   for (int trial = 0; trial < 100; ++trial) {
-    const VertexEdgePlace start = place_at(random_place(0.5, random)), by = place_at(0.1 * Vec6::Random()),
-                          end{start.i + by.i, start.j + by.j, start.k + by.k};
+    const VertexEdgePositions start = place_at(random_place(0.5, random)),
+                              by = place_at(0.1 * Vec6::Random()),
+                              end{start.i + by.i, start.j + by.j, start.k + by.k};
     const double lock = 0.3;
     for (const Directions directions : {Directions::of_start, Directions::mean, Directions::of_end}) {
       const bool mean = directions == Directions::mean;
-      const VertexEdgePlace& at = directions == Directions::of_start ? start : end;
+      const VertexEdgePositions& at = directions == Directions::of_start ? start : end;
       const GapAndSlip all = gap_and_slip(start, by, lock, directions);
       EXPECT_EQ(all.start_gap, gap(start));
       EXPECT_EQ(all.gap, gap(start) + gap_change(start, by));

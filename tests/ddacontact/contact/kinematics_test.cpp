@@ -158,10 +158,11 @@ TEST(Kinematics, CoefficientsAreThoseOfThePaper) {
 TEST(Kinematics, ABlockOfTwoUnknownsFits) {
   const std::vector<PointMap::Term> terms{{7, Vec2::UnitX()}, {3, Vec2::UnitY()}};
   const PointMap translating(0, terms);
-  const VertexEdgePlace place{{0.25, -0.5}, {0, 0}, {1, 0}};
-  const MovingVertexEdge vertex{place, translating, {}, {}}, edge{place, {}, translating, translating};
-  const AffineForm on_fixed = vertex.form(gap_form(place)), on_moving = edge.form(gap_form(place)),
-                   slip = edge.form(slip_form(place, 0.75));
+  const VertexEdgePositions positions{{0.25, -0.5}, {0, 0}, {1, 0}};
+  const MovingVertexEdge vertex{positions, translating, {}, {}},
+      edge{positions, {}, translating, translating};
+  const AffineForm on_fixed = vertex.form(gap_form(positions)), on_moving = edge.form(gap_form(positions)),
+                   slip = edge.form(slip_form(positions, 0.75));
   VectorXd d = VectorXd::Zero(8);
   d[7] = 0.125;
   d[3] = 2;

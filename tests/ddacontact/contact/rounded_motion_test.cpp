@@ -12,32 +12,32 @@ using namespace ddacontact;
 
 namespace {
 
-constexpr std::array<Vec2 RoundedPlace::*, 4> places{&RoundedPlace::i, &RoundedPlace::j, &RoundedPlace::k,
-                                                     &RoundedPlace::after_i};
+constexpr std::array<Vec2 RoundedPositions::*, 4> positions{&RoundedPositions::i, &RoundedPositions::j,
+                                                            &RoundedPositions::k, &RoundedPositions::after_i};
 constexpr std::array<Vec2 VertexEdgeGradient::*, 4> gradients{
     &VertexEdgeGradient::i, &VertexEdgeGradient::j, &VertexEdgeGradient::k, &VertexEdgeGradient::after_i};
 constexpr double lock = 0.3;
 
-RoundedPlace zero() {
+RoundedPositions zero() {
   return {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()};
 }
-double along(const VertexEdgeGradient& gradient, const RoundedPlace& by) {
+double along(const VertexEdgeGradient& gradient, const RoundedPositions& by) {
   double sum = 0;
-  for (int p = 0; p < 4; ++p) sum += (gradient.*gradients[p]).dot(by.*places[p]);
+  for (int p = 0; p < 4; ++p) sum += (gradient.*gradients[p]).dot(by.*positions[p]);
   return sum;
 }
 
 /// A vertex above an edge or near its start.
 struct RoundedMotion : testing::TestWithParam<bool> {
   std::mt19937 random{3};
-  RoundedPlace start = zero();
+  RoundedPositions start = zero();
   Rounding rounding;
 
   Vec2 any(double size) {
     return {support::uniform(-size, size, random), support::uniform(-size, size, random)};
   }
-  RoundedPlace any_motion(double size) { return {{any(size), any(size), any(size)}, any(size)}; }
-  void place() {
+  RoundedPositions any_motion(double size) { return {{any(size), any(size), any(size)}, any(size)}; }
+  void put_at_random() {
     start = {{Vec2(0.3, 0.5) + any(0.2), Vec2(0, 0) + any(0.1), Vec2(1, 0) + any(0.1)},
              Vec2(1.2, 1) + any(0.2)};
     rounding = {.centre = {0.1, 0.1}, .surface = {0.02, 0.05}, .radius = 0.1, .corner = GetParam()};
@@ -46,14 +46,14 @@ struct RoundedMotion : testing::TestWithParam<bool> {
       rounding.end = {0.5, -0.1};
     }
   }
-  GapAndSlip at(const RoundedPlace& by, Directions directions = Directions::of_end) const {
+  GapAndSlip at(const RoundedPositions& by, Directions directions = Directions::of_end) const {
     return gap_and_slip(start, by, lock, directions, rounding);
   }
 };
 
 TEST_P(RoundedMotion, GapIsTheDistanceLessTheRadius) {
-  place();
-  const RoundedPlace by = any_motion(0.1);
+  put_at_random();
+  const RoundedPositions by = any_motion(0.1);
   const Vec2 i = start.i + by.i, j = start.j + by.j, k = start.k + by.k, next = start.after_i + by.after_i,
              centre = rounding.centre.at(i, next);
   const Vec2 t = (k - j).normalized();
@@ -64,12 +64,12 @@ TEST_P(RoundedMotion, GapIsTheDistanceLessTheRadius) {
 
 TEST_P(RoundedMotion, GradientsAreDerivatives) {
   for (int trial = 0; trial < 20; ++trial) {
-    place();
-    const RoundedPlace by = any_motion(0.1);
+    put_at_random();
+    const RoundedPositions by = any_motion(0.1);
     const GapAndSlip here = at(by);
-    for (auto p : places)
+    for (auto p : positions)
       for (int axis : {0, 1}) {
-        RoundedPlace direction = zero(), before = by, after = by;
+        RoundedPositions direction = zero(), before = by, after = by;
         (direction.*p)[axis] = 1;
         const double h = 1e-6;
         (before.*p)[axis] -= h;
@@ -82,8 +82,8 @@ TEST_P(RoundedMotion, GradientsAreDerivatives) {
 
 TEST_P(RoundedMotion, MeanGradientsDoTheWorkOfTheChange) {
   for (int trial = 0; trial < 20; ++trial) {
-    place();
-    const RoundedPlace by = any_motion(0.3);
+    put_at_random();
+    const RoundedPositions by = any_motion(0.3);
     const GapAndSlip none = at(zero()), mean = at(by, Directions::mean);
     EXPECT_NEAR(along(mean.by_gap, by), mean.gap - none.gap, 1e-14);
     EXPECT_NEAR(along(mean.by_slip, by), mean.slip - none.slip, 1e-14);
@@ -93,8 +93,8 @@ TEST_P(RoundedMotion, MeanGradientsDoTheWorkOfTheChange) {
 
 TEST_P(RoundedMotion, ForcesHaveNeitherSumNorMoment) {
   for (int trial = 0; trial < 20; ++trial) {
-    place();
-    const RoundedPlace by = any_motion(0.1);
+    put_at_random();
+    const RoundedPositions by = any_motion(0.1);
     const GapAndSlip here = at(by);
     for (const VertexEdgeGradient* gradient : {&here.by_gap, &here.by_slip}) {
       Vec2 sum = Vec2::Zero();
@@ -102,7 +102,7 @@ TEST_P(RoundedMotion, ForcesHaveNeitherSumNorMoment) {
       for (int p = 0; p < 4; ++p) {
         const Vec2 force = gradient->*gradients[p];
         sum += force;
-        moment += cross(start.*places[p] + by.*places[p], force);
+        moment += cross(start.*positions[p] + by.*positions[p], force);
       }
       EXPECT_LE(sum.norm(), 1e-14);
       EXPECT_LE(std::abs(moment), 1e-13);

@@ -77,12 +77,12 @@ Meeting first_meeting(const PolygonPair& from, const PolygonPair& to) {
 }
 
 /// Moved and turned at random so that no vertex goes further than `reach`.
-Points moved_at_random(const Points& polygon, double reach, std::mt19937& random) {
+Points moved_at_random(const Points& polygon, double search_margin, std::mt19937& random) {
   const Vec2 centre = polygon.rowwise().mean();
   const double radius = (polygon.colwise() - centre).colwise().norm().maxCoeff();
-  const double turn = uniform(-1, 1, random) * std::min(0.5, reach / radius) * (random() % 2);
+  const double turn = uniform(-1, 1, random) * std::min(0.5, search_margin / radius) * (random() % 2);
   const polyfem::Mat2 R = Eigen::Rotation2Dd(turn).toRotationMatrix();
-  const double left = reach - std::abs(turn) * radius;
+  const double left = search_margin - std::abs(turn) * radius;
   const Vec2 by = centre + uniform(0, left, random) * random_direction(random);
   return (R * (polygon.colwise() - centre)).colwise() + by;
 }
@@ -91,7 +91,7 @@ PolygonPair between(const PolygonPair& from, const PolygonPair& to, double t) {
   return {(1 - t) * from.a + t * to.a, (1 - t) * from.b + t * to.b};
 }
 
-/// Whether the vertex projects onto the edge or what goes straight on from it.
+/// Whether the vertex projects onto the edge or its collinear continuation.
 bool is_over(const PolygonPair& pair, const VertexEdge& c) {
   const Vec2 along = (pair.end(c) - pair.start(c)).normalized();
   const double at = along.dot(pair.vertex(c) - pair.start(c)), length = (pair.end(c) - pair.start(c)).norm();
@@ -112,13 +112,13 @@ struct Meetings {
   int unstopped = 0;     ///< of these, when no other contact was closed by then
 
   /// Moves each by up to half the reach.
-  void add(const PolygonPair& pair, double reach, std::mt19937& random) {
-    const PolygonPair to{moved_at_random(pair.a, reach / 2, random),
-                         moved_at_random(pair.b, reach / 2, random)};
+  void add(const PolygonPair& pair, double search_margin, std::mt19937& random) {
+    const PolygonPair to{moved_at_random(pair.a, search_margin / 2, random),
+                         moved_at_random(pair.b, search_margin / 2, random)};
     const Meeting first = first_meeting(pair, to);
     if (first.time == never) return;
     ++met;
-    const auto found = pair.contact_set(reach);
+    const auto found = pair.contact_set(search_margin);
     if (found.contains(first.contact)) return;
     ++others;
     const PolygonPair then = between(pair, to, first.time);
@@ -128,7 +128,7 @@ struct Meetings {
     const bool stopped = std::any_of(found.begin(), found.end(), [&](const VertexEdge& c) {
       return then.gap(c) <= 1e-9 && (is_over(pair, c) || is_over(then, c));
     });
-    missed_sides += from_ends >= reach;
+    missed_sides += from_ends >= search_margin;
     unstopped += !stopped;
   }
 };
@@ -223,17 +223,18 @@ TEST(AnyPolygon, WhatIsFoundDoesNotDependOnPlaceOrderNumbersOrMirror) {
   std::size_t n_found = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const PolygonPair pair = nearly_touching_pair(std::pow(10, uniform(-5, -1, random)), random);
-    const double reach = 0.2 * smaller_size(pair);
-    const auto found = pair.contact_set(reach);
+    const double search_margin = 0.2 * smaller_size(pair);
+    const auto found = pair.contact_set(search_margin);
     n_found += found.size();
-    EXPECT_EQ(found, pair.contact_set(reach, {}, true)) << "trial " << trial;
-    EXPECT_EQ(found, pair.moved(uniform(0, 7, random), Vec2(uniform(-9, 9, random), 3)).contact_set(reach))
+    EXPECT_EQ(found, pair.contact_set(search_margin, {}, true)) << "trial " << trial;
+    EXPECT_EQ(found,
+              pair.moved(uniform(0, 7, random), Vec2(uniform(-9, 9, random), 3)).contact_set(search_margin))
         << "trial " << trial;
     const int by_a = static_cast<int>(random() % pair.a.cols()),
               by_b = static_cast<int>(random() % pair.b.cols());
-    EXPECT_EQ(found, numbered_back(pair.renumbered(by_a, by_b).contact_set(reach), pair, by_a, by_b))
+    EXPECT_EQ(found, numbered_back(pair.renumbered(by_a, by_b).contact_set(search_margin), pair, by_a, by_b))
         << "trial " << trial;
-    EXPECT_EQ(found, mirrored_back(pair.mirrored().contact_set(reach), pair)) << "trial " << trial;
+    EXPECT_EQ(found, mirrored_back(pair.mirrored().contact_set(search_margin), pair)) << "trial " << trial;
   }
   EXPECT_GT(n_found, 2000u);
 }
@@ -243,8 +244,8 @@ TEST(AnyPolygon, SeparatedPolygonsHaveNoPenetratedContact) {
   std::mt19937 random(24);
   for (int trial = 0; trial < 2000; ++trial) {
     const PolygonPair pair = nearly_touching_pair(std::pow(10, uniform(-5, -1, random)), random);
-    const double reach = 0.2 * smaller_size(pair);
-    for (const VertexEdge& c : pair.contacts(reach)) {
+    const double search_margin = 0.2 * smaller_size(pair);
+    for (const VertexEdge& c : pair.contacts(search_margin)) {
       if (pair.inset(c) < -coincidence) continue;
       EXPECT_GE(pair.gap(c), -1e-12) << "trial " << trial;
     }

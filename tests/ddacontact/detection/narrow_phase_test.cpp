@@ -37,10 +37,10 @@ TEST(NarrowPhase, TwoTouchingEdgesMeetInTheTwoEndsOfTheirOverlap) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 2000; ++trial) {
     const double w = std::pow(10, uniform(-1, 1, random)), v = std::pow(10, uniform(-1, 1, random));
-    const double reach = 0.1 * std::min({w, v, 1.});
+    const double search_margin = 0.1 * std::min({w, v, 1.});
     // Overlaps from a little longer than the reach; ends apart by anything from much less than the reach.
-    double shift = uniform(-v + 1.5 * reach, w - 1.5 * reach, random);
-    if (trial % 3 == 0) shift = (trial % 2 ? 1 : -1) * reach * std::pow(10, uniform(-4, 0, random));
+    double shift = uniform(-v + 1.5 * search_margin, w - 1.5 * search_margin, random);
+    if (trial % 3 == 0) shift = (trial % 2 ? 1 : -1) * search_margin * std::pow(10, uniform(-4, 0, random));
     PolygonPair pair{box(0, -1, w, 1), box(shift, 0, v, 1)};
     if (trial % 2) pair = pair.mirrored();
     const double angle = uniform(0, 7, random);
@@ -52,7 +52,7 @@ TEST(NarrowPhase, TwoTouchingEdgesMeetInTheTwoEndsOfTheirOverlap) {
     const Vec2 low = R * Vec2(sign * std::max(0., shift), 0) + by,
                high = R * Vec2(sign * std::min(w, shift + v), 0) + by;
     for (bool swapped : {false, true}) {
-      const auto found = pair.contact_set(reach, {}, swapped);
+      const auto found = pair.contact_set(search_margin, {}, swapped);
       ASSERT_EQ(found.size(), 2u) << "trial " << trial << ", widths " << w << ", " << v << ", shift "
                                   << shift;
       int at_low = 0, at_high = 0;
@@ -116,9 +116,9 @@ TEST(NarrowPhase, CornerOnCornerMeetsThroughTheShallowerSide) {
 TEST(NarrowPhase, PairsBeyondReachDoNotMeet) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 1000; ++trial) {
-    const double reach = uniform(0.01, 0.5, random);
-    const PolygonPair pair = random_pair(reach * uniform(1.001, 3, random), random);
-    EXPECT_TRUE(pair.contacts(reach).empty());
+    const double search_margin = uniform(0.01, 0.5, random);
+    const PolygonPair pair = random_pair(search_margin * uniform(1.001, 3, random), random);
+    EXPECT_TRUE(pair.contacts(search_margin).empty());
   }
 }
 
@@ -126,13 +126,13 @@ TEST(NarrowPhase, PairsBeyondReachDoNotMeet) {
 TEST(NarrowPhase, SeparatedPolygonsHaveNoPenetratedContact) {
   std::mt19937 random(6);
   for (int trial = 0; trial < 5000; ++trial) {
-    const double reach = std::pow(10, uniform(-2, -0.3, random));
-    const double separation = reach * std::pow(10, uniform(-4, 0, random));
+    const double search_margin = std::pow(10, uniform(-2, -0.3, random));
+    const double separation = search_margin * std::pow(10, uniform(-4, 0, random));
     const PolygonPair pair = random_pair(separation, random);
-    for (const VertexEdge& c : pair.contacts(reach)) {
+    for (const VertexEdge& c : pair.contacts(search_margin)) {
       if (pair.inset(c) < -coincidence) continue;
-      EXPECT_GE(pair.gap(c), 0) << "trial " << trial << ", reach " << reach << ", separation " << separation
-                                << ", inset " << pair.inset(c);
+      EXPECT_GE(pair.gap(c), 0) << "trial " << trial << ", reach " << search_margin << ", separation "
+                                << separation << ", inset " << pair.inset(c);
     }
   }
 }
@@ -144,8 +144,8 @@ TEST(NarrowPhase, EveryTouchingVertexIsFound) {
   int n_touching = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const PolygonPair pair = random_pair(0, random);
-    const double reach = std::pow(10, uniform(-2, -0.5, random));
-    const auto found = pair.contact_set(reach);
+    const double search_margin = std::pow(10, uniform(-2, -0.5, random));
+    const auto found = pair.contact_set(search_margin);
     for (int block : {0, 1})
       for (int v = 0; v < pair.of(block).cols(); ++v)
         for (int e = 0; e < pair.of(1 - block).cols(); ++e) {
@@ -154,7 +154,7 @@ TEST(NarrowPhase, EveryTouchingVertexIsFound) {
           ++n_touching;
           EXPECT_TRUE(found.contains(c)) << "trial " << trial;
         }
-    EXPECT_EQ(found, pair.contact_set(reach, {}, true)) << "trial " << trial;
+    EXPECT_EQ(found, pair.contact_set(search_margin, {}, true)) << "trial " << trial;
   }
   EXPECT_GT(n_touching, 2500);
 }
@@ -174,14 +174,15 @@ TEST(NarrowPhase, AShallowOverlapIsFoundAtItsDepth) {
 TEST(NarrowPhase, FoundContactsDoNotDependOnThePlaceOrNumberingOfTheFrame) {
   std::mt19937 random(9);
   for (int trial = 0; trial < 1000; ++trial) {
-    const double reach = uniform(0.02, 0.3, random);
-    const PolygonPair pair = random_pair(reach * uniform(-0.1, 0.9, random), random);
-    const auto found = pair.contact_set(reach);
-    EXPECT_EQ(found, pair.moved(uniform(0, 7, random), Vec2(uniform(-9, 9, random), 3)).contact_set(reach));
+    const double search_margin = uniform(0.02, 0.3, random);
+    const PolygonPair pair = random_pair(search_margin * uniform(-0.1, 0.9, random), random);
+    const auto found = pair.contact_set(search_margin);
+    EXPECT_EQ(found,
+              pair.moved(uniform(0, 7, random), Vec2(uniform(-9, 9, random), 3)).contact_set(search_margin));
 
     const int n_a = static_cast<int>(pair.a.cols()), n_b = static_cast<int>(pair.b.cols());
     std::set<VertexEdge> of_mirror;
-    for (const VertexEdge& c : pair.mirrored().contact_set(reach)) {
+    for (const VertexEdge& c : pair.mirrored().contact_set(search_margin)) {
       const int n_v = c.vertex_block == 0 ? n_a : n_b, n_e = c.edge_block == 0 ? n_a : n_b;
       of_mirror.insert({c.vertex_block, n_v - 1 - c.vertex, c.edge_block, (2 * n_e - 2 - c.edge) % n_e});
     }
@@ -210,15 +211,15 @@ TEST(NarrowPhase, NothingMeetsThroughTheThicknessOfAPlate) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 500; ++trial) {
     const double h = std::pow(10, uniform(-2, -0.7, random)), w = uniform(0.3, 3, random);
-    const double reach = uniform(0.5, 2, random) * h;
-    const double x = uniform(reach, 3, random);
+    const double search_margin = uniform(0.5, 2, random) * h;
+    const double x = uniform(search_margin, 3, random);
     const bool tiny = trial % 2;
     const PolygonPair pair =
         PolygonPair{box(0, -h, 8, h), box(x, 0, tiny ? h / 2 : w, tiny ? h / 2 : h)}.moved(
             uniform(0, 7, random), Vec2(1, 2));
-    const auto found = pair.contact_set(reach);
+    const auto found = pair.contact_set(search_margin);
     EXPECT_EQ(found, (std::set<VertexEdge>{{1, 0, 0, 2}, {1, 1, 0, 2}}))
-        << "thickness " << h << ", reach " << reach;
+        << "thickness " << h << ", reach " << search_margin;
   }
 }
 

@@ -46,10 +46,10 @@ struct PolygonPair {
     return std::min(s, along.norm() - s);
   }
 
-  std::vector<VertexEdge> contacts(double reach, const std::vector<VertexEdge>& kept = {},
+  std::vector<VertexEdge> contacts(double search_margin, const std::vector<VertexEdge>& kept = {},
                                    bool swapped = false) const {
-    const ddacontact::PairLimits limits{reach, std::min(ddacontact::half_width(a), ddacontact::half_width(b)),
-                                        coincidence, lip};
+    const ddacontact::PairLimits limits{
+        search_margin, std::min(ddacontact::half_width(a), ddacontact::half_width(b)), coincidence, lip};
     std::vector<ddacontact::EarlierContact> earlier;
     for (const VertexEdge& pair : kept) earlier.push_back({pair});
     std::vector<VertexEdge> found;
@@ -61,9 +61,9 @@ struct PolygonPair {
       ddacontact::find_contacts(of_a, of_b, limits, earlier, found, choices);
     return found;
   }
-  std::set<VertexEdge> contact_set(double reach, const std::vector<VertexEdge>& kept = {},
+  std::set<VertexEdge> contact_set(double search_margin, const std::vector<VertexEdge>& kept = {},
                                    bool swapped = false) const {
-    const auto found = contacts(reach, kept, swapped);
+    const auto found = contacts(search_margin, kept, swapped);
     const std::set<VertexEdge> set(found.begin(), found.end());
     EXPECT_EQ(set.size(), found.size()) << "a contact was found twice";
     return set;

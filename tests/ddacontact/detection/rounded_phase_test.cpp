@@ -67,7 +67,7 @@ TEST(RoundedPhase, FindsTheNearestArcWhereverPolygonsAre) {
     const double gap = gap_now();
     std::vector<VertexEdge> contacts;
     std::vector<Choice> choices;
-    const PairLimits limits{.reach = 0.5, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4};
+    const PairLimits limits{.search_margin = 0.5, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4};
     find_rounded_contacts({0, a}, of_a, {1, b}, of_b, limits, {}, contacts, choices);
     double nearest = infinity;
     for (const VertexEdge& contact : contacts) {
@@ -88,8 +88,8 @@ TEST(RoundedPhase, FacesThatLieOnEachOtherTouchInTwoPlaces) {
     std::vector<VertexEdge> contacts;
     std::vector<Choice> choices;
     find_rounded_contacts({0, a}, rounded, {1, b}, rounded,
-                          {.reach = 1e-3, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4}, {}, contacts,
-                          choices);
+                          {.search_margin = 1e-3, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4}, {},
+                          contacts, choices);
     EXPECT_EQ(contacts.size(), 2u) << shift;
     for (const VertexEdge& contact : contacts) EXPECT_FALSE(contact.corner);
   }

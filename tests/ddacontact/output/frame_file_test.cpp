@@ -50,7 +50,7 @@ void expect_same(const Frame& a, const Frame& b) {
   EXPECT_TRUE(same(a.strain_displacement, b.strain_displacement));
   EXPECT_TRUE(same(a.stress_offset, b.stress_offset));
   EXPECT_TRUE(same(a.mean_stress, b.mean_stress));
-  EXPECT_EQ(a.corner_places, b.corner_places);
+  EXPECT_EQ(a.corner_points, b.corner_points);
   ASSERT_EQ(a.n_cells(), b.n_cells());
   for (std::size_t c = 0; c < a.cells.size(); ++c) {
     const FrameCell &p = a.cells[c], &q = b.cells[c];
@@ -224,7 +224,7 @@ void expect_linear(const Frame& frame, const FrameMesh& mesh, const Mat2& gradie
   for (int c = 0; c < frame.n_cells(); ++c)
     for (int k = 0; k < frame.cells[c].corners.count; ++k) {
       const int corner = frame.cells[c].corners.first + k, point = mesh.corner_point[corner];
-      EXPECT_EQ(mesh.points.col(point).head<2>(), frame.position.col(frame.corner_places[corner]));
+      EXPECT_EQ(mesh.points.col(point).head<2>(), frame.position.col(frame.corner_points[corner]));
       const Vec3 found = mesh.at_points.stress.row(point);
       EXPECT_LE((found - stress(c)).norm(), 1e-11 * stress(c).norm());
     }

@@ -70,10 +70,10 @@ Scene three_blocks(bool clockwise) {
 void write(const Scene& scene, const std::filesystem::path& path) {
   const BuiltScene built = build(scene);
   ResultDirectory results(path, built.labels);
-  results.write_step(*built.stepper, built.probes);
+  results.write_step(*built.stepper, built.monitor_targets);
   for (int k = 0; k < scene.analysis.steps; ++k) {
     ASSERT_TRUE(built.stepper->step());
-    results.write_step(*built.stepper, built.probes);
+    results.write_step(*built.stepper, built.monitor_targets);
   }
   results.finish(*built.stepper, {});
 }
@@ -293,7 +293,7 @@ TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
   const SummaryTable summary = read_summary(directory.path / "summary.json");
   const StepCounts& counts = built.stepper->counts();
   const std::pair<const char*, long> expected[] = {{"substeps", counts.substeps},
-                                                   {"interior_paths", counts.interior_paths},
+                                                   {"interior_paths", counts.interior_point_solves},
                                                    {"augmentations", counts.augmentations},
                                                    {"broken_bonds", counts.broken_bonds},
                                                    {"impacts", counts.impacts},
@@ -329,7 +329,7 @@ TEST(StressRange, IsTheAverageAndTheExtremesOverTheIntegrationPoints) {
   EXPECT_NEAR(range.s2_min, -10, 1e-12);
 }
 
-/// A divided block is held at places that the scene does not know, inside it and on its edges.
+/// A divided block is held at points that the scene does not know, inside it and on its edges.
 TEST(ResultDirectory, ADividedBlockWeighsOnItsVertices) {
   for (bool clockwise : {false, true}) {
     Scene scene = rock_scene(0.01, 1);

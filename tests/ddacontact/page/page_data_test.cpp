@@ -40,7 +40,7 @@ TEST(PageData, AResetOfDisplacementsBeginsANewShape) {
 
 TEST(PageData, ABlockTakenOutBeginsANewShape) {
   std::vector<Frame> frames{moved_wall(0), moved_wall(0)};
-  frames[1].corner_places.resize(frames[1].corner_places.size() - 4);
+  frames[1].corner_points.resize(frames[1].corner_points.size() - 4);
   frames[1].cells.pop_back();
   frames[1].strain_displacement.conservativeResize(2, frames[1].strain_displacement.cols() - 4);
   frames[1].stress_offset.setZero(3, frames[1].n_cells());

@@ -330,7 +330,7 @@ TEST(Picture, MagnifiedFramesMoveFurtherAndKeepTheirFields) {
   const Frame drawn = magnified(frame, 3);
   EXPECT_NEAR((drawn.position - frame.position - 2 * frame.displacement).norm(), 0, 1e-12);
   EXPECT_EQ(drawn.contacts[0].position, Vec2(drawn.position.col(drawn.blocks[1].first)));
-  // Neither the range of the colours nor the colours change, only the places.
+  // Neither the range of the colours nor the colours change, only the points.
   const FieldSamples values(frame, Field::sxx, 100), moved(frame, Field::sxx, 100, drawn);
   EXPECT_EQ(values.range().low, moved.range().low);
   EXPECT_EQ(values.range().high, moved.range().high);

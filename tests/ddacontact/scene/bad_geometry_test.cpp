@@ -328,10 +328,11 @@ TEST_F(GeometryProblems, AreAllNamedInTheOrderOfTheFile) {
                                          "POLYGON ((0 0, 4 0, 2 0, 0 4, 0 0))\n"
                                          "POLYGON ((0 0, 1 0, 2 2, 0 0), (0 0, 1 1, 0 1, 0 0))\n",
                                          replaced(without_blocks, "steps = 1", "steps = 0"));
-  std::vector<std::string> places;
+  std::vector<std::string> locations;
   for (const Problem& problem : reading.problems)
-    places.push_back(problem.file.substr(problem.file.rfind('/') + 1) + ':' + std::to_string(problem.line));
-  EXPECT_EQ(places,
+    locations.push_back(problem.file.substr(problem.file.rfind('/') + 1) + ':' +
+                        std::to_string(problem.line));
+  EXPECT_EQ(locations,
             (std::vector<std::string>{"scene.toml:3", "a.wkt:1", "a.wkt:2", "a.wkt:3", "a.wkt:4", "a.wkt:5"}))
       << all_text(reading.problems);
 }

@@ -198,8 +198,8 @@ TEST(Reading, ResolvesEveryTable) {
   EXPECT_EQ(scene.blocks[2].vertices.col(2), Vec2(6.5, 0.9));
 
   ASSERT_EQ(scene.supports.size(), 2u);
-  EXPECT_TRUE(scene.supports[0].hold_x);
-  EXPECT_FALSE(scene.supports[0].hold_y);
+  EXPECT_TRUE(scene.supports[0].fix_x);
+  EXPECT_FALSE(scene.supports[0].fix_y);
   EXPECT_EQ(scene.supports[0].displacement.kind, TimeFunction::Kind::ramp);
   EXPECT_EQ(scene.supports[0].displacement.value, Vec2(0.1, 0));
   EXPECT_EQ(scene.supports[1].block, 2);

@@ -122,7 +122,7 @@ at = "centroid"
   for (int step = 0; step < 2; ++step) ASSERT_TRUE(built.stepper->step());
   const double degree = std::numbers::pi / 180,
                acceleration = 9.8 * (std::sin(30 * degree) - std::cos(30 * degree) * std::tan(10 * degree));
-  EXPECT_NEAR(observe(built.probes[0], *built.stepper).velocity.norm(), 0.02 * acceleration,
+  EXPECT_NEAR(observe(built.monitor_targets[0], *built.stepper).velocity.norm(), 0.02 * acceleration,
               0.002 * acceleration);
 }
 

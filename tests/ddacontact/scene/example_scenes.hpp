@@ -178,10 +178,10 @@ vertex = 0
 /// `text` with the only place where `from` stands replaced by `to`.
 inline std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
   std::string result(text);
-  const auto place = result.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  EXPECT_EQ(result.find(from, place + 1), std::string::npos) << from << " stands twice";
-  return place == std::string::npos ? result : result.replace(place, from.size(), to);
+  const auto location = result.find(from);
+  EXPECT_NE(location, std::string::npos) << from;
+  EXPECT_EQ(result.find(from, location + 1), std::string::npos) << from << " stands twice";
+  return location == std::string::npos ? result : result.replace(location, from.size(), to);
 }
 
 inline SceneReading read(std::string_view text, const std::vector<std::string>& settings = {}) {

@@ -1,4 +1,4 @@
-/// \file Scenes and geometry files changed at random: reading them ends, with a sound scene or with problems.
+/// \file Scenes and geometry files changed at random: reading them ends, with a valid scene or with problems.
 #include "geometry_scenes.hpp"
 
 #include <ddacontact/scene/block_cutting.hpp>
@@ -168,70 +168,70 @@ class Mutator {
 
  private:
   void change(std::string& text) {
-    const std::size_t place = below(text.size());
+    const std::size_t location = below(text.size());
     switch (below(14)) {
       case 0:
-        text[place] = static_cast<char>(below(256));
+        text[location] = static_cast<char>(below(256));
         break;
       case 1:
-        text[place] = static_cast<char>(text[place] ^ (1 << below(8)));
+        text[location] = static_cast<char>(text[location] ^ (1 << below(8)));
         break;
       case 2:
-        text.erase(place, 1 + below(20));
+        text.erase(location, 1 + below(20));
         break;
       case 3:
-        text.resize(place);
+        text.resize(location);
         break;
       case 4:
-        text.insert(place, tokens[below(std::size(tokens))]);
+        text.insert(location, tokens[below(std::size(tokens))]);
         break;
       case 5:
-        swap_lines(text, place);
+        swap_lines(text, location);
         break;
       case 6:
-        repeat_line(text, place);
+        repeat_line(text, location);
         break;
       case 7:
-        text.erase(line_begin(text, place), line_end(text, place) - line_begin(text, place));
+        text.erase(line_begin(text, location), line_end(text, location) - line_begin(text, location));
         break;
       case 8:
       case 9:
       case 10:
-        replace_token(text, place);
+        replace_token(text, location);
         break;
       default:
-        change_digit(text, place);
+        change_digit(text, location);
     }
   }
-  static std::size_t line_begin(const std::string& text, std::size_t place) {
-    return place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
+  static std::size_t line_begin(const std::string& text, std::size_t location) {
+    return location == 0 ? 0 : text.rfind('\n', location - 1) + 1;
   }
-  static std::size_t line_end(const std::string& text, std::size_t place) {
-    return std::min(text.find('\n', place), text.size() - 1) + 1;
+  static std::size_t line_end(const std::string& text, std::size_t location) {
+    return std::min(text.find('\n', location), text.size() - 1) + 1;
   }
-  void repeat_line(std::string& text, std::size_t place) {
+  void repeat_line(std::string& text, std::size_t location) {
     const std::string line =
-        text.substr(line_begin(text, place), line_end(text, place) - line_begin(text, place));
+        text.substr(line_begin(text, location), line_end(text, location) - line_begin(text, location));
     text.insert(line_begin(text, below(text.size())), line);
   }
-  void swap_lines(std::string& text, std::size_t place) {
-    const std::size_t begin = line_begin(text, place), end = line_end(text, place);
+  void swap_lines(std::string& text, std::size_t location) {
+    const std::size_t begin = line_begin(text, location), end = line_end(text, location);
     const std::string line = text.substr(begin, end - begin);
     text.erase(begin, end - begin);
     if (text.empty()) return;
     text.insert(line_begin(text, below(text.size())), line);
   }
   /// A whole word or number becomes a nasty one, or the value of another place.
-  void replace_token(std::string& text, std::size_t place) {
+  void replace_token(std::string& text, std::size_t location) {
     static const char* const separators = " \t\n,[]{}=\"'.";
-    const std::size_t begin = std::min(text.find_first_not_of(separators, place), text.size());
+    const std::size_t begin = std::min(text.find_first_not_of(separators, location), text.size());
     const std::size_t end = std::min(text.find_first_of(" \t\n,[]{}=\"'", begin), text.size());
     text.replace(begin, end - begin, tokens[below(std::size(tokens))]);
   }
 
   /// Keeps the syntax, so that what comes after it is tried too.
-  void change_digit(std::string& text, std::size_t place) {
-    const std::size_t digit = text.find_first_of("0123456789", place);
+  void change_digit(std::string& text, std::size_t location) {
+    const std::size_t digit = text.find_first_of("0123456789", location);
     if (digit != std::string::npos) text[digit] = static_cast<char>('0' + below(10));
   }
 
@@ -262,8 +262,8 @@ void expect_sound(const Scene& scene, const std::string& text) {
     scene_format::ProblemList problems("block");
     scene_format::Outline outline;
     outline.points = block.vertices;
-    outline.places.resize(block.vertices.cols());
-    EXPECT_TRUE(scene_format::check_outline(outline, block.model, {}, "block", problems).sound()) << text;
+    outline.locations.resize(block.vertices.cols());
+    EXPECT_TRUE(scene_format::check_outline(outline, block.model, {}, "block", problems).valid()) << text;
     EXPECT_TRUE(block.material >= 0 && block.material < n_materials) << text;
     EXPECT_TRUE(block.mesh.cells >= 1 && block.mesh.cells <= scene_format::most_cells) << text;
     EXPECT_GE(block.mesh.cell_size, 0) << text;
@@ -333,7 +333,7 @@ void expect_cut(const Scene& scene, const std::string& text) {
   EXPECT_NEAR(after, before, 1e-8 * before) << text;
 }
 
-/// Either a sound scene that can be written and read again, or problems with their places; whether it is a
+/// Either a valid scene that can be written and read again, or problems with their places; whether it is a
 /// scene.
 bool expect_read_or_refused(const SceneReading& reading, const std::string& mutant) {
   EXPECT_EQ(reading.scene.has_value(), !has_errors(reading.problems)) << mutant;

@@ -50,7 +50,7 @@ class RandomText {
 
   void value(int depth) {
     blanks();
-    places.emplace_back(line_, column_);
+    locations.emplace_back(line_, column_);
     const auto choice = depth > 4 ? below(4) : below(6);
     if (choice == 4) return list(depth, '[', ']', false);
     if (choice == 5) return list(depth, '{', '}', true);
@@ -63,7 +63,7 @@ class RandomText {
   }
 
   std::string text;
-  std::vector<std::pair<int, int>> places;
+  std::vector<std::pair<int, int>> locations;
 
  private:
   int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
@@ -100,12 +100,12 @@ class RandomText {
   int line_ = 1, column_ = 1;
 };
 
-void collect_places(const JsonValue& value, std::vector<std::pair<int, int>>& places) {
-  places.emplace_back(value.place().line, value.place().column);
+void collect_places(const JsonValue& value, std::vector<std::pair<int, int>>& locations) {
+  locations.emplace_back(value.location().line, value.location().column);
   if (value.is(JsonKind::array))
-    for (const JsonValue& element : value.elements()) collect_places(element, places);
+    for (const JsonValue& element : value.elements()) collect_places(element, locations);
   if (value.is(JsonKind::object))
-    for (const JsonMember& member : value.members()) collect_places(member.value, places);
+    for (const JsonMember& member : value.members()) collect_places(member.value, locations);
 }
 
 TEST(JsonParser, EveryValueKnowsWhereItStands) {
@@ -115,9 +115,9 @@ TEST(JsonParser, EveryValueKnowsWhereItStands) {
     for (const char* mark : {"", "\xef\xbb\xbf"}) {
       const auto tree = parse(mark + random.text);
       ASSERT_TRUE(tree) << random.text;
-      std::vector<std::pair<int, int>> places;
-      collect_places(JsonValue(*tree), places);
-      EXPECT_EQ(places, random.places) << random.text;
+      std::vector<std::pair<int, int>> locations;
+      collect_places(JsonValue(*tree), locations);
+      EXPECT_EQ(locations, random.locations) << random.text;
     }
   }
 }

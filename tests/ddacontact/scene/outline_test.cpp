@@ -23,7 +23,7 @@ Outline regular_polygon(int n, double size, const Vec2& centre) {
   for (int k = 0; k < n; ++k) {
     const double angle = 2 * std::numbers::pi * k / n;
     outline.points.col(k) = centre + size * Vec2(std::cos(angle), std::sin(angle));
-    outline.places.push_back({nullptr, 1, k + 1});
+    outline.locations.push_back({nullptr, 1, k + 1});
   }
   return outline;
 }
@@ -34,7 +34,7 @@ TEST(Outline, RegularPolygonsOfAnySizeAndOffsetAreSound) {
       for (const double offset : {0.0, 1.0, 1e4}) {
         ProblemList problems("test");
         const Outline outline = regular_polygon(n, size, Vec2(offset * size, -offset * size));
-        EXPECT_TRUE(check_outline(outline, BlockModel::wachspress, {}, "block", problems).sound())
+        EXPECT_TRUE(check_outline(outline, BlockModel::wachspress, {}, "block", problems).valid())
             << n << ' ' << size << ' ' << offset;
         EXPECT_FALSE(problems.has_errors());
       }
@@ -58,7 +58,7 @@ TEST(Outline, CornersAreNamedAsInTheFileAlsoWhenClockwise) {
   for (int k = 0; k < 6; ++k) {
     outline.points.col(k) = 0.1 * points.col(k);
     ProblemList problems("test");
-    EXPECT_FALSE(check_outline(outline, BlockModel::wachspress, {}, "block", problems).sound());
+    EXPECT_FALSE(check_outline(outline, BlockModel::wachspress, {}, "block", problems).valid());
     const auto found = std::move(problems).sorted();
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].what, "block has a concave corner at vertex " + std::to_string(k) +
@@ -85,16 +85,16 @@ constexpr BlockModel all_shapes[] = {BlockModel::automatic, BlockModel::mean_val
 Outline outline_of(const Points& points) {
   Outline outline;
   outline.points = points;
-  for (int k = 0; k < points.cols(); ++k) outline.places.push_back({nullptr, 1, k + 1});
+  for (int k = 0; k < points.cols(); ++k) outline.locations.push_back({nullptr, 1, k + 1});
   return outline;
 }
 
 /// What is wrong with it; empty: nothing.
 std::string complaint(const Points& points, BlockModel model) {
   ProblemList problems("test");
-  const bool sound = check_outline(outline_of(points), model, {}, "block", problems).sound();
+  const bool valid = check_outline(outline_of(points), model, {}, "block", problems).valid();
   const auto found = std::move(problems).sorted();
-  EXPECT_EQ(sound, found.empty());
+  EXPECT_EQ(valid, found.empty());
   return found.empty() ? std::string() : found[0].what;
 }
 

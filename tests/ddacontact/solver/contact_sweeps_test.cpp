@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double tight = 1e-12;
 
 ContactSweeps::Stop stop(double tolerance, int most) {
-  return {.quiet = {tolerance}, .violent = {tolerance}, .most_sweeps = most};
+  return {.quiet = {tolerance}, .many_changes = {tolerance}, .most_sweeps = most};
 }
 
 /// Contacts of all kinds that begin with any forces, and loads.
@@ -69,7 +69,7 @@ struct Swept {
   bool is_bonded(std::size_t c) const { return blocks.contacts[c].bound == infinity; }
   bool moves(std::size_t c) const {
     const auto u = blocks.contacts[c].gap.unknowns();
-    return std::any_of(u.begin(), u.end(), [&](int k) { return !blocks.is_held(k); });
+    return std::any_of(u.begin(), u.end(), [&](int k) { return !blocks.is_prescribed(k); });
   }
   /// What the law demands at d.
   ContactForce law_at_d(std::size_t c) const {
@@ -118,11 +118,11 @@ struct OnFloor {
 }  // namespace
 
 TEST(ContactSweeps, ABlockOnAFloorSticksSlidesOrLiftsOffAsTheLawSays) {
-  const double softer = OnFloor::inertia + OnFloor::p, softer_t = OnFloor::inertia + OnFloor::p_t;
+  const double lower_stiffness = OnFloor::inertia + OnFloor::p, softer_t = OnFloor::inertia + OnFloor::p_t;
   for (double push : {-40., -5., 0., 3., 60.})
     for (double weight : {-7., 1., 20.}) {
       const OnFloor block({push, -weight});
-      const double N = std::max(0.0, OnFloor::p * weight / softer), bound = OnFloor::friction * N,
+      const double N = std::max(0.0, OnFloor::p * weight / lower_stiffness), bound = OnFloor::friction * N,
                    T = std::clamp(-OnFloor::p_t * push / softer_t, -bound, bound);
       EXPECT_NEAR(block.forces[0].normal, N, 1e-11);
       EXPECT_NEAR(block.forces[0].shear, T, 1e-11);
@@ -147,7 +147,8 @@ TEST(ContactSweeps, DisplacementsBalanceForcesThatFrictionBearsAfterAnyNumberOfS
     const VectorXd before = s.d;
     s.sweep(0, 1 + 2 * static_cast<int>(seed % 5));
     EXPECT_LE(s.residual().norm(), 1e-11 * s.load.norm()) << seed;
-    for (int u = 0; u < s.blocks.n_unknowns(); ++u) EXPECT_TRUE(s.d[u] == before[u] || !s.blocks.is_held(u));
+    for (int u = 0; u < s.blocks.n_unknowns(); ++u)
+      EXPECT_TRUE(s.d[u] == before[u] || !s.blocks.is_prescribed(u));
   }
 }
 

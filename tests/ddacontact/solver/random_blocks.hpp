@@ -57,7 +57,7 @@ struct RandomBlocks {
     return VectorXd::NullaryExpr(n, [&] { return uniform(-1, 1); });
   }
   Index n_unknowns() const { return static_cast<Index>(equation.size()); }
-  bool is_held(int u) const { return equation[static_cast<std::size_t>(u)] < 0; }
+  bool is_prescribed(int u) const { return equation[static_cast<std::size_t>(u)] < 0; }
 
   FrictionProblem problem() const {
     FrictionProblem made(equation, *std::max_element(equation.begin(), equation.end()) + 1);

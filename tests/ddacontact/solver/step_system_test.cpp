@@ -9,7 +9,7 @@ using enum ContactState;
 
 namespace {
 
-constexpr double dt = 0.01, held_stiffness = 1e9;
+constexpr double dt = 0.01, fixed_point_stiffness = 1e9;
 
 /// A vertex block and an affine one side by side on a fixed block, with loads, initial stress and, of the
 /// paper's preset, a vertex held by springs.
@@ -41,7 +41,7 @@ struct Prepared {
         contacts(built.stepper->contacts_to_begin_with()),
         system(blocks) {
     system.problem().contacts_changed();
-    system.set_step(state, step_start(state, dt), held_stiffness);
+    system.set_step(state, step_start(state, dt), fixed_point_stiffness);
   }
   void set_states(std::initializer_list<ContactState> cycle) {
     std::size_t c = 0;
@@ -103,12 +103,13 @@ double potential(const Prepared& p, const VectorXd& d) {
     if (c.history.state == stick)
       energy += c.law.tangential_stiffness * std::pow(c.motion.form(c.first_slip())(d), 2) / 2;
   }
-  for (const HeldVertex& held : p.blocks.held_vertices) {
-    const int v = p.blocks.block(held.block).vertices().first + held.vertex;
+  for (const FixedVertex& prescribed : p.blocks.fixed_vertices) {
+    const int v = p.blocks.block(prescribed.block).vertices().first + prescribed.vertex;
     const Vec2 stretch = p.blocks.displacements(p.state).col(v) +
-                         p.blocks.block(held.block).vertex_map(held.vertex)(d) -
-                         held.motion.at(p.state.time + dt, p.blocks.end_time);
-    energy += held_stiffness * (held.x * stretch.x() * stretch.x() + held.y * stretch.y() * stretch.y()) / 2;
+                         p.blocks.block(prescribed.block).vertex_map(prescribed.vertex)(d) -
+                         prescribed.motion.at(p.state.time + dt, p.blocks.end_time);
+    energy += fixed_point_stiffness *
+              (prescribed.x * stretch.x() * stretch.x() + prescribed.y * stretch.y() * stretch.y()) / 2;
   }
   return energy;
 }
@@ -118,7 +119,7 @@ double potential(const Prepared& p, const VectorXd& d) {
 TEST(StepSystem, TheResidualIsTheGradientOfTheStepsPotential) {
   Prepared p(loaded_scene());
   ASSERT_GE(p.contacts.size(), 5u);
-  ASSERT_FALSE(p.blocks.held_vertices.empty());
+  ASSERT_FALSE(p.blocks.fixed_vertices.empty());
   for (auto states :
        {std::initializer_list<ContactState>{stick}, {open}, {stick, open, slip_forward, slip_backward}}) {
     p.set_states(states);
@@ -174,7 +175,8 @@ TEST(StepSystem, OneSolutionOfTheFactoredEquationsLeavesNoResidual) {
     p.system.compute_residual(d, p.contacts, p.terms(), p.spring_forces(d), r);
     EXPECT_LE(r.largest, 1e-10 * r.scale);
     EXPECT_TRUE(r.balanced(1e-8));
-    for (const HeldUnknown& held : p.blocks.held_unknowns()) EXPECT_EQ(correction[held.unknown], 0);
+    for (const PrescribedDof& prescribed : p.blocks.prescribed_dofs())
+      EXPECT_EQ(correction[prescribed.unknown], 0);
   }
 }
 
@@ -194,7 +196,7 @@ TEST(StepSystem, FactorizesOnlyWhenSpringsOrTheStepChange) {
   EXPECT_EQ(factorizations(), 1);
   p.set_states({stick});
   EXPECT_EQ(factorizations(), 2);
-  p.system.set_step(p.state, step_start(p.state, dt / 2), held_stiffness);
+  p.system.set_step(p.state, step_start(p.state, dt / 2), fixed_point_stiffness);
   p.system.linearize(p.system.prescribed());
   EXPECT_EQ(factorizations(), 3);
   EXPECT_EQ(problem.cholesky().n_analyses(), analyses);
@@ -234,12 +236,12 @@ TEST(StepSystem, MatricesOfFixedBlocksAreMadeWhereAskedAndHaveNoEffect) {
     EXPECT_EQ(with.system.problem().elements()[e + 1], without.system.problem().elements()[e]);
   EXPECT_EQ(residuals[0].force, residuals[1].force);
   EXPECT_EQ(residuals[0].scale, residuals[1].scale);
-  EXPECT_EQ(residuals[0].floor, residuals[1].floor);
+  EXPECT_EQ(residuals[0].round_off, residuals[1].round_off);
   EXPECT_EQ(corrections[0], corrections[1]);
 }
 
-/// All forces on the system but those of supports are in the residual of its free and held unknowns: the sum
-/// over rigid translations of everything knows no contact.
+/// All forces on the system but those of supports are in the residual of its free and prescribed degrees of
+/// freedom: the sum over rigid translations of everything knows no contact.
 TEST(StepSystem, ContactForcesCancelInTheSumOverAllBlocks) {
   Prepared p(loaded_scene());
   const auto sum = [&] {

@@ -9,13 +9,13 @@ TEST(TangentOperator, MultipliesWithTheMatrixOnTheFreeUnknowns) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     RandomBlocks blocks(seed, 2 + static_cast<int>(seed), static_cast<int>(3 * seed));
     FrictionProblem problem = blocks.problem();
-    const SparseMatrix K =
-        assembled_tangent(blocks, blocks.n_unknowns(), [&](int u) { return blocks.is_held(u) ? -1 : u; });
+    const SparseMatrix K = assembled_tangent(blocks, blocks.n_unknowns(),
+                                             [&](int u) { return blocks.is_prescribed(u) ? -1 : u; });
     const VectorXd x = problem.free_part(blocks.vector(blocks.n_unknowns())), expected = K * x;
     VectorXd y;
     TangentOperator(problem, blocks.contacts, blocks.active, blocks.couplings).multiply(x, y);
     EXPECT_LE((y - expected).norm(), 1e-14 * expected.norm()) << seed;
-    for (int u = 0; u < blocks.n_unknowns(); ++u) EXPECT_TRUE(y[u] == 0 || !blocks.is_held(u));
+    for (int u = 0; u < blocks.n_unknowns(); ++u) EXPECT_TRUE(y[u] == 0 || !blocks.is_prescribed(u));
   }
 }
 

@@ -45,7 +45,7 @@ Vec2 scene_origin(const Scene& scene, const Stepper& stepper) {
 }
 
 /// Of the centroid, as in the scene.
-Vec2 place(const Scene& scene, const BuiltScene& built, int b) {
+Vec2 point(const Scene& scene, const BuiltScene& built, int b) {
   return centre(*built.stepper, b) - scene_origin(scene, *built.stepper);
 }
 
@@ -87,8 +87,8 @@ TEST(AnyShape, ASquareSettlesInANotchAndStays) {
         true);
     add(scene, shifted(turned(rectangle(0, 0, 1, 1), std::numbers::pi / 4 + 0.02), 0.02, 0.06));
     const BuiltScene built = run_apart(scene, 600);
-    EXPECT_NEAR(place(scene, built, 1).x(), 0, friction == 0 ? 1e-4 : 2e-2);
-    EXPECT_NEAR(place(scene, built, 1).y(), std::sqrt(0.5), friction == 0 ? 1e-4 : 2e-2);
+    EXPECT_NEAR(point(scene, built, 1).x(), 0, friction == 0 ? 1e-4 : 2e-2);
+    EXPECT_NEAR(point(scene, built, 1).y(), std::sqrt(0.5), friction == 0 ? 1e-4 : 2e-2);
   }
 }
 
@@ -106,10 +106,11 @@ TEST(AnyShape, VerticesOnStraightSidesChangeNothingThatIsRigid) {
   std::mt19937 random(5);
   const auto travelled = [&](bool with_vertices) {
     Scene scene = shapes_scene(25, 5e-3);
-    const Points floor = turned(rectangle(-20, -2, 40, 2), radians(30)),
+    const Points round_off = turned(rectangle(-20, -2, 40, 2), radians(30)),
                  box = turned(rectangle(0, 0, 2, 1), radians(30));
     add(scene,
-        with_vertices ? with_straight_vertices(with_straight_vertices(floor, 1, random), 1, random) : floor,
+        with_vertices ? with_straight_vertices(with_straight_vertices(round_off, 1, random), 1, random)
+                      : round_off,
         true);
     add(scene, with_vertices ? with_straight_vertices(box, 1, random) : box);
     return travel(*run_apart(scene, 200).stepper, 1);
@@ -158,14 +159,14 @@ TEST(AnyShape, NothingPassesThroughAnything) {
         true);
     for (int k = 0; k < 6; ++k) {
       const double size = 0.6 * std::pow(10, -uniform(0, 1, random));
-      const Vec2 place(-3 + 1.2 * k, uniform(1.6, 4, random));
-      add(scene, (size * random_shape(random)).colwise() + place, false,
+      const Vec2 point(-3 + 1.2 * k, uniform(1.6, 4, random));
+      add(scene, (size * random_shape(random)).colwise() + point, false,
           uniform(0, 15, random) * random_direction(random));
       scene.blocks.back().angular_velocity = uniform(-10, 10, random);
     }
     const BuiltScene built = run_apart(scene, 120);
     for (int b = 1; b < 7; ++b) {
-      const Vec2 x = place(scene, built, b);
+      const Vec2 x = point(scene, built, b);
       if (x.y() > 6) continue;  // out at the top
       EXPECT_GT(x.y(), 0) << b;
       EXPECT_LT(std::abs(x.x()), 3.9) << b;

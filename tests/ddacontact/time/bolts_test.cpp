@@ -407,7 +407,7 @@ TEST(Bolts, PassAlongWhatTheyBearWhereABlockBetweenIsTakenOut) {
   expect_closed(*built.stepper);
 }
 
-/// A roof of a mesh and an affine block: bolts know of places alone.
+/// A roof of a mesh and an affine block: bolts know of points alone.
 TEST(Bolts, HoldBlocksOfAllModels) {
   for (const BlockModel model : {BlockModel::affine, BlockModel::mesh, BlockModel::mean_value}) {
     Scene scene = hanging_block(1, 40);

@@ -68,7 +68,8 @@ TEST(Bonds, ReleaseWhatTheyHeldAndNoMore) {
   }
 }
 
-/// A block hangs on one of two bonds by its whole weight: with the other gone it falls, in a static step too.
+/// A block hangs by one of two bonds with its whole weight: with the other gone it falls, in a static step
+/// too.
 TEST(Bonds, OfAStaticStepBreakOneAfterTheOther) {
   Scene scene = rock_scene(0.02, 3);
   scene.analysis.mode = Mode::statics;

@@ -17,7 +17,7 @@ class MisjudgedBlock final : public Block {
                    polygon_shape(material, outline, polyfem::wachspress,
                                  choose_integration(outline, GradientCorrection::on)))),
         factor_(factor) {
-    right_.place(0, 0, 0, 0, 0);
+    right_.number(0, 0, 0, 0, 0);
   }
 
   int n_unknowns() const override { return right_.n_unknowns(); }

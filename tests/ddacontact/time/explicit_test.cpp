@@ -142,7 +142,7 @@ TEST(Explicit, DampingThatLeavesNoStepIsRefused) {
   EXPECT_THROW(build(scene), Error);
 }
 
-/// Dynamic steps solve contacts to 1e-3, static ones to 1e-8, and both to what is asked for.
+/// Dynamic steps solve contacts to 1e-3, static ones to 1e-8, and both to what is requested.
 TEST(Explicit, ContactsAreSolvedToTheToleranceOfTheScheme) {
   Scene scene = explicit_scene(1e-3, 3);
   scene.blocks = {block(rectangle(-1, -1, 3, 1), true), block(rectangle(0, 0, 1, 1))};

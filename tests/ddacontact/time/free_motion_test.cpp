@@ -92,7 +92,7 @@ TEST(FreeMotion, SubstepsOfAFreeFallLeaveItExact) {
     EXPECT_GT(built.stepper->counts().substeps, 30);
     EXPECT_EQ(built.stepper->counts().steps, 10);
     EXPECT_LT(built.stepper->last_dt() * 10, 0.15);
-    EXPECT_EQ(built.stepper->counts().rejected, 0);  // the limit is foreseen
+    EXPECT_EQ(built.stepper->counts().rejected, 0);  // the limit is predicted
   }
 }
 

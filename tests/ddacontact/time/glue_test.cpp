@@ -298,11 +298,11 @@ TEST(Glue, GoesOnFromARecordToTheBit) {
       records.push_back(to_bytes(whole.stepper->run_record()));
     }
     for (std::size_t k = 0; k < records.size(); ++k) {
-      BuiltScene again = build(scene);
-      again.stepper->restore(run_record_from(records[k]));
-      EXPECT_TRUE(to_bytes(again.stepper->run_record()) == records[k]);
-      run(*again.stepper, static_cast<int>(records.size() - 1 - k));
-      EXPECT_TRUE(to_bytes(again.stepper->run_record()) == records.back()) << "from step " << k;
+      BuiltScene warm_start = build(scene);
+      warm_start.stepper->restore(run_record_from(records[k]));
+      EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records[k]);
+      run(*warm_start.stepper, static_cast<int>(records.size() - 1 - k));
+      EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records.back()) << "from step " << k;
     }
   }
 }

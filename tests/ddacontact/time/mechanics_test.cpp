@@ -87,7 +87,7 @@ double centrifugal_stretch(const Block& block, BlockModel model, double w) {
   const Points load = w * w * shape.nodes * cell.mass;
   const VectorXd u = A.fullPivLu().solve(VectorXd(load.reshaped()));
   Points stretched = shape.nodes + u.reshaped(2, m);
-  if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
+  if (shape.points.size() > 0) stretched = (stretched * shape.points.transpose()).eval();
   return polyfem::area_moments(stretched).area / polyfem::area_moments(outline).area - 1;
 }
 

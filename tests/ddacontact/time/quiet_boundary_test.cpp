@@ -78,7 +78,7 @@ TEST(QuietBoundary, LetsAWaveInThatDoublesAtAFreeSurface) {
   double fastest = 0, largest = 0;
   for (int step = 0; step < 960; ++step) {
     ASSERT_TRUE(built.stepper->step());
-    fastest = std::max(fastest, ddacontact::observe(built.probes[0], *built.stepper).velocity.x());
+    fastest = std::max(fastest, ddacontact::observe(built.monitor_targets[0], *built.stepper).velocity.x());
     largest = std::max(largest, energy(*built.stepper));
   }
   EXPECT_NEAR(fastest, 0.2, 0.002);

@@ -128,7 +128,7 @@ Scene wall_in_running_bond(int n_courses, int n_bricks) {
   return scene;
 }
 
-/// Gaps of running bond hang together: forces that correct one open another. Small ones are let be, so the
+/// Gaps of running bond are connected: forces that correct one open another. Small ones are let be, so the
 /// wall comes to rest, and its blocks carry what stands on them nonetheless.
 TEST(Rest, AWallInRunningBondComesToRest) {
   constexpr int n_courses = 12, n_bricks = 12;
@@ -136,12 +136,12 @@ TEST(Rest, AWallInRunningBondComesToRest) {
   Stepper& stepper = *built.stepper;
   run(stepper, 300);
   const StepCounts before = stepper.counts();
-  const Points place = stepper.state().position;
+  const Points point = stepper.state().position;
   run(stepper, 20);
   // Two a step and some that bring residuals to 1e-12 of the forces.
   EXPECT_LE(stepper.counts().open_close_iterations - before.open_close_iterations, 2.5 * 20);
   EXPECT_EQ(stepper.counts().rejected, before.rejected);
-  EXPECT_LE((stepper.state().position - place).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LE((stepper.state().position - point).cwiseAbs().maxCoeff(), 1e-10);
   const double weight = 2000 * 10 * 0.5 * n_courses * n_bricks;
   EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + 2000 * 10 * (n_bricks + 2), 1e-8 * weight);
 }
@@ -161,7 +161,7 @@ TEST(Rest, AStaticWallOfManyCoursesSlipsEverLess) {
   EXPECT_TRUE(stepper.equilibrium().in_balance());
 }
 
-/// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All places and the
+/// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All points and the
 /// lock points' fractions are whole binary numbers: nothing is left to round-off.
 TEST(Rest, AnInitialOverlapMakesNoForce) {
   Scene scene = resting(BlockModel::wachspress, 0, Mode::dynamic);

@@ -114,7 +114,7 @@ TEST_P(Restitution, OfABlockHeldAtAVertexTurnsItAboutThatVertex) {
   const RigidVelocity turning = hit.velocity(1, after);
   const Vec2 arm = hit.centroid(1) - hit.vertex(1, 3);
   EXPECT_LE((turning.linear - turning.angular * Vec2(-arm.y(), arm.x())).norm(), 1e-12);
-  for (const HeldUnknown& held : hit.blocks.held_unknowns()) EXPECT_EQ(report.jump[held.unknown], 0);
+  for (const PrescribedDof& held : hit.blocks.prescribed_dofs()) EXPECT_EQ(report.jump[held.unknown], 0);
   double normal = 0, moment = 0;
   for (std::size_t c = 0; c < 2; ++c) normal += report.impulses[c].normal;
   const double about_pin = hit.inertia(1) + 4000 * arm.squaredNorm();
@@ -151,7 +151,7 @@ TEST(RigidVelocities, WhatNoImpulseCanMoveTakesNone) {
       EXPECT_LE(after.linear.norm() + std::abs(after.angular), 1e-9);
     }
     EXPECT_EQ(report.impulses[0].normal, 0);  // of the pin on the floor
-    for (const HeldUnknown& of : hit.blocks.held_unknowns()) EXPECT_EQ(report.jump[of.unknown], 0);
+    for (const PrescribedDof& of : hit.blocks.prescribed_dofs()) EXPECT_EQ(report.jump[of.unknown], 0);
   }
 }
 

@@ -176,9 +176,8 @@ TEST(Stages, AStaticStageTakesTheVelocitiesOut) {
 }
 
 TEST(Stages, EverySchemeSettlesInStaticSteps) {
-  for (const Scheme scheme :
-       {Scheme::decaying, Scheme::central_difference, Scheme::midpoint, Scheme::dda, Scheme::newmark,
-        Scheme::backward_euler}) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::central_difference, Scheme::midpoint, Scheme::dda,
+                              Scheme::newmark, Scheme::backward_euler}) {
     Scene scene = slope_scene(20, 30);
     scene.analysis.scheme = scheme;
     scene.stages = {settling(scene, 10)};
@@ -206,11 +205,11 @@ TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
     records.push_back(to_bytes(whole.stepper->run_record()));
   }
   for (std::size_t k = 0; k < records.size(); k += 3) {
-    BuiltScene again = build(scene);
-    again.stepper->restore(run_record_from(records[k]));
-    EXPECT_TRUE(to_bytes(again.stepper->run_record()) == records[k]);
-    run(*again.stepper, static_cast<int>(records.size() - 1 - k));
-    EXPECT_TRUE(to_bytes(again.stepper->run_record()) == records.back()) << "from step " << k;
+    BuiltScene warm_start = build(scene);
+    warm_start.stepper->restore(run_record_from(records[k]));
+    EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records[k]);
+    run(*warm_start.stepper, static_cast<int>(records.size() - 1 - k));
+    EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records.back()) << "from step " << k;
   }
 }
 

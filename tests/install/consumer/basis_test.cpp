@@ -6,9 +6,9 @@ namespace {
 class LinearTriangle final : public polyfem::Basis {
  public:
   std::string_view name() const override { return "linear_triangle"; }
-  std::optional<polyfem::Objection> find_objection(const polyfem::PointsRef& polygon) const override {
+  std::optional<polyfem::Rejection> find_rejection(const polyfem::PointsRef& polygon) const override {
     if (polygon.cols() == 3) return std::nullopt;
-    return polyfem::Objection{3, "is one too many: only triangles will do"};
+    return polyfem::Rejection{3, "is one too many: only triangles will do"};
   }
   void evaluate(const polyfem::PointsRef& polygon, const polyfem::PointsRef& points,
                 polyfem::ShapeTable& table) const override {

@@ -1,6 +1,6 @@
 #include <tests/performance/error_time/problem.hpp>
 
-#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/monitor_target.hpp>
 
 namespace error_time {
 

@@ -33,7 +33,7 @@ Scene scene(const Method& method, double n_blocks) {
     Support roller;
     roller.block = b;
     roller.vertices = {0, 1, 2, 3};
-    roller.hold_x = false;
+    roller.fix_x = false;
     scene.supports.push_back(roller);
   }
   Load push;

@@ -21,7 +21,7 @@ struct Measurement {
   std::string status = "done";  ///< or why there is no more
   double time_step = 0;         ///< s
   double threads = 1;
-  double size = 0;  ///< that the scene was asked for
+  double size = 0;  ///< that was requested of the scene
   double blocks = 0, unknowns = 0, steps = 0;
 
   double setup = 0;  ///< s, from the scene to blocks ready to step

@@ -53,7 +53,7 @@ constexpr std::array counts_of_steps{NamedCount{"substeps", &StepCounts::substep
                                      NamedCount{"iterations", &StepCounts::open_close_iterations},
                                      NamedCount{"linear_solves", &StepCounts::linear_solves},
                                      NamedCount{"factorizations", &StepCounts::factorizations},
-                                     NamedCount{"interior_paths", &StepCounts::interior_paths},
+                                     NamedCount{"interior_paths", &StepCounts::interior_point_solves},
                                      NamedCount{"augmentations", &StepCounts::augmentations}};
 
 /// By run, then by count.

@@ -52,8 +52,8 @@ void apply_boundary_data(const Problem& problem, const PolygonMesh& mesh, FieldP
     if (boundary.loaded) loaded.push_back(edge);
     for (const int v : edge) {
       const Vec2 u = problem.exact() ? problem.solution.displacement(mesh.vertices.col(v)) : Vec2::Zero();
-      if (boundary.held_x) field.hold(v, 0, u.x());
-      if (boundary.held_y) field.hold(v, 1, u.y());
+      if (boundary.fixed_x) field.hold(v, 0, u.x());
+      if (boundary.fixed_y) field.hold(v, 1, u.y());
     }
   }
   field.add_edge_loads(loaded, problem.traction);

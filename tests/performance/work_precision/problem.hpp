@@ -11,9 +11,9 @@ namespace work_precision {
 
 /// What is known on an edge of the boundary; where no component is held the traction acts.
 struct Boundary {
-  bool held_x = false, held_y = false;
+  bool fixed_x = false, fixed_y = false;
   bool loaded = false;  ///< the traction is not zero everywhere
-  int number() const { return held_x + 2 * held_y + 4 * loaded; }
+  int number() const { return fixed_x + 2 * fixed_y + 4 * loaded; }
 };
 
 /// A body in plane strain or stress: the image of a rectangle, on which the meshes are made.

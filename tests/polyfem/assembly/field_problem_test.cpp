@@ -182,15 +182,15 @@ TEST(FieldProblem, NamesAPotentialThatIsHeldNowhere) {
 
 TEST(FieldProblem, NamesABodyThatIsFreeToMoveOrTurn) {
   struct Hold {
-    Vec2 place;
+    Vec2 slot;
     int component;
   };
   const auto message_for = [](std::initializer_list<Hold> holds) {
     FieldProblem problem(mesh, 2);
     problem.assemble(elastic);
-    for (const auto& [place, component] : holds) {
+    for (const auto& [slot, component] : holds) {
       Index v;
-      (mesh.vertices.colwise() - place).colwise().norm().minCoeff(&v);
+      (mesh.vertices.colwise() - slot).colwise().norm().minCoeff(&v);
       problem.hold(static_cast<int>(v), component);
     }
     return message_of(problem);
@@ -515,7 +515,7 @@ TEST(FieldProblem, ShowsItsMatrixLoadsAndUnknowns) {
   EXPECT_NEAR(problem.loads().reshaped(2, mesh.vertices.cols()).row(0).sum(), -3, 1e-13);
   const int corner = mesh.cell(4)[2];
   EXPECT_EQ(problem.cell_solution(4)[5], u[problem.unknown(corner, 1)]);
-  EXPECT_TRUE(problem.is_held(problem.unknown(boundary_vertices(mesh, at_left)[0], 1)));
+  EXPECT_TRUE(problem.is_prescribed(problem.unknown(boundary_vertices(mesh, at_left)[0], 1)));
   EXPECT_THROW(problem.cell_solution(mesh.n_cells()), Error);
   EXPECT_EQ(problem.solve(), u) << "the matrix taken out is put back";
 }

@@ -88,10 +88,10 @@ TEST(PatternMatrix, KeepsAPlaceAndARowOfEachGroup) {
   for (const int group : {2, 3}) {
     std::mt19937 random{2};
     Connectivity connectivity = random_groups(group, 240, 1000, random);
-    double n_places = 0;
+    double n_points = 0;
     for (int e = 0; e < connectivity.n_elements(); ++e) {
       const auto k = static_cast<double>(connectivity.rows_of(e).size());
-      n_places += k * (k + 1) / 2;
+      n_points += k * (k + 1) / 2;
     }
     PatternMatrix matrix;
     matrix.set_connectivity(240, connectivity);
@@ -100,7 +100,7 @@ TEST(PatternMatrix, KeepsAPlaceAndARowOfEachGroup) {
     connectivity.append(one);
     matrix.set_connectivity(240, connectivity);
     const double n_rows = static_cast<double>(connectivity.rows.size()), saved = 1 - 1. / group;
-    EXPECT_GT(matrix.memory() - grouped, sizeof(int) * (saved * n_rows + 0.6 * n_places));
+    EXPECT_GT(matrix.memory() - grouped, sizeof(int) * (saved * n_rows + 0.6 * n_points));
   }
 }
 

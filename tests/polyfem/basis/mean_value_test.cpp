@@ -204,12 +204,12 @@ TEST(MeanValueFunctions, ObjectToARepeatedVertexAlone) {
   Points polygon(2, 5);
   polygon << 0, 1, 1, 1, 0,  //
       0, 0, 1, 1, 1;
-  const auto objection = mean_value.find_objection(polygon);
-  ASSERT_TRUE(objection);
-  EXPECT_EQ(objection->vertex, 2);
+  const auto rejection = mean_value.find_rejection(polygon);
+  ASSERT_TRUE(rejection);
+  EXPECT_EQ(rejection->vertex, 2);
   EXPECT_THROW(require_suitable(mean_value, polygon), Error);
   for (const SamplePolygon& concave : concave_samples())
-    EXPECT_FALSE(mean_value.find_objection(concave.vertices)) << concave.name;
+    EXPECT_FALSE(mean_value.find_rejection(concave.vertices)) << concave.name;
 }
 
 }  // namespace

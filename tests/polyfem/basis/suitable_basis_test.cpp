@@ -1,7 +1,7 @@
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/element/tolerance.hpp>
 #include <polyfem/geometry/corner_turn.hpp>
 #include <polyfem/material/linear_elastic.hpp>

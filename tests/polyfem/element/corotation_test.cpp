@@ -135,7 +135,7 @@ class Corotation : public testing::TestWithParam<int> {
     return (turn(angle) * strained).colwise() + Vec2(random_points(1, block.size, random_));
   }
 
-  /// Two places of a step that turns by up to 2 rad.
+  /// Two positions of a step that turns by up to 2 rad.
   void step(const Block& block, double strain) {
     const double angle = any_angle();
     y0_ = place(block, angle, strain);

@@ -22,7 +22,7 @@ TEST(Examine, FindsASoundElementSound) {
   const ElementReport report = examine_with(dunavant_rule(12), polygon);
   EXPECT_EQ(report.rule, "some rule");
   EXPECT_EQ(report.n_points, 6 * 33);
-  EXPECT_TRUE(report.sound);
+  EXPECT_TRUE(report.definite);
   EXPECT_EQ(report.zero_modes, 3);
   EXPECT_GT(report.condition, 1);
   EXPECT_GT(report.least_mass, 0);
@@ -36,7 +36,7 @@ TEST(Examine, CountsTheMechanismsOfAPoorRule) {
   tabulate(square, rule, wachspress, GradientCorrection::on, element);
   const ElementReport report = examine(square, wachspress, element, "one point");
   EXPECT_EQ(report.zero_modes, 5);
-  EXPECT_FALSE(report.sound);
+  EXPECT_FALSE(report.definite);
 }
 
 /// The fifth vertex is 245 times as stiff as the rule has it, though K has full rank.
@@ -46,14 +46,14 @@ TEST(Examine, CallsAnElementUnsoundWhoseRuleDoesNotSeeItsFunctions) {
     const ElementReport report = examine_with(dunavant_rule(degree), polygon);
     EXPECT_EQ(report.zero_modes, 3);
     EXPECT_LT(report.energy.least, 0.1);
-    EXPECT_FALSE(report.sound);
+    EXPECT_FALSE(report.definite);
     EXPECT_NE(describe(report).find("not sound"), std::string::npos);
   }
   TabulatedElement element;
   tabulate_to_tolerance(polygon, wachspress, 1e-3, GradientCorrection::on, element);
-  EXPECT_TRUE(examine(polygon, wachspress, element, "").sound);
+  EXPECT_TRUE(examine(polygon, wachspress, element, "").definite);
   tabulate(polygon, dunavant_rule(4), mean_value, GradientCorrection::on, element);
-  EXPECT_TRUE(examine(polygon, mean_value, element, "").sound);
+  EXPECT_TRUE(examine(polygon, mean_value, element, "").definite);
 }
 
 TEST(Examine, NamesTheStraightestCornerAndTheShortestEdge) {

@@ -1,7 +1,7 @@
 // Elements with vertices on edges and concave corners: mean value functions leave them sound.
 #include <polyfem/basis/mean_value.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
 #include <gtest/gtest.h>
@@ -45,11 +45,11 @@ ElementMatrices matrices(const Points& polygon, const PolygonRule& rule) {
 }
 
 void expect_sound(const ElementMatrices& element) {
-  const Soundness soundness = judge(element.K, element.M);
-  EXPECT_TRUE(soundness.sound());
-  EXPECT_EQ(soundness.zero_modes, 3);
-  EXPECT_LE(1 / soundness.least_stiffness, 20);
-  testing::Test::RecordProperty("condition", testing::PrintToString(1 / soundness.least_stiffness));
+  const Definiteness definiteness = judge(element.K, element.M);
+  EXPECT_TRUE(definiteness.definite());
+  EXPECT_EQ(definiteness.zero_modes, 3);
+  EXPECT_LE(1 / definiteness.least_stiffness, 20);
+  testing::Test::RecordProperty("condition", testing::PrintToString(1 / definiteness.least_stiffness));
 }
 
 class VertexNearAnEdge : public testing::TestWithParam<double> {};

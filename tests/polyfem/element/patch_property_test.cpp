@@ -4,8 +4,8 @@
 // their errors are those of the rule, recorded as a property of the test.
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/element/tolerance.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/corner_turn.hpp>
@@ -200,7 +200,7 @@ class PatchTestOfAll : public testing::TestWithParam<std::tuple<std::string, dou
       for (const Basis* basis :
            {static_cast<const Basis*>(&wachspress), static_cast<const Basis*>(&mean_value)})
         for (const Rule& rule : rules) {
-          if (!rule.serves(polygon) || basis->find_objection(polygon)) continue;
+          if (!rule.serves(polygon) || basis->find_rejection(polygon)) continue;
           SCOPED_TRACE(cell.name + ", " + std::string(basis->name()) + ", " + rule.name);
           rule.tabulate(polygon, *basis, correction, element);
           look(rule, *basis, polygon, element);

@@ -34,8 +34,8 @@ TEST(CellDivision, KeepsRandomMeshesConformingThroughManyRounds) {
       ASSERT_TRUE(find_defects(finer).empty());
       for (int c = 0; c < mesh.n_cells(); ++c) {
         double area = 0;
-        const auto place = static_cast<std::size_t>(c);
-        for (int part = first_child[place]; part < first_child[place + 1]; ++part)
+        const auto position = static_cast<std::size_t>(c);
+        for (int part = first_child[position]; part < first_child[position + 1]; ++part)
           area += area_moments(finer.outline(part)).area;
         EXPECT_NEAR(area, area_moments(mesh.outline(c)).area, 1e-15);
       }

@@ -36,8 +36,8 @@ PolygonMesh four_cells() {
   return mesh_of(vertices, {{0, 4, 9, 8, 7}, {4, 1, 5, 9}, {9, 5, 2, 6, 8}, {8, 6, 3, 7}});
 }
 MeshEditor editor_of(PolygonMesh mesh) {
-  std::vector<VertexPlace> places = boundary_places(mesh, domain, 1e-9);
-  return {mesh, places, domain};
+  std::vector<BoundaryPosition> positions = boundary_positions(mesh, domain, 1e-9);
+  return {mesh, positions, domain};
 }
 
 TEST(PolygonMesh, BoundaryEdgesAreThoseOfOneCell) {
@@ -59,22 +59,22 @@ TEST(PolygonMesh, BoundaryEdgesAreThoseOfOneCell) {
 TEST(BoundaryPlaces, TellCornersEdgesAndInside) {
   PolygonMesh mesh = four_cells();
   mesh.vertices(0, 1) += 1e-10;
-  const std::vector<VertexPlace> places = boundary_places(mesh, domain, 1e-9);
+  const std::vector<BoundaryPosition> positions = boundary_positions(mesh, domain, 1e-9);
   EXPECT_EQ(mesh.vertices(0, 1), 4);
-  EXPECT_EQ(places[2].corner, 2);
-  EXPECT_EQ(places[5].edge, 1);
-  EXPECT_EQ(places[7].edge, 3);
-  EXPECT_TRUE(places[8].inside());
-  EXPECT_EQ(common_edge(places[0], places[7], 4), 3);
-  EXPECT_EQ(common_edge(places[4], places[5], 4), std::nullopt);
-  EXPECT_EQ(common_edge(places[0], places[2], 4), std::nullopt);
+  EXPECT_EQ(positions[2].corner, 2);
+  EXPECT_EQ(positions[5].edge, 1);
+  EXPECT_EQ(positions[7].edge, 3);
+  EXPECT_TRUE(positions[8].inside());
+  EXPECT_EQ(common_edge(positions[0], positions[7], 4), 3);
+  EXPECT_EQ(common_edge(positions[4], positions[5], 4), std::nullopt);
+  EXPECT_EQ(common_edge(positions[0], positions[2], 4), std::nullopt);
 }
 
 TEST(BoundaryPlaces, RefusesAMeshThatDoesNotFillTheDomain) {
   PolygonMesh gap = mesh_of(four_cells().vertices, {{0, 4, 9, 8, 7}, {4, 1, 5, 9}, {8, 6, 3, 7}});
-  EXPECT_THROW(boundary_places(gap, domain, 1e-9), Error);
+  EXPECT_THROW(boundary_positions(gap, domain, 1e-9), Error);
   PolygonMesh hanging = mesh_of(four_cells().vertices, {{0, 4, 6, 3}, {4, 1, 5, 9}, {9, 5, 2, 6}});
-  EXPECT_THROW(boundary_places(hanging, domain, 1e-9), Error);
+  EXPECT_THROW(boundary_positions(hanging, domain, 1e-9), Error);
 }
 
 TEST(MeshEditor, CollapsesAnInnerEdge) {
@@ -116,15 +116,15 @@ TEST(MeshEditor, LetsATriangleVanishOnlyWhenAllowed) {
   const Points vertices =
       support::polygon_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0}, {0.45, 0.5}, {0.55, 0.5}});
   PolygonMesh mesh = mesh_of(vertices, {{0, 4, 5, 3}, {4, 6, 5}, {4, 1, 2, 6}, {5, 6, 2, 3}});
-  const std::vector<VertexPlace> places = boundary_places(mesh, square, 1e-9);
-  MeshEditor editor(mesh, places, square);
+  const std::vector<BoundaryPosition> positions = boundary_positions(mesh, square, 1e-9);
+  MeshEditor editor(mesh, positions, square);
   EXPECT_FALSE(editor.collapse(5, 6, 0, false));
   ASSERT_TRUE(editor.collapse(5, 6, 0, true));
   EXPECT_EQ(editor.mesh().n_cells(), 3);
   EXPECT_DOUBLE_EQ(area(editor.mesh()), 1);
   EXPECT_EQ(boundary_edges(editor.mesh()).size(), 5u);
 
-  MeshEditor enough(mesh, places, square);
+  MeshEditor enough(mesh, positions, square);
   collapse_short_edges(enough, 0.2, 0.05, 4);
   EXPECT_EQ(enough.mesh().n_cells(), 4);
   collapse_short_edges(enough, 0.2, 0.05, 3);

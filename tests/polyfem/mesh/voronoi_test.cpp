@@ -114,7 +114,7 @@ TEST_P(VoronoiOfDomain, SharesEachInnerEdgeBetweenTwoCellsInOppositeDirections) 
 }
 
 // The outline is one closed chain that passes every corner of the domain, and between two corners runs
-// straight on.
+// collinear.
 TEST_P(VoronoiOfDomain, HasTheOutlineOfTheDomain) {
   Points outline = domain();
   if (signed_area(outline) < 0) outline = domain().rowwise().reverse();
@@ -148,9 +148,9 @@ TEST_P(VoronoiOfDomain, UsesEveryVertexAndNoneTwice) {
   for_seeds([&](const PolygonMesh& mesh) {
     std::set<int> used(mesh.indices.begin(), mesh.indices.end());
     EXPECT_EQ(static_cast<Index>(used.size()), mesh.vertices.cols());
-    std::set<std::pair<double, double>> places;
-    for (const auto x : mesh.vertices.colwise()) places.insert({x.x(), x.y()});
-    EXPECT_EQ(static_cast<Index>(places.size()), mesh.vertices.cols());
+    std::set<std::pair<double, double>> positions;
+    for (const auto x : mesh.vertices.colwise()) positions.insert({x.x(), x.y()});
+    EXPECT_EQ(static_cast<Index>(positions.size()), mesh.vertices.cols());
   });
 }
 

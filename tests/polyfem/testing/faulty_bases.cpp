@@ -12,15 +12,15 @@ namespace {
 
 /// Something done to the functions of a basis.
 using Fault = void (*)(const PointsRef& polygon, const PointsRef& points, ShapeTable& table);
-using FindObjection = std::optional<Objection> (*)(const PointsRef& polygon);
+using FindObjection = std::optional<Rejection> (*)(const PointsRef& polygon);
 
-std::optional<Objection> object_to_concave(const PointsRef& polygon) {
-  return wachspress.find_objection(polygon);
+std::optional<Rejection> object_to_concave(const PointsRef& polygon) {
+  return wachspress.find_rejection(polygon);
 }
 
 struct FaultyBasis final : Basis {
   std::string_view name() const override { return "faulty"; }
-  std::optional<Objection> find_objection(const PointsRef& polygon) const override {
+  std::optional<Rejection> find_rejection(const PointsRef& polygon) const override {
     return object_to(polygon);
   }
   void evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const override {
@@ -130,11 +130,11 @@ void allocates(const PointsRef&, const PointsRef&, ShapeTable& table) {
 }
 
 void none(const PointsRef&, const PointsRef&, ShapeTable&) {}
-std::optional<Objection> object_to_nothing(const PointsRef&) {
+std::optional<Rejection> object_to_nothing(const PointsRef&) {
   return std::nullopt;
 }
-std::optional<Objection> object_to_everything(const PointsRef&) {
-  return Objection{0, "is bad"};
+std::optional<Rejection> object_to_everything(const PointsRef&) {
+  return Rejection{0, "is bad"};
 }
 void mean_value_functions(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) {
   mean_value.evaluate(polygon, points, table);

@@ -1,20 +1,20 @@
-#include <ddacontact/contact/contact_place.hpp>
+#include <ddacontact/contact/contact_positions.hpp>
 
 namespace ddacontact {
 
 namespace {
 
 /// Of the pair at this place.
-Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const RoundedPlace& place) {
+Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const RoundedPositions& positions) {
   const RoundedBlock& of_vertex = blocks.rounded(pair.vertex_block);
   const Block& vertex_block = blocks.block(pair.vertex_block);
-  const auto& [i, j, k] = static_cast<const VertexEdgePlace&>(place);
+  const auto& [i, j, k] = static_cast<const VertexEdgePositions&>(positions);
   Rounding rounding{.centre = of_vertex.corners[pair.vertex].centre,
                     .radius = of_vertex.radius,
                     .corner = pair.corner,
-                    .after_i = place.after_i,
+                    .after_i = positions.after_i,
                     .of_after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices())};
-  const Vec2 centre = rounding.centre.at(i, place.after_i), along = k - j;
+  const Vec2 centre = rounding.centre.at(i, positions.after_i), along = k - j;
   Vec2 normal = Vec2(along.y(), -along.x()).normalized();
   if (pair.corner) {
     if (centre != j) normal = (centre - j).normalized();
@@ -22,13 +22,13 @@ Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const Ro
     rounding.start = SegmentPoint::that_is_at(j - half_line, j, k);
     rounding.end = SegmentPoint::that_is_at(j + half_line, j, k);
   }
-  rounding.surface = SegmentPoint::that_is_at(centre - of_vertex.radius * normal, i, place.after_i);
+  rounding.surface = SegmentPoint::that_is_at(centre - of_vertex.radius * normal, i, positions.after_i);
   return rounding;
 }
 
 }  // namespace
 
-RoundedPlace place_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
+RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
   const Range &of_vertex = blocks.block(pair.vertex_block).vertices(),
               &of_edge = blocks.block(pair.edge_block).vertices();
   const Vec2 shift = state.origin.col(pair.vertex_block) - state.origin.col(pair.edge_block);
@@ -40,11 +40,11 @@ RoundedPlace place_of(const BlockSystem& blocks, const BlockState& state, const 
 
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
   const Block &vertex_block = blocks.block(pair.vertex_block), &edge_block = blocks.block(pair.edge_block);
-  const RoundedPlace place = place_of(blocks, state, pair);
-  MovingVertexEdge motion{place, vertex_block.vertex_map(pair.vertex), edge_block.vertex_map(pair.edge),
+  const RoundedPositions positions = positions_of(blocks, state, pair);
+  MovingVertexEdge motion{positions, vertex_block.vertex_map(pair.vertex), edge_block.vertex_map(pair.edge),
                           edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices())};
   if (blocks.has_rounded_corners())
-    motion.rounding = std::make_shared<const Rounding>(rounding_of(blocks, pair, place));
+    motion.rounding = std::make_shared<const Rounding>(rounding_of(blocks, pair, positions));
   return motion;
 }
 

@@ -1,6 +1,6 @@
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>
-#include <polyfem/element/soundness.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <tests/support/random_polygon.hpp>
 
@@ -18,24 +18,24 @@ MatrixXd diagonal(std::initializer_list<double> entries) {
   return d.asDiagonal();
 }
 
-TEST(Soundness, CountsZeroModesAndRelatesTheOthersToTheLargest) {
-  const Soundness sound = judge(diagonal({4, 0, 1e-14, -1e-14, 2, 8}), diagonal({1, 1, 2, 2, 4, 4}));
-  EXPECT_EQ(sound.zero_modes, 3);
-  EXPECT_DOUBLE_EQ(sound.least_stiffness, 0.25);
-  EXPECT_DOUBLE_EQ(sound.least_mass, 0.25);
-  EXPECT_TRUE(sound.sound());
+TEST(Definiteness, CountsZeroModesAndRelatesTheOthersToTheLargest) {
+  const Definiteness definite = judge(diagonal({4, 0, 1e-14, -1e-14, 2, 8}), diagonal({1, 1, 2, 2, 4, 4}));
+  EXPECT_EQ(definite.zero_modes, 3);
+  EXPECT_DOUBLE_EQ(definite.least_stiffness, 0.25);
+  EXPECT_DOUBLE_EQ(definite.least_mass, 0.25);
+  EXPECT_TRUE(definite.definite());
 }
 
-TEST(Soundness, IsDeniedToMechanismsAndIndefiniteMatrices) {
+TEST(Definiteness, IsDeniedToMechanismsAndIndefiniteMatrices) {
   const MatrixXd good_mass = MatrixXd::Identity(6, 6), good_stiffness = diagonal({0, 0, 0, 1, 2, 3});
-  EXPECT_TRUE(judge(good_stiffness, good_mass).sound());
-  EXPECT_FALSE(judge(diagonal({0, 0, 0, 0, 2, 3}), good_mass).sound());
-  EXPECT_FALSE(judge(good_stiffness, diagonal({1, 1, 1, 1, -1e-9, 1})).sound());
-  EXPECT_FALSE(judge(MatrixXd::Zero(6, 6), good_mass).sound());
-  const Soundness indefinite = judge(diagonal({0, 0, 0, -0.5, 2, 4}), good_mass);
+  EXPECT_TRUE(judge(good_stiffness, good_mass).definite());
+  EXPECT_FALSE(judge(diagonal({0, 0, 0, 0, 2, 3}), good_mass).definite());
+  EXPECT_FALSE(judge(good_stiffness, diagonal({1, 1, 1, 1, -1e-9, 1})).definite());
+  EXPECT_FALSE(judge(MatrixXd::Zero(6, 6), good_mass).definite());
+  const Definiteness indefinite = judge(diagonal({0, 0, 0, -0.5, 2, 4}), good_mass);
   EXPECT_EQ(indefinite.zero_modes, 3);
   EXPECT_DOUBLE_EQ(indefinite.least_stiffness, -0.125);
-  EXPECT_FALSE(indefinite.sound());
+  EXPECT_FALSE(indefinite.definite());
 }
 
 TEST(CompareEnergies, FindsTheLeastAndTheLargestOfAllDeformations) {
@@ -49,7 +49,7 @@ TEST(CompareEnergies, FindsTheLeastAndTheLargestOfAllDeformations) {
 
 class SoundnessOfElements : public testing::TestWithParam<int> {
  protected:
-  Soundness judge_with(const TriangleRule& rule) {
+  Definiteness judge_with(const TriangleRule& rule) {
     TabulatedElement element;
     MatrixXd K, M;
     tabulate(support::random_convex_polygon(GetParam(), random_), rule, wachspress, GradientCorrection::on,
@@ -65,10 +65,10 @@ INSTANTIATE_TEST_SUITE_P(Vertices, SoundnessOfElements, testing::Values(3, 4, 5,
 TEST_P(SoundnessOfElements, HoldsWithAFineRule) {
   const TriangleRule rule = collapsed_gauss_rule(6, 6);
   for (int trial = 0; trial < 40; ++trial) {
-    const Soundness soundness = judge_with(rule);
-    EXPECT_EQ(soundness.zero_modes, 3);
-    EXPECT_GT(soundness.least_stiffness, 1e-6);
-    EXPECT_GT(soundness.least_mass, 1e-6);
+    const Definiteness definiteness = judge_with(rule);
+    EXPECT_EQ(definiteness.zero_modes, 3);
+    EXPECT_GT(definiteness.least_stiffness, 1e-6);
+    EXPECT_GT(definiteness.least_mass, 1e-6);
   }
 }
 

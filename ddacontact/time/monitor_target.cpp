@@ -1,17 +1,17 @@
-#include <ddacontact/time/probe.hpp>
+#include <ddacontact/time/monitor_target.hpp>
 
 namespace ddacontact {
 
 namespace {
 
-Motion observe_place(const MaterialPoint& point, const Stepper& stepper) {
+Motion observe_target(const MaterialPoint& point, const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
   return {blocks.interpolate(point, blocks.positions(stepper.state())),
           blocks.interpolate(point, blocks.displacements(stepper.state())),
           blocks.displacement(point, stepper.state().velocity)};
 }
 
-Motion observe_place(const Centroid& centroid, const Stepper& stepper) {
+Motion observe_target(const Centroid& centroid, const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
   const Block& block = blocks.block(centroid.block);
   const Range& v = block.vertices();
@@ -24,8 +24,8 @@ Motion observe_place(const Centroid& centroid, const Stepper& stepper) {
 
 }  // namespace
 
-Motion observe(const Probe& probe, const Stepper& stepper) {
-  return std::visit([&](const auto& place) { return observe_place(place, stepper); }, probe.place);
+Motion observe(const MonitorTarget& monitor, const Stepper& stepper) {
+  return std::visit([&](const auto& point) { return observe_target(point, stepper); }, monitor.target);
 }
 
 }  // namespace ddacontact

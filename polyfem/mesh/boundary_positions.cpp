@@ -1,4 +1,4 @@
-#include <polyfem/mesh/boundary_places.hpp>
+#include <polyfem/mesh/boundary_positions.hpp>
 
 #include <polyfem/core/error.hpp>
 
@@ -8,14 +8,14 @@ namespace polyfem {
 
 namespace {
 
-bool lies_on(const VertexPlace& place, int edge, int n_corners) {
-  if (place.edge >= 0) return place.edge == edge;
-  return place.corner >= 0 && (place.corner == edge || place.corner == (edge + 1) % n_corners);
+bool lies_on(const BoundaryPosition& position, int edge, int n_corners) {
+  if (position.edge >= 0) return position.edge == edge;
+  return position.corner >= 0 && (position.corner == edge || position.corner == (edge + 1) % n_corners);
 }
 
-VertexPlace place_of(const Vec2& x, const PointsRef& domain, double tolerance) {
+BoundaryPosition position_of(const Vec2& x, const PointsRef& domain, double tolerance) {
   const Index n = domain.cols();
-  VertexPlace place;
+  BoundaryPosition position;
   double nearest = tolerance;
   for (Index k = 0; k < n; ++k) {
     const Vec2 start = domain.col(k), edge = domain.col((k + 1) % n) - start;
@@ -24,15 +24,15 @@ VertexPlace place_of(const Vec2& x, const PointsRef& domain, double tolerance) {
     const double distance = (start + along * edge - x).norm();
     if (distance <= nearest) {
       nearest = distance;
-      place.edge = static_cast<int>(k);
+      position.edge = static_cast<int>(k);
     }
   }
-  return place;
+  return position;
 }
 
 }  // namespace
 
-std::optional<int> common_edge(const VertexPlace& a, const VertexPlace& b, int n_corners) {
+std::optional<int> common_edge(const BoundaryPosition& a, const BoundaryPosition& b, int n_corners) {
   if (a.edge >= 0) return lies_on(b, a.edge, n_corners) ? std::optional(a.edge) : std::nullopt;
   if (a.corner < 0) return std::nullopt;
   for (const int edge : {a.corner, (a.corner + n_corners - 1) % n_corners})
@@ -40,25 +40,27 @@ std::optional<int> common_edge(const VertexPlace& a, const VertexPlace& b, int n
   return std::nullopt;
 }
 
-std::vector<VertexPlace> boundary_places(PolygonMesh& mesh, const PointsRef& domain, double tolerance) {
+std::vector<BoundaryPosition> boundary_positions(PolygonMesh& mesh, const PointsRef& domain,
+                                                 double tolerance) {
   const int n_corners = static_cast<int>(domain.cols());
   const std::vector<std::array<int, 2>> edges = boundary_edges(mesh);
-  std::vector<VertexPlace> places(mesh.vertices.cols());
+  std::vector<BoundaryPosition> positions(mesh.vertices.cols());
   std::vector<bool> met(n_corners);
   for (const auto& [first, second] : edges)
     for (const int vertex : {first, second}) {
-      if (!places[vertex].inside()) continue;
-      const VertexPlace place = places[vertex] = place_of(mesh.vertices.col(vertex), domain, tolerance);
-      if (place.corner < 0) continue;
-      mesh.vertices.col(vertex) = domain.col(place.corner);
-      met[place.corner] = true;
+      if (!positions[vertex].inside()) continue;
+      const BoundaryPosition position = positions[vertex] =
+          position_of(mesh.vertices.col(vertex), domain, tolerance);
+      if (position.corner < 0) continue;
+      mesh.vertices.col(vertex) = domain.col(position.corner);
+      met[position.corner] = true;
     }
   for (const auto& [first, second] : edges)
-    if (!common_edge(places[first], places[second], n_corners))
+    if (!common_edge(positions[first], positions[second], n_corners))
       throw Error("the cells of a mesh do not fit together");
   if (std::find(met.begin(), met.end(), false) != met.end())
     throw Error("the cells of a mesh do not reach all corners of the domain");
-  return places;
+  return positions;
 }
 
 }  // namespace polyfem

@@ -7,7 +7,7 @@
 namespace ddacontact {
 
 /// From the origin of the edge's block.
-RoundedPlace place_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);
+RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);
 
 /// The pair in motion from a state on.
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);

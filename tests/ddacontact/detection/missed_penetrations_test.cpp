@@ -1,4 +1,4 @@
-#include <ddacontact/detection/entries.hpp>
+#include <ddacontact/detection/missed_penetrations.hpp>
 #include <tests/ddacontact/detection/polygon_pair.hpp>
 #include <tests/support/concave_polygons.hpp>
 
@@ -14,7 +14,7 @@ constexpr double tolerance = 1e-5;
 std::vector<VertexEdge> entries(const Points& fixed, const Points& moving, const Vec2& by) {
   const Points moved = moving.colwise() + by;
   std::vector<VertexEdge> found;
-  find_entries({0, fixed, fixed}, {1, moving, moved}, tolerance, found);
+  find_missed_penetrations({0, fixed, fixed}, {1, moving, moved}, tolerance, found);
   return found;
 }
 

@@ -1,4 +1,4 @@
-#include <ddacontact/solver/staged.hpp>
+#include <ddacontact/solver/contact_solver.hpp>
 
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/solver/anderson.hpp>
@@ -16,61 +16,60 @@ namespace ddacontact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A contact is so much stiffer than the softer side of it: at least, for augmentations to converge by a
-/// tenth, and at most, for its round-off to stay below the forces that the softer side bears.
+/// A contact is so much stiffer than the compliant side of it: at least, for augmentations to converge by a
+/// tenth, and at most, for its round-off to stay below the forces that the compliant side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
-/// Of the gaps and slips of closed contacts a dynamic step takes back this part, and what is beyond the
-/// tolerance of penetration; what is within this part of the tolerance stays: in a wall each moves others
-/// when it is taken back, for hundreds of steps.
-constexpr double part_taken_back = 0.2, part_that_stays = 1e-3;
+/// A dynamic step corrects this part of the gaps and slips of closed contacts, and all beyond the penetration
+/// tolerance. Gaps within this part of the tolerance stay uncorrected: in a wall every correction moves
+/// neighbours, for hundreds of steps.
+constexpr double corrected_part = 0.2, uncorrected_part = 1e-3;
 constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
 constexpr double negligible_force = 1e-9;
-/// Stage 0 gives up after so many changes of the states, and when so many in a row left no fewer contacts in
-/// a state that is not theirs.
+/// Limits of the active-set iteration: changes of the active set, and how many of these in a row may leave
+/// the number of contacts in a wrong state undiminished.
 struct Patience {
   int changes, losses;
 };
 constexpr Patience at_first{12, 2}, near_solution{25, 4};
-/// A step is violent when after the first change of states more than this part of the contacts, and more than
-/// a few, are in a state that is not theirs, or when so much of the forces on a block is left with more than
-/// a few: stage 0 then leads nowhere.
-constexpr double violent_part = 0.08, violent_residual = 0.5;
+/// The active-set iteration is left when, after its first change, more than `few_contacts` contacts and more
+/// than this part of all are in a wrong state, or the block-relative residual exceeds the second number.
+constexpr double many_changes_part = 0.08, many_changes_residual = 0.5;
 constexpr int few_contacts = 100;
 /// Solutions for the same states that are Newton's own, as long as geometry changes more than what is left.
 constexpr int first_accelerated = 2;
-/// Solutions for the same states before these are looked at again, and how far the residual has to fall then.
+/// Solutions for one active set before it is checked, and the residual reduction that allows a check earlier.
 constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-2;
-/// A factor is used again as long as it takes the residual down to this part in a solution: contact normals
-/// that have turned since leave stiff forces in soft directions.
+/// A factor is reused while each solution with it reduces the residual to this part: contact normals turned
+/// since then leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
-/// Sweeps on the same geometry, and how often that is looked at again.
+/// Sweeps on one linearized geometry, and linearizations.
 constexpr int most_sweeps = 1000, most_rounds = 12;
-/// The tolerance of the last sweep over that of the step: what is left to change is more than what it
-/// changes.
+/// The tolerance of the last sweep over that of the step: the remaining error exceeds its change.
 constexpr double part_of_last_sweep = 0.1;
-/// A coarse step is violent when more than the same part of the contacts, and more than so few, change their
-/// states in its first two sweeps; contacts may be so much deeper in it.
+/// A coarse step has many changes when more than `many_changes_part` of the contacts, and more than this
+/// number, change state in its first two sweeps. It accepts this multiple of the penetration tolerance.
 constexpr int few_changes = 10;
 constexpr double coarse_penetration = 10;
-/// Solutions without a better residual after which one that passes is taken as it is.
+/// Solutions without a smaller residual after which an accepted one is final.
 constexpr int patience = 4;
-/// What is iterated to of the residual that round-off may leave, while that goes on.
-constexpr double aim_of_floor = 0.05;
-/// What a contact brings along and what it learns by augmentation.
+/// Residual target, as a fraction of the round-off bound.
+constexpr double round_off_target = 0.05;
+/// The augmented Lagrangian multipliers of a contact, N per m.
 struct Multiplier {
   double normal = 0, shear = 0;
   double gap = 0;        ///< the constant of the term's gap, the offset not taken off
-  bool sliding = false;  ///< T is what friction bears, with the sign of `shear`, until the slip turns round
+  bool sliding = false;  ///< T is at the friction bound, with the sign of `shear`, until the slip reverses
   bool on_edge = false;  ///< at the start of the step
   bool bonded = false;
 };
 
-class Staged {
+class ContactSolver {
  public:
-  Staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts, VectorXd& d)
+  ContactSolver(StepSystem& system, const ContactSolverOptions& options, std::vector<Contact>& contacts,
+                VectorXd& d)
       : system_(system),
         options_(options),
         contacts_(contacts),
@@ -85,23 +84,23 @@ class Staged {
         tangent_(system.problem(), options.skip),
         acceleration_(anderson_depth) {}
 
-  StagedReport solve() {
+  ContactSolverReport solve() {
     system_.linearize(d_);
     for_contacts(contacts_.size(), [&](std::size_t c) {
       start(contacts_[c], multipliers_[c]);
       states_[c] = first_state(contacts_[c], contacts_[c].law.has_friction() || multipliers_[c].bonded);
     });
     if (options_.skip.cg && !options_.is_static && (options_.local || options_.coarse)) {
-      look_at_contacts();
+      evaluate_contacts();
       if (sweep()) return settle();
     }
     report_.tolerance = options_.residual_tolerance;
-    if (options_.again) start_from_forces();
+    if (options_.warm_start) start_from_forces();
     look();
     system_.problem().contacts_changed();
     while (true) {
-      if (!std::isfinite(report_.residual.own) || !std::isfinite(report_.residual.largest))
-        return end(StagedStatus::not_finite);
+      if (!std::isfinite(report_.residual.block_relative) || !std::isfinite(report_.residual.largest))
+        return end(ContactSolverStatus::not_finite);
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
         if (is_close()) {
           if (options_.is_static && release_bonds()) continue;
@@ -109,7 +108,7 @@ class Staged {
           return settle();
         }
         if (report_.augmentations - before_front_ == options_.max_augmentations)
-          return end(StagedStatus::penetrating);
+          return end(ContactSolverStatus::penetrating);
         augment();
         continue;
       }
@@ -127,7 +126,7 @@ class Staged {
     contact.was_closed = contact.closed();
     if (law.compliant) return start_compliant(contact, multiplier);
     if (options_.penetration_tolerance == 0) return;
-    const VertexEdgePlace& place = contact.motion.start;
+    const VertexEdgePositions& place = contact.motion.start;
     const Vec2 along = (place.k - place.j).normalized(), normal(along.y(), -along.x());
     const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
     const double n_edges = system_.n_vertices(edge_block);
@@ -137,10 +136,10 @@ class Staged {
                  of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
                                 t * t / system_.vertex_stiffness(edge_block, next, normal));
     const double ratio = law.tangential_stiffness / law.normal_stiffness,
-                 softer = std::min(of_vertex, of_edge);
-    if (std::isfinite(softer))
-      law.normal_stiffness =
-          std::clamp(law.normal_stiffness, least_stiffness_ratio * softer, largest_stiffness_ratio * softer);
+                 lower_stiffness = std::min(of_vertex, of_edge);
+    if (std::isfinite(lower_stiffness))
+      law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
+                                        largest_stiffness_ratio * lower_stiffness);
     law.tangential_stiffness = ratio * law.normal_stiffness;
     if (!contact.closed()) return;
     multiplier.normal = history.normal;
@@ -167,7 +166,7 @@ class Staged {
   /// The states of the forces of a solution nearby.
   void start_from_forces() {
     near_ = true;
-    look_at_contacts();
+    evaluate_contacts();
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded,
                             {contacts_[c].normal, contacts_[c].shear});
@@ -175,9 +174,9 @@ class Staged {
 
   /// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
   double kept(double length, double size) const {
-    const double most = options_.penetration_tolerance * size, least = part_that_stays * most,
+    const double most = options_.penetration_tolerance * size, least = uncorrected_part * most,
                  within = std::min(std::abs(length), most),
-                 left = options_.is_static ? 0 : (1 - part_taken_back) * within;
+                 left = options_.is_static ? 0 : (1 - corrected_part) * within;
     return std::copysign(within <= least ? within : std::max(least, left), length);
   }
 
@@ -185,7 +184,7 @@ class Staged {
   void look() {
     displaced_ = system_.displacement(d_);
     for_contacts(contacts_.size(), [&](std::size_t c) {
-      look_at(contacts_[c], multipliers_[c], terms_[c]);
+      evaluate(contacts_[c], multipliers_[c], terms_[c]);
       springs_[c] = springs_at(terms_[c], d_);
       at_d_[c] = state_at(terms_[c], contacts_[c].law, springs_[c]);
       follow_state(c);
@@ -194,7 +193,7 @@ class Staged {
   }
 
   /// Forces and residual of other states at the same d.
-  void look_at_states() {
+  void evaluate_states() {
     for_contacts(contacts_.size(), [&](std::size_t c) { follow_state(c); });
     balance();
   }
@@ -212,15 +211,15 @@ class Staged {
 
   void balance() {
     system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
-    if (report_.residual.own < best_) {
-      best_ = report_.residual.own;
+    if (report_.residual.block_relative < best_) {
+      best_ = report_.residual.block_relative;
       since_best_ = 0;
     } else {
       ++since_best_;
     }
   }
 
-  void look_at(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
+  void evaluate(const Contact& contact, Multiplier& multiplier, ContactTerm& term) const {
     const MovingVertexEdge& m = contact.motion;
     const auto [start_gap, g, s, dg, ds] =
         m.gap_and_slip_at(displaced_, contact.history.lock, options_.directions);
@@ -248,8 +247,9 @@ class Staged {
   }
 
   bool is_balanced() const {
-    const double own = report_.residual.own;
-    if (own == 0 && report_.residual.over_floor > aim_of_floor && since_best_ < patience) return false;
+    const double own = report_.residual.block_relative;
+    if (own == 0 && report_.residual.over_round_off > round_off_target && since_best_ < patience)
+      return false;
     return own <= options_.residual_aim || (own <= options_.residual_tolerance && since_best_ >= patience);
   }
 
@@ -261,7 +261,7 @@ class Staged {
     begin_states();
     look();
     acceleration_.reset();
-    inside_ = false;
+    interior_point_done_ = false;
   }
 
   int count_disagreeing() const {
@@ -280,8 +280,8 @@ class Staged {
   /// it may be its own friction that pulls.
   unsigned char next(std::size_t c) const {
     const unsigned char now = states_[c], at_d = at_d_[c];
-    if (near_ && now == (pressed | stuck) && at_d == open)
-      return pressed | (forces_[c].shear > 0 ? at_upper : at_lower);
+    if (near_ && now == (normal_active | shear_active) && at_d == open)
+      return normal_active | (forces_[c].shear > 0 ? at_upper : at_lower);
     return next_state(now, at_d);
   }
 
@@ -314,7 +314,7 @@ class Staged {
     for (std::size_t c = 0; c < terms_.size(); ++c) forces[c] = law_force(c);
     Residual residual;
     system_.compute_residual(d_, contacts_, terms_, forces, residual);
-    if (!(residual.own <= tolerance)) return false;
+    if (!(residual.block_relative <= tolerance)) return false;
     states_ = at_d_;
     forces_ = std::move(forces);
     std::fill(off_.begin(), off_.end(), 0);
@@ -342,21 +342,21 @@ class Staged {
     return laws;
   }
 
-  /// Sweeps over the contacts from the forces of the step before until they change no force any more, on the
-  /// geometry to which that leads: d and the states are what they find. False: they are left to stage 0, d as
-  /// it was in quiet steps.
+  /// Sweeps over the contacts, from the forces of the step before, until forces and geometry have converged;
+  /// sets d and the states. False: the active-set iteration has to solve the step, in quiet steps from the
+  /// d before.
   bool sweep() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Contact& contact = contacts_[c];
-      if (options_.again)
+      if (options_.warm_start)
         forces_[c] = {contact.normal, contact.shear};
       else if (contact.closed())
         forces_[c] = {contact.history.normal, contact.history.shear};
     }
     const ContactSweeps::Tolerance tight{part_of_last_sweep * options_.residual_tolerance},
         coarse{options_.residual_tolerance, coarse_penetration}, any{infinity, infinity};
-    ContactSweeps::Stop stop{options_.local ? tight : any, coarse, options_.coarse ? violent_part : infinity,
-                             few_changes, most_sweeps};
+    ContactSweeps::Stop stop{options_.local ? tight : any, coarse,
+                             options_.coarse ? many_changes_part : infinity, few_changes, most_sweeps};
     for (int round = 0; round < most_rounds; ++round) {
       system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
       if (round == 0 || !options_.keeps_gradients()) {
@@ -368,34 +368,36 @@ class Staged {
       const ContactSweeps::Report swept =
           sweeps_.sweep(terms_, laws, report_.residual.force, stop, d, forces_);
       report_.sweeps += swept.sweeps;
-      if (swept.violent) {
-        violent_ = true;
+      if (swept.many_changes) {
+        many_changes_ = true;
         stop.quiet = coarse;
       }
-      if (!options_.local && !violent_) return false;
+      if (!options_.local && !many_changes_) return false;
       const VectorXd change = d - d_;
       system_.move(change, d_);
       const bool is_straight = options_.keeps_gradients() && stays_straight(change, laws, stop.quiet.force);
-      if (!is_straight) look_at_contacts();
+      if (!is_straight) evaluate_contacts();
       for (std::size_t c = 0; c < contacts_.size(); ++c) {
         springs_[c] = springs_at(terms_[c], d_);
         at_d_[c] = states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
       }
       if (!swept.settled) break;
-      if (drop_forces_beyond_edges() || (!is_straight && (round == 0 || swept.sweeps > (violent_ ? 2 : 1))))
+      if (drop_forces_beyond_edges() ||
+          (!is_straight && (round == 0 || swept.sweeps > (many_changes_ ? 2 : 1))))
         continue;
       if (is_close()) {
         system_.compute_residual(d_, contacts_, terms_, forces_, report_.residual);
         report_.tolerance = options_.residual_tolerance;
         // Where forces of blocks are not linear sweeps are Newton's steps.
-        if (report_.residual.own <= (options_.keeps_gradients() ? report_.tolerance : options_.residual_aim))
+        if (report_.residual.block_relative <=
+            (options_.keeps_gradients() ? report_.tolerance : options_.residual_aim))
           return true;
         continue;
       }
       raise_multipliers();
-      look_at_contacts();
+      evaluate_contacts();
     }
-    violent_ = false;
+    many_changes_ = false;
     before_front_ = report_.augmentations;
     ++report_.tangent.fallbacks;
     return false;
@@ -430,41 +432,43 @@ class Staged {
     return true;
   }
 
-  void look_at_contacts() {
+  void evaluate_contacts() {
     displaced_ = system_.displacement(d_);
-    for_contacts(contacts_.size(), [&](std::size_t c) { look_at(contacts_[c], multipliers_[c], terms_[c]); });
+    for_contacts(contacts_.size(),
+                 [&](std::size_t c) { evaluate(contacts_[c], multipliers_[c], terms_[c]); });
   }
 
   /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
   bool follow_states() {
-    const bool solved = report_.residual.own <= sufficient_decrease * first_of_states_ || is_balanced() ||
-                        solutions_of_states_ >= most_solutions_of_states;
+    const bool solved = report_.residual.block_relative <= sufficient_decrease * first_of_states_ ||
+                        is_balanced() || solutions_of_states_ >= most_solutions_of_states;
     if (solutions_of_states_ > 0 && solved && !states_agree()) {
       const int disagreeing = count_disagreeing();
       lost_ = disagreeing < fewest_disagreeing_ ? 0 : lost_ + 1;
       fewest_disagreeing_ = std::min(fewest_disagreeing_, disagreeing);
       const Patience& most = near_ ? near_solution : at_first;
-      const bool violent =
+      const bool many_changes =
           !near_ && disagreeing > few_contacts &&
-          (report_.residual.own > violent_residual ||
-           (changes_ == 1 && disagreeing > violent_part * static_cast<double>(terms_.size())));
-      if (violent || lost_ > most.losses || ++changes_ > most.changes || !change_states())
-        return leave_states();
+          (report_.residual.block_relative > many_changes_residual ||
+           (changes_ == 1 && disagreeing > many_changes_part * static_cast<double>(terms_.size())));
+      if (many_changes || lost_ > most.losses || ++changes_ > most.changes || !change_states())
+        return leave_active_set();
       solutions_of_states_ = 0;
       best_ = infinity;
-      look_at_states();
+      evaluate_states();
     }
-    if (since_best_ > 3 * patience) return leave_states();
-    if (solutions_of_states_ == 0 || report_.residual.own > stale_factor_gain * last_own_) {
+    if (since_best_ > 3 * patience) return leave_active_set();
+    if (solutions_of_states_ == 0 ||
+        report_.residual.block_relative > stale_factor_gain * last_block_relative_) {
       system_.linearize(d_);
       if (solutions_of_states_ == 0) acceleration_.reset();
-      if (solutions_of_states_ == 0) first_of_states_ = report_.residual.own;
+      if (solutions_of_states_ == 0) first_of_states_ = report_.residual.block_relative;
     }
-    last_own_ = report_.residual.own;
+    last_block_relative_ = report_.residual.block_relative;
     std::vector<unsigned char> active(states_.size());
-    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (pressed | stuck);
+    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (normal_active | shear_active);
     if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
-      return leave_states();
+      return leave_active_set();
     VectorXd next = d_;
     if (solutions_of_states_ >= first_accelerated)
       acceleration_.advance(-correction_, system_.unknown_lengths(), next);
@@ -474,12 +478,14 @@ class Staged {
     ++report_.iterations;
     ++solutions_of_states_;
     look();
-    if (!std::isfinite(report_.residual.largest)) return leave_states();
+    if (!std::isfinite(report_.residual.largest)) return leave_active_set();
     return true;
   }
 
-  /// Goes on from what is found from inside, once. False: there is nothing left to try.
-  bool leave_states() { return !inside_ && options_.inside && find_from_inside(); }
+  /// Leaves the active-set iteration for the interior-point method, once. False: that was done before.
+  bool leave_active_set() {
+    return !interior_point_done_ && options_.interior_point && find_by_interior_point();
+  }
 
   void begin_states() {
     changes_ = solutions_of_states_ = lost_ = 0;
@@ -487,13 +493,13 @@ class Staged {
     seen_.clear();
   }
 
-  /// Stage 1: moves d and the states near to a solution. False: there is no way there.
-  bool find_from_inside() {
-    inside_ = near_ = true;
-    ++report_.interior_paths;
+  /// Moves d and the states near to a solution by the interior-point method. False: it failed.
+  bool find_by_interior_point() {
+    interior_point_done_ = near_ = true;
+    ++report_.interior_point_solves;
     d_ = system_.prescribed();
-    const InteriorReport found = find_states_from_inside(
-        system_, contacts_, laws(), [this] { look_at_contacts(); }, terms_, d_, states_);
+    const InteriorReport found = find_interior_point_states(
+        system_, contacts_, laws(), [this] { evaluate_contacts(); }, terms_, d_, states_);
     report_.iterations += found.solutions;
     report_.interior_solutions += found.solutions;
     report_.tangent.fallbacks += found.fallbacks;
@@ -501,7 +507,7 @@ class Staged {
     best_ = infinity;
     since_best_ = 0;
     look();
-    if (!found.found) failure_ = StagedStatus::not_positive_definite;
+    if (!found.found) failure_ = ContactSolverStatus::not_positive_definite;
     return found.found;
   }
 
@@ -513,7 +519,8 @@ class Staged {
     const Multiplier& m = multipliers_[c];
     const double bound = terms_[c].bound;
     const bool at_bound = m.sliding || std::abs(m.shear) > bound;
-    return (states_[c] & stuck) && at_bound && bound < infinity && forces_[c].normal > -terms_[c].tension
+    return (states_[c] & shear_active) && at_bound && bound < infinity &&
+                   forces_[c].normal > -terms_[c].tension
                ? (m.shear > 0 ? 1 : -1)
                : 0;
   }
@@ -533,7 +540,7 @@ class Staged {
   /// Whether a bond bears its strength and gives way.
   bool yields(std::size_t c) const {
     if (!multipliers_[c].bonded) return false;
-    const bool opens = !(at_d_[c] & pressed) && terms_[c].gap(d_) > contacts_[c].length_tolerance();
+    const bool opens = !(at_d_[c] & normal_active) && terms_[c].gap(d_) > contacts_[c].length_tolerance();
     return opens || (is_sliding(c) && !contacts_[c].law.ductile);
   }
 
@@ -566,7 +573,7 @@ class Staged {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       if (contacts_[c].law.compliant) continue;
       const double tolerance =
-          (violent_ ? coarse_penetration : 1) * options_.penetration_tolerance * contacts_[c].size;
+          (many_changes_ ? coarse_penetration : 1) * options_.penetration_tolerance * contacts_[c].size;
       double error = 0;
       if (springs_[c].normal.acts()) error = std::abs(terms_[c].gap(d_));
       if (springs_[c].tangential.acts() && forces_[c].shear != 0)
@@ -607,7 +614,7 @@ class Staged {
 
   bool is_sliding(std::size_t c) const { return at_d_[c] & (at_upper | at_lower); }
 
-  StagedReport settle() {
+  ContactSolverReport settle() {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Contact& contact = contacts_[c];
       ContactHistory& history = contact.history;
@@ -625,7 +632,7 @@ class Staged {
       contact.shear = forces_[c].shear;
     }
     break_bonds();
-    return end(StagedStatus::settled);
+    return end(ContactSolverStatus::settled);
   }
 
   /// The contact with the largest force on the block that is furthest from balance; -1: it touches nothing.
@@ -644,21 +651,21 @@ class Staged {
     return worst;
   }
 
-  StagedReport end(StagedStatus status) {
+  ContactSolverReport end(ContactSolverStatus status) {
     for_contacts(contacts_.size(), [&](std::size_t c) {
       contacts_[c].gap = gap_at_d(c);
       contacts_[c].gap_change = terms_[c].gap.change(d_);
       contacts_[c].slip_change = terms_[c].slip.change(d_);
       contacts_[c].end_slip = terms_[c].slip(d_);
     });
-    if (status == StagedStatus::unsettled) report_.worst_contact = find_unbalanced();
+    if (status == ContactSolverStatus::unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
     report_.tangent += tangent_.counts();
     return std::move(report_);
   }
 
   StepSystem& system_;
-  const StagedOptions& options_;
+  const ContactSolverOptions& options_;
   std::vector<Contact>& contacts_;
   VectorXd& d_;
   VectorXd displaced_;  ///< where d leads to
@@ -668,20 +675,20 @@ class Staged {
   std::vector<ContactForce> forces_;
   std::vector<double> off_;  ///< the force by which the law differs from the springs of the state
   std::vector<Multiplier> multipliers_;
-  StagedReport report_;
+  ContactSolverReport report_;
   int before_front_ = 0;  ///< augmentations by sweeps, and before bonds broke last
   double best_ = infinity;
   int since_best_ = 0;
 
-  StagedStatus failure_ = StagedStatus::unsettled;  ///< how to end when nothing is left to try
+  ContactSolverStatus failure_ = ContactSolverStatus::unsettled;  ///< how to end when nothing is left to try
   std::vector<unsigned char> states_;
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0, lost_ = 0;
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
-  bool violent_ = false;  ///< many contacts change their states, and sweeps find the forces
-  bool inside_ = false;   ///< the states were found from inside
-  bool near_ = false;     ///< these, or those of a solution nearby
-  double last_own_ = infinity, first_of_states_ = infinity;
+  bool many_changes_ = false;         ///< many contacts change their states, and sweeps find the forces
+  bool interior_point_done_ = false;  ///< the states were found by the interior-point method
+  bool near_ = false;                 ///< these, or those of a solution nearby
+  double last_block_relative_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
   ContactSweeps sweeps_;
   AndersonAcceleration acceleration_;
@@ -690,9 +697,9 @@ class Staged {
 
 }  // namespace
 
-StagedReport solve_staged(StepSystem& system, const StagedOptions& options, std::vector<Contact>& contacts,
-                          VectorXd& d) {
-  return Staged(system, options, contacts, d).solve();
+ContactSolverReport solve_contacts(StepSystem& system, const ContactSolverOptions& options,
+                                   std::vector<Contact>& contacts, VectorXd& d) {
+  return ContactSolver(system, options, contacts, d).solve();
 }
 
 }  // namespace ddacontact

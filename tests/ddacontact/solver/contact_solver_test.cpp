@@ -19,7 +19,7 @@ Scene resting(double stiffness, double angle, double friction_degrees) {
 
 }  // namespace
 
-TEST(Staged, TheContactsStiffnessChangesNeitherForcesNorPlaces) {
+TEST(ContactSolver, TheContactsStiffnessChangesNeitherForcesNorPlaces) {
   Vec2 first = Vec2::Zero();
   for (double factor : {1., 10., 100., 1000.}) {
     const BuiltScene built = run(resting(factor * 1e8, 0, 30));
@@ -35,13 +35,13 @@ TEST(Staged, TheContactsStiffnessChangesNeitherForcesNorPlaces) {
 }
 
 /// A static step starts at rest: each slides by dt^2 times the acceleration that friction leaves.
-TEST(Staged, ABlockStaysOnASlopeBelowItsFrictionAngleAndSlidesAboveIt) {
+TEST(ContactSolver, ABlockStaysOnASlopeBelowItsFrictionAngleAndSlidesAboveIt) {
   for (double degrees : {10., 30.}) {
     const double slope = radians(degrees), mu = std::tan(radians(degrees - 0.1));
-    const Vec2 held = travel(*run(resting(4e9, slope, degrees + 0.1)).stepper, 1),
+    const Vec2 prescribed = travel(*run(resting(4e9, slope, degrees + 0.1)).stepper, 1),
                slid = travel(*run(resting(4e9, slope, degrees - 0.1)).stepper, 1);
     const double law = 20 * 0.05 * 0.05 * 10 * (std::sin(slope) - mu * std::cos(slope));
-    EXPECT_LT(held.norm(), 2.5e-4);  // it settles by its own weight
-    EXPECT_NEAR((slid - held).norm(), law, 0.1 * law);
+    EXPECT_LT(prescribed.norm(), 2.5e-4);  // it settles by its own weight
+    EXPECT_NEAR((slid - prescribed).norm(), law, 0.1 * law);
   }
 }

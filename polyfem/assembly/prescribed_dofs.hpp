@@ -9,15 +9,15 @@ namespace polyfem {
 
 /// Which unknowns are held, at what values, and what couples them to the others. Their rows and columns
 /// become those of the identity, so that the pattern, and with it the analysis, serves any set of them.
-class HeldUnknowns {
+class PrescribedDofs {
  public:
-  explicit HeldUnknowns(int n_unknowns)
-      : held_(static_cast<std::size_t>(n_unknowns), 0), values_(VectorXd::Zero(n_unknowns)) {}
+  explicit PrescribedDofs(int n_unknowns)
+      : prescribed_(static_cast<std::size_t>(n_unknowns), 0), values_(VectorXd::Zero(n_unknowns)) {}
 
   /// Whether it was free before.
   bool hold(int unknown, double value);
   void release_all();
-  bool is_held(int unknown) const { return held_[static_cast<std::size_t>(unknown)] != 0; }
+  bool is_prescribed(int unknown) const { return prescribed_[static_cast<std::size_t>(unknown)] != 0; }
 
   /// Puts those of the identity in place of the held rows and columns of a matrix given by its lower triangle
   /// and remembers what was there.
@@ -29,19 +29,19 @@ class HeldUnknowns {
 
   /// The right hand side for the matrix without held rows and columns.
   void move_to_right_hand_side(VectorXd& f) const;
-  /// The exact values at held unknowns, in a solution.
+  /// The exact values at prescribed degrees of freedom, in a solution.
   void set_values(VectorXd& u) const;
-  /// K u of the whole matrix at held unknowns; zero elsewhere.
+  /// K u of the whole matrix at prescribed degrees of freedom; zero elsewhere.
   VectorXd forces(const VectorXd& u) const;
 
  private:
   /// An entry of the lower triangle that was replaced.
   struct Coupling {
-    int row, column, place;
+    int row, column, slot;
     double value;
   };
 
-  std::vector<char> held_;
+  std::vector<char> prescribed_;
   VectorXd values_;
   std::vector<Coupling> couplings_;
 };

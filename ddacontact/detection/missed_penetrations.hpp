@@ -16,7 +16,7 @@ struct MovingOutline {
 /// Appends the vertices of `a` that went into `b`, with the edges they went through, then those of `b`: not
 /// reflex ones, at last in the other polygon further than `tolerance` (m) from its outline. Of the edge they
 /// were at first in front, or no more than that behind.
-void find_entries(const MovingOutline& a, const MovingOutline& b, double tolerance,
-                  std::vector<VertexEdge>& entries);
+void find_missed_penetrations(const MovingOutline& a, const MovingOutline& b, double tolerance,
+                              std::vector<VertexEdge>& entries);
 
 }  // namespace ddacontact

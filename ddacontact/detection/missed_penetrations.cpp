@@ -1,4 +1,4 @@
-#include <ddacontact/detection/entries.hpp>
+#include <ddacontact/detection/missed_penetrations.hpp>
 
 #include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/corner.hpp>
@@ -82,8 +82,8 @@ void find_entries_of(const MovingOutline& a, const MovingOutline& b, const Box& 
 
 }  // namespace
 
-void find_entries(const MovingOutline& a, const MovingOutline& b, double tolerance,
-                  std::vector<VertexEdge>& entries) {
+void find_missed_penetrations(const MovingOutline& a, const MovingOutline& b, double tolerance,
+                              std::vector<VertexEdge>& entries) {
   const Box of_a = swept_box(a), of_b = swept_box(b);
   const Box common{of_a.low.cwiseMax(of_b.low), of_a.high.cwiseMin(of_b.high)};
   if ((common.low.array() > common.high.array()).any()) return;

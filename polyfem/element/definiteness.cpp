@@ -1,4 +1,4 @@
-#include <polyfem/element/soundness.hpp>
+#include <polyfem/element/definiteness.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -28,19 +28,19 @@ EnergyRange compare_energies(const MatrixXd& stiffness, const MatrixXd& referenc
   return {ratios.minCoeff<Eigen::PropagateNaN>(), ratios.maxCoeff<Eigen::PropagateNaN>()};
 }
 
-Soundness judge(const MatrixXd& stiffness, const MatrixXd& mass) {
-  Soundness soundness;
+Definiteness judge(const MatrixXd& stiffness, const MatrixXd& mass) {
+  Definiteness definiteness;
   bool first = true;
   for (const double eigenvalue : relative_eigenvalues(stiffness)) {
     if (std::abs(eigenvalue) <= 1e-12) {
-      ++soundness.zero_modes;
+      ++definiteness.zero_modes;
     } else if (first) {
-      soundness.least_stiffness = eigenvalue;
+      definiteness.least_stiffness = eigenvalue;
       first = false;
     }
   }
-  soundness.least_mass = relative_eigenvalues(mass).minCoeff();
-  return soundness;
+  definiteness.least_mass = relative_eigenvalues(mass).minCoeff();
+  return definiteness;
 }
 
 }  // namespace polyfem
