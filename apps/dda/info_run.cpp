@@ -79,7 +79,7 @@ void tell_work(Answer& answer, const SummaryTable& summary) {
              passes = summary.number("open_close_iterations"), solves = summary.number("linear_solves"),
              factorizations = summary.number("factorizations");
   if (substeps && rejected)
-    answer.line(fmt::format("{}, {} tries rejected", plural(*substeps, "substep", "substeps"),
+    answer.line(fmt::format("{}, {} trial steps rejected", plural(*substeps, "substep", "substeps"),
                             *rejected == 0 ? "no" : fmt::format("{:.0f}", *rejected)));
   if (unconverged)
     answer.line(*unconverged == 0

@@ -140,7 +140,7 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       counts.unconverged, counts.open_close_iterations, counts.contacts);
   log.info("{}", outcome);
   log.info(
-      "{} interior paths, {} augmentations, {} broken bonds, {} impacts ({} limited, {} "
+      "{} interior-point solves, {} augmentations, {} broken bonds, {} impacts ({} limited, {} "
       "unsettled), largest "
       "residual {:.2g} of the forces",
       counts.interior_point_solves, counts.augmentations, counts.broken_bonds, counts.impacts,

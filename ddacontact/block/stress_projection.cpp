@@ -14,8 +14,8 @@ constexpr double negligible_stiffness = 1e-13;  // of the mean diagonal entry
 Points stress_projection(const polyfem::TabulatedElement& element, const MatrixXd& stiffness,
                          const PointsRef& outline, const Eigen::Ref<const Tensors>& stress,
                          const polyfem::Basis& basis) {
-  // K w = integral of B^T sigma. Rigid motions are made stiff, and so is, a little, whatever else an unsound
-  // rule leaves without stiffness.
+  // K w = integral of B^T sigma. Rigid motions are made stiff, and so is, a little, whatever else a
+  // rank-deficient rule leaves without stiffness.
   const Index n = outline.cols();
   const Vec2 centroid = polyfem::area_moments(outline).centroid;
   Eigen::Matrix<double, Eigen::Dynamic, 3> rigid(2 * n, 3);

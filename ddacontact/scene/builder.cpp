@@ -270,9 +270,12 @@ class Builder {
     const Integration integration = choose_integration(outline, scene_.analysis.gradient_correction, basis);
     const std::string name = "block \"" + scene_.block_name(b) + "\": ";
     if (!integration.definite)
-      built_.notes.push_back(name + "its integration rule gives an unsound stiffness or mass matrix");
+      built_.notes.push_back(
+          name + "its integration rule gives a rank-deficient stiffness or an indefinite mass matrix");
     else if (integration.triangle_rule != &polyfem::hammer_rule(3))
-      built_.notes.push_back(name + "integration rule raised to keep stiffness and mass sound");
+      built_.notes.push_back(
+          name +
+          "integration rule raised: with fewer points stiffness or mass is rank-deficient or indefinite");
     std::unique_ptr<Block> block;
     if (corotational())
       block = std::make_unique<CorotationalBlock>(

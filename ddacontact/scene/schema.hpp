@@ -143,12 +143,14 @@ void describe(ContactRecord& r, Visit&& visit) {
             .bounds = not_negative,
             .default_text = "`0.0`"},
         r.options.corner_rounding);
-  visit(Key{.name = "tolerance",
-            .what = "Part of the forces on each block that contacts are solved to. Above the default violent "
-                    "steps are quicker, and contacts ten times as deep in them; method \"staged\" alone.",
-            .bounds = {.low = 1e-12, .high = 1e-2},
-            .default_text = "`1e-08`; in explicit steps `0.001`"},
-        r.options.tolerance);
+  visit(
+      Key{.name = "tolerance",
+          .what =
+              "Largest residual over the forces on its block. Above the default, steps with many changes of "
+              "contact state are faster, with up to ten times the penetration; method \"staged\" alone.",
+          .bounds = {.low = 1e-12, .high = 1e-2},
+          .default_text = "`1e-08`; in explicit steps `0.001`"},
+      r.options.tolerance);
 }
 
 template <class Visit>
@@ -551,7 +553,7 @@ void describe(Skips& s, Visit&& visit) {
         s.unchanged_factor);
   visit(Key{.name = "congruent", .what = "Reference matrices of a block that is congruent to another."},
         s.congruent);
-  visit(Key{.name = "output", .what = "Stresses and pictures that are not asked for."}, s.output);
+  visit(Key{.name = "output", .what = "Stresses and pictures that are not requested."}, s.output);
   visit(Key{.name = "stale_factor",
             .what = "Factorizing while few springs changed: an older factor is the preconditioner."},
         s.stale_factor);
@@ -576,7 +578,7 @@ void describe(OutputRecord& r, Visit&& visit) {
             .what = "A frame every k steps, the start and the last state always; 0: only the last.",
             .bounds = not_negative},
         o.every);
-  visit(Key{.name = "fields", .what = "What frames hold; what is not asked for is not computed."}, o.fields);
+  visit(Key{.name = "fields", .what = "The fields of frames; others are not computed."}, o.fields);
   visit(
       Key{.name = "refine",
           .what = "Subdivisions for drawing the stress inside a block: 0 draws it as one polygon, r >= 1 as "

@@ -10,9 +10,9 @@ namespace verification {
 
 /// A part of a page.
 struct Chapter {
-  const char* name;  ///< that it is asked for by
+  const char* name;  ///< that it is requested by
   void (*write)(Report&);
-  bool on_request = false;  ///< only when asked for: it takes long
+  bool on_request = false;  ///< only on request: it takes long
 };
 
 /// `PAGE_verification DIRECTORY [chapter]`: writes DIRECTORY/PAGE.md and its pictures. Returns the exit

@@ -54,7 +54,7 @@ struct Field1 {
 };
 
 /// σ1 over all free blocks: its range, and where it is positive.
-Field1 look_at_s1(const Frame& frame) {
+Field1 compare_s1(const Frame& frame) {
   Field1 seen;
   double area = 0;
   for (int b = 1; b < frame.n_blocks(); ++b) {
@@ -138,7 +138,7 @@ void voronoi_slope(Report& report) {
   for (int b = 1; b < gravity.affine.frame.n_blocks(); ++b)
     compressive =
         compressive && block_s2(gravity.wachspress.frame, b) < 0 && block_s2(gravity.affine.frame, b) < 0;
-  const Field1 s1 = look_at_s1(gravity.wachspress.frame);
+  const Field1 s1 = compare_s1(gravity.wachspress.frame);
   double mean_s1 = 0, mean_s2 = 0;
   for (int b = 1; b < gravity.wachspress.frame.n_blocks(); ++b) {
     mean_s1 += std::abs(block_s1(gravity.wachspress.frame, b));
@@ -161,7 +161,7 @@ void voronoi_slope(Report& report) {
 
   report.paragraph("### With a push of 200 kN at the upper left block (figure 17)");
   picture(report, "voronoi_push", "Figure 17: Voronoi blocks pushed to the right after 55 steps", push);
-  const Field1 pushed = look_at_s1(push.wachspress.frame);
+  const Field1 pushed = compare_s1(push.wachspress.frame);
   int n_growing = 0, most_pressed = 1;
   double least_s1 = 0;
   for (int b = 1; b < push.wachspress.frame.n_blocks(); ++b) {

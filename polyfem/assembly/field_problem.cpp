@@ -302,7 +302,7 @@ void FieldProblem::assemble(const CellMatrix& cell_matrix) {
 }
 
 const VectorXd& FieldProblem::solve() {
-  if (!assembled_) throw Error("a field is asked for before its problem is assembled: call assemble first");
+  if (!assembled_) throw Error("a field needs an assembled problem: call assemble first");
   if (!factorized_) factorize();
   const VectorXd loads = this->loads();
   if (transposed_ || !tied_.empty()) {
@@ -333,9 +333,9 @@ VectorXd FieldProblem::cell_solution(int cell) const {
 }
 
 const SparseMatrix& FieldProblem::matrix() {
-  if (!assembled_) throw Error("a matrix is asked for before its problem is assembled: call assemble first");
+  if (!assembled_) throw Error("a matrix needs an assembled problem: call assemble first");
   if (transposed_)
-    throw Error("a lower triangle is asked for, but the matrix is not symmetric: ask for full_matrix");
+    throw Error("the matrix is not symmetric, its lower triangle is not all of it: use full_matrix");
   prescribed_.put_back(matrix_.lower());
   factorized_ = false;
   return matrix_.lower();
@@ -343,7 +343,7 @@ const SparseMatrix& FieldProblem::matrix() {
 
 SparseMatrix FieldProblem::full_matrix() {
   if (!transposed_) return matrix().selfadjointView<Eigen::Lower>();
-  if (!assembled_) throw Error("a matrix is asked for before its problem is assembled: call assemble first");
+  if (!assembled_) throw Error("a matrix needs an assembled problem: call assemble first");
   const SparseMatrix upper =
       SparseMatrix(transposed_->lower().triangularView<Eigen::StrictlyLower>()).transpose();
   return matrix_.lower() + upper;

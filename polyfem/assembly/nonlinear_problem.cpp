@@ -156,7 +156,8 @@ NewtonReport NonlinearProblem::solve(double t, double tolerance) {
   NewtonReport report;
   VectorXd u = u_;
   try {
-    // Held unknowns move in the first step; what is out of balance before says nothing about the end.
+    // Prescribed degrees of freedom move in the first step; what is out of balance before says nothing about
+    // the end.
     Residual residual = assemble(u, t);
     report.residuals.push_back(residual.relative);
     bool moves = prescribe(u, t);

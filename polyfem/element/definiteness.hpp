@@ -7,7 +7,7 @@ namespace polyfem {
 
 /// What the eigenvalues of an element's matrices say.
 struct Definiteness {
-  int zero_modes = 0;          ///< eigenvalues of K within 1e-12 of its largest; a sound element has 3
+  int zero_modes = 0;          ///< eigenvalues of K within 1e-12 of its largest; a full-rank element has 3
   double least_stiffness = 0;  ///< the smallest of the others over the largest; negative: indefinite
   double least_mass = 0;       ///< the smallest eigenvalue of M over its largest; must be > 0
   bool definite() const { return zero_modes == 3 && least_stiffness > 0 && least_mass > 0; }

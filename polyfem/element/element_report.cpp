@@ -52,11 +52,11 @@ ElementReport examine(const PointsRef& polygon, const Basis& basis, const Tabula
   tabulate_to_tolerance(polygon, basis, 1e-8, GradientCorrection::on, fine);
   stiffness(fine, D, exact_K);
   report.energy = compare_energies(K, exact_K);
-  const Definiteness soundness = judge(K, M);
-  report.zero_modes = soundness.zero_modes;
-  report.condition = 1 / soundness.least_stiffness;
-  report.least_mass = soundness.least_mass;
-  report.definite = soundness.definite() && report.energy.least >= 1 / largest_factor &&
+  const Definiteness definiteness = judge(K, M);
+  report.zero_modes = definiteness.zero_modes;
+  report.condition = 1 / definiteness.least_stiffness;
+  report.least_mass = definiteness.least_mass;
+  report.definite = definiteness.definite() && report.energy.least >= 1 / largest_factor &&
                     report.energy.largest <= largest_factor;
   examine_shape(polygon, report);
   report.shortest_edge /= std::sqrt(element.area);
@@ -67,7 +67,8 @@ std::string describe(const ElementReport& report) {
   std::ostringstream text;
   text.precision(2);
   text << report.rule << ", " << report.n_points << " points, errors about " << report.error.stiffness
-       << " of K and " << report.error.mass << " of M; " << (report.definite ? "sound" : "not sound") << ": "
+       << " of K and " << report.error.mass << " of M; "
+       << (report.definite ? "full rank and positive definite" : "rank-deficient or indefinite") << ": "
        << report.zero_modes << " zero modes, energies " << report.energy.least << " to "
        << report.energy.largest << " of the exact ones, condition " << report.condition << ", least mass "
        << report.least_mass << "; corner " << report.straightest_corner << " turns by " << report.least_turn

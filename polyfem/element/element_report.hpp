@@ -1,4 +1,4 @@
-/// \file An element's own account: accuracy, soundness, shape.
+/// \file An element's own account: accuracy, rank and definiteness, shape.
 #pragma once
 
 #include <polyfem/element/definiteness.hpp>
@@ -13,7 +13,7 @@ struct ElementReport {
   std::string rule;  ///< in words, as given
   int n_points = 0;
   ErrorEstimate error;   ///< of K and M, see `estimate_errors`
-  int zero_modes = 0;    ///< of K; a sound element has 3
+  int zero_modes = 0;    ///< of K; a full-rank element has 3
   double condition = 0;  ///< of K: the largest eigenvalue over the smallest that is not zero; < 0: indefinite
   double least_mass = 0;  ///< the smallest eigenvalue of M over its largest; must be > 0
   EnergyRange energy;     ///< of deformations by K, over their energies by a rule to 1e-8

@@ -47,9 +47,9 @@ TEST(HardSteps, StagedMethodMakesEachAndMostWithoutCutting) {
   EXPECT_GE(uncut, 49u);
 }
 
-/// What following the active set alone cannot make is made from inside the contacts' laws, by some thirty
-/// solutions and those that end it.
-TEST(HardSteps, StatesFoundFromInsideMakeStepsThatFollowingThemDoesNot) {
+/// Steps that the active-set iteration alone does not solve are solved by the interior-point method, in some
+/// thirty solutions and those that end it.
+TEST(HardSteps, TheInteriorPointMethodSolvesStepsThatTheActiveSetAloneDoesNot) {
   int gained = 0, lost = 0;
   for (const HardStep& step : hard_steps()) {
     SCOPED_TRACE(step.name);

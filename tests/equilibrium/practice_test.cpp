@@ -14,8 +14,8 @@ namespace {
 using namespace ddacontact;
 
 Vec2 travel_of(const BuiltScene& built, const std::string& monitor) {
-  for (const MonitorTarget& probe : built.monitor_targets)
-    if (probe.name == monitor) return observe(probe, *built.stepper).displacement;
+  for (const MonitorTarget& target : built.monitor_targets)
+    if (target.name == monitor) return observe(target, *built.stepper).displacement;
   throw std::runtime_error("no monitor " + monitor);
 }
 

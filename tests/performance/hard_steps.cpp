@@ -66,7 +66,7 @@ void print_table() {
   const Method methods[] = {
       {"classic, stick and slip as they may be", ContactMethod::classic, true, false},
       {"classic, all states settled", ContactMethod::classic, true, true},
-      {"staged, stage 0 alone", ContactMethod::staged, false, false},
+      {"staged, active-set iteration alone", ContactMethod::staged, false, false},
       {"staged", ContactMethod::staged, true, false},
   };
   std::printf(

@@ -189,14 +189,14 @@ void add_momenta(const Stepper& stepper, const Scales& scale, Rows& rows) {
   rows.add("angular momentum", angular, scale.mass * scale.speed * scale.length, "kg m2/s");
 }
 
-void add_monitor(const MonitorTarget& probe, const Stepper& stepper, bool moves, const Scales& scale,
+void add_monitor(const MonitorTarget& monitor, const Stepper& stepper, bool moves, const Scales& scale,
                  Rows& rows) {
-  const Motion motion = observe(probe, stepper);
-  rows.add("displacement of " + probe.name, motion.displacement, scale.displacement, "m");
-  if (moves) rows.add("velocity of " + probe.name, motion.velocity, scale.speed, "m/s");
-  const Vec3 stress = mean_stress(stepper.blocks().block(probe.block()), stepper.state());
+  const Motion motion = observe(monitor, stepper);
+  rows.add("displacement of " + monitor.name, motion.displacement, scale.displacement, "m");
+  if (moves) rows.add("velocity of " + monitor.name, motion.velocity, scale.speed, "m/s");
+  const Vec3 stress = mean_stress(stepper.blocks().block(monitor.block()), stepper.state());
   for (int k = 0; k < 3; ++k)
-    rows.add(std::array{"xx", "yy", "xy"}[k] + std::string(" stress at ") + probe.name, stress[k],
+    rows.add(std::array{"xx", "yy", "xy"}[k] + std::string(" stress at ") + monitor.name, stress[k],
              scale.stress, "Pa");
 }
 
@@ -236,8 +236,8 @@ std::vector<Measured> measure(const ListedScene& listed) {
   if (moves) add_momenta(stepper, scale, rows);
   rows.add("largest displacement", largest_displacement(stepper), scale.displacement, "m");
   rows.add("area", area_of(stepper), scale.area, "m2");
-  for (const MonitorTarget& probe : built.monitor_targets)
-    if (stepper.blocks().is_present(probe.block())) add_monitor(probe, stepper, moves, scale, rows);
+  for (const MonitorTarget& monitor : built.monitor_targets)
+    if (stepper.blocks().is_present(monitor.block())) add_monitor(monitor, stepper, moves, scale, rows);
   if (listed.scene_class != SceneClass::chaotic) rows.exact("closed contacts", stepper.counts().contacts);
   if (scene.contact.penetration_tolerance > 0)
     rows.bound("penetration", extremes.penetration, penetration_margin * scene.contact.penetration_tolerance);

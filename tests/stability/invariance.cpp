@@ -40,7 +40,8 @@ void show(Page& page, Report& report, const std::vector<NamedScene>& scenes,
     n_apart += agreement.apart > asked;
   }
   report.paragraph(
-      "Some scenes hang on the last digits of their coordinates: sides and corners that touch with a gap of "
+      "Some scenes depend on the last digits of their coordinates: sides and corners that touch with a gap "
+      "of "
       "nothing, of which round-off says which of them bear. The contacts are solved to 1e-6 of a block, and "
       "two of those that do as well leave blocks about as far apart. The table has all scenes whose ten "
       "steps "
@@ -50,7 +51,7 @@ void show(Page& page, Report& report, const std::vector<NamedScene>& scenes,
       "1e-12 instead of 1e-6 the frames agree to 1e-10 L: an augmentation more or less is the difference.");
   report.table(rows);
   claims.push_back(
-      {fmt::format("To 1e-10 L after {} steps: scenes that do not hang on their last digits.",
+      {fmt::format("To 1e-10 L after {} steps: scenes that do not depend on their last digits.",
                    steps_if_chaotic),
        worst <= asked,
        fmt::format("{} in {} scenes, each in {} ways", figure(worst), n_plain, restatements.size())});

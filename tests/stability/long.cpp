@@ -96,11 +96,12 @@ void seen_otherwise(Record& record, const std::string& name, const std::vector<N
       worst_scene = fmt::format(" ({}, {})", named.name, agreement.worst);
     }
   }
-  record.add(name, apart == 0,
-             fmt::format(
-                 "{} scenes, 10 steps, {} ways: {} apart by more than 1e-10 L; {} hang on their last digits; "
-                 "the others {} L apart at most{}",
-                 scenes.size(), restatements.size(), apart, hanging, figure(worst), worst_scene));
+  record.add(
+      name, apart == 0,
+      fmt::format(
+          "{} scenes, 10 steps, {} ways: {} apart by more than 1e-10 L; {} depend on their last digits; "
+          "the others {} L apart at most{}",
+          scenes.size(), restatements.size(), apart, hanging, figure(worst), worst_scene));
 }
 
 void stack_at_rest(Record& record) {

@@ -81,8 +81,8 @@ Definiteness evaluate(const Points& outline, const Model& model) {
     const Block& of = blocks.block(0);
     for (int c = 0; c < of.n_cells(); ++c) {
       const BlockCell cell = of.cell(c);
-      sound.unity =
-          std::max(sound.unity, defect_of_unity(of.reference()(Eigen::all, cell.corners), *cell.basis));
+      of_shape.unity =
+          std::max(of_shape.unity, defect_of_unity(of.reference()(Eigen::all, cell.corners), *cell.basis));
     }
     // Any motion as displacements of places: by rigid modes where the unknowns are others.
     if (model.model != BlockModel::affine) {
@@ -94,15 +94,15 @@ Definiteness evaluate(const Points& outline, const Model& model) {
       VectorXd any(rigid.size());
       for (double& x : any) x = 1e-6 * support::uniform(-1, 1, random);
       const double stiffness = blocks.elastic_force(0, any).norm() / any.norm();
-      sound.rigid = blocks.elastic_force(0, rigid).norm() / (stiffness * rigid.norm());
+      of_shape.rigid = blocks.elastic_force(0, rigid).norm() / (stiffness * rigid.norm());
     }
     const BuiltScene built = build(scene);
     for (int k = 0; k < scene.n_steps() && built.stepper->step(); ++k)
-      sound.finite = sound.finite && built.stepper->state().position.allFinite() &&
-                     built.stepper->state().stress.allFinite();
-    if (!built.stepper->stop_reason().empty()) sound.refused = "stopped: " + built.stepper->stop_reason();
+      of_shape.finite = of_shape.finite && built.stepper->state().position.allFinite() &&
+                        built.stepper->state().stress.allFinite();
+    if (!built.stepper->stop_reason().empty()) of_shape.refused = "stopped: " + built.stepper->stop_reason();
   } catch (const polyfem::Error& error) {
-    sound.refused = error.what();
+    of_shape.refused = error.what();
   }
   return sound;
 }
@@ -118,24 +118,24 @@ void hard_shapes(Page& page) {
   std::vector<std::vector<std::string>> rows{{"block", "model", "partition of unity",
                                               "force of a turn by 0.3 rad, over K d", "20 steps on a floor"}};
   double unity = 0, rigid = 0;
-  int unsound = 0;
+  int n_bad = 0;
   for (const HardShape& shape : hard_shapes_of_facts())
     for (const Model& model : models) {
-      const Definiteness sound = evaluate(shape.outline, model);
-      unity = std::max(unity, sound.unity);
-      rigid = std::max(rigid, sound.rigid);
-      const bool ends_well = sound.finite && sound.refused.empty();
-      unsound += !ends_well;
-      rows.push_back({shape.name, model.name, figure(sound.unity), figure(sound.rigid),
-                      ends_well               ? "finite"
-                      : sound.refused.empty() ? "**NaN**"
-                                              : sound.refused});
+      const Definiteness of_shape = evaluate(shape.outline, model);
+      unity = std::max(unity, of_shape.unity);
+      rigid = std::max(rigid, of_shape.rigid);
+      const bool ends_well = of_shape.finite && of_shape.refused.empty();
+      n_bad += !ends_well;
+      rows.push_back({shape.name, model.name, figure(of_shape.unity), figure(of_shape.rigid),
+                      ends_well                  ? "finite"
+                      : of_shape.refused.empty() ? "**NaN**"
+                                                 : of_shape.refused});
     }
   report.table(rows);
-  page.claims({{"Partition of unity to 1e-13.", unity <= 1e-13, figure(unity)},
-               {"K times a rigid motion at most 1e-10 K.", rigid <= 1e-10, figure(rigid)},
-               {"No NaN; none is refused or stops.", unsound == 0,
-                fmt::format("{} of {}", unsound, rows.size() - 1)}});
+  page.claims(
+      {{"Partition of unity to 1e-13.", unity <= 1e-13, figure(unity)},
+       {"K times a rigid motion at most 1e-10 K.", rigid <= 1e-10, figure(rigid)},
+       {"No NaN; none is refused or stops.", n_bad == 0, fmt::format("{} of {}", n_bad, rows.size() - 1)}});
 }
 
 namespace {

@@ -9,8 +9,8 @@
 
 namespace support {
 
-/// Violent starts of 30 blocks, breaking bonds, stiffness and mass ratios of 1e6, friction next to its limit,
-/// corners on corners, rolling, fast spinning, static steps; with names.
+/// 30 blocks with large initial velocities, breaking bonds, stiffness and mass ratios of 1e6, friction next
+/// to its limit, corners on corners, rolling, fast spinning, static steps; with names.
 std::vector<std::pair<std::string, ddacontact::Scene>> made_scenes();
 
 }  // namespace support

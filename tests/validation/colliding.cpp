@@ -263,7 +263,7 @@ void by_springs(Report& report) {
       "own elasticity; what the "
       "scheme makes of that within the step is their restitution, an accident of p and Δt (head on, equal "
       "squares). The "
-      "default's is what is asked for. With steps longer than the hit Newmark (1/4, 1/2) throws the blocks "
+      "default's is what is requested. With steps longer than the hit Newmark (1/4, 1/2) throws the blocks "
       "apart with more energy than they had.");
   Chart chart{.x_symbol = {"Δt", "", ""},
               .y_symbol = {"e", "", ""},

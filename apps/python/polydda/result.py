@@ -16,7 +16,7 @@ FIELDS = ("s1", "s2", "sxx", "syy", "sxy", "displacement", "velocity")
 
 
 class Result:
-    """A result directory. Files are read when they are asked for, and once."""
+    """A result directory. Files are read when they are needed, and once."""
 
     def __init__(self, directory: str | os.PathLike[str], keep: object = None) -> None:
         """`keep` lives as long as the result: the temporary directory that holds it."""

@@ -50,7 +50,7 @@ TEST(BlockSystem, CallsBlocksByTheirIndicesUntilToldTheirNames) {
   EXPECT_EQ(system.names, (std::vector<std::string>{"0", "1"}));
 }
 
-TEST(BlockSystem, HeldUnknownsAreLeftOutOfTheEquationsAndTheOthersKeepTheirOrder) {
+TEST(BlockSystem, PrescribedDofsAreLeftOutOfTheEquationsAndTheOthersKeepTheirOrder) {
   Scene scene = three_blocks();
   scene.blocks[0].fixed_vertices = {1};
   scene.supports = {{1, {0}, true, false, {}}};

@@ -374,7 +374,7 @@ TEST(ResultDirectory, ADividedBlockWeighsOnItsVertices) {
   }
 }
 
-TEST(ResultDirectory, EveryHeldVertexHasItsRowOfReactions) {
+TEST(ResultDirectory, EveryFixedVertexHasItsRowOfReactions) {
   for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
     Scene scene = rock_scene(0.01, 1);
     scene.blocks = {block(rectangle(0, 0, 2, 1), true)};

@@ -49,7 +49,7 @@ TEST(StaticCheck, ADynamicAnalysisNeedsNoHold) {
   EXPECT_EQ(loose_blocks(scene_with({"20, 20"}), {"analysis.mode=dynamic"}), Blocks{});
 }
 
-TEST(StaticCheck, OneHeldVertexWillDo) {
+TEST(StaticCheck, OneFixedVertexWillDo) {
   const std::string text = replaced(minimal, "steps = 1", "steps = 1\nmode = \"static\"");
   EXPECT_TRUE(read(text, {"block.0.fixed=[2]"}).scene);
   EXPECT_TRUE(read(text + "[[support]]\nblock = 0\nvertices = [0]\naxes = \"x\"\n").scene);

@@ -159,7 +159,7 @@ TEST(FrictionProblem, FindsTheMinimumInFewIterationsFromAnyStart) {
     EXPECT_EQ(report.status, MinimizeStatus::converged) << seed;
     EXPECT_LE(p.gradient(d).lpNorm<Eigen::Infinity>(), p.round_off(d)) << seed;
     EXPECT_NEAR(p.gradient(d).lpNorm<Eigen::Infinity>(), report.residual, p.round_off(d)) << seed;
-    EXPECT_EQ((d - start - p.on_free(d - start)).norm(), 0) << "held unknowns have moved";
+    EXPECT_EQ((d - start - p.on_free(d - start)).norm(), 0) << "prescribed degrees of freedom have moved";
     EXPECT_LE(report.iterations, 15) << seed;
     EXPECT_EQ(problem.n_iterations(), report.iterations);
     EXPECT_LE(problem.cholesky().n_factorizations(), report.iterations);
@@ -355,7 +355,7 @@ TEST(FrictionProblem, OrdersLargeEquationsAnewWhereManyFactorsAreToCome) {
     problem.contacts_changed();
     ASSERT_TRUE(problem.factorize(chain, all));
     problem.solve(b, after);
-    EXPECT_EQ(after, before) << "whatever was asked for in the step before";
+    EXPECT_EQ(after, before) << "whatever was requested in the step before";
     EXPECT_EQ(problem.cholesky().n_analyses(), n_blocks > 1000 ? 3 : 1) << n_blocks;
   }
 }

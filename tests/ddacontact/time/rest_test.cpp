@@ -128,8 +128,8 @@ Scene wall_in_running_bond(int n_courses, int n_bricks) {
   return scene;
 }
 
-/// Gaps of running bond are connected: forces that correct one open another. Small ones are let be, so the
-/// wall comes to rest, and its blocks carry what stands on them nonetheless.
+/// Gaps of running bond are connected: forces that correct one open another. Small gaps stay uncorrected, so
+/// the wall comes to rest, and its blocks carry what stands on them nonetheless.
 TEST(Rest, AWallInRunningBondComesToRest) {
   constexpr int n_courses = 12, n_bricks = 12;
   const BuiltScene built = build(wall_in_running_bond(n_courses, n_bricks));

@@ -40,8 +40,8 @@ constexpr const char* what_to_choose =
   bending is resolved where it matters, and what should come to rest does. `auto` divides blocks into cells where they bend and nothing
   moves, and slender ones everywhere; where blocks move squat ones stay polygons, as their ways are the same for a part of the time.
 - **`block_model = "mesh"`** where stress or deflection is the answer. What a polygon cannot do no step and no tolerance
-  mends: errors of the arch and of the stresses in the slope hang on the model alone, and on the springs in `paper` and `classic`.
-- **`block_model = "wachspress"`** where slender blocks move and only their ways are asked for. At rest it is the cheapest for blocks that
+  mends: errors of the arch and of the stresses in the slope depend on the model alone, and on the springs in `paper` and `classic`.
+- **`block_model = "wachspress"`** where slender blocks move and only their ways are the answer. At rest it is the cheapest for blocks that
   lie on each other in order (arch), but polygons that bear each other at many corners (slope) take it several times the solutions of meshes.
   `affine` has no less to find and is stiffer: nothing here asks for it.
 - **`scheme = "midpoint"`** for waves and vibrations that must live: its fronts are the sharpest. Not for what should come to rest.
@@ -53,7 +53,7 @@ constexpr const char* what_to_choose =
 - **`contact.tolerance`** of 1e-3 changes none of these answers by more than its last digit: it is for scenes where many contacts change at once.
 - **`penetration_tolerance`** stays as it is: 1e-4 saves next to nothing but in waves, up to a third there; 1e-8 changes next to nothing.
 - **`preset = "paper"`, `classic`** to compare with, and for a cheap first look at what slides: a step costs less, forces and restitution
-  hang on the springs and the step.
+  depend on the springs and the step.
 )";
 
 /// What differs in the two charts of a picture.

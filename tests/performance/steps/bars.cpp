@@ -27,8 +27,8 @@ struct Which {
 std::optional<Measurement> find(const std::vector<Measurement>& table, const Which& which, double size) {
   for (const Measurement& m : table)
     if (m.scene == which.scene && m.start == which.start && m.time_step == which.time_step &&
-        m.without == which.without && m.threads == which.threads && m.size == size && m.method == which.method &&
-        m.steps > 0)
+        m.without == which.without && m.threads == which.threads && m.size == size &&
+        m.method == which.method && m.steps > 0)
       return m;
   return std::nullopt;
 }
@@ -53,7 +53,7 @@ std::string three_digits(double value) {
 }
 
 const Which dynamic{.time_step = 1e-4}, explicitly{.time_step = 1e-4, .method = "explicit"};
-const Which violent{.method = "coarse"}, explicit_substeps{.method = "explicit"};
+const Which coarse{.method = "coarse"}, explicit_substeps{.method = "explicit"};
 const Which settling{};
 const Which settled{.start = "settled", .without = "sleep"};
 const Which gliding{.scene = "glide", .start = "settled", .without = "sleep"};
@@ -95,7 +95,7 @@ Table bars_table(const Tables& tables) {
             {{1e3, 0.004}, {1e4, 0.04}, {1e5, 0.4}, {1e6, 4.}}, bars);
   add_times(tables.growth, dynamic, "small steps (1e-4 s, 10 GPa)",
             {{1e3, 0.01}, {1e4, 0.1}, {1e5, 1.}, {1e6, 15.}}, bars);
-  add_times(tables.growth, violent, "stiff steps (1e-2 s), sudden, contacts to 1e-3", {{1e3, 0.25}, {1e4, 3}},
+  add_times(tables.growth, coarse, "stiff steps (1e-2 s), sudden, contacts to 1e-3", {{1e3, 0.25}, {1e4, 3}},
             bars);
   add_times(tables.growth, explicit_substeps, "explicit substeps of 1e-2 s, sudden", {{1e3, 0.3}, {1e4, 2.5}},
             bars);

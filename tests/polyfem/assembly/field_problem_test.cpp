@@ -140,7 +140,7 @@ TEST(FieldProblem, KeepsAnalysisAndFactorForAsLongAsTheyAreGood) {
   expect_counts(1, 3, 5);
 }
 
-TEST(FieldProblem, GivesTheSameForAnotherSetOfHeldUnknownsAsIfItHadBeenTheFirst) {
+TEST(FieldProblem, GivesTheSameForAnotherSetOfPrescribedDofsAsIfItHadBeenTheFirst) {
   const auto hold_ends = [](FieldProblem& problem) {
     clamp_left(problem);
     for (const int v : boundary_vertices(mesh, at_right)) problem.hold(v, 1, -0.1);
@@ -238,7 +238,7 @@ TEST(FieldProblem, NamesAVertexOfNoCell) {
   EXPECT_NE(message.find("vertex 9 at (7, 8) belongs to no cell"), std::string::npos) << message;
 }
 
-TEST(FieldProblem, NeedsNoHeldUnknownWhereTheMatrixIsDefiniteByItself) {
+TEST(FieldProblem, NeedsNoPrescribedDofWhereTheMatrixIsDefiniteByItself) {
   FieldProblem problem(mesh, 1);
   problem.assemble([](int, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
     conduct(polygon, K);

@@ -206,7 +206,7 @@ TEST(WithoutSymmetry, ASingularMatrixIsRefused) {
   EXPECT_NE(message_of([&] { problem.matrix(); }).find("full_matrix"), std::string::npos);
 }
 
-TEST(Ties, InACircleOrOnHeldUnknownsAreRefused) {
+TEST(Ties, InACircleOrOnPrescribedDofsAreRefused) {
   const PolygonMesh mesh = rectangles({0, 0}, {1, 1}, 2, 2);
   FieldProblem problem(mesh, 1);
   problem.assemble([](int, const PointsRef& cell, MatrixXd& K, VectorXd&) {

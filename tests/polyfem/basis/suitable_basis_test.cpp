@@ -97,7 +97,7 @@ TEST(SuitableBasis, HasLittleMoreEnergyThanMeanValueFunctions) {
   }
 }
 
-TEST(SuitableBasis, HasNoObjection) {
+TEST(SuitableBasis, HasNoRejection) {
   for (const SamplePolygon& sample : sample_polygons(SampleShapes::simple, 100))
     EXPECT_NO_THROW(require_suitable(suitable_basis(sample.vertices), sample.vertices)) << sample.name;
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// Something done to the functions of a basis.
 using Fault = void (*)(const PointsRef& polygon, const PointsRef& points, ShapeTable& table);
-using FindObjection = std::optional<Rejection> (*)(const PointsRef& polygon);
+using FindRejection = std::optional<Rejection> (*)(const PointsRef& polygon);
 
 std::optional<Rejection> object_to_concave(const PointsRef& polygon) {
   return wachspress.find_rejection(polygon);
@@ -28,7 +28,7 @@ struct FaultyBasis final : Basis {
     fault(polygon, points, table);
   }
   Fault fault = nullptr;
-  FindObjection object_to = object_to_concave;
+  FindRejection object_to = object_to_concave;
 };
 
 /// The one under trial.
@@ -143,7 +143,7 @@ void mean_value_functions(const PointsRef& polygon, const PointsRef& points, Sha
 struct Trial {
   const char* property;
   Fault fault;
-  FindObjection object_to = object_to_concave;
+  FindRejection object_to = object_to_concave;
 };
 
 const Trial trials[] = {
