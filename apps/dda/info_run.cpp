@@ -107,7 +107,9 @@ void tell_impacts(Answer& answer, const SummaryTable& summary) {
       text += "; friction did not settle " + plural(*unsettled, "time", "times");
     answer.line(text);
   }
-  if (bonds && *bonds > 0) answer.line(plural(*bonds, "bond broke", "bonds broke"));
+  if (bonds && *bonds > 0)
+    answer.line(plural(*bonds, "bond broke", "bonds broke") +
+                ": a broken contact keeps no cohesion ('dda safety' can let all act at once)");
 }
 
 namespace {

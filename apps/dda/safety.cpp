@@ -133,6 +133,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   }
   if (arguments.quiet) return done;
   fmt::print("{}\n", answer(bracket, files, scene));
+  fmt::print("the factor divides friction and cohesion of joints; loads, weights and water stay as stated\n");
   if (bonds_of(reduction.scene(), joints) == "ductile")
     fmt::print("cohesion and tensile strength outlast slip\n");
   fmt::print("results in {}\n", arguments.directory);

@@ -116,7 +116,8 @@ class Sweep {
   }
 
   /// Whether any case has a result.
-  bool write_table() const {
+  /// \param[out] reason  why the first case that failed did so
+  bool write_table(std::string& reason) const {
     std::string header = "case";
     for (const std::string& path : cases_.paths) header += ',' + path;
     header += ",status,steps_completed,time,max_displacement,kinetic,wall_seconds";
@@ -126,6 +127,7 @@ class Sweep {
     for (int k = 1; k <= n_cases(); ++k) {
       const CaseResult r = read_case(path_of(k), outcomes_, log_of(k));
       any = any || r.status != "failed";
+      if (r.status == "failed" && reason.empty()) reason = r.reason;
       csv.row(k, cases_.rows[k - 1], r.status, r.steps_completed, r.time, r.max_displacement, r.kinetic,
               r.wall_seconds, r.outcomes, r.reason);
     }
@@ -252,9 +254,10 @@ int sweep_all(const SweepArguments& arguments) {
   }
   sweep.run();
   if (arguments.only > 0) return done;
-  const bool any = sweep.write_table();
+  std::string reason;
+  const bool any = sweep.write_table(reason);
   if (!any) {
-    print_error(fmt::format("no case could be run: see {}/sweep.csv", arguments.directory));
+    print_error(fmt::format("no case could be run: {} (all in {}/sweep.csv)", reason, arguments.directory));
     return wrong_input;
   }
   const fs::path directory(arguments.directory);

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -28,6 +29,8 @@ std::optional<BlockMotion> Block::motion() const {
 
 void Block::number(int index, int first_point, int first_unknown, int first_stress_point,
                    int first_coordinate) {
+  assert(index >= 0 && first_point >= 0 && first_unknown >= 0);
+  assert(n_points() >= n_vertices() && n_vertices() >= 3);
   index_ = index;
   vertices_ = {first_point, n_vertices()};
   points_ = {first_point, n_points()};
@@ -58,6 +61,7 @@ void Block::prepare(const BlockState& state) {
   const auto points = state.position.middleCols(points_.first, points_.count);
   origin_ = state.origin.col(index_);
   moments_ = polyfem::area_moments(points.leftCols(n_vertices_));
+  assert(points.allFinite() && moments_.area > 0);
   prepare_shape(points);
 }
 

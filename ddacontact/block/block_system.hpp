@@ -7,6 +7,7 @@
 #include <ddacontact/block/water_pressure.hpp>
 #include <ddacontact/core/time_function.hpp>
 
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <string>
@@ -69,7 +70,10 @@ class BlockSystem {
   int n_unknowns() const { return n_unknowns_; }
   int n_stress_points() const { return n_stress_points_; }
   int n_coordinates() const { return n_coordinates_; }
-  const Block& block(int b) const { return *blocks_[b]; }
+  const Block& block(int b) const {
+    assert(b >= 0 && b < n_blocks());
+    return *blocks_[b];
+  }
   /// All points at the start.
   Points reference() const;
 
@@ -102,8 +106,14 @@ class BlockSystem {
   /// The row of (13) of each unknown, -1 when it is held.
   const std::vector<int>& equation() const { return equation_; }
   int n_equations() const { return n_equations_; }
-  int block_of_point(int point) const { return block_of_point_[point]; }
-  int block_of_unknown(int unknown) const { return block_of_unknown_[unknown]; }
+  int block_of_point(int point) const {
+    assert(point >= 0 && point < static_cast<int>(block_of_point_.size()));
+    return block_of_point_[point];
+  }
+  int block_of_unknown(int unknown) const {
+    assert(unknown >= 0 && unknown < static_cast<int>(block_of_unknown_.size()));
+    return block_of_unknown_[unknown];
+  }
   /// Whether a block has an unknown that is not held.
   bool is_movable(int b) const { return movable_[b]; }
   /// Whether a block has no unknown that is held.

@@ -317,7 +317,7 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
     std::vector<Contact> chosen;
     for (const VertexEdge& of : found) {
       const auto same = std::ranges::find(before, of, &Contact::pair);
-      chosen.push_back(same != before.end() ? *same : make_substeps(state, of, old));
+      chosen.push_back(same != before.end() ? *same : carry_over(state, of, old));
     }
     const auto first = contacts.begin() + (before.data() - contacts.data());
     const auto at = contacts.erase(first, first + static_cast<std::ptrdiff_t>(before.size()));
@@ -407,8 +407,8 @@ const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, c
   return nullptr;
 }
 
-Contact ContactBuilder::make_substeps(const BlockState& state, const VertexEdge& pair,
-                                      std::span<const ContactRecord> previous) const {
+Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pair,
+                                   std::span<const ContactRecord> previous) const {
   Contact contact = make_contact(state, pair);
   const double fraction = contact.history.lock;
   const ContactRecord* old = find_predecessor(state, pair, previous);
@@ -473,7 +473,7 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
     if (found.empty()) return;
     ContactsByPair old(previous, block_pair(found.front()));
     for (std::size_t k = 0; k < found.size(); ++k)
-      contacts[first_found_[begin] + k] = make_substeps(state, found[k], old.of(block_pair(found[k])));
+      contacts[first_found_[begin] + k] = carry_over(state, found[k], old.of(block_pair(found[k])));
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
 }

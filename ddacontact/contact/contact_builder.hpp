@@ -132,8 +132,8 @@ class ContactBuilder {
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
-  Contact make_substeps(const BlockState& state, const VertexEdge& pair,
-                        std::span<const ContactRecord> previous) const;
+  Contact carry_over(const BlockState& state, const VertexEdge& pair,
+                     std::span<const ContactRecord> previous) const;
   /// The closed contact of the step before whose history this one carries on: the same, or that of the same
   /// vertex with an edge that is collinear with this one, or, where vertex meets vertex, the one that the
   /// other vertex made with this vertex's edge.

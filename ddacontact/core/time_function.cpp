@@ -1,6 +1,7 @@
 #include <ddacontact/core/time_function.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -14,6 +15,7 @@ template <class Between, class After>
 Vec2 look_up(const std::vector<Vec3>& history, double time, Between&& between, After&& after_last) {
   const auto after = std::upper_bound(history.begin(), history.end(), time,
                                       [](double t, const Vec3& entry) { return t < entry[0]; });
+  assert(!history.empty());
   if (after == history.end()) return after_last(time - history.back()[0]);
   if (after == history.begin()) return between(std::size_t{0}, 0.0);
   const auto k = static_cast<std::size_t>(after - history.begin()) - 1;

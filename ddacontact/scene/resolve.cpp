@@ -93,6 +93,38 @@ void warn_of_unused_joints(const Document& document, const NameTable& names, con
   }
 }
 
+/// Of blocks that their own weight strains by so much: elasticity is linear, for small strains.
+constexpr double large_strain = 0.05;
+
+/// The longest extent of a block of the material along a direction, m.
+double tallest(const Scene& scene, int material, const Vec2& direction) {
+  double height = 0;
+  for (const BlockDescription& block : scene.blocks) {
+    if (block.material != material || block.vertices.cols() == 0) continue;
+    const auto along = direction.transpose() * block.vertices;
+    height = std::max(height, along.maxCoeff() - along.minCoeff());
+  }
+  return height;
+}
+
+/// Of materials whose blocks their own weight deforms much: as a rule the unit of `young` is missing.
+void warn_of_soft_materials(const Document& document, const Scene& scene, ProblemList& problems) {
+  const double g = scene.analysis.gravity.norm();
+  if (!(g > 0)) return;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    if (!document.materials[m].locations.usable("young") || !(material.young > 0)) continue;
+    const double strain = material.density * g *
+                          tallest(scene, static_cast<int>(m), scene.analysis.gravity / g) / material.young;
+    if (!(strain > large_strain)) continue;
+    problems.warning(document.materials[m].locations.of("young"),
+                     "material \"" + material.name + "\" is strained by its weight by " +
+                         std::to_string(static_cast<long>(std::min(100 * strain, 1e12))) +
+                         " %, and elasticity is linear, for small strains",
+                     "is 'young' right? Without a unit it is in Pa; write young = \"20 GPa\"");
+  }
+}
+
 }  // namespace
 
 Scene resolve(const Document& document, ProblemList& problems) {
@@ -126,6 +158,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   if (apart && holds_are_known(document, blocks, scene))
     check_statics(blocks, static_parts(scene), bolts.blocks, problems);
 
+  warn_of_soft_materials(document, scene, problems);
   scene.output = document.output.options;
   scene.domain = document.domain_counts;
   if (problems.has_errors()) return scene;

@@ -52,6 +52,17 @@ std::optional<Unit> find_symbol(std::string_view text) {
   return std::nullopt;
 }
 
+/// "Gpa": " (did you mean GPa?)"; empty where capitals are not what is wrong.
+std::string meant(std::string_view text) {
+  for (const Symbol& symbol : symbols)
+    for (const std::string_view prefix : {"", "k", "M", "G", "m", "c"}) {
+      const std::string known = std::string(prefix) + std::string(symbol.text);
+      if ((prefix.empty() || symbol.takes_prefix) && edit_distance(text, known) == 0)
+        return " (did you mean " + known + "?)";
+    }
+  return "";
+}
+
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -160,7 +171,7 @@ QuantityReading read_quantity(std::string_view text, std::string_view unit, std:
   }
   const std::optional<Unit> written = parse_unit(symbol);
   if (!written)
-    reading.error = "has the unknown unit '" + excerpt(symbol) + "'";
+    reading.error = "has the unknown unit '" + excerpt(symbol) + "'" + meant(symbol);
   else if (!convert(*written, unit, reading.value) && !convert(*written, other_unit, reading.value))
     reading.error = "has the wrong unit '" + excerpt(symbol) + "'";
   return reading;

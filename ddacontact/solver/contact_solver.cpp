@@ -7,6 +7,7 @@
 #include <ddacontact/solver/spring_state.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -65,6 +66,15 @@ struct Multiplier {
   bool on_edge = false;  ///< at the start of the step
   bool bonded = false;
 };
+
+/// Complementarity, up to round-off: no tension beyond a bond's, no shear beyond the bound.
+[[maybe_unused]] bool is_admissible(const JointLaw& law, bool bonded, const ContactForce& force) {
+  constexpr double round_off = 1e-6;
+  const double bound = shear_bound(law, force.normal, bonded),
+               scale = std::abs(force.normal) + std::abs(force.shear);
+  return std::isfinite(scale) && force.normal >= -(bonded ? law.tension : 0) - round_off * scale &&
+         (law.glued || std::abs(force.shear) <= bound + round_off * (scale + bound));
+}
 
 class ContactSolver {
  public:
@@ -618,6 +628,7 @@ class ContactSolver {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Contact& contact = contacts_[c];
       ContactHistory& history = contact.history;
+      assert(is_admissible(contact.law, multipliers_[c].bonded, forces_[c]));
       const bool closed = forces_[c].normal > 0 || (multipliers_[c].bonded && contact.closed());
       if (!closed)
         history.state = ContactState::open;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -227,6 +228,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
 }
 
 void ContactSweeps::set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row) {
+  assert(law.joint && term.normal_stiffness > 0 && term.tension >= 0);
   row.law = law;
   row.acts = term.normal != ContactTerm::Normal::absent;
   row.unilateral = term.normal == ContactTerm::Normal::unilateral;
@@ -255,8 +257,9 @@ ContactForce ContactSweeps::solve(const Row& row, double gap, double slip) {
   const SweptLaw& law = row.law;
   const double an = row.normal_compliance + row.normal, rn = -gap,
                least = row.unilateral ? -row.tension : -infinity;
-  const ContactForce pressed{std::max(least, rn / an), 0};
-  if (!row.sheared) return pressed;
+  assert(an > 0);
+  const ContactForce closed{std::max(least, rn / an), 0};
+  if (!row.sheared) return closed;
   const auto bound = [&](double normal) { return bound_under(row, normal); };
   const double bound_before = bound(row.force.normal);
   const double multiplier = law.sliding && row.slides ? std::copysign(bound_before, law.shear)
@@ -264,17 +267,18 @@ ContactForce ContactSweeps::solve(const Row& row, double gap, double slip) {
   const double at = row.tangential_compliance + row.shear, rt = multiplier * row.tangential_compliance - slip,
                mixed = row.mixed;
   const double determinant = an * at - mixed * mixed;
-  const ContactForce stuck{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
-  if (stuck.normal > least && std::abs(stuck.shear) <= bound(stuck.normal)) return stuck;
+  assert(at > 0 && determinant > 0);
+  const ContactForce stick{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
+  if (stick.normal > least && std::abs(stick.shear) <= bound(stick.normal)) return stick;
   // Where friction that sticks would pull the contact open it slides under what presses without it; a bond
   // that is pulled open bears shear.
-  const double near = stuck.normal > least ? stuck.normal : pressed.normal;
+  const double near = stick.normal > least ? stick.normal : closed.normal;
   if (near <= least || !row.slides) {
     const double most = bound(least);
     return {least, std::clamp((rt - mixed * least) / at, -most, most)};
   }
   // N with T = +- bound(N), the bound linear from there.
-  const double sense = stuck.shear > 0 ? 1 : -1, most = bound(near),
+  const double sense = stick.shear > 0 ? 1 : -1, most = bound(near),
                rate = sense * friction_rate(*law.joint, near, law.bonded);
   const double normal = std::max(least, (rn - mixed * (sense * most - rate * near)) / (an + rate * mixed));
   return {normal, sense * bound(normal)};

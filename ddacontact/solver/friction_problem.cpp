@@ -106,6 +106,7 @@ void FrictionProblem::order_for_many(const std::vector<ContactTerm>& contacts) {
 
 bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
                                 const std::vector<unsigned char>& active) {
+  assert(active.size() == contacts.size());
   if (!factored_springs_.empty() &&
       std::equal(active.begin(), active.end(), factored_springs_.begin(), factored_springs_.end() - 1))
     return keeps_factor_ || cholesky_.factorize(matrix_.lower());

@@ -3,6 +3,7 @@
 #include <ddacontact/solver/spring_state.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -46,11 +47,13 @@ struct Pair {
   double target = 0;  ///< of the product
 
   void begin(double value, double mu) {
+    assert(value > 0 && mu >= 0);
     x = value;
     s = mu / x;
   }
   void aim(double mu, double second_order) { target = mu - second_order * dx * ds; }
   void follow(double change) {
+    assert(x > 0);
     dx = change;
     ds = (target - x * s - s * dx) / x;
   }

@@ -4,6 +4,7 @@
 #include <ddacontact/core/bytes_of.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -112,6 +113,7 @@ void StepSystem::find_own_forces(const VectorXd& d) const {
 void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                                   const std::vector<ContactTerm>& terms,
                                   const std::vector<ContactForce>& forces, Residual& residual) const {
+  assert(terms.size() == contacts.size() && forces.size() == contacts.size());
   magnitude_.setZero(blocks_.n_blocks());
   stiffest_.setZero(blocks_.n_blocks());
   residual.external = load_forces_ + gravity_forces_;
@@ -286,6 +288,7 @@ double StepSystem::largest_motion(int block, const VectorXd& d) const {
 }
 
 void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
+  assert(whole_change.size() == d.size());
   const double furthest = largest_relative_move(whole_change);
   const VectorXd change = whole_change * (furthest > largest_move ? largest_move / furthest : 1);
   for_blocks(static_cast<int>(active_.size()), [&](int a) {

@@ -4,6 +4,7 @@
 #include <ddacontact/solver/tangent_operator.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace ddacontact {
 
@@ -19,6 +20,7 @@ constexpr double most_changed = 0.02;
 
 bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                           const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
+  assert(active.size() == terms.size());
   if (stale_ && has_factor_ && solve_with_stale_factor(terms, active, couplings, b, x)) return true;
   has_factor_ = false;
   if (!problem_.factorize(terms, active)) return false;

@@ -89,6 +89,9 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
     const std::vector<double> ways = way.of_blocks();
     const double relative = way.relative(ways, way.furthest(ways));
     at_rest = e.in_balance() && e.relative_speed <= limits.rest_speed ? at_rest + 1 : 0;
+    if (at_rest >= limits.steps_at_rest && relative > limits.slip)
+      return decide(Verdict::moves, "at rest after a vertex went further than " + figure(limits.slip) +
+                                        " sizes of its block");
     if (at_rest >= limits.steps_at_rest)
       return decide(Verdict::rests, "forces in balance, no vertex faster than " + figure(limits.rest_speed) +
                                         " sizes of its block a second");

@@ -11,12 +11,14 @@ namespace ddacontact {
 /// When a trial ends, and how.
 ///
 /// It rests after `steps_at_rest` steps in a row at whose end all forces are in balance and no vertex moves
-/// faster than `rest_speed`. It moves when a vertex is further than `displacement` from where it was at the
-/// start and forces are not in balance. Where neither comes true in `time_factor` times the steps of the
-/// stage (of `fewest_steps` at least), it rests if no vertex went further in the second half of the trial
-/// than in the first, else it moves.
+/// faster than `rest_speed`, unless a vertex is then further than `slip` from where it was at the start: it
+/// has failed and found another place, where water, loads or joints may bear less on it. It moves when a
+/// vertex is further than `displacement` and forces are not in balance. Where neither comes true in
+/// `time_factor` times the steps of the stage (of `fewest_steps` at least), it rests if no vertex went
+/// further in the second half of the trial than in the first, else it moves.
 struct TrialLimits {
   double displacement = 0.05;  ///< sizes of its block
+  double slip = 0.01;          ///< sizes of its block
   double rest_speed = 1e-5;    ///< sizes of its block a second
   int steps_at_rest = 10;
   int time_factor = 5, fewest_steps = 200;

@@ -1,11 +1,13 @@
 #include <ddacontact/time/energy_ledger.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
 
 void EnergyLedger::close_step(double tolerated) {
+  assert(std::isfinite(now.total()) && tolerated >= 0);
   for (double Energy::*entry : entries) {
     exchanged_ = std::max(exchanged_, std::abs(now.*entry - start_.*entry));
     largest_ = std::max(largest_, std::abs(now.*entry));
@@ -13,7 +15,11 @@ void EnergyLedger::close_step(double tolerated) {
   tolerated_ = std::max(tolerated_, tolerated);
   const double created =
       (now.total() - now.numerical_dissipated) - (start_.total() - start_.numerical_dissipated);
-  if (has_exchanged()) created_ = std::max(created_, (created - tolerated_) / exchanged_);
+  created_ = std::max(created_, created - tolerated_);
+}
+
+double EnergyLedger::created() const {
+  return has_exchanged() ? created_ / exchanged_ : 0;
 }
 
 bool EnergyLedger::has_exchanged() const {

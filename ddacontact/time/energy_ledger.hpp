@@ -42,7 +42,7 @@ class EnergyLedger {
   /// Energy from nowhere: by how much kinetic, elastic, gravity and what friction and damping took rose above
   /// the work of loads and supports at most, beyond what is tolerated, over the largest energy exchanged; 0
   /// while there was none.
-  double created() const { return created_; }
+  double created() const;
 
   /// Calls visit with every number of the ledger.
   template <class Ledger, class Visit>
@@ -70,7 +70,8 @@ class EnergyLedger {
   bool has_exchanged() const;
 
   double exchanged_ = 0, largest_ = 0;
-  double tolerated_ = 0, created_ = 0;
+  double tolerated_ = 0;
+  double created_ = 0;  ///< J per m
 };
 
 }  // namespace ddacontact

@@ -12,6 +12,8 @@ namespace {
 
 /// Of a block's size, in one substep.
 constexpr double far = 0.1;
+/// Strain: Green's and the engineering strain differ by half of this there.
+constexpr double large_strain = 0.05;
 /// Of fewer blocks in contact, most is said of too few.
 constexpr int least_blocks = 4;
 /// Of all substeps: those in which contacts of most blocks change are no single events then.
@@ -33,6 +35,18 @@ std::string figure(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
   return text;
+}
+
+/// The largest strain of the edges of an outline, as a ratio.
+double edge_strain(const PointsRef& reference, const PointsRef& outline) {
+  double largest = 0;
+  for (Index k = 0, n = outline.cols(); k < n; ++k) {
+    const Index next = k + 1 < n ? k + 1 : 0;
+    const double length = (reference.col(next) - reference.col(k)).norm(),
+                 now = (outline.col(next) - outline.col(k)).norm();
+    largest = std::max(largest, std::abs(now - length) / length);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -60,8 +74,8 @@ void RunWarnings::look(const SeenStep& step) {
       if (slipped) slides[b] = 1;
     }
   }
-  int n_touch = 0, n_change = 0, furthest_block = -1;
-  double furthest = 0;
+  int n_touch = 0, n_change = 0, furthest_block = -1, strained_block = -1;
+  double furthest = 0, strain = large_strain;
   for (int b = 0; b < n_blocks; ++b) {
     if (!step.blocks.is_movable(b) || !touches[b]) continue;
     const int whole = step.in_whole.empty() ? b : step.in_whole[b];
@@ -72,6 +86,13 @@ void RunWarnings::look(const SeenStep& step) {
       if (changes[b]) ++unsteady_[whole];
     }
     const Block& block = step.blocks.block(b);
+    const Range& vertices = block.vertices();
+    const double of_block = edge_strain(block.reference().leftCols(vertices.count),
+                                        step.positions.middleCols(vertices.first, vertices.count));
+    if (of_block > strain) {
+      strain = of_block;
+      strained_block = whole;
+    }
     for (int v = 0; v < block.n_vertices(); ++v) {
       const double moved = block.vertex_map(v)(step.d).norm() / block.size();
       if (moved <= furthest) continue;
@@ -80,6 +101,7 @@ void RunWarnings::look(const SeenStep& step) {
     }
   }
   if (furthest > far) far_.add(furthest, furthest_block, step.time);
+  if (strained_block >= 0) strained_.add(strain, strained_block, step.time);
   if (n_touch >= least_blocks && 2 * n_change > n_touch)
     changed_.add(static_cast<double>(n_change) / n_touch, -1, step.time);
 }
@@ -94,6 +116,12 @@ std::vector<std::string> RunWarnings::texts(const BlockSystem& blocks, long subs
                     " s; furthest block " + quoted(blocks.names[far_.block]) + ", by " +
                     figure(far_.largest) +
                     " of its size: results may depend on the step (a smaller 'time_step')");
+  if (strained_.substeps > 0)
+    texts.push_back("strains are large in " + std::to_string(strained_.substeps) + of_all + ", first at " +
+                    figure(strained_.first_time) + " s; most in block " +
+                    quoted(blocks.names[strained_.block]) + ", whose edges change by " +
+                    figure(100 * strained_.largest) +
+                    " %: elasticity is linear, for small strains (is 'young' right, with its unit?)");
   if (static_cast<double>(changed_.substeps) > often * static_cast<double>(substeps))
     texts.push_back("contacts of most blocks changed their state in " + std::to_string(changed_.substeps) +
                     of_all + ", first at " + figure(changed_.first_time) +
@@ -111,8 +139,8 @@ std::vector<std::string> RunWarnings::texts(const BlockSystem& blocks, long subs
         " s)");
   if (energy.created() > large_rise)
     texts.push_back("energy rose by " + figure(energy.created()) +
-                    " of the largest exchanged above what loads and supports put in (scheme = \"decaying\" "
-                    "or a smaller 'time_step'; scheme = \"newmark\" needs a gamma of 0.6)");
+                    " of the largest exchanged above what loads and supports put in (a smaller 'time_step', "
+                    "or scheme = \"decaying\"; scheme = \"newmark\" needs a gamma of 0.6)");
   return texts;
 }
 

@@ -14,6 +14,7 @@ namespace ddacontact {
 /// A substep that was accepted.
 struct SeenStep {
   const BlockSystem& blocks;
+  const Points& positions;               ///< of the points of all blocks, at its end
   const VectorXd& d;                     ///< its displacements
   const std::vector<Contact>& contacts;  ///< as it left them
   double dt = 0, time = 0;               ///< s; the time at its end
@@ -25,6 +26,9 @@ struct SeenStep {
 /// Looks at every accepted substep for what makes results doubtful:
 /// - a block in contact moves by more than a tenth of its size: contacts are taken at one place of the path.
 ///   (Flight is exact whatever the step.)
+/// - an edge of a block in contact is longer or shorter by more than a twentieth than at the start:
+/// elasticity
+///   is linear, for small strains.
 /// - contacts of most blocks change their state, in more than a tenth of all substeps. (A first loading or a
 ///   pillar taken out does so too, but once or twice.)
 /// - friction-induced vibration: contacts of a sliding block change their state again and again, in substeps
@@ -44,7 +48,7 @@ class RunWarnings {
   /// Calls visit with every number, and visit.list for those of the blocks.
   template <class Warnings, class Visit>
   static void visit_numbers(Warnings& warnings, Visit&& visit) {
-    for (auto* sighting : {&warnings.far_, &warnings.changed_}) {
+    for (auto* sighting : {&warnings.far_, &warnings.strained_, &warnings.changed_}) {
       visit(sighting->substeps);
       visit(sighting->first_time);
       visit(sighting->largest);
@@ -65,6 +69,7 @@ class RunWarnings {
     void add(double value, int of_block, double time);
   };
   Sighting far_;                       ///< largest motion of a block over its size
+  Sighting strained_;                  ///< largest strain of an edge
   Sighting changed_;                   ///< part of the blocks in contact whose contacts changed
   std::vector<long> slid_, unsteady_;  ///< of each block: substeps in which it slid; of these, with a change
 };

@@ -230,7 +230,7 @@ class Stepper {
   void record_contacts();
   void dilate(Contact& contact, double shear_before);
   /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
-  void assess(double dt, const Solution& solution, const VectorXd& end_velocity);
+  void assess(double dt, const Solution& solution, const BlockState& next);
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
   // Blocks that sleep take no part in a step: blocks_, state_, contacts_ and all that is made for them are

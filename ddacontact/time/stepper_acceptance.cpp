@@ -17,7 +17,12 @@ namespace ddacontact {
 
 bool Stepper::check_concave(int b, const BlockState& next) {
   const Range& v = blocks_.block(b).vertices();
-  if (polyfem::find_defect(next.position.middleCols(v.first, v.count))) {
+  const auto outline = next.position.middleCols(v.first, v.count);
+  if (!(polyfem::signed_area(outline) > 0)) {
+    rejection_ = "block " + quoted(blocks_.names[b]) + " is turned inside out: it is too soft for its loads";
+    return false;
+  }
+  if (polyfem::find_defect(outline)) {
     rejection_ = "the outline of block " + quoted(blocks_.names[b]) + " crosses itself";
     return false;
   }
@@ -93,7 +98,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
                  energy_.now);
     end_bolts(solution, motion, next);
   }
-  assess(dt, solution, next.velocity);
+  assess(dt, solution, next);
   book_kinetic(kinetic_energy(blocks_, next.velocity));
   record_contacts();
   // How much of what an impact takes is friction's is told by its impulses, which need not be unique.
@@ -231,8 +236,8 @@ void Stepper::measure_contacts(const BlockState& from, const VectorXd& d, const 
   }
 }
 
-void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_velocity) {
-  const VectorXd velocity = is_static() ? solution.d / dt : end_velocity;
+void Stepper::assess(double dt, const Solution& solution, const BlockState& next) {
+  const VectorXd velocity = is_static() ? solution.d / dt : next.velocity;
   const double before = equilibrium_.unbalanced;
   const Points& reactions = asleep_ ? asleep_->part_reactions : reactions_;
   equilibrium_ =
@@ -245,6 +250,7 @@ void Stepper::assess(double dt, const Solution& solution, const VectorXd& end_ve
   equilibrium_.unbalanced_before = before;
   warnings_.look(
       {.blocks = blocks_,
+       .positions = next.position,
        .d = solution.d,
        .contacts = trial_contacts_,
        .dt = dt,

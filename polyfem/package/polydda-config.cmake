@@ -1,4 +1,4 @@
-# find_package(polydda [COMPONENTS polyfem ddacontact polyfem_dealii]) gives the targets polydda::<component>; without
+# find_package(polydda [COMPONENTS polyfem ddacontact ddascene polyfem_dealii]) gives the targets polydda::<component>; without
 # COMPONENTS all but polyfem_dealii, which needs deal.II and is there when polydda was built with POLYDDA_DEALII=ON.
 include(CMakeFindDependencyMacro)
 
