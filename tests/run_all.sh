@@ -7,3 +7,4 @@ install_packages "${program_packages[@]}" "${python_packages[@]}" "${viewer_pack
 cmake --preset release -DPOLYDDA_ASSERTIONS=ON -DPOLYDDA_COMBINE_TESTS=ON -DPOLYDDA_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
 cmake --build --preset release
 ctest --preset release
+ctest --preset verification

@@ -3,7 +3,7 @@
 # Folders of a library include themselves and what stands before them; polyfem knows nothing of ddacontact, the
 # libraries nothing of apps, and each third-party library has its place.
 set(polyfem_folders core geometry quadrature basis material element mesh assembly io dealii testing)
-set(ddacontact_folders core domain block detection contact solver classic time output picture page scene study)
+set(ddacontact_folders core block detection contact solver classic time domain output picture page scene study)
 
 # What may include it, as a pattern of paths, for each third-party header.
 set(third_party

@@ -5,6 +5,7 @@
 #include <ddacontact/study/strength_reduction.hpp>
 #include <ddacontact/time/monitor_target.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -19,7 +20,57 @@ Vec2 travel_of(const BuiltScene& built, const std::string& monitor) {
   throw std::runtime_error("no monitor " + monitor);
 }
 
+/// A block on a fixed base of 40 x 1 m, with more text.
+SceneReading block_on_base(const std::string& young, const std::string& vertices, const std::string& more) {
+  return read_scene_text("[analysis]\nsteps = 200\ntime_step = 0.01\n"
+                         "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = " + young +
+                             "\npoisson = 0.2\n[[joint]]\nname = \"all\"\nfriction_angle = 30\n"
+                             "[[block]]\nname = \"base\"\nmaterial = \"rock\"\nfixed = true\n"
+                             "vertices = [[-20, -1], [20, -1], [20, 0], [-20, 0]]\n"
+                             "[[block]]\nname = \"block\"\nmaterial = \"rock\"\nvertices = " +
+                             vertices + "\n" + more,
+                         "base.toml");
+}
+
 }  // namespace
+
+/// A modulus in the wrong unit: the reader warns, and no block passes through its base without a word.
+TEST(Practice, ABlockTooSoftForItsWeightIsNotedOrStops) {
+  for (const char* young : {"20", "2e3", "2e4", "1e5"}) {
+    const SceneReading reading = block_on_base(young, "[[0, 0], [2, 0], [2, 1], [0, 1]]", "");
+    ASSERT_TRUE(reading.scene);
+    ASSERT_EQ(reading.problems.size(), 1u) << young;
+    EXPECT_NE(reading.problems[0].text().find("strained by its weight"), std::string::npos);
+    const BuiltScene built = build(*reading.scene);
+    Stepper& stepper = *built.stepper;
+    if (!support::run(stepper, 200)) continue;
+    const std::vector<std::string> warnings =
+        stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy());
+    EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& text) {
+      return text.starts_with("strains are large");
+    })) << young;
+    const Points x = stepper.blocks().positions(stepper.state());
+    const Range& v = stepper.blocks().block(1).vertices();
+    EXPECT_GT(x.row(1).middleCols(v.first, v.count).minCoeff() - x.row(1).minCoeff(), 0.9) << young;
+  }
+  EXPECT_TRUE(block_on_base("20e9", "[[0, 0], [2, 0], [2, 1], [0, 1]]", "").problems.empty());
+}
+
+/// Water 3 m deep behind a block of 4 x 3 m, with uplift from 3 m of head to none: by limit equilibrium
+/// F = (W - U) tan(30) / H. A block that slides out of a part of the uplift and rests there has failed.
+TEST(Practice, ABlockThatSlidesOutOfItsUpliftHasFailed) {
+  const SceneReading reading = block_on_base("20e9", "[[0, 0], [4, 0], [4, 3], [0, 3]]",
+                                             "[water]\ntable = [[-30, 3], [1, 3], [1.5, 0], [30, 0]]\n"
+                                             "joint_table = [[0, 3], [4, 0]]\n");
+  ASSERT_TRUE(reading.scene);
+  const StrengthReduction reduction(*reading.scene, {0});
+  const FactorBracket bracket =
+      bracket_factor([&](double f) { return reduction.try_factor(f).verdict; }, std::nullopt, 0.005);
+  constexpr double weight = 12 * 2500 * 9.8, uplift = 1000 * 9.8 * 6, push = 1000 * 9.8 * 4.5;
+  const double exact = (weight - uplift) * std::tan(std::numbers::pi / 6) / push;
+  EXPECT_LE(bracket.low, 1.005 * exact);
+  EXPECT_GE(bracket.high, 0.99 * exact);
+}
 
 /// The factor of limit equilibrium in the scene's first lines.
 TEST(Practice, DamSlidesAtItsFactorOfSafety) {

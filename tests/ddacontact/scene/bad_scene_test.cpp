@@ -132,6 +132,7 @@ const Case cases[] = {
     {"WrongUnitInArray", "[0.0, -9.8]", "[0.0, \"9.8 m/s\"]", 7, 17, {"'gravity[1]'", "'m/s'", "m/s2"}},
     {"WrongUnitOfVertex", "\"90 cm\"", "\"90 deg\"", 44, 43, {"'vertices[2][1]'", "'deg'", " in m"}},
     {"UnknownUnit", "\"5 MPa\"", "\"5 psi\"", 19, 9, {"'young'", "unknown unit 'psi'", "Pa"}},
+    {"CapitalsOfAUnit", "\"5 MPa\"", "\"5 Mpa\"", 19, 9, {"'young'", "unknown unit 'Mpa'", "did you mean MPa?"}},
     {"NoUnit", "\"5 MPa\"", "\"5\"", 19, 9, {"'5'", "without a unit"}},
     {"NoNumber", "\"5 MPa\"", "\"MPa\"", 19, 9, {"'MPa'", "number"}},
     {"WrongUnitOfDamping",

@@ -108,6 +108,21 @@ TEST(EnergyLedger, BlocksWithoutMotionsAreRefusedByTheDecayingScheme) {
   EXPECT_THROW(worst_balance(Scheme::decaying, 1), Error);
 }
 
+/// Energy that arises counts against the largest exchange of the whole run, not against that of its first
+/// steps.
+TEST(EnergyLedger, EnergyFromNowhereIsAPartOfTheLargestExchange) {
+  EnergyLedger ledger;
+  ledger.now.gravity = 100;
+  ledger.start();
+  ledger.now.kinetic = 1;
+  ledger.close_step(0);
+  EXPECT_NEAR(ledger.created(), 1, 1e-12);
+  ledger.now.gravity = 0;
+  ledger.now.kinetic = 101;
+  ledger.close_step(0);
+  EXPECT_NEAR(ledger.created(), 0.01, 1e-3);
+}
+
 /// A square is thrown along the floor, bounces on a corner, slides and hits another one; damping acts
 /// throughout.
 TEST(EnergyLedger, OfEverythingAtOnceCloses) {
