@@ -40,12 +40,15 @@ struct Bolt {
 
   // What BlockState::bolts has of it, by points from `numbers.first` on: three numbers a segment, then, where
   // it is grouted, two a node.
-  int n_numbers() const { return 3 * n_segments() + (is_grouted() ? 2 * n_segments() + 2 : 0); }
-  static int length(int segment) { return 3 * segment; }            ///< when it was installed, m
-  static int plastic(int segment) { return 3 * segment + 1; }       ///< elongation without force, m
-  static int torn(int segment) { return 3 * segment + 2; }          ///< 1: it has torn
-  int slip(int node) const { return 3 * n_segments() + 2 * node; }  ///< of the bar towards its last node, m
-  int plastic_slip(int node) const { return slip(node) + 1; }       ///< the part without force, m
+  static constexpr int per_segment = 3;
+  int n_numbers() const { return per_segment * n_segments() + (is_grouted() ? 2 * n_segments() + 2 : 0); }
+  static int length(int segment) { return per_segment * segment; }       ///< when it was installed, m
+  static int plastic(int segment) { return per_segment * segment + 1; }  ///< elongation without force, m
+  static int torn(int segment) { return per_segment * segment + 2; }     ///< 1: it has torn
+  int slip(int node) const {
+    return per_segment * n_segments() + 2 * node;
+  }                                                            ///< of the bar towards its last node, m
+  int plastic_slip(int node) const { return slip(node) + 1; }  ///< the part without force, m
 };
 
 /// Whether it is installed and a segment of it may move.

@@ -290,8 +290,8 @@ class ContactSolver {
   /// it may be its own friction that pulls.
   unsigned char next(std::size_t c) const {
     const unsigned char now = states_[c], at_d = at_d_[c];
-    if (near_ && now == (normal_active | shear_active) && at_d == open)
-      return normal_active | (forces_[c].shear > 0 ? at_upper : at_lower);
+    if (near_ && now == (normal_acts | shear_acts) && at_d == open)
+      return normal_acts | (forces_[c].shear > 0 ? at_upper : at_lower);
     return next_state(now, at_d);
   }
 
@@ -476,7 +476,7 @@ class ContactSolver {
     }
     last_block_relative_ = report_.residual.block_relative;
     std::vector<unsigned char> active(states_.size());
-    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (normal_active | shear_active);
+    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (normal_acts | shear_acts);
     if (!tangent_.solve(terms_, active, couplings(), report_.residual.force, correction_))
       return leave_active_set();
     VectorXd next = d_;
@@ -529,8 +529,7 @@ class ContactSolver {
     const Multiplier& m = multipliers_[c];
     const double bound = terms_[c].bound;
     const bool at_bound = m.sliding || std::abs(m.shear) > bound;
-    return (states_[c] & shear_active) && at_bound && bound < infinity &&
-                   forces_[c].normal > -terms_[c].tension
+    return (states_[c] & shear_acts) && at_bound && bound < infinity && forces_[c].normal > -terms_[c].tension
                ? (m.shear > 0 ? 1 : -1)
                : 0;
   }
@@ -550,7 +549,7 @@ class ContactSolver {
   /// Whether a bond bears its strength and gives way.
   bool yields(std::size_t c) const {
     if (!multipliers_[c].bonded) return false;
-    const bool opens = !(at_d_[c] & normal_active) && terms_[c].gap(d_) > contacts_[c].length_tolerance();
+    const bool opens = !(at_d_[c] & normal_acts) && terms_[c].gap(d_) > contacts_[c].length_tolerance();
     return opens || (is_sliding(c) && !contacts_[c].law.ductile);
   }
 

@@ -115,10 +115,10 @@ class InteriorPoint {
     if (!i.acts) return open;
     const bool is_open = i.unilateral && i.normal.x < i.normal.s;
     if (is_open && !laws_[c].bonded) return open;
-    const unsigned char closed = is_open ? open : normal_active;
+    const unsigned char closed = is_open ? open : normal_acts;
     if (!i.sheared) return closed;
-    if (i.holds) return closed | shear_active;
-    return closed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : shear_active);
+    if (i.holds) return closed | shear_acts;
+    return closed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : shear_acts);
   }
 
  private:
@@ -386,7 +386,7 @@ class InteriorPoint {
       i.mixed = i.slides() ? i.wt * (f - k + i.sense) : 0;
       terms_[c].normal_stiffness = i.w * i.p;
       terms_[c].tangential_stiffness = i.wt * i.p_t;
-      active_[c] = i.sheared ? normal_active | shear_active : normal_active;
+      active_[c] = i.sheared ? normal_acts | shear_acts : normal_acts;
       if (i.mixed * i.rate != 0)
         couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p, c});
     }

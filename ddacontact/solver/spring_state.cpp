@@ -17,19 +17,19 @@ bool bears_shear(const ContactTerm& term, const JointLaw& law) {
 
 unsigned char first_state(const Contact& contact, bool sheared) {
   if (!contact.closed()) return open;
-  if (!sheared) return normal_active;
+  if (!sheared) return normal_acts;
   const ContactHistory& history = contact.history;
-  if (!is_slipping(history.state)) return normal_active | shear_active;
+  if (!is_slipping(history.state)) return normal_acts | shear_acts;
   const bool upper = history.shear > 0 || history.state == ContactState::slip_backward;
-  return normal_active | (upper ? at_upper : at_lower);
+  return normal_acts | (upper ? at_upper : at_lower);
 }
 
 unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs) {
   const auto& [n, t] = springs;
   if (!n.acts() && term.bound == 0) return open;
-  const unsigned char closed = n.acts() ? normal_active : open;
+  const unsigned char closed = n.acts() ? normal_acts : open;
   if (!bears_shear(term, law)) return closed;
-  return closed | (t.acts() ? shear_active : t.force > 0 ? at_upper : at_lower);
+  return closed | (t.acts() ? shear_acts : t.force > 0 ? at_upper : at_lower);
 }
 
 unsigned char state_of(const ContactTerm& term, const JointLaw& law, bool bonded, const ContactForce& force) {
@@ -37,17 +37,17 @@ unsigned char state_of(const ContactTerm& term, const JointLaw& law, bool bonded
   const double bound = term.bound < infinity ? shear_bound(law, force.normal, bonded) : infinity;
   const bool is_closed = term.normal == ContactTerm::Normal::bilateral || force.normal > -term.tension;
   if (!is_closed && bound == 0) return open;
-  const unsigned char closed = is_closed ? normal_active : open;
+  const unsigned char closed = is_closed ? normal_acts : open;
   if (!bears_shear(term, law)) return closed;
-  return closed | (std::abs(force.shear) < bound ? shear_active : force.shear > 0 ? at_upper : at_lower);
+  return closed | (std::abs(force.shear) < bound ? shear_acts : force.shear > 0 ? at_upper : at_lower);
 }
 
 ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char state,
                             const ContactSprings& springs) {
   ContactForce force;
-  const bool follows = (state & normal_active) || springs.normal.low == -infinity;
+  const bool follows = (state & normal_acts) || springs.normal.low == -infinity;
   force.normal = follows ? springs.normal.force : springs.normal.low;
-  if (state & shear_active) force.shear = springs.tangential.force;
+  if (state & shear_acts) force.shear = springs.tangential.force;
   const double bound =
       force.normal < 0 && !bonded ? law.friction * force.normal : shear_bound(law, force.normal, bonded);
   if (state & at_upper) force.shear = bound;
@@ -57,7 +57,7 @@ ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char stat
 
 unsigned char next_state(unsigned char state, unsigned char at_d) {
   const bool turns = ((state | at_d) & (at_upper | at_lower)) == (at_upper | at_lower);
-  return turns ? static_cast<unsigned char>((at_d & normal_active) | shear_active) : at_d;
+  return turns ? static_cast<unsigned char>((at_d & normal_acts) | shear_acts) : at_d;
 }
 
 }  // namespace ddacontact

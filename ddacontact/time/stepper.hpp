@@ -75,7 +75,7 @@ class Stepper {
   void restore(RunRecord record);
 
   /// Limits of the contact solver, for measurements. Every stage sets its tolerance anew.
-  ContactSolverOptions& contact_solver_options() { return contact_solver_options_; }
+  ContactSolverOptions& contact_solver_options() { return solver_options_; }
 
   const BlockSystem& blocks() const { return blocks_; }
   /// The velocity is that at the time of the state; where the next substep is not solvable as it stands, that
@@ -279,7 +279,7 @@ class Stepper {
   IslandsApart islands_;
   OpenCloseOptions open_close_;
   ContactMethod method_;
-  ContactSolverOptions contact_solver_options_;
+  ContactSolverOptions solver_options_;
   double fixed_point_stiffness_;
 
   BlockState state_;

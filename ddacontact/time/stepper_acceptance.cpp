@@ -128,8 +128,7 @@ void Stepper::accept(double dt, const Solution& solution, BlockState next) {
   const bool some_fell_asleep = fall_asleep(dt);
   tolerated_work_ = 0;
   for (const Contact& contact : trial_contacts_)
-    tolerated_work_ +=
-        std::max(contact.normal, 0.0) * contact_solver_options_.penetration_tolerance * contact.size;
+    tolerated_work_ += std::max(contact.normal, 0.0) * solver_options_.penetration_tolerance * contact.size;
   ++counts_.substeps;
   counts_.max_residual = std::max(counts_.max_residual, solution.residual.block_relative);
   counts_.largest_tolerance = std::max(counts_.largest_tolerance, solution.tolerance);

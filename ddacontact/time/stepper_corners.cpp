@@ -63,7 +63,7 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
   for (int round = 0; contact_builder_->has_choices() && solution.rejection.empty(); ++round) {
     const std::vector<Contact> solved = trial_contacts_;
     const std::vector<int> doubtful = contact_builder_->find_doubtful(
-        trial_contacts_, contact_solver_options_.residual_tolerance * solution.residual.scale);
+        trial_contacts_, solver_options_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
       restart_contacts();

@@ -157,23 +157,22 @@ void Stepper::solve_by_open_close(Solution& solution) {
 
 void Stepper::solve_by_contact_solver(const StepStart& start, const Solution* warm_start,
                                       Solution& solution) {
-  contact_solver_options_.local =
+  solver_options_.local =
       !is_static() &&
       (start.rule.is_explicit() ||
        std::all_of(trial_contacts_.begin(), trial_contacts_.end(),
                    [&](const Contact& contact) { return carries_waves(blocks_, contact, system_->dt()); }));
-  contact_solver_options_.skip = analysis_.skip;
-  contact_solver_options_.directions = start.rule.directions();
-  contact_solver_options_.is_static = is_static();
+  solver_options_.skip = analysis_.skip;
+  solver_options_.directions = start.rule.directions();
+  solver_options_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
-  contact_solver_options_.warm_start = warm_start;
+  solver_options_.warm_start = warm_start;
   if (warm_start) solution.d += warm_start->straight - warm_start->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, trial_contacts_);
   ContactSolverReport report =
-      apart ? islands_.solve(blocks_, state_, start, *system_, contact_solver_options_, trial_contacts_,
-                             solution.d)
-            : solve_contacts(*system_, contact_solver_options_, trial_contacts_, solution.d);
+      apart ? islands_.solve(blocks_, state_, start, *system_, solver_options_, trial_contacts_, solution.d)
+            : solve_contacts(*system_, solver_options_, trial_contacts_, solution.d);
   if (apart) {
     const IslandsApart::Work& work = islands_.last_work();
     counts_.linear_solves += work.n_solves;

@@ -52,7 +52,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       limits_(blocks_, stages_.front().analysis),
       properties_(contacts),
       method_(contacts.method),
-      contact_solver_options_(contacts.tolerance, contacts.penetration_tolerance),
+      solver_options_(contacts.tolerance, contacts.penetration_tolerance),
       fixed_point_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
       reactions_(Points::Zero(2, state_.position.cols())),
@@ -100,8 +100,8 @@ void Stepper::apply(const Stage& stage) {
   if (stable_ && stable_->n_decaying > 0)
     notes_.push_back("by the explicit scheme " + std::to_string(stable_->n_decaying) +
                      " slivers do not vibrate: their deformation decays");
-  contact_solver_options_.solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
-                                                                     : tolerance_of_explicit_steps);
+  solver_options_.solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
+                                                             : tolerance_of_explicit_steps);
 }
 
 void Stepper::find_motions() {

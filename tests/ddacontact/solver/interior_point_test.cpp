@@ -92,25 +92,24 @@ TEST(InteriorPoint, BlocksAtRestStick) {
   Found found(stacks({{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
   found.expect_law();
   for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}, {2, 4}})
-    EXPECT_EQ(found.count(a, b, normal_active | shear_active), 2) << a << " " << b;
+    EXPECT_EQ(found.count(a, b, normal_acts | shear_acts), 2) << a << " " << b;
 }
 
 /// One block above is pushed along, the other is lifted off; one below is pushed the other way.
 TEST(InteriorPoint, BlocksStickSlideAndLiftOffAsTheLawSays) {
   Found found(stacks({{0, 0}, {-60e3, 0}, {15e3, 0}, {0, 30e3}}));
   found.expect_law();
-  EXPECT_EQ(found.count(0, 1, normal_active | shear_active), 2);
+  EXPECT_EQ(found.count(0, 1, normal_acts | shear_acts), 2);
   EXPECT_EQ(found.count(2, 4, open), 2);
-  const int up = found.count(1, 3, normal_active | at_upper),
-            down = found.count(1, 3, normal_active | at_lower);
+  const int up = found.count(1, 3, normal_acts | at_upper), down = found.count(1, 3, normal_acts | at_lower);
   EXPECT_EQ(up + down, 2);
   EXPECT_EQ(up * down, 0);
-  EXPECT_EQ(found.count(0, 2, up > 0 ? normal_active | at_lower : normal_active | at_upper), 2);
+  EXPECT_EQ(found.count(0, 2, up > 0 ? normal_acts | at_lower : normal_acts | at_upper), 2);
 }
 
 TEST(InteriorPoint, WithoutFrictionContactsAreOpenOrPressed) {
   Found found(stacks({{0, 0}, {-60e3, 0}, {15e3, 0}, {0, 30e3}}, 0));
   found.expect_law();
-  for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}}) EXPECT_EQ(found.count(a, b, normal_active), 2);
+  for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}}) EXPECT_EQ(found.count(a, b, normal_acts), 2);
   EXPECT_EQ(found.count(2, 4, open), 2);
 }
