@@ -2,21 +2,16 @@
 #pragma once
 
 #include "scene_list.hpp"
-#include "table.hpp"
+
+#include <map>
+#include <string>
 
 namespace regression {
 
-/// Runs the scene to its end and states each of its numbers as a row that expects just it, or as a bound with
-/// what was `seen`.
-struct Measured {
-  Row row;
-  double seen = 0;
-};
+/// The numbers of a scene by their names.
+using Measured = std::map<std::string, double>;
 
-/// Tolerances are the class' share of a scale of the scene: of forces the weight of the free blocks or the
-/// largest load (without either the largest force seen), of displacements the size of the smallest free block
-/// (without any contact the largest displacement seen), of energies the largest one seen. Throws Error when
-/// the scene cannot be read or the run stops.
-std::vector<Measured> measure(const ListedScene& scene);
+/// Runs the scene to its end. Throws Error when it cannot be read or the run stops.
+Measured measure(const ListedScene& scene);
 
 }  // namespace regression

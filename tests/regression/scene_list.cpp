@@ -8,13 +8,6 @@ namespace regression {
 
 namespace {
 
-SceneClass class_from(const std::string& word) {
-  if (word == "smooth") return SceneClass::smooth;
-  if (word == "impacts") return SceneClass::impacts;
-  if (word == "chaotic") return SceneClass::chaotic;
-  throw ddacontact::Error("no class of scenes is called \"" + word + "\" (smooth, impacts or chaotic)");
-}
-
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> words;
@@ -30,27 +23,14 @@ std::pair<std::string, std::string> pair_from(const std::string& word) {
 
 }  // namespace
 
-double relative_tolerance(SceneClass scene_class) {
-  switch (scene_class) {
-    case SceneClass::smooth:
-      return 1e-6;
-    case SceneClass::impacts:
-      return 1e-4;
-    case SceneClass::chaotic:
-      return 1e-3;
-  }
-  return 0;
-}
-
 std::vector<ListedScene> read_scene_list(const std::filesystem::path& file) {
   const ddacontact::CsvTable table(file);
-  const auto names = table.texts("scene"), classes = table.texts("class"), files = table.texts("file"),
-             settings = table.texts("settings"), pairs = table.texts("pairs");
+  const auto names = table.texts("scene"), files = table.texts("file"), settings = table.texts("settings"),
+             pairs = table.texts("pairs");
   std::vector<ListedScene> scenes;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     ListedScene& scene = scenes.emplace_back();
     scene.name = names[row];
-    scene.scene_class = class_from(classes[row]);
     scene.file = file.parent_path() / files[row];
     scene.settings = words_of(settings[row]);
     for (const std::string& word : words_of(pairs[row])) scene.pairs.push_back(pair_from(word));
