@@ -42,7 +42,7 @@ struct CellStress {
 /// counter-clockwise, which contacts act on, then the corners of its cells that lie inside or on an edge.
 ///
 /// Unknowns, points and integration points are ranges of the arrays of BlockState, given once by
-/// `place`. `prepare` makes the block ready for a state; `begin_step` for a step from there. Everything else
+/// `number`. `prepare` makes the block ready for a state; `begin_step` for a step from there. Everything else
 /// speaks of the state last prepared and the step last begun. Vectors of one block are in the order of its
 /// own unknowns. Forces are per metre of thickness.
 class Block {
@@ -79,7 +79,7 @@ class Block {
   /// The square root of the reference area: what tolerances are relative to.
   double size() const;
   const BlockMaterial& material() const { return material_; }
-  /// The multiple of a power of two nearest to a place: what the block's origin may be.
+  /// The multiple of a power of two nearest to a position: what the block's origin may be.
   Vec2 grid_point(const Vec2& near) const;
 
   /// Makes ready for the block's outline in `state`.
@@ -139,7 +139,7 @@ class Block {
   virtual void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
     d += change;
   }
-  /// Writes the block's place, velocity, what the scheme carries on and stress after the step into `next`,
+  /// Writes the block's positions, velocity, what the scheme carries on and stress after the step into `next`,
   /// which holds those before it; with half steps the velocity is left as it is. `external` are all forces
   /// that acted on it, of its own unknowns: free blocks take their momentum from them (and with forces at the
   /// middle their angular momentum).

@@ -45,7 +45,7 @@ struct BodyLoad {
 };
 
 /// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
-/// a place along an axis.
+/// a point along an axis.
 struct PrescribedDof {
   int unknown = 0;
   int vertex = 0;       ///< in the arrays of the state
@@ -89,7 +89,7 @@ class BlockSystem {
   std::vector<FixedVertex> fixed_vertices;
   /// Numbered by `set_bolts`.
   std::vector<Bolt> bolts;
-  /// Every vertex that the scene holds, by its place in the arrays of the state, ascending. Of an affine
+  /// Every vertex that the scene holds, by its index in the arrays of the state, ascending. Of an affine
   /// block held at more than three vertices three carry the reactions of all.
   std::vector<int> supported_vertices;
 
@@ -163,7 +163,7 @@ class BlockSystem {
   /// Of all points since displacements are counted: from the start, or from the last call of
   /// count_displacements_from.
   Points displacements(const BlockState& state) const;
-  /// Of one place since the start, along an axis.
+  /// Of one point since the start, along an axis.
   double total_displacement(const BlockState& state, int point, int axis) const;
   void count_displacements_from(const BlockState& zero);
   /// The points that displacements are counted from, with their blocks' origins.

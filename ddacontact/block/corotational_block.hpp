@@ -72,7 +72,7 @@ class CorotationalBlock final : public Block {
   auto with_step(const Work& work) const;
 
   std::shared_ptr<const CorotationalShape> shape_;
-  std::vector<std::vector<PointMap::Term>> point_maps_;  ///< empty: each place has two unknowns of its own
+  std::vector<std::vector<PointMap::Term>> point_maps_;  ///< empty: each point has two unknowns of its own
   CorotationalStart start_;                              ///< of the step last begun
 };
 

@@ -5,7 +5,7 @@
 
 namespace ddacontact {
 
-/// A point that travels with its block: x = sum_p weights[p] * (place p of the block).
+/// A point that travels with its block: x = sum_p weights[p] * (point p of the block).
 struct MaterialPoint {
   int block = 0;
   VectorXd weights;  ///< see Block::point_weights

@@ -38,7 +38,7 @@ struct MovingVertexEdge {
     const RoundedPositions from = positions(), by = moved(d);
     return {{from.i + by.i, from.j + by.j, from.k + by.k}, from.after_i + by.after_i};
   }
-  /// From a place on, by a motion.
+  /// From a position on, by a motion.
   GapAndSlip gap_and_slip_from(const RoundedPositions& positions, const RoundedPositions& by, double lock,
                                Directions directions) const {
     return rounding ? gap_and_slip(positions, by, lock, directions, *rounding)
@@ -52,7 +52,7 @@ struct MovingVertexEdge {
                              Directions::of_end);
   }
   double start_gap() const { return rounding ? rates_at(positions(), 0).gap : gap(start); }
-  /// Whose place along the line j-k the slip is.
+  /// Whose position along the line j-k is the slip.
   VertexEdgePositions slip_positions() const {
     return rounding ? ddacontact::slip_positions(positions(), *rounding) : start;
   }

@@ -33,7 +33,7 @@ struct Outline {
 struct PairLimits {
   double search_margin;  ///< pairs of features further apart than this cannot meet within the step
   double max_depth;      ///< a vertex deeper inside than this did not come through this edge
-  double coincidence;    ///< two vertices no further apart along the edge than this count as one place
+  double coincidence;    ///< two vertices no further apart along the edge than this coincide
   double lip;  ///< a vertex passes an edge's line when it is further behind it than this; infinity: none
                ///< is passed, and of lines that a corner may meet it takes that with the largest gap
 

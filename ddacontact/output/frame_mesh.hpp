@@ -8,8 +8,8 @@
 
 namespace ddacontact {
 
-/// Blocks share no points. Each block's points are the first of its points, in their order; they serve the
-/// first of its cells that has them as corners, other cells have points of their own there.
+/// Blocks share no points. The points of a block come first, in their order, and serve the first of its cells
+/// that has them as corners; other cells have points of their own there.
 struct FrameMesh {
   Eigen::Matrix3Xd points;                       ///< x, y, 0
   std::vector<std::int64_t> connectivity, ends;  ///< of cells, as .vtu files have them

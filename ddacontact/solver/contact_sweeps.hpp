@@ -95,8 +95,8 @@ class ContactSweeps {
   VectorXd forces() const;
 
   std::vector<int> slot_;      ///< of every unknown in packed vectors, -1: held
-  std::vector<int> unknown_;   ///< at every place, -1: held
-  std::vector<int> block_of_;  ///< at every place
+  std::vector<int> unknown_;   ///< at every slot, -1: prescribed
+  std::vector<int> block_of_;  ///< at every slot
   std::vector<Block> blocks_;
   std::vector<double> inverses_;
   std::vector<Row> rows_;            ///< group by group, then those between groups

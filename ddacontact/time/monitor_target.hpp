@@ -1,4 +1,4 @@
-/// \file A place whose motion is recorded.
+/// \file A point whose motion is recorded.
 #pragma once
 
 #include <ddacontact/block/rigid_velocity.hpp>

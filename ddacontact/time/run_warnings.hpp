@@ -24,7 +24,7 @@ struct SeenStep {
 };
 
 /// Looks at every accepted substep for what makes results doubtful:
-/// - a block in contact moves by more than a tenth of its size: contacts are taken at one place of the path.
+/// - a block in contact moves by more than a tenth of its size: contacts are linearized at one position of the path.
 ///   (Flight is exact whatever the step.)
 /// - an edge of a block in contact is longer or shorter by more than a twentieth than at the start:
 /// elasticity

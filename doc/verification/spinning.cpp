@@ -54,7 +54,7 @@ double steady_stretch(const Block& block, BlockModel model, double angular_veloc
   // Translations carry no force here; they do not change the area either.
   const VectorXd u = A.fullPivLu().solve(VectorXd(centrifugal.reshaped()));
   Points stretched = shape.nodes + u.reshaped(2, m);
-  if (shape.places.size() > 0) stretched = (stretched * shape.places.transpose()).eval();
+  if (shape.points.size() > 0) stretched = (stretched * shape.points.transpose()).eval();
   return polyfem::area_moments(stretched).area / polyfem::area_moments(outline).area - 1;
 }
 

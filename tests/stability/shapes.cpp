@@ -48,7 +48,7 @@ constexpr Model models[] = {{"wachspress", BlockModel::wachspress},
                             {"mesh", BlockModel::mesh},
                             {"affine", BlockModel::affine}};
 
-struct Definiteness {
+struct ShapeChecks {
   double unity = 0;  ///< largest |sum of the functions - 1|, on the outline and inside
   double rigid = 0;  ///< elastic force of a turn of 0.3 rad and a translation, over |K| |d|
   bool finite = true;
@@ -68,8 +68,8 @@ double defect_of_unity(const Points& corners, const polyfem::Basis& basis) {
   return (table.values.rowwise().sum().array() - 1).abs().maxCoeff();
 }
 
-Definiteness evaluate(const Points& outline, const Model& model) {
-  Definiteness sound;
+ShapeChecks evaluate(const Points& outline, const Model& model) {
+  ShapeChecks of_shape;
   Scene scene = rock_scene(1e-3, 20);
   scene.joints[0].friction_angle = 30;
   const Vec2 low = outline.rowwise().minCoeff(), high = outline.rowwise().maxCoeff();
@@ -104,7 +104,7 @@ Definiteness evaluate(const Points& outline, const Model& model) {
   } catch (const polyfem::Error& error) {
     of_shape.refused = error.what();
   }
-  return sound;
+  return of_shape;
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void hard_shapes(Page& page) {
   int n_bad = 0;
   for (const HardShape& shape : hard_shapes_of_facts())
     for (const Model& model : models) {
-      const Definiteness of_shape = evaluate(shape.outline, model);
+      const ShapeChecks of_shape = evaluate(shape.outline, model);
       unity = std::max(unity, of_shape.unity);
       rigid = std::max(rigid, of_shape.rigid);
       const bool ends_well = of_shape.finite && of_shape.refused.empty();

@@ -95,10 +95,12 @@ TEST_F(GeometryWriter, GeojsonIsAFeatureCollectionToTheBit) {
   GEOSGeoJSONReader_destroy_r(geos_, reader);
 }
 
-TEST_F(GeometryWriter, TomlIsASceneWithoutProblemsWhoseLowestBlocksAreHeld) {
+TEST_F(GeometryWriter, TomlIsASceneWithoutErrorsWhoseLowestBlocksAreHeld) {
   written("a.toml");
+  // One block is so large that its weight deforms it: the reader warns.
   const SceneReading reading = read_scene(path("a.toml"));
-  for (const Problem& problem : reading.problems) ADD_FAILURE() << problem.text();
+  for (const Problem& problem : reading.problems)
+    if (problem.severity == Problem::Severity::error) ADD_FAILURE() << problem.text();
   ASSERT_TRUE(reading.scene);
   EXPECT_EQ(reading.scene->title, "three \"blocks\"");
   ASSERT_EQ(reading.scene->blocks.size(), 3u);
