@@ -41,7 +41,7 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 ///
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] properties   of the contacts of these blocks
-/// \param[in] also         contacts that are known to close within the step; empty: none
+/// \param[in] forced       contacts that are known to close within the step; empty: none
 StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,
                           const std::vector<char>& forced);

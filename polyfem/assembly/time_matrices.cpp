@@ -10,10 +10,12 @@ TimeMatrices::TimeMatrices(const PolygonMesh& mesh, int n_components, const Cell
   MatrixXd M;
   effective.assemble([&](int cell, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
     cell_matrices(cell, polygon, K, M, f);
-    if (K.rows() != f.size() || K.cols() != f.size() || M.rows() != f.size() || M.cols() != f.size())
-      throw Error("K is " + std::to_string(K.rows()) + " x " + std::to_string(K.cols()) + ", M " +
-                  std::to_string(M.rows()) + " x " + std::to_string(M.cols()) +
-                  ": both need one row for each of " + std::to_string(f.size()) + " unknowns");
+    const Index n = n_components * polygon.cols();
+    if (f.size() != n || K.rows() != n || K.cols() != n || M.rows() != n || M.cols() != n)
+      throw Error("f has " + std::to_string(f.size()) + " rows, K is " + std::to_string(K.rows()) + " x " +
+                  std::to_string(K.cols()) + ", M " + std::to_string(M.rows()) + " x " +
+                  std::to_string(M.cols()) + ": all need one row for each of the " + std::to_string(n) +
+                  " unknowns of cell " + std::to_string(cell));
     stiffness_.add(cell, K);
     mass_.add(cell, M);
     K += mass_factor * M;
