@@ -67,13 +67,15 @@ struct Multiplier {
   bool bonded = false;
 };
 
-/// Complementarity, up to round-off: no tension beyond a bond's, no shear beyond the bound.
-[[maybe_unused]] bool is_admissible(const JointLaw& law, bool bonded, const ContactForce& force) {
+/// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to round-off and `negligible`,
+/// N per m.
+[[maybe_unused]] bool is_admissible(const JointLaw& law, bool bonded, const ContactForce& force,
+                                    double negligible) {
   constexpr double round_off = 1e-6;
   const double bound = shear_bound(law, force.normal, bonded),
-               scale = std::abs(force.normal) + std::abs(force.shear);
-  return std::isfinite(scale) && force.normal >= -(bonded ? law.tension : 0) - round_off * scale &&
-         (law.glued || std::abs(force.shear) <= bound + round_off * (scale + bound));
+               allowed = negligible + round_off * (std::abs(force.normal) + std::abs(force.shear));
+  return std::isfinite(allowed) && force.normal >= -(bonded ? law.tension : 0) - allowed &&
+         (law.glued || std::abs(force.shear) <= bound + allowed);
 }
 
 class ContactSolver {
@@ -627,7 +629,8 @@ class ContactSolver {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       Contact& contact = contacts_[c];
       ContactHistory& history = contact.history;
-      assert(is_admissible(contact.law, multipliers_[c].bonded, forces_[c]));
+      assert(is_admissible(contact.law, multipliers_[c].bonded, forces_[c],
+                           negligible_force * report_.residual.scale));
       const bool closed = forces_[c].normal > 0 || (multipliers_[c].bonded && contact.closed());
       if (!closed)
         history.state = ContactState::open;
