@@ -43,7 +43,7 @@ py::list outlines_of(const py::object& self) {
   return outlines;
 }
 
-/// First place and number of places of the same outlines.
+/// First point and number of points of the same outlines.
 py::list outline_ranges_of(const Frame& frame) {
   py::list ranges;
   for (const int b : frame.present_blocks())

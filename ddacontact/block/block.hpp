@@ -139,8 +139,8 @@ class Block {
   virtual void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
     d += change;
   }
-  /// Writes the block's positions, velocity, what the scheme carries on and stress after the step into `next`,
-  /// which holds those before it; with half steps the velocity is left as it is. `external` are all forces
+  /// Writes into `next`, which holds those before the step, the block's positions, velocity, what the scheme
+  /// carries on and stress after it; with half steps the velocity is left as it is. `external` are all forces
   /// that acted on it, of its own unknowns: free blocks take their momentum from them (and with forces at the
   /// middle their angular momentum).
   virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,

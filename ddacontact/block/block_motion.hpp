@@ -48,9 +48,9 @@ class BlockMotion {
 
   /// Writes the block after the step: its coordinates (those at the start are given) and points, and the
   /// velocities of its unknowns on that shape in the middle of the step; the angular momentum is that of the
-  /// step. \param[in] external  all forces on the unknowns of a free block, which takes its momenta from
-  /// them: what is left
-  ///                      of them in d has the solution's error; empty: it has supports
+  /// step.
+  /// \param[in] external  all forces on the unknowns of a free block, which takes its momenta from them: what
+  ///                      is left of them in d has the solution's error; empty: it has supports
   void end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> points,
            Written velocity) const;
 

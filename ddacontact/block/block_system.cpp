@@ -295,7 +295,7 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
     const Range& u = block(b).unknowns();
     block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
   });
-  // A place that turns with its block leaves the straight line that its support prescribes.
+  // A point that turns with its block leaves the straight line that its support prescribes.
   constexpr int most_rounds = 8;
   constexpr double negligible = 1e-15;  // of the block size
   for (int round = 0; round < most_rounds; ++round) {

@@ -103,7 +103,7 @@ class BlockSystem {
 
   void set_prescribed_dofs(std::vector<PrescribedDof> held);
   const std::vector<PrescribedDof>& prescribed_dofs() const { return prescribed_dofs_; }
-  /// The row of (13) of each unknown, -1 when it is held.
+  /// The row of (13) of each unknown, -1 when it is prescribed.
   const std::vector<int>& equation() const { return equation_; }
   int n_equations() const { return n_equations_; }
   int block_of_point(int point) const {
@@ -114,9 +114,9 @@ class BlockSystem {
     assert(unknown >= 0 && unknown < static_cast<int>(block_of_unknown_.size()));
     return block_of_unknown_[unknown];
   }
-  /// Whether a block has an unknown that is not held.
+  /// Whether a block has a free unknown.
   bool is_movable(int b) const { return movable_[b]; }
-  /// Whether a block has no unknown that is held.
+  /// Whether a block has no prescribed unknown.
   bool is_free(int b) const { return free_[b]; }
   /// Whether a block is wholly held where it is: it has neither equations nor forces of its own.
   bool is_unchanging(int b) const { return unchanging_[b]; }

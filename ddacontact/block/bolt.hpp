@@ -38,7 +38,7 @@ struct Bolt {
     return nodes[static_cast<std::size_t>(k)].block >= 0 && nodes[static_cast<std::size_t>(k) + 1].block >= 0;
   }
 
-  // What BlockState::bolts has of it, by points from `numbers.first` on: three numbers a segment, then, where
+  // What BlockState::bolts has of it, by offset from `numbers.first` on: three numbers a segment, then, where
   // it is grouted, two a node.
   static constexpr int per_segment = 3;
   int n_numbers() const { return per_segment * n_segments() + (is_grouted() ? 2 * n_segments() + 2 : 0); }

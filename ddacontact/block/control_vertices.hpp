@@ -9,12 +9,12 @@
 namespace ddacontact {
 
 /// Three vertices by whose displacements in x, and three (often the same) by whose displacements in y, an
-/// affine field can be told. With held vertices among them, holding is leaving out their unknowns.
+/// affine field can be told. With fixed vertices among them, fixing is leaving out their unknowns.
 struct ControlVertices {
   std::array<int, 3> x, y;
 };
 
-/// Control vertices that include as many of the held ones (`fixed_x[v]`, `fixed_y[v]`) as three can be.
+/// Control vertices that include as many of the fixed ones (`fixed_x[v]`, `fixed_y[v]`) as three can be.
 ControlVertices choose_control_vertices(const PointsRef& outline, const std::vector<bool>& fixed_x,
                                         const std::vector<bool>& fixed_y);
 

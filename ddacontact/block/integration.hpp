@@ -14,8 +14,8 @@ struct Integration {
   bool definite = true;  ///< whether it gives the block a stiffness of full rank and a definite mass
 };
 
-/// The paper's integration, or, with the correction on, the cheapest rule from there that is sound for this
-/// outline and basis.
+/// The paper's integration, or, with the correction on, the cheapest rule from there that gives this
+/// outline and basis a stiffness of full rank and a definite mass.
 Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction,
                                const polyfem::Basis& basis = polyfem::wachspress);
 

@@ -7,7 +7,7 @@ namespace ddacontact {
 
 /// The blocks' part of the state. A step writes a second one; a rejected step keeps the old.
 ///
-/// A block's position is an origin near it plus points relative to that, so that gaps and strains are as
+/// A block's state is an origin near it and points relative to that, so that gaps and strains are as
 /// exact as the block is small, wherever it is. Origins are multiples of a power of two of about the block's
 /// size: their differences are exact, and so is moving one after its block.
 struct BlockState {
@@ -15,7 +15,7 @@ struct BlockState {
   Points origin;    ///< of each block, relative to the model's origin
   Points position;  ///< the points of all blocks, relative to their block's origin
   /// Of blocks that are carried on by their motions, what points follow from: centre of mass from the origin,
-  /// angle, deformation of the nodes (MotionShape). Empty: points themselves are the state.
+  /// angle, deformation of the nodes (MotionShape). Empty: the points are the state.
   VectorXd coordinates;
   VectorXd velocity;  ///< of every unknown
   /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end

@@ -17,7 +17,7 @@ struct ContactHistory {
                           ///< stress-free, as far as the blocks have not come apart since; > 0: a gap below
                           ///< the coincidence tolerance that glue has filled
   double length = 0;      ///< over which cohesion and tensile strength act, m
-  double normal = 0;      ///< N at the end of the last step: where the staged method's multipliers start
+  double normal = 0;      ///< N at the end of the last step: where the multipliers start
   double shear = 0;       ///< T at the end of the last step
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
@@ -52,7 +52,7 @@ struct MovingVertexEdge {
                              Directions::of_end);
   }
   double start_gap() const { return rounding ? rates_at(positions(), 0).gap : gap(start); }
-  /// Whose position along the line j-k is the slip.
+  /// The vertex whose position along the line j-k is the slip, with that line.
   VertexEdgePositions slip_positions() const {
     return rounding ? ddacontact::slip_positions(positions(), *rounding) : start;
   }
@@ -99,12 +99,12 @@ struct ContactRecord {
 
 /// A vertex of one block against an edge of another, through one step.
 struct Contact : ContactRecord {
-  bool start_bonded = false;  ///< `history.bonded` and `history.state` before a try, which changes them
+  bool start_bonded = false;  ///< `history.bonded` and `history.state` before a trial, which changes them
   ContactState start_state = ContactState::open;
   bool meets = false;  ///< on the edge in an impact within the step
   JointLaw law;
   MovingVertexEdge motion;
-  // At the end of the last try of the step; before one, the gap at its start.
+  // At the end of the last trial of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
   double gap_change = 0, slip_change = 0;          ///< within the step
   double straight_before = 0, straight_after = 0;  ///< length of the collinear outline beyond its ends, m

@@ -24,7 +24,7 @@ namespace {
 constexpr double coincidence = 1e-6;
 /// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
 constexpr double near_corner = 1e-2;
-/// Pairs of blocks are looked for so many reaches further than they have to be.
+/// Pairs of blocks are looked for so many search margins further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;

@@ -62,8 +62,8 @@ class ContactBuilder {
   /// an overlap is taken as stress-free. \param[in] motion  see `build`
   std::vector<Contact> build_first(const BlockState& state, const VectorXd& motion,
                                    const std::vector<double>& search_margin);
-  /// Writes into `contacts` those that may close while no vertex of block b moves
-  /// further than reach[b]. Those also in `previous` carry on its history; so does a vertex that slid
+  /// Writes into `contacts` those that may close while no vertex of block b moves further than
+  /// search_margin[b]. Those also in `previous` carry on its history; so does a vertex that slid
   /// onto the next edge where that is collinear, or across a corner onto the neighbour's vertex.
   /// \param[in] motion  displacements of all unknowns predicted for the step: of lines that a corner may meet
   ///   they tell which
@@ -82,7 +82,7 @@ class ContactBuilder {
   /// Chooses those in doubt by the motion without them, for the rest of the step. False: they are the same.
   bool decide_doubtful(const BlockState& state, const VectorXd& without,
                        const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
-  /// Makes a contact what it was before a try of a step.
+  /// Restores a contact to what it was before a trial step.
   void restart(Contact& contact) const;
   /// Takes the positions of the vertex and the edge in a state as those at the start of the step.
   void start_from(const BlockState& state, Contact& contact) const;
@@ -95,8 +95,8 @@ class ContactBuilder {
   /// How often pairs of blocks were looked for.
   long n_searches() const { return nearby_.n_searches(); }
 
-  /// Looks for vertices that went into another block through an edge on the way from `start` to `end`, deeper
-  /// than the lip, and had none of these contacts, the last ones built, with it. False: there
+  /// Looks for missed penetrations: vertices that went into another block through an edge from `start` to
+  /// `end`, deeper than the lip, and had none of these contacts, the last ones built, with it. False: there
   /// are none.
   bool find_missed(const BlockState& start, const BlockState& end, const std::vector<Contact>& contacts);
   /// Adds to the same contacts, as they are in `start`, those of the vertices found; the lines that corners
@@ -113,7 +113,7 @@ class ContactBuilder {
   double pair_size(int a, int b) const;
 
  private:
-  /// Finds the vertices and edges that may meet while no vertex of block b moves further than reach[b],
+  /// Finds the vertices and edges that may meet while no vertex of block b moves more than search_margin[b],
   /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
   std::size_t detect(const BlockState& state, const VectorXd& motion,
                      const std::vector<double>& search_margin, const std::vector<ContactRecord>& previous,
@@ -125,8 +125,8 @@ class ContactBuilder {
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
-  /// Whether unknowns that are not held move the vertex and the edge against each other, by more than the
-  /// tolerance of positions. Between held positions there is nothing to solve: their force is that of the
+  /// Whether free unknowns move the vertex and the edge against each other, by more than the
+  /// tolerance of positions. Between prescribed points there is nothing to solve: their force is that of the
   /// supports.
   bool can_change(const BlockState& state, const VertexEdge& pair) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
@@ -161,7 +161,7 @@ class ContactBuilder {
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;                        ///< of blocks that may meet
-  std::vector<double> search_margin_;              ///< that contacts were looked for in
+  std::vector<double> search_margin_;              ///< that contacts were looked for within
   std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<std::vector<Choice>> choices_in_;    ///< likewise
   std::vector<Choice> choices_;                    ///< of all

@@ -4,7 +4,7 @@ namespace ddacontact {
 
 namespace {
 
-/// Of the pair at this place.
+/// Of the pair at these positions.
 Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const RoundedPositions& positions) {
   const RoundedBlock& of_vertex = blocks.rounded(pair.vertex_block);
   const Block& vertex_block = blocks.block(pair.vertex_block);

@@ -30,7 +30,7 @@ double gap(const VertexEdgePositions& positions);
 /// (41), a length: how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k.
 double slip(const VertexEdgePositions& positions, double lock);
 
-/// What `gap` changes by when the three positions move by `by`: to the rounding of that motion, where
+/// The change of `gap` when the three points move by `by`: to the rounding of that motion, where
 /// the difference of two values has that of the whole edge's length.
 double gap_change(const VertexEdgePositions& start, const VertexEdgePositions& by);
 /// The same of `slip`, the lock point staying where it is on the edge.
@@ -62,7 +62,7 @@ GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositi
                         Directions directions);
 
 /// constant + gradient.i . u_i + gradient.j . u_j + gradient.k . u_k: a gap or a slip as an affine function
-/// of the displacements of the three positions.
+/// of the displacements of the three points.
 struct VertexEdgeForm {
   double constant = 0;
   VertexEdgeGradient gradient;

@@ -10,7 +10,7 @@ VertexEdgePositions positions_of(const SegmentPoint& of_vertex, const RoundedPos
           rounding.end.at(positions.j, positions.k)};
 }
 
-/// From derivatives by the points that `place_of` returns to those by the vertices.
+/// From derivatives by the points that `positions_of` returns to those by the vertices.
 VertexEdgeGradient by_vertices(const VertexEdgeGradient& by_points, const SegmentPoint& of_vertex,
                                const Rounding& rounding) {
   const Vec2 by_after_i = of_vertex.by_q(by_points.i),

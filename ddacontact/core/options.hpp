@@ -36,7 +36,7 @@ enum class Scheme {
   newmark,             ///< Newmark (beta, gamma)
   backward_euler
 };
-/// How contact states are found: the staged method | Shi's open-close iteration.
+/// How contact states are found: augmented Lagrangian method | Shi's open-close iteration.
 enum class ContactMethod { staged, classic };
 
 /// Schemes whose forces belong to a frame that turns with its block.

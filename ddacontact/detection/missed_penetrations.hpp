@@ -13,9 +13,9 @@ struct MovingOutline {
   PointsRef start, end;  ///< simple, counter-clockwise
 };
 
-/// Appends the vertices of `a` that penetrated `b`, with the edges they passed through, then those of `b`: not
-/// reflex ones, at last in the other polygon further than `tolerance` (m) from its outline. Of the edge they
-/// were at first in front, or no more than that behind.
+/// Appends the vertices of `a` that penetrate `b`, with the edges they pass through, then those of `b`. At
+/// the end such a vertex lies inside, further than `tolerance` (m) from the outline; at the start in front of
+/// the edge, or no more than that behind it. Reflex vertices are left out.
 void find_missed_penetrations(const MovingOutline& a, const MovingOutline& b, double tolerance,
                               std::vector<VertexEdge>& entries);
 

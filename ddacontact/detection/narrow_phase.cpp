@@ -144,7 +144,7 @@ class Entrances {
   void find(std::vector<Candidate>& found) {
     found.clear();
     edges_.clear();
-    // A vertex further from the polygon than the reach is met by none of its edges.
+    // A vertex further from the polygon than the search margin is met by none of its edges.
     const double margin = limits_.search_margin + 2 * limits_.coincidence;
     const Box near_b = widened(of_b_.box, margin);
     for (int i = 0; i < a_.vertices.cols(); ++i) {

@@ -32,8 +32,8 @@ class OutlineTable {
   /// \param[in] n_vertices  of each polygon
   explicit OutlineTable(std::span<const int> n_vertices = {});
 
-  /// The present positions of a polygon's vertices, relative to any origin. Different polygons may be set at the
-  /// same time.
+  /// The present positions of a polygon's vertices, relative to any origin. Different polygons may be set
+  /// at the same time.
   void set(int polygon, const PointsRef& vertices);
 
   /// Its box is relative to the same origin.

@@ -28,7 +28,7 @@ class PageShape {
   const std::vector<double>& sizes() const { return sizes_; }
 
   /// As the page reads it: integers (`append_integer`) for blocks, cells and their triangles, then the
-  /// reference positions relative to `centre`, x and y of each place, as little-endian 32-bit numbers.
+  /// reference positions relative to `centre`, x and y of each point, as little-endian 32-bit numbers.
   std::string bytes(const Frame& frame, const Vec2& centre) const;
 
  private:

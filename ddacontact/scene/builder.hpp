@@ -15,7 +15,7 @@ struct BuiltScene {
   std::unique_ptr<Stepper> stepper;
   std::vector<MonitorTarget> monitor_targets;  ///< the scene's monitors
   Labels labels;
-  std::vector<std::string> notes;  ///< what the user should know: rules raised, invalid elements, ...
+  std::vector<std::string> notes;  ///< what the user should know: rules raised, rank-deficient elements, ...
 };
 
 /// Builds what a checked scene describes. Throws Error for what only shows here: supports that an affine

@@ -18,8 +18,8 @@ struct GeometryBlocks {
   bool unreadable = false;  ///< the file could not be read
 };
 
-/// Reads the file at `path`; its ending says what it is. `key` is the place of what names it, `key_name` its
-/// name, for problems with the file as a whole; other problems have `path` for a file.
+/// Reads the file at `path`; its ending says what it is. `key` is the location of what names it, `key_name`
+/// its name, for problems with the file as a whole; other problems have `path` for a file.
 GeometryBlocks read_geometry_file(const std::string& path, const SourceLocation& key, ProblemList& problems,
                                   const std::string& key_name = "blocks");
 

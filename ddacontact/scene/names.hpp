@@ -24,8 +24,8 @@ class NameTable {
   void set_incomplete() { incomplete_ = true; }
 
   /// The index of a member called by name, by index, or by its index as a string when no one has that name;
-  /// -1 and a problem at `place` when there is none. `asked_by`, where not empty, is told in the problem:
-  /// "feature 7".
+  /// -1 and a problem at `location` when there is none. `asked_by`, where not empty, is told in the
+  /// problem: "feature 7".
   int find(const Reference& reference, const SourceLocation& location, ProblemList& problems,
            const std::string& asked_by = {}) const;
 

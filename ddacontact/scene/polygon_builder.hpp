@@ -11,7 +11,7 @@ namespace ddacontact::scene_format {
 /// Collects the rings of one polygon, vertex by vertex; the first thing that is wrong with it is a problem.
 class PolygonBuilder {
  public:
-  /// `title` names the polygon in messages: "feature 7". `place` is its own.
+  /// `title` names the polygon in messages: "feature 7". `location` is its own.
   PolygonBuilder(std::string title, SourceLocation location, ProblemList& problems)
       : title_(std::move(title)), location_(std::move(location)), problems_(problems) {}
 

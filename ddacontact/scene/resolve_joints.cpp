@@ -10,7 +10,7 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-/// Springs let blocks bounce as they please: only the staged method can give what is requested.
+/// Springs let blocks bounce as they please: only the method "staged" gives the stated value.
 void check_restitution(std::optional<double> restitution, const KeyLocations& locations,
                        const ContactRecord& contact, ContactMethod method, ProblemList& problems) {
   if (method != ContactMethod::classic || !restitution || *restitution == 0) return;

@@ -76,7 +76,7 @@ class SupportedBlocks {
   const std::vector<std::vector<int>>& neighbours_;
   std::vector<bool> is_settled_;        ///< held, or not there
   std::vector<int> supported_, loose_;  ///< in the order in which they were found; in that of the scene
-  std::size_t n_spread_ = 0;            ///< of held_, those whose neighbours are held
+  std::size_t n_spread_ = 0;            ///< of supported_, those whose neighbours are held
 };
 
 /// The blocks of a part that nothing holds.

@@ -25,8 +25,8 @@ std::vector<StaticPart> static_parts(const Scene& scene);
 /// A problem for each block that nothing can hold in some part, the first 1000 of them; after motion a
 /// warning. A block is held when a vertex of it is, in any direction; when it nearly touches a block that is
 /// held, or hangs from it by a bolt; and when it lies above one, so that it would fall onto it: their boxes
-/// along gravity overlap across it, and the other one reaches lower. All outlines must be valid. \param[in]
-/// tied  blocks that hold each other by a bolt, of each of these
+/// along gravity overlap across it, and the other one reaches lower. All outlines must be valid.
+/// \param[in] tied  blocks that hold each other by a bolt, of each of these
 void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& parts,
                    const std::vector<std::vector<int>>& tied, ProblemList& problems);
 

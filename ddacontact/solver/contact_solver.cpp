@@ -175,7 +175,7 @@ class ContactSolver {
     return law.tangential_stiffness * (law.compliant && has_means() ? 1. / 2 : 1);
   }
 
-  /// The states of the forces of a solution nearby.
+  /// Warm start: the states of the forces that solve a problem that differs little.
   void start_from_forces() {
     near_ = true;
     evaluate_contacts();
@@ -450,7 +450,7 @@ class ContactSolver {
                  [&](std::size_t c) { evaluate(contacts_[c], multipliers_[c], terms_[c]); });
   }
 
-  /// Stage 0: solves for the contacts' states; when that is done looks whether they agree with the solution.
+  /// Active-set iteration: solves for given states, then checks whether they agree with the solution.
   bool follow_states() {
     const bool solved = report_.residual.block_relative <= sufficient_decrease * first_of_states_ ||
                         is_balanced() || solutions_of_states_ >= most_solutions_of_states;
@@ -700,7 +700,7 @@ class ContactSolver {
   int fewest_disagreeing_ = static_cast<int>(contacts_.size()) + 1;
   bool many_changes_ = false;         ///< many contacts change their states, and sweeps find the forces
   bool interior_point_done_ = false;  ///< the states were found by the interior-point method
-  bool near_ = false;                 ///< these, or those of a solution nearby
+  bool near_ = false;                 ///< a solution is near: by that method or a warm start
   double last_block_relative_ = infinity, first_of_states_ = infinity;
   TangentSolver tangent_;
   ContactSweeps sweeps_;

@@ -29,7 +29,7 @@ struct ContactSolverOptions {
   double penetration_tolerance = 0;  ///< largest penetration over the block size; 0: plain penalty
   Directions directions = Directions::of_end;  ///< of contact forces
   /// Steps without time between them: bonds that exceed their strength break within, not at the end, and gaps
-  /// of closed contacts are taken back whole.
+  /// of closed contacts are corrected whole.
   bool is_static = false;
   bool local = false;   ///< inertia-dominated step: waves cross only a few blocks within it
   bool coarse = false;  ///< sweeps solve steps with many active-set changes, to ten times the penetration
@@ -52,14 +52,14 @@ enum class ContactSolverStatus {
   not_finite
 };
 
-/// How the method ended, with what it took.
+/// How the contact solver ended, with what it took.
 struct ContactSolverReport {
   ContactSolverStatus status = ContactSolverStatus::unsettled;
   int iterations = 0;  ///< solutions of (13)
   int augmentations = 0;
   int sweeps = 0;                 ///< over the contacts
   int interior_point_solves = 0;  ///< runs of the interior-point method
-  int interior_solutions = 0;     ///< of `iterations`, those of these
+  int interior_solutions = 0;     ///< of `iterations`, those of the interior-point method
   double tolerance = 0;           ///< that contact forces were solved to
   TangentCounts tangent;
   Residual residual;

@@ -35,7 +35,7 @@ class ContactSweeps {
   struct Stop {
     Tolerance quiet, many_changes;  ///< the latter where many contacts change their states
     double many = 1;                ///< as a part of the contacts, in the first two sweeps
-    int few = 0;                    ///< so many never are
+    int few = 0;                    ///< up to so many never are many
     int most_sweeps = 1;
   };
   /// How sweeps ended.
@@ -94,7 +94,7 @@ class ContactSweeps {
   bool has_many_changes(const Stop& stop) const;
   VectorXd forces() const;
 
-  std::vector<int> slot_;      ///< of every unknown in packed vectors, -1: held
+  std::vector<int> slot_;      ///< of every unknown in packed vectors, -1: prescribed
   std::vector<int> unknown_;   ///< at every slot, -1: prescribed
   std::vector<int> block_of_;  ///< at every slot
   std::vector<Block> blocks_;

@@ -63,7 +63,7 @@ class FrictionProblem {
   /// False: not positive definite.
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
                                const std::vector<unsigned char>& active);
-  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on the held ones. The factor may be
+  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on prescribed ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
   /// The same in single precision where that is quicker.

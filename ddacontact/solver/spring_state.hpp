@@ -11,7 +11,7 @@ enum SpringState : unsigned char { open = 0, normal_acts = 1, shear_acts = 2, at
 
 /// The state that the step before left.
 unsigned char first_state(const Contact& contact, bool sheared);
-/// The state of the law where the springs are looked at. A bond that is pulled with its strength bears shear
+/// The state of the law where the springs are evaluated. A bond that is pulled with its strength bears shear
 /// still.
 unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs);
 /// The state in which a contact exerts this force.

@@ -203,7 +203,7 @@ class Stepper {
   /// One trial with a predicted impact.
   /// \param[in] warm_start  the solution with an impact that differs little; may be null
   Solution solve_with(double dt, StepImpact impact, const Solution* warm_start);
-  /// Marks in `forced` contacts that closed fast that were not predicted; false: there are none.
+  /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
   bool find_unpredicted(double dt, const Solution& solution, std::vector<char>& forced) const;
   /// Whether blocks are carried on by their motions (BlockMotion).
   bool has_motions() const {
@@ -291,7 +291,7 @@ class Stepper {
   RunWarnings warnings_;
 
   std::vector<Contact> trial_contacts_;  ///< of the present substep, after the last trial
-  std::vector<double> search_margin_;    ///< that they were looked for in
+  std::vector<double> search_margin_;    ///< that they were looked for within
   double reach_scale_ = 1;
   bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;  ///< trial_contacts_ are those of state_

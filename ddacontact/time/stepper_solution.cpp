@@ -1,4 +1,4 @@
-// The solutions of a try: with the impacts of its step, by either contact method.
+// The solutions of a trial step: with its impacts, by either contact method.
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/step_from.hpp>

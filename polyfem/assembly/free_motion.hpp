@@ -18,7 +18,7 @@ struct FreeMotion {
 
 /// A constant, or with two components also a rotation, of a part of the mesh that leaves prescribed degrees
 /// of freedom where they are, keeps ties and costs no energy to round-off; nothing when there is none. Parts
-/// that are tied to each other count as one. `lower` may have its held rows and columns taken out.
+/// that are tied to each other count as one. `lower` may have prescribed rows and columns taken out.
 std::optional<FreeMotion> find_free_motion(const PolygonMesh& mesh, int n_components,
                                            const SparseMatrix& lower, const PrescribedDofs& prescribed,
                                            const TiedUnknowns& tied);

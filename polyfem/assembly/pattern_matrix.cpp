@@ -98,9 +98,9 @@ int place_of(const SparseMatrix& matrix, int row, int column, int guess) {
   return static_cast<int>(std::lower_bound(rows + outer[column], rows + outer[column + 1], row) - rows);
 }
 
-/// Of every two of the rows of every element, the later one fastest, the place of their entry in the lower
+/// Of every two of the rows of every element, the later one fastest, the slot of their entry in the lower
 /// triangle; -1 when one of the two is left out.
-/// \param[in] stride  between places that may follow each other
+/// \param[in] stride  between slots that may follow each other
 void find_slots(const Connectivity& elements, const SparseMatrix& lower, int stride, std::vector<int>& slot) {
   slot.clear();
   for (int e = 0; e < elements.n_elements(); ++e) {

@@ -1,4 +1,4 @@
-/// \file Sparse symmetric matrix assembled from small dense ones into precomputed places.
+/// \file Sparse symmetric matrix assembled from small dense ones into precomputed slots.
 #pragma once
 
 #include <polyfem/assembly/cholesky.hpp>
@@ -61,7 +61,7 @@ class PatternMatrix {
   /// group have the same rows then, and where one entry of two groups is tells where the others are.
   int group_size_ = 1;
   Connectivity groups_;                  ///< first rows of the groups of each element
-  std::vector<std::size_t> first_slot_;  ///< of each element in place_
+  std::vector<std::size_t> first_slot_;  ///< of each element in slot_
   std::vector<int> slot_;  ///< index into lower_.valuePtr() for each two groups of an element, or -1
   SparseMatrix lower_;
 };

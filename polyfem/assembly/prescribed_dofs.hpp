@@ -7,7 +7,7 @@
 
 namespace polyfem {
 
-/// Which unknowns are held, at what values, and what couples them to the others. Their rows and columns
+/// Which unknowns are prescribed, at what values, and what couples them to the others. Their rows and columns
 /// become those of the identity, so that the pattern, and with it the analysis, serves any set of them.
 class PrescribedDofs {
  public:
@@ -19,8 +19,8 @@ class PrescribedDofs {
   void release_all();
   bool is_prescribed(int unknown) const { return prescribed_[static_cast<std::size_t>(unknown)] != 0; }
 
-  /// Puts those of the identity in place of the held rows and columns of a matrix given by its lower triangle
-  /// and remembers what was there.
+  /// Puts those of the identity in place of the prescribed rows and columns of a matrix given by its lower
+  /// triangle and remembers what was there.
   void take_out(SparseMatrix& lower);
   /// Puts back what was taken out.
   void put_back(SparseMatrix& lower);

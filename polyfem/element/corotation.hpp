@@ -66,8 +66,8 @@ class CorotatedElement {
 
   /// The frame of nodes at y (2 x m), whose round-off is that of y: give them from an origin nearby. The
   /// common translation is taken out of u, as large ones would leave K u a resultant of their round-off.
-  /// Whoever tries positions that may be collapsed or mirrored must look at the stretch before asking for
-  /// forces.
+  /// Where positions may be collapsed or mirrored, check the stretch before
+  /// forces are requested.
   template <class Of>
   void frame(const Eigen::Ref<const typename Of::Vectors>& nodes, CorotatedFrameOf<Of>& frame) const;
   /// The rest of a frame whose stretch, rotation and local positions are known.

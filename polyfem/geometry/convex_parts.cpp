@@ -82,7 +82,7 @@ class Cutter {
     return mended;
   }
 
-  /// By positions in `part`; -1 where it is convex.
+  /// By indices into `part`; -1 where it is convex.
   std::pair<int, int> best_cut(const Corners& part) const {
     std::map<int, int> place_of;
     for (int k = 0; k < size(part); ++k) place_of[part[k]] = k;

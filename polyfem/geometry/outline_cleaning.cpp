@@ -41,7 +41,7 @@ class Outline {
     return true;
   }
 
-  /// Makes one vertex at `place` of the two ends of an edge, or changes nothing.
+  /// Makes one vertex at `position` of the two ends of an edge, or changes nothing.
   bool merge(int edge, const Vec2& position) {
     const int k = edge, next = index(edge + 1);
     std::vector<Vec2> rest = vertices_;

@@ -20,9 +20,9 @@ struct BoundaryPosition {
 std::optional<int> common_edge(const BoundaryPosition& a, const BoundaryPosition& b, int n_corners);
 
 /// Finds where the vertices of a mesh are, and moves those at corners of the domain exactly there. Throws
-/// Error when the mesh does not fill the domain: an edge of one cell only that is not part of the outline, or
-/// a corner without a vertex. \param[in] domain     counter-clockwise \param[in] tolerance  how far a vertex
-/// on the outline may lie from it
+/// Error for an edge of one cell only that is not part of the outline, and for a corner without a vertex.
+/// \param[in] domain     counter-clockwise
+/// \param[in] tolerance  how far a vertex on the outline may lie from it
 std::vector<BoundaryPosition> boundary_positions(PolygonMesh& mesh, const PointsRef& domain,
                                                  double tolerance);
 

@@ -13,13 +13,13 @@ namespace polyfem {
 
 namespace {
 
-/// Places that several vertices share.
+/// Positions that several vertices share.
 class SharedPoints {
  public:
   explicit SharedPoints(double distance) : distance_(distance) {}
 
   const std::vector<Vec2>& positions() const { return positions_; }
-  /// The first place within the distance; a new one where there is none.
+  /// Number of the first position within the distance; a new one where there is none.
   int number(const Vec2& point) {
     const Square at{std::llround(point.x() / distance_), std::llround(point.y() / distance_)};
     for (std::int64_t dx = -1; dx <= 1; ++dx)

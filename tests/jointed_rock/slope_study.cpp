@@ -61,7 +61,7 @@ Slope Slopes::next() {
     const support::RigidBlocks blocks = support::rigid_blocks(slope.scene);
     const std::optional<double> limit = support::least_friction(blocks);
     n_never_held_ += !limit;
-    // Tangents at corners are chosen for each friction anew: that less does not hold is requested directly.
+    // Tangents at corners are chosen for each friction anew: that less does not hold is checked directly.
     if (!limit || *limit == 0 || support::can_be_held(blocks, below_limit * *limit)) continue;
     slope.n_free = static_cast<int>(std::count(blocks.fixed.begin(), blocks.fixed.end(), false));
     slope.limit = *limit;

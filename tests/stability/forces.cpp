@@ -21,7 +21,7 @@ std::set<VertexEdge> bonded(const Contacts& contacts) {
   return pairs;
 }
 
-/// \param[in] positions  of all places
+/// \param[in] positions  of all points
 VertexEdgePositions place_of(const VertexEdge& pair, const BlockSystem& blocks, const Points& positions) {
   const Range &of_vertex = blocks.block(pair.vertex_block).vertices(),
               &of_edge = blocks.block(pair.edge_block).vertices();

@@ -76,7 +76,7 @@ Meeting first_meeting(const PolygonPair& from, const PolygonPair& to) {
   return first;
 }
 
-/// Moved and turned at random so that no vertex goes further than `reach`.
+/// Moved and turned at random so that no vertex goes further than `search_margin`.
 Points moved_at_random(const Points& polygon, double search_margin, std::mt19937& random) {
   const Vec2 centre = polygon.rowwise().mean();
   const double radius = (polygon.colwise() - centre).colwise().norm().maxCoeff();

@@ -4,7 +4,7 @@ using namespace support;
 
 namespace {
 
-/// A block of 40 kN at rest on a fixed plane that is tilted with it, contact forces by the staged method.
+/// A block of 40 kN at rest on a fixed plane that is tilted with it, method "staged".
 Scene resting(double stiffness, double angle, double friction_degrees) {
   Scene scene = rock_scene(0.05, 20);
   scene.analysis.mode = Mode::statics;

@@ -1,4 +1,4 @@
-// Elements with vertices on edges and concave corners: mean value functions leave them sound.
+// Elements with vertices on edges and concave corners: mean value functions keep them at full rank.
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/element/definiteness.hpp>
 #include <polyfem/element/matrices.hpp>

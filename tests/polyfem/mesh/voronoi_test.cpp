@@ -113,8 +113,8 @@ TEST_P(VoronoiOfDomain, SharesEachInnerEdgeBetweenTwoCellsInOppositeDirections) 
   });
 }
 
-// The outline is one closed chain that passes every corner of the domain, and between two corners runs
-// collinear.
+// The outline is one closed chain that passes every corner of the domain; between two
+// corners all its edges are collinear.
 TEST_P(VoronoiOfDomain, HasTheOutlineOfTheDomain) {
   Points outline = domain();
   if (signed_area(outline) < 0) outline = domain().rowwise().reverse();
