@@ -41,7 +41,6 @@ double velocity_after_half_a_second(double mass) {
   blocks.push_back(std::make_unique<VertexBlock>(rock, rectangle(-2, 20, -1, 0)));
   blocks.push_back(std::make_unique<VertexBlock>(rock, rectangle(0, 4, 0, 1)));
   BlockSystem system(std::move(blocks));
-  system.gravity = Vec2(0, -g);
   std::vector<PrescribedDof> held;  // every vertex of the slope, in x and y
   for (int vertex = 0; vertex < 4; ++vertex)
     for (int axis = 0; axis < 2; ++axis) held.push_back({2 * vertex + axis, vertex, axis, {}});
@@ -50,6 +49,7 @@ double velocity_after_half_a_second(double mass) {
   const ContactProperties contacts{
       40 * young, 16 * young, JointTable(JointStrength{.friction_law = patton}), {0, 0}};
   AnalysisOptions analysis;
+  analysis.gravity = Vec2(0, -g);
   analysis.scheme = Scheme::dda;
   analysis.kinematics = Kinematics::incremental;
   analysis.time_step = 0.01;

@@ -28,7 +28,6 @@ int main() {
   for (const Points& outline : {ramp, slider}) blocks.push_back(std::make_unique<VertexBlock>(rock, outline));
 
   BlockSystem system(std::move(blocks));
-  system.gravity = Vec2(0, -g);
   std::vector<PrescribedDof> held;  // every vertex of the ramp, in x and y
   for (int vertex = 0; vertex < 3; ++vertex)
     for (int axis = 0; axis < 2; ++axis) held.push_back({2 * vertex + axis, vertex, axis, {}});
@@ -37,6 +36,7 @@ int main() {
   const JointTable joints(JointStrength{.friction = friction});
   const ContactProperties contacts{40 * young, 16 * young, joints, {0, 0}};
   AnalysisOptions analysis;
+  analysis.gravity = Vec2(0, -g);
   analysis.scheme = Scheme::dda;
   analysis.kinematics = Kinematics::incremental;
   analysis.time_step = 0.02;
