@@ -13,6 +13,7 @@
 #include <ddacontact/scene/scheme_check.hpp>
 #include <ddacontact/scene/static_check.hpp>
 #include <ddacontact/scene/text.hpp>
+#include <ddacontact/time/run_warnings.hpp>
 
 #include <algorithm>
 
@@ -92,9 +93,6 @@ void warn_of_unused_joints(const Document& document, const NameTable& names, con
         "give blocks these materials, or leave the joint out");
   }
 }
-
-/// Of blocks that their own weight strains by so much: elasticity is linear, for small strains.
-constexpr double large_strain = 0.05;
 
 /// The longest extent of a block of the material along a direction, m.
 double tallest(const Scene& scene, int material, const Vec2& direction) {

@@ -54,12 +54,13 @@ std::optional<Unit> find_symbol(std::string_view text) {
 
 /// "Gpa": " (did you mean GPa?)"; empty where capitals are not what is wrong.
 std::string meant(std::string_view text) {
-  for (const Symbol& symbol : symbols)
-    for (const std::string_view prefix : {"", "k", "M", "G", "m", "c"}) {
-      const std::string known = std::string(prefix) + std::string(symbol.text);
-      if ((prefix.empty() || symbol.takes_prefix) && edit_distance(text, known) == 0)
-        return " (did you mean " + known + "?)";
-    }
+  for (const Symbol& symbol : symbols) {
+    std::vector<std::string> known{std::string(symbol.text)};
+    if (symbol.takes_prefix)
+      for (const Prefix& prefix : prefixes) known.push_back(prefix.letter + std::string(symbol.text));
+    for (const std::string& word : known)
+      if (edit_distance(text, word) == 0) return " (did you mean " + word + "?)";
+  }
   return "";
 }
 

@@ -12,8 +12,6 @@ namespace {
 
 /// Of a block's size, in one substep.
 constexpr double far = 0.1;
-/// Strain: Green's and the engineering strain differ by half of this there.
-constexpr double large_strain = 0.05;
 /// Of fewer blocks in contact, most is said of too few.
 constexpr int least_blocks = 4;
 /// Of all substeps: those in which contacts of most blocks change are no single events then.

@@ -11,6 +11,10 @@
 
 namespace ddacontact {
 
+/// Strain beyond which linear elasticity is doubtful: Green's and the engineering strain differ by half of
+/// it.
+constexpr double large_strain = 0.05;
+
 /// A substep that was accepted.
 struct SeenStep {
   const BlockSystem& blocks;

@@ -22,14 +22,16 @@ Vec2 travel_of(const BuiltScene& built, const std::string& monitor) {
 
 /// A block on a fixed base of 40 x 1 m, with more text.
 SceneReading block_on_base(const std::string& young, const std::string& vertices, const std::string& more) {
-  return read_scene_text("[analysis]\nsteps = 200\ntime_step = 0.01\n"
-                         "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = " + young +
-                             "\npoisson = 0.2\n[[joint]]\nname = \"all\"\nfriction_angle = 30\n"
-                             "[[block]]\nname = \"base\"\nmaterial = \"rock\"\nfixed = true\n"
-                             "vertices = [[-20, -1], [20, -1], [20, 0], [-20, 0]]\n"
-                             "[[block]]\nname = \"block\"\nmaterial = \"rock\"\nvertices = " +
-                             vertices + "\n" + more,
-                         "base.toml");
+  return read_scene_text(
+      "[analysis]\nsteps = 200\ntime_step = 0.01\n"
+      "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = " +
+          young +
+          "\npoisson = 0.2\n[[joint]]\nname = \"all\"\nfriction_angle = 30\n"
+          "[[block]]\nname = \"base\"\nmaterial = \"rock\"\nfixed = true\n"
+          "vertices = [[-20, -1], [20, -1], [20, 0], [-20, 0]]\n"
+          "[[block]]\nname = \"block\"\nmaterial = \"rock\"\nvertices = " +
+          vertices + "\n" + more,
+      "base.toml");
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
 
-#include <cstdlib>
 #include <gtest/gtest.h>
+#include <cstdlib>
 
 using namespace ddacontact;
 
