@@ -1,0 +1,272 @@
+#include <ddacontact/solver/augmented_contacts.hpp>
+
+#include <ddacontact/contact/for_contacts.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// A contact is so much stiffer than the compliant side of it: at least, for augmentations to converge by a
+/// tenth, and at most, for its round-off to stay below the forces that the compliant side bears.
+constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
+/// A dynamic step corrects this part of the gaps and slips of closed contacts, and all beyond the penetration
+/// tolerance. Gaps within this part of the tolerance stay uncorrected: in a wall every correction moves
+/// neighbours, for hundreds of steps.
+constexpr double corrected_part = 0.2, uncorrected_part = 1e-3;
+
+/// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to round-off and `negligible`,
+/// N per m.
+[[maybe_unused]] bool is_admissible(const JointLaw& law, bool bonded, const ContactForce& force,
+                                    double negligible) {
+  constexpr double round_off = 1e-6;
+  const double bound = shear_bound(law, force.normal, bonded),
+               allowed = negligible + round_off * (std::abs(force.normal) + std::abs(force.shear));
+  return std::isfinite(allowed) && force.normal >= -(bonded ? law.tension : 0) - allowed &&
+         (law.glued || std::abs(force.shear) <= bound + allowed);
+}
+
+}  // namespace
+
+AugmentedContacts::AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
+                                     std::vector<Contact>& contacts)
+    : system_(system),
+      options_(options),
+      contacts_(contacts),
+      multipliers_(contacts.size()),
+      terms_(contacts.size()),
+      springs_(contacts.size()),
+      law_states_(contacts.size()),
+      forces_(contacts.size()) {}
+
+void AugmentedContacts::begin() {
+  for_contacts(size(), [&](std::size_t c) { begin(contacts_[c], multipliers_[c]); });
+}
+
+void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
+  JointLaw& law = contact.law;
+  const ContactHistory& history = contact.history;
+  multiplier.on_edge = contact.meets || contact.is_on_edge(contact.first_slip().constant);
+  multiplier.bonded = contact.has_bond();
+  contact.was_closed = contact.closed();
+  if (law.compliant) return begin_compliant(contact, multiplier);
+  if (options_.penetration_tolerance == 0) return;
+  const VertexEdgePositions& place = contact.motion.start;
+  const Vec2 along = (place.k - place.j).normalized(), normal(along.y(), -along.x());
+  const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
+  const double n_edges = system_.n_vertices(edge_block);
+  const int next = edge + 1 == n_edges ? 0 : edge + 1;
+  const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
+  const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
+               of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
+                              t * t / system_.vertex_stiffness(edge_block, next, normal));
+  const double ratio = law.tangential_stiffness / law.normal_stiffness,
+               lower_stiffness = std::min(of_vertex, of_edge);
+  if (std::isfinite(lower_stiffness))
+    law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
+                                      largest_stiffness_ratio * lower_stiffness);
+  law.tangential_stiffness = ratio * law.normal_stiffness;
+  if (!contact.closed()) return;
+  multiplier.normal = history.normal;
+  multiplier.shear = history.shear;
+  multiplier.sliding = is_slipping(history.state);
+  multiplier.normal +=
+      law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset, contact.size);
+  if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
+    multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, contact.size);
+}
+
+/// The joint's own springs: forces of the end of the step, or the means of both ends.
+void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& multiplier) const {
+  if (!contact.closed()) return;
+  multiplier.shear = contact.history.shear + shear_stiffness(contact.law) * contact.first_slip().constant;
+  if (!has_means()) return;
+  multiplier.normal = contact.history.normal / 2;
+}
+
+/// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
+double AugmentedContacts::kept(double length, double size) const {
+  const double most = options_.penetration_tolerance * size, least = uncorrected_part * most,
+               within = std::min(std::abs(length), most),
+               left = options_.is_static ? 0 : (1 - corrected_part) * within;
+  return std::copysign(within <= least ? within : std::max(least, left), length);
+}
+
+void AugmentedContacts::evaluate(VectorXd& d) {
+  const VectorXd displaced = system_.displacement(d);
+  for_contacts(size(),
+               [&](std::size_t c) { evaluate(contacts_[c], displaced, d, multipliers_[c], terms_[c]); });
+}
+
+void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displaced, const VectorXd& d,
+                                 Multiplier& multiplier, ContactTerm& term) const {
+  const MovingVertexEdge& m = contact.motion;
+  const auto [start_gap, g, s, dg, ds] =
+      m.gap_and_slip_at(displaced, contact.history.lock, options_.directions);
+  term.gap = m.linear_form(g, dg, d);
+  term.slip = m.linear_form(s, ds, d);
+  multiplier.gap = term.gap.constant;
+  term.gap.constant -= contact.history.gap_offset;
+
+  const JointLaw& law = contact.law;
+  term.normal_stiffness =
+      law.normal_stiffness * (law.compliant && has_means() ? 1. / 2 : 1) + contact.damping;
+  term.tangential_stiffness = shear_stiffness(law);
+  term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
+  const bool possible = multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
+  term.tension = multiplier.bonded ? law.tension : 0;
+  term.normal = !possible                                                ? ContactTerm::Normal::absent
+                : term.tension < std::numeric_limits<double>::infinity() ? ContactTerm::Normal::unilateral
+                                                                         : ContactTerm::Normal::bilateral;
+  term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
+  term.bound = shear_bound(law, normal_spring(term, d).clipped(), multiplier.bonded);
+  term.tangential_multiplier = term.bound == 0      ? 0
+                               : multiplier.sliding ? std::copysign(term.bound, multiplier.shear)
+                                                    : std::clamp(multiplier.shear, -term.bound, term.bound);
+}
+
+void AugmentedContacts::find_springs(const VectorXd& d) {
+  for_contacts(size(), [&](std::size_t c) {
+    springs_[c] = springs_at(terms_[c], d);
+    law_states_[c] = state_at(terms_[c], contacts_[c].law, springs_[c]);
+  });
+}
+
+void AugmentedContacts::take_states_of_forces() {
+  for (std::size_t c = 0; c < size(); ++c)
+    law_states_[c] = state_of(terms_[c], contacts_[c].law, multipliers_[c].bonded, forces_[c]);
+}
+
+void AugmentedContacts::raise_multipliers(const VectorXd& d) {
+  for (std::size_t c = 0; c < size(); ++c) {
+    if (contacts_[c].law.compliant) continue;
+    Multiplier& multiplier = multipliers_[c];
+    multiplier.normal = elastic_normal(c, d);
+    multiplier.shear = forces_[c].shear;
+    multiplier.sliding = is_sliding(c);
+  }
+}
+
+/// N without the dashpot's part.
+double AugmentedContacts::elastic_normal(std::size_t c, const VectorXd& d) const {
+  const Contact& contact = contacts_[c];
+  return springs_[c].normal.acts()
+             ? forces_[c].normal + contact.damping * (gap_at(c, d) - contact.motion.start_gap())
+             : forces_[c].normal;
+}
+
+bool AugmentedContacts::are_close(const VectorXd& d, double tolerances, int& worst) const {
+  double furthest = 1;
+  worst = -1;
+  if (options_.penetration_tolerance == 0) return true;
+  for (std::size_t c = 0; c < size(); ++c) {
+    if (contacts_[c].law.compliant) continue;
+    const double tolerance = tolerances * options_.penetration_tolerance * contacts_[c].size;
+    double error = 0;
+    if (springs_[c].normal.acts()) error = std::abs(terms_[c].gap(d));
+    if (springs_[c].tangential.acts() && forces_[c].shear != 0)
+      error = std::max(error, std::abs(terms_[c].slip(d)));
+    if (error > furthest * tolerance) {
+      furthest = error / tolerance;
+      worst = static_cast<int>(c);
+    }
+  }
+  return worst < 0;
+}
+
+bool AugmentedContacts::yields(std::size_t c, const VectorXd& d) const {
+  if (!multipliers_[c].bonded) return false;
+  const bool opens = !(law_states_[c] & normal_acts) && terms_[c].gap(d) > contacts_[c].length_tolerance();
+  return opens || (is_sliding(c) && !contacts_[c].law.ductile);
+}
+
+bool AugmentedContacts::break_bonds(const VectorXd& d) {
+  bool any = false;
+  for (std::size_t c = 0; c < size(); ++c) {
+    if (!yields(c, d)) continue;
+    contacts_[c].history.bonded = false;
+    any = true;
+  }
+  return any;
+}
+
+void AugmentedContacts::drop_broken_bonds() {
+  for (std::size_t c = 0; c < size(); ++c)
+    multipliers_[c].bonded = multipliers_[c].bonded && contacts_[c].has_bond();
+}
+
+void AugmentedContacts::settle([[maybe_unused]] double negligible) {
+  for (std::size_t c = 0; c < size(); ++c) {
+    Contact& contact = contacts_[c];
+    const bool bonded = multipliers_[c].bonded;
+    assert(is_admissible(contact.law, bonded, forces_[c], negligible));
+    const bool closed = forces_[c].normal > 0 || (bonded && contact.closed());
+    ContactState& state = contact.history.state;
+    if (!closed)
+      state = ContactState::open;
+    else if (!contact.law.has_friction() && !bonded)
+      state = ContactState::slip_forward;
+    else if (is_sliding(c))
+      state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;
+    else
+      state = ContactState::stick;
+    contact.was_closed = contact.was_closed || closed;
+    contact.normal = forces_[c].normal;
+    contact.shear = forces_[c].shear;
+  }
+}
+
+void AugmentedContacts::end(const VectorXd& d) {
+  for_contacts(size(), [&](std::size_t c) {
+    contacts_[c].gap = gap_at(c, d);
+    contacts_[c].gap_change = terms_[c].gap.change(d);
+    contacts_[c].slip_change = terms_[c].slip.change(d);
+    contacts_[c].end_slip = terms_[c].slip(d);
+  });
+}
+
+std::vector<SweptLaw> AugmentedContacts::laws() const {
+  std::vector<SweptLaw> laws(size());
+  for (std::size_t c = 0; c < size(); ++c) {
+    const Multiplier& m = multipliers_[c];
+    const VertexEdge& pair = contacts_[c].pair;
+    laws[c] = {&contacts_[c].law,
+               m.shear,
+               m.sliding,
+               m.bonded,
+               std::min(system_.sum_of_forces(pair.vertex_block), system_.sum_of_forces(pair.edge_block)),
+               options_.penetration_tolerance * contacts_[c].size};
+  }
+  return laws;
+}
+
+/// The sign of shear forces that follow the bound of friction: of contacts that slide, and of those whose
+/// multiplier is at the bound. 0: they do not.
+int AugmentedContacts::follows_bound(std::size_t c, unsigned char state) const {
+  if (state & at_upper) return 1;
+  if (state & at_lower) return -1;
+  const Multiplier& m = multipliers_[c];
+  const double bound = terms_[c].bound;
+  const bool at_bound = m.sliding || std::abs(m.shear) > bound;
+  return (state & shear_acts) && at_bound && bound < std::numeric_limits<double>::infinity() &&
+                 forces_[c].normal > -terms_[c].tension
+             ? (m.shear > 0 ? 1 : -1)
+             : 0;
+}
+
+std::vector<Coupling> AugmentedContacts::couplings(const std::vector<unsigned char>& states) const {
+  std::vector<Coupling> couplings;
+  for (std::size_t c = 0; c < size(); ++c) {
+    const int sense = follows_bound(c, states[c]);
+    const double rate = friction_rate(contacts_[c].law, forces_[c].normal, multipliers_[c].bonded) *
+                        terms_[c].normal_stiffness;
+    if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate, c});
+  }
+  return couplings;
+}
+
+}  // namespace ddacontact

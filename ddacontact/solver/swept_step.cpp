@@ -1,0 +1,118 @@
+#include <ddacontact/solver/swept_step.hpp>
+
+#include <ddacontact/solver/contact_sweeps.hpp>
+
+#include <limits>
+
+namespace ddacontact {
+
+namespace {
+
+/// Sweeps on one linearized geometry, and linearizations.
+constexpr int most_sweeps = 1000, most_rounds = 12;
+/// The tolerance of the last sweep over that of the step: the remaining error exceeds its change.
+constexpr double part_of_last_sweep = 0.1;
+/// A coarse step has many changes when more than this part of the contacts, and more than this number, change
+/// state in its first two sweeps. It accepts this multiple of the penetration tolerance.
+constexpr double many_changes = 0.08;
+constexpr int few_changes = 10;
+constexpr double coarse_penetration = 10;
+
+/// Of vertices that d leads off their edges. False: there are none.
+bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
+  bool any = false;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    ContactForce& force = contacts.forces()[c];
+    if (contacts.terms()[c].normal != ContactTerm::Normal::absent || force.normal == 0) continue;
+    force = {};
+    any = true;
+  }
+  return any;
+}
+
+/// Whether gaps follow their gradients of the start on the last part of the way to d, `change`, as far as
+/// forces can tell: a block that has turned on its way leads its points off them by no more than its way over
+/// its size.
+bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts, const VectorXd& d,
+                    const VectorXd& change, const std::vector<SweptLaw>& laws, double tolerance) {
+  std::vector<double> bends(static_cast<std::size_t>(system.n_blocks()));
+  for (int b = 0; b < system.n_blocks(); ++b) {
+    const double last = system.largest_motion(b, change), way = system.largest_motion(b, d) + last;
+    bends[static_cast<std::size_t>(b)] = last * way / system.size_of(b);
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const VertexEdge& pair = contacts.contacts()[c].pair;
+    const double bend =
+        bends[static_cast<std::size_t>(pair.vertex_block)] + bends[static_cast<std::size_t>(pair.edge_block)];
+    if (contacts.terms()[c].normal_stiffness * bend > tolerance * laws[c].scale) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, AugmentedContacts& contacts,
+                     VectorXd& d, ContactSolverReport& report) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<ContactForce>& forces = contacts.forces();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts.contacts()[c];
+    if (options.warm_start)
+      forces[c] = {contact.normal, contact.shear};
+    else if (contact.closed())
+      forces[c] = {contact.history.normal, contact.history.shear};
+  }
+  const auto compute_residual = [&] {
+    system.compute_residual(d, contacts.contacts(), contacts.terms(), forces, report.residual);
+  };
+  const ContactSweeps::Tolerance tight{part_of_last_sweep * options.residual_tolerance},
+      coarse{options.residual_tolerance, coarse_penetration}, any{infinity, infinity};
+  ContactSweeps::Stop stop{options.local ? tight : any, coarse, options.coarse ? many_changes : infinity,
+                           few_changes, most_sweeps};
+  ContactSweeps sweeps;
+  bool changes_many = false;
+  for (int round = 0; round < most_rounds; ++round) {
+    compute_residual();
+    if (round == 0 || !options.keeps_gradients()) {
+      if (round > 0) system.linearize(d);
+      if (!sweeps.set(system.problem(), contacts.terms())) return false;
+    }
+    VectorXd swept_d = d;
+    const std::vector<SweptLaw> laws = contacts.laws();
+    const ContactSweeps::Report swept =
+        sweeps.sweep(contacts.terms(), laws, report.residual.force, stop, swept_d, forces);
+    report.sweeps += swept.sweeps;
+    if (swept.many_changes) {
+      changes_many = true;
+      stop.quiet = coarse;
+    }
+    if (!options.local && !changes_many) return false;
+    const VectorXd change = swept_d - d;
+    system.move(change, d);
+    const bool is_straight =
+        options.keeps_gradients() && stays_straight(system, contacts, d, change, laws, stop.quiet.force);
+    if (!is_straight) contacts.evaluate(d);
+    contacts.find_springs(d);
+    contacts.take_states_of_forces();
+    if (!swept.settled) break;
+    if (drop_forces_beyond_edges(contacts) ||
+        (!is_straight && (round == 0 || swept.sweeps > (changes_many ? 2 : 1))))
+      continue;
+    if (contacts.are_close(d, changes_many ? coarse_penetration : 1, report.worst_contact)) {
+      compute_residual();
+      report.tolerance = options.residual_tolerance;
+      // Where forces of blocks are not linear sweeps are Newton's steps.
+      if (report.residual.block_relative <=
+          (options.keeps_gradients() ? report.tolerance : options.residual_aim))
+        return true;
+      continue;
+    }
+    contacts.raise_multipliers(d);
+    ++report.augmentations;
+    contacts.evaluate(d);
+  }
+  ++report.tangent.fallbacks;
+  return false;
+}
+
+}  // namespace ddacontact
