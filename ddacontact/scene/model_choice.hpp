@@ -17,7 +17,7 @@
 #pragma once
 
 #include <ddacontact/scene/scene.hpp>
-#include <ddacontact/time/first_loading.hpp>
+#include <ddacontact/scene/first_loading.hpp>
 
 #include <functional>
 #include <string>

@@ -1,4 +1,4 @@
-#include <ddacontact/time/first_loading.hpp>
+#include <ddacontact/scene/first_loading.hpp>
 
 #include <ddacontact/solver/step_system.hpp>
 
