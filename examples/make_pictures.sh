@@ -20,3 +20,9 @@ done
 "$dda" plot "$scratch/rockfall" --frame 400 -o "$doc/example_rockfall.svg"
 "$dda" run "$here/drums.toml" --set output.every=5 -o "$scratch/drums" --quiet
 "$dda" plot "$scratch/drums" --frame 805 -o "$doc/example_drums.svg"
+"$dda" safety "$here/retaining_wall.toml" -o "$scratch/retaining" --quiet
+cp "$scratch/retaining/safety_moved.svg" "$doc/example_retaining_wall.svg"
+"$dda" run "$here/arch_bridge.toml" -o "$scratch/bridge" --quiet
+"$dda" plot "$scratch/bridge" --frame 80 --field s2 --forces -o "$doc/example_arch_bridge.svg"
+"$dda" run "$here/jointed_column.toml" -o "$scratch/column" --quiet
+"$dda" plot "$scratch/column" --frame 160 --field s2 -o "$doc/example_jointed_column.svg"

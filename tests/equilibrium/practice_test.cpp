@@ -75,16 +75,62 @@ TEST(Practice, ABlockThatSlidesOutOfItsUpliftHasFailed) {
 }
 
 /// The factor of limit equilibrium in the scene's first lines.
-TEST(Practice, DamSlidesAtItsFactorOfSafety) {
-  const SceneReading reading = read_scene(POLYDDA_EXAMPLES "/dam.toml", {});
+void expect_factor(const std::string& example, double exact) {
+  const SceneReading reading = read_scene(POLYDDA_EXAMPLES "/" + example, {});
   ASSERT_TRUE(reading.scene);
   const StrengthReduction reduction(*reading.scene, {0});
   EXPECT_EQ(reduction.unsettled(), "");
   const FactorBracket bracket =
       bracket_factor([&](double f) { return reduction.try_factor(f).verdict; }, std::nullopt, 0.004);
-  const double exact = (4233.6 + 11.76 - 1470) / (1587.6 - 19.6);
   EXPECT_NEAR(bracket.low, exact, 0.005 * exact);
   EXPECT_NEAR(bracket.high, exact, 0.005 * exact);
+}
+
+TEST(Practice, DamSlidesAtItsFactorOfSafety) {
+  expect_factor("dam.toml", (4233.6 + 11.76 - 1470) / (1587.6 - 19.6));
+}
+
+TEST(Practice, RetainingWallSlidesAtCoulombsFactor) {
+  expect_factor("retaining_wall.toml",
+                std::tan(35 * std::numbers::pi / 180) / std::tan(21.0277 * std::numbers::pi / 180));
+}
+
+/// The supports bear the weight of all blocks and the load wherever it is; the crown is lowest when it is
+/// there.
+TEST(Practice, BridgeBearsALoadThatMovesAcross) {
+  BuiltScene built = support::build_example("arch_bridge.toml");
+  Stepper& stepper = *built.stepper;
+  const BlockSystem& blocks = stepper.blocks();
+  double weight = 0;
+  for (int b = 0; b < blocks.n_blocks(); ++b) weight += 9.8 * blocks.block(b).mass_total();
+  double lowest = 0, lowest_at = 0;
+  for (int second = 1; second <= 12; ++second) {
+    ASSERT_TRUE(support::run(stepper, 20)) << stepper.stop_reason();
+    const double load = second == 12 ? 0 : 60e3;
+    EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + load, 1e-4 * weight) << second;
+    const double sunk = -travel_of(built, "crown").y();
+    if (sunk > lowest) lowest_at = second;
+    lowest = std::max(lowest, sunk);
+  }
+  EXPECT_LT(lowest, 1e-3);
+  EXPECT_NEAR(lowest_at, 6, 1);
+  EXPECT_TRUE(stepper.is_at_rest());
+}
+
+/// What enters a column slowed by its joints, when it reaches the surface and how fast that moves: the first
+/// lines of the scene.
+TEST(Practice, WaveInAJointedColumnDoublesAtTheSurface) {
+  BuiltScene built = support::build_example("jointed_column.toml");
+  const double rock = std::sqrt(4e9 / 2500), jointed = rock / std::numbers::sqrt2;
+  double fastest = 0, when = 0;
+  for (int step = 0; step < 400; ++step) {
+    ASSERT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
+    const double v = observe(built.monitor_targets[0], *built.stepper).velocity.y();
+    if (v > fastest) when = built.stepper->state().time;
+    fastest = std::max(fastest, v);
+  }
+  EXPECT_NEAR(fastest, 0.03 * 2 * 2 / (1 + jointed / rock), 0.01 * 0.07);
+  EXPECT_NEAR(when, 0.03 + 60 / jointed, 0.01 * 0.097);
 }
 
 /// Half and a quarter of the step agree on how far the top drum sways; the column stands in the end.
