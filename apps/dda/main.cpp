@@ -75,7 +75,11 @@ int parse_and_execute(int argc, char** argv) {
   run->add_option("--set", call.run.settings, "PATH=VALUE: replace a value of the scene")
       ->take_all()
       ->expected(1);
-  run->add_option("--resume", call.run.checkpoint, "Checkpoint of the same scene to go on from");
+  CLI::Option* resume =
+      run->add_option("--resume", call.run.checkpoint, "Checkpoint of the same scene to go on from");
+  run->add_flag("--as-stage", call.run.as_stage,
+                "Go on from the checkpoint with other loads, strengths of joints or schedule, as a new stage")
+      ->needs(resume);
   run->add_option("--threads", call.run.threads,
                   "Threads that share the work on blocks, contacts and frames; results are the same for any "
                   "number")

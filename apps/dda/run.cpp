@@ -212,14 +212,33 @@ ResultDirectory open_results(const RunArguments& arguments, const std::filesyste
   return {directory, labels, frames, has_histories ? beside : directory, from->marks};
 }
 
-int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_point start) {
+/// Reads the checkpoint that the scene goes on from, as whose next stage it may come; nothing when it does
+/// not belong to it, which is printed.
+std::optional<Checkpoint> checkpoint_of(const RunArguments& arguments, Scene& scene) {
+  Checkpoint from = read_checkpoint(arguments.checkpoint);
+  std::optional<Problem> problem;
+  if (arguments.as_stage) {
+    std::variant<Scene, Problem> going_on =
+        scene_as_stage(from, arguments.checkpoint, scene, arguments.scene);
+    if (const auto* wrong = std::get_if<Problem>(&going_on))
+      problem = *wrong;
+    else
+      scene = std::get<Scene>(std::move(going_on));
+    from.record.step.state.carried.setZero();  // it holds half of the impulse of loads that act no more
+    from.record.step.state.carried_dt = 0;
+  } else {
+    problem = find_mismatch(from, arguments.checkpoint, scene, arguments.scene);
+  }
+  if (!problem) return from;
+  fmt::print(stderr, "{}\n", problem->text());
+  return std::nullopt;
+}
+
+int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point start) {
   std::optional<Checkpoint> from;
   if (!arguments.checkpoint.empty()) {
-    from = read_checkpoint(arguments.checkpoint);
-    if (const auto problem = find_mismatch(*from, arguments.checkpoint, scene, arguments.scene)) {
-      fmt::print(stderr, "{}\n", problem->text());
-      return wrong_input;
-    }
+    from = checkpoint_of(arguments, scene);
+    if (!from) return wrong_input;
   }
   signal_received = 0;
   std::signal(SIGINT, note_signal);
@@ -285,7 +304,7 @@ int run_scene(const RunArguments& arguments, const Scene& scene, Clock::time_poi
 
 int run(const RunArguments& arguments) {
   const Clock::time_point start = Clock::now();
-  const SceneReading reading = read_scene(arguments.scene, arguments.settings);
+  SceneReading reading = read_scene(arguments.scene, arguments.settings);
   if (const int status = report(reading); !reading.scene) return status;
   if (const auto problem = memory_problem(*reading.scene)) {
     fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, *problem);

@@ -1,5 +1,6 @@
 #include <ddacontact/scene/resumption.hpp>
 
+#include <ddacontact/scene/reader.hpp>
 #include <ddacontact/scene/writer.hpp>
 
 #include <toml++/toml.h>
@@ -13,6 +14,9 @@ namespace ddacontact {
 namespace {
 
 constexpr const char* cure = "resume with the scene it was made from, or run this one from its start";
+constexpr const char* cure_as_stage =
+    "change loads, water, quakes, strengths of joints or the schedule alone, or run this scene from its "
+    "start";
 
 using Path = std::vector<std::variant<std::string, std::size_t>>;
 
@@ -62,9 +66,10 @@ toml::source_position find_in_file(const std::string& file, const Path& path) {
   return location;
 }
 
-Problem mismatch(const std::string& scene_file, toml::source_position location, const std::string& what) {
+Problem mismatch(const std::string& scene_file, toml::source_position location, const std::string& what,
+                 const char* with_cure = cure) {
   return {Problem::Severity::error,          scene_file, static_cast<int>(location.line),
-          static_cast<int>(location.column), what,       cure};
+          static_cast<int>(location.column), what,       with_cure};
 }
 
 /// Of two texts, the first line of each that differs, and its number.
@@ -85,6 +90,60 @@ Difference first_difference(const std::string& one, const std::string& other) {
   return difference;
 }
 
+/// Where the texts of two scenes differ; nothing: they do not.
+std::optional<Problem> find_difference(const std::string& here, const std::string& in_checkpoint,
+                                       const std::string& checkpoint_name, const std::string& scene_file,
+                                       const char* with_cure) {
+  if (here == in_checkpoint) return std::nullopt;
+  const auto [one, other, line] = first_difference(here, in_checkpoint);
+  const Path path = path_to_line(toml::parse(here), static_cast<toml::source_index>(line));
+  const auto text = [](const std::string& words) { return words.empty() ? "nothing" : "'" + words + "'"; };
+  return mismatch(scene_file, find_in_file(scene_file, path),
+                  "\"" + checkpoint_name + "\" belongs to another scene: it has " + text(other) +
+                      " where this one has " + text(one),
+                  with_cure);
+}
+
+std::string text_of(const Scene& scene) {
+  std::ostringstream text;
+  write_scene(text, scene);
+  return text.str();
+}
+
+/// What the stages of a scene cannot change.
+Scene lasting_part(const Scene& scene) {
+  const AnalysisOptions any;
+  Scene part = scene;
+  part.title.clear();
+  part.output = {};
+  part.loads.clear();
+  part.water = {};
+  part.quakes.clear();
+  part.stages.clear();
+  AnalysisOptions& a = part.analysis;
+  a.mode = any.mode;
+  a.steps = 1;
+  a.time_step = 1;
+  a.max_displacement_ratio = any.max_displacement_ratio;
+  a.gravity = any.gravity;
+  a.scheme = a.kinematics == Kinematics::corotational ? Scheme::decaying : Scheme::dda;
+  a.beta = any.beta;
+  a.gamma = any.gamma;
+  a.damping = any.damping;
+  a.cutting_factor = any.cutting_factor;
+  a.skip = any.skip;
+  for (Joint& joint : part.joints) {
+    const Joint none;
+    joint.friction_angle = none.friction_angle;
+    joint.cohesion = none.cohesion;
+    joint.tensile_strength = none.tensile_strength;
+    joint.restitution = none.restitution;
+    joint.dashpot = none.dashpot;
+    joint.residual_friction_angle = none.residual_friction_angle;
+  }
+  return part;
+}
+
 }  // namespace
 
 std::string resumable_part(const Scene& scene) {
@@ -92,9 +151,7 @@ std::string resumable_part(const Scene& scene) {
   part.output = {};
   part.analysis.steps = 1;
   for (StageDescription& stage : part.stages) stage.analysis.steps = 1;
-  std::ostringstream text;
-  write_scene(text, part);
-  return text.str();
+  return text_of(part);
 }
 
 std::vector<int> steps_of_stages_to(const Scene& scene, int stage) {
@@ -107,15 +164,10 @@ std::vector<int> steps_of_stages_to(const Scene& scene, int stage) {
 
 std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::string& checkpoint_name,
                                      const Scene& scene, const std::string& scene_file) {
+  if (auto difference =
+          find_difference(resumable_part(scene), checkpoint.scene, checkpoint_name, scene_file, cure))
+    return difference;
   const std::string quoted = "\"" + checkpoint_name + "\"";
-  if (const std::string part = resumable_part(scene); part != checkpoint.scene) {
-    const auto [here, there, line] = first_difference(part, checkpoint.scene);
-    const Path path = path_to_line(toml::parse(part), static_cast<toml::source_index>(line));
-    const auto text = [](const std::string& words) { return words.empty() ? "nothing" : "'" + words + "'"; };
-    return mismatch(
-        scene_file, find_in_file(scene_file, path),
-        quoted + " belongs to another scene: it has " + text(there) + " where this one has " + text(here));
-  }
   const StageProgress& progress = checkpoint.record.step.progress;
   for (std::size_t k = 0; k < checkpoint.stage_steps.size(); ++k) {
     const StageDescription& stage = scene.stages[k];
@@ -131,6 +183,44 @@ std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::st
                         std::to_string(steps) + "'");
   }
   return std::nullopt;
+}
+
+std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const std::string& checkpoint_name,
+                                            const Scene& scene, const std::string& scene_file) {
+  const Scene before = read_scene_text(checkpoint.scene, checkpoint_name).scene.value();
+  if (auto difference = find_difference(text_of(lasting_part(scene)), text_of(lasting_part(before)),
+                                        checkpoint_name, scene_file, cure_as_stage))
+    return *difference;
+  const StageProgress& progress = checkpoint.record.step.progress;
+  Scene going_on = scene;
+  std::vector<StageDescription>& stages = going_on.stages;
+  if (stages.empty()) stages.push_back(scene.stage(""));
+  std::vector<StageDescription> made = before.stages;
+  if (made.empty()) made.push_back(before.stage(""));
+  made.resize(static_cast<std::size_t>(progress.stage) + 1);
+  for (std::size_t k = 0; k < checkpoint.stage_steps.size(); ++k)
+    made[k].analysis.steps = checkpoint.stage_steps[k];
+  if (made.back().analysis.steps != progress.steps && !progress.came_to_rest)
+    made.back().reset_displacements = false;  // it did not come to its end
+  made.back().analysis.steps = progress.steps;
+  const auto any_of_made = [&](const auto& contains) { return std::ranges::any_of(made, contains); };
+  if (progress.steps == 0)
+    return mismatch(scene_file, {1, 1}, "\"" + checkpoint_name + "\" has made no step of its stage",
+                    cure_as_stage);
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    for (int block : stages[k].removed)
+      if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.removed, block) > 0; }))
+        return mismatch(scene_file, find_in_file(scene_file, {"stage", k, "remove"}),
+                        "block '" + scene.block_name(block) + "' is gone in \"" + checkpoint_name + "\"",
+                        "leave it out of 'remove'");
+    for (int bolt : stages[k].bolts)
+      if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.bolts, bolt) > 0; }))
+        return mismatch(scene_file, find_in_file(scene_file, {"stage", k, "add"}),
+                        "bolt '" + scene.bolts[bolt].name + "' is there in \"" + checkpoint_name + "\"",
+                        "leave it out of 'add'");
+  }
+  stages.insert(stages.begin(), made.begin(), made.end());
+  return going_on;
 }
 
 }  // namespace ddacontact

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace ddacontact {
@@ -25,5 +26,11 @@ std::vector<int> steps_of_stages_to(const Scene& scene, int stage);
 /// \param[in] checkpoint_name, scene_file  as the messages call them
 std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::string& checkpoint_name,
                                      const Scene& scene, const std::string& scene_file);
+
+/// A scene that goes on from a run as its next stage, or its next stages: what the checkpoint has made, then
+/// this scene. Loads, water, shaking, strengths of joints and all that a [[stage]] may change may differ.
+/// \return why it cannot, at the place in the scene's file: other blocks, supports or materials, say
+std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const std::string& checkpoint_name,
+                                            const Scene& scene, const std::string& scene_file);
 
 }  // namespace ddacontact

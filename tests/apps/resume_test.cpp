@@ -227,6 +227,53 @@ TEST_F(Resume, ACheckpointAloneIsEnoughToGoOn) {
   EXPECT_TRUE(read_file(directory_ / "whole/vertices.csv") == read_file(directory_ / "rest/vertices.csv"));
 }
 
+/// The stage of one scene, then the other one's, are what a scene with both has.
+TEST_F(Resume, ASceneGoesOnAsTheNextStage) {
+  const std::string both = staged_scene;
+  const std::size_t settle = both.find("[[stage]]"), fall = both.find("[[stage]]", settle + 1),
+                    output = both.find("[output]");
+  const std::string blocks = both.substr(0, settle), then = both.substr(fall);
+  write("staged.toml", both);
+  write("settle.toml", both.substr(0, fall) + both.substr(output));
+  write("fall.toml", blocks + then);
+  ASSERT_EQ(dda("run staged.toml -o whole --quiet"), 0) << err_;
+  ASSERT_EQ(dda("run settle.toml -o first --quiet"), 0) << err_;
+  const std::string go_on = "run fall.toml --quiet --as-stage --resume ";
+  ASSERT_EQ(dda(go_on + "first/checkpoint.bin -o second --steps 40"), 0) << err_;
+  ASSERT_EQ(dda("run second/scene.toml --quiet --resume second/checkpoint.bin -o third"), 0) << err_;
+  expect_same_results("whole", "third");
+
+  EXPECT_EQ(dda(go_on + "third/checkpoint.bin -o none"), 2);
+  EXPECT_NE(err_.find("fall.toml:39:10: error: block 'pillar' is gone in \"third/checkpoint.bin\""),
+            std::string::npos)
+      << err_;
+  std::string denser = blocks + then;
+  denser.replace(denser.find("density = 2500"), 14, "density = 2600");
+  write("fall.toml", denser);
+  EXPECT_EQ(dda(go_on + "first/checkpoint.bin -o none"), 2);
+  EXPECT_NE(err_.find("fall.toml:8:11: error: \"first/checkpoint.bin\" belongs to another scene: it has "
+                      "'density = 2500.0'"),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(dda("run fall.toml --as-stage -o none"), 0);
+  EXPECT_FALSE(fs::exists(directory_ / "none"));
+}
+
+/// A load that a settled block did not have: it slides as it would from rest.
+TEST_F(Resume, TheNextStageMayHaveOtherLoads) {
+  const std::string blocks = std::string(staged_scene, std::string(staged_scene).find("[[stage]]"));
+  write("settle.toml", blocks + "[[stage]]\nmode = \"static\"\nsteps = 5\n");
+  write("push.toml", blocks +
+                         "[[load]]\ntype = \"point\"\nblock = \"left\"\nat = [0, 0.5]\n"
+                         "force = [\"-1 MN\", 0]\n[[stage]]\nsteps = 10\n");
+  ASSERT_EQ(dda("run settle.toml -o settled --quiet"), 0) << err_;
+  ASSERT_EQ(dda("run push.toml -o pushed --quiet --as-stage --resume settled/checkpoint.bin"), 0) << err_;
+  const nlohmann::json summary = nlohmann::json::parse(read_file(directory_ / "pushed/summary.json"));
+  EXPECT_EQ(summary["steps_completed"], 15);
+  EXPECT_EQ(summary["fastest_block"], "left");
+  EXPECT_GT(summary["fastest"], 1);
+}
+
 TEST_F(Resume, RefusesWhatIsNoCheckpointOfTheScene) {
   write("staged.toml", staged_scene);
   ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 50"), 0) << err_;
