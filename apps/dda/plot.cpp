@@ -150,22 +150,23 @@ std::string blocks_picture(const PlotArguments& arguments) {
 
 void check_call(const PlotArguments& arguments) {
   expect_picture_name(arguments.output);
-  const bool curves = arguments.energy || !arguments.history.empty();
+  const bool curves = arguments.has_curves();
   const bool blocks = !arguments.fields.empty() || !arguments.frames.empty() || arguments.reference ||
                       arguments.forces || arguments.crosses || arguments.names || arguments.magnify != 1 ||
                       arguments.own_range || !arguments.vectors.empty() || !arguments.range.empty() ||
                       !arguments.window.empty();
   if (curves && blocks)
     throw CallError(
-        "--history and --energy draw curves; what belongs to pictures of blocks cannot be given with them");
+        "--history, --energy and --unbalanced draw curves; what belongs to pictures of blocks cannot be "
+        "given with them");
   if (!arguments.monitors.empty() && arguments.history.empty())
     throw CallError("--monitor chooses among the curves of --history; give that too");
 }
 
 bool are_of_scenes(const PlotArguments& a) {
   return a.fields.empty() && a.frames.empty() && !a.reference && !a.forces && !a.crosses && !a.own_range &&
-         a.magnify == 1 && a.vectors.empty() && a.range.empty() && a.window.empty() && a.history.empty() &&
-         a.monitors.empty() && !a.energy;
+         a.magnify == 1 && a.vectors.empty() && a.range.empty() && a.window.empty() && a.monitors.empty() &&
+         !a.has_curves();
 }
 
 /// A scene has no results: options of these are refused.
@@ -204,8 +205,8 @@ int plot(const PlotArguments& call) {
     if (arguments.numbers || !arguments.settings.empty())
       throw CallError("--numbers and --set belong to the picture of a scene (.toml)");
     check_call(arguments);
-    const bool curves = arguments.energy || !arguments.history.empty();
-    write_picture(arguments.output, curves ? curves_picture(arguments) : blocks_picture(arguments));
+    write_picture(arguments.output,
+                  arguments.has_curves() ? curves_picture(arguments) : blocks_picture(arguments));
     return done;
   } catch (const CallError& error) {
     print_error(error.what());

@@ -20,7 +20,9 @@ struct PlotArguments {
   double width = 0;                   ///< px; 0: the usual one
   std::vector<std::string> history;   ///< columns of monitors.csv
   std::vector<std::string> monitors;  ///< for `history`; empty: all
-  bool energy = false;
+  bool energy = false, unbalanced = false;
+
+  bool has_curves() const { return energy || unbalanced || !history.empty(); }
 };
 
 /// Returns the exit status.

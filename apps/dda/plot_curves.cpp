@@ -37,14 +37,15 @@ struct EnergyColumn {
   const char* text;
 };
 
-const std::array<EnergyColumn, 8> energy_columns = {{{"kinetic", "kinetic"},
+const std::array<EnergyColumn, 9> energy_columns = {{{"kinetic", "kinetic"},
                                                      {"elastic", "elastic"},
                                                      {"gravity", "gravity"},
                                                      {"friction_dissipated", "lost to friction"},
                                                      {"numerical_dissipated", "lost to the scheme"},
                                                      {"external", "external work"},
                                                      {"damping_dissipated", "lost to damping"},
-                                                     {"pushed_out", "put in by pushing out"}}};
+                                                     {"pushed_out", "put in by pushing out"},
+                                                     {"plastic_dissipated", "lost in bolts"}}};
 
 const HistoryColumn& column_called(const std::string& name) {
   std::vector<std::string_view> known;
@@ -140,6 +141,17 @@ std::vector<Chart> energy_charts(const PlotArguments& arguments) {
   return charts;
 }
 
+/// How far the block furthest from balance is from it, of the largest force on it.
+Chart unbalanced_chart(const PlotArguments& arguments) {
+  Chart chart = empty_chart({"out of balance", "", ""}, "");
+  for (const std::string& name : arguments.directories) {
+    expect_result_directory(name);
+    const CsvTable table(fs::path(name) / "energy.csv");
+    chart.series.push_back({name_of(name), table.numbers("time"), table.numbers("unbalanced")});
+  }
+  return chart;
+}
+
 }  // namespace
 
 std::string curves_picture(const PlotArguments& arguments) {
@@ -148,6 +160,7 @@ std::string curves_picture(const PlotArguments& arguments) {
   std::vector<Chart> charts = history_charts(arguments);
   if (arguments.energy)
     for (Chart& chart : energy_charts(arguments)) charts.push_back(std::move(chart));
+  if (arguments.unbalanced) charts.push_back(unbalanced_chart(arguments));
   if (arguments.directories.size() == 1) {
     const fs::path directory(arguments.directories.front());
     options.title = title_of(directory, scene_of(directory));

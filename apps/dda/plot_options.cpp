@@ -60,6 +60,7 @@ void declare_curves(CLI::App& plot, PlotArguments& call) {
       ->expected(1)
       ->group(curves);
   plot.add_flag("--energy", call.energy, "Energies over time")->group(curves);
+  plot.add_flag("--unbalanced", call.unbalanced, "What is out of balance over time")->group(curves);
 }
 
 }  // namespace

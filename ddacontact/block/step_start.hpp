@@ -35,8 +35,8 @@ struct StepRule {
     return scheme == Scheme::backward_euler ? 1 : 1 / beta;
   }
   double history() const { return scheme == Scheme::newmark ? 1 / (2 * beta) - 1 : 0; }
-  /// When within the step loads are taken.
-  double load_time() const { return has_half_steps() ? 0 : mean_forces() ? 0.5 : 1; }
+  /// When within the step loads are taken: a static step ends in equilibrium with those of its end.
+  double load_time() const { return starts_at_rest ? 1 : has_half_steps() ? 0 : mean_forces() ? 0.5 : 1; }
 
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&

@@ -19,7 +19,7 @@ constexpr char monitors_file[] = "monitors.csv", monitors_header[] = "step,time,
 constexpr char energy_file[] = "energy.csv",
                energy_header[] =
                    "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,"
-                   "balance_error,damping_dissipated,pushed_out,plastic_dissipated";
+                   "balance_error,damping_dissipated,pushed_out,plastic_dissipated,unbalanced,fastest";
 
 const char* state_name(ContactState state) {
   switch (state) {
@@ -140,7 +140,8 @@ void ResultDirectory::write_energy(const Stepper& stepper) {
   const Energy& e = stepper.energy().now;
   energy_.row(stepper.counts().steps, stepper.state().time, e.kinetic, e.elastic, e.gravity,
               e.friction_dissipated, e.numerical_dissipated, e.external, stepper.energy().balance_error(),
-              e.damping_dissipated, e.pushed_out, e.plastic_dissipated);
+              e.damping_dissipated, e.pushed_out, e.plastic_dissipated, stepper.equilibrium().unbalanced,
+              stepper.equilibrium().fastest);
 }
 
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {

@@ -564,14 +564,21 @@ class Builder {
   BuiltScene built_;
 };
 
+ChosenModels choose(const Scene& scene) {
+  return choose_models(scene, [](const Scene& stated, const std::vector<std::string>& reasons) {
+    return Builder(stated, reasons).missing();
+  });
+}
+
 }  // namespace
 
 BuiltScene build(const Scene& scene) {
-  const ChosenModels chosen =
-      choose_models(scene, [](const Scene& stated, const std::vector<std::string>& reasons) {
-        return Builder(stated, reasons).missing();
-      });
+  const ChosenModels chosen = choose(scene);
   return Builder(chosen.scene, chosen.reasons).build();
+}
+
+Scene with_chosen_models(const Scene& scene) {
+  return choose(scene).scene;
 }
 
 }  // namespace ddacontact

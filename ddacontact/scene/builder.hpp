@@ -22,4 +22,7 @@ struct BuiltScene {
 /// block cannot follow.
 BuiltScene build(const Scene& scene);
 
+/// The scene with the models that `build` puts in the place of "auto".
+Scene with_chosen_models(const Scene& scene);
+
 }  // namespace ddacontact

@@ -1,5 +1,6 @@
 #include <ddacontact/scene/resumption.hpp>
 
+#include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/reader.hpp>
 #include <ddacontact/scene/writer.hpp>
 
@@ -193,6 +194,11 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
     return *difference;
   const StageProgress& progress = checkpoint.record.step.progress;
   Scene going_on = scene;
+  const Scene with_models = with_chosen_models(before);  // which "auto" chose for the first run
+  for (std::size_t b = 0; b < going_on.blocks.size(); ++b) {
+    going_on.blocks[b].model = with_models.blocks[b].model;
+    going_on.blocks[b].mesh = with_models.blocks[b].mesh;
+  }
   std::vector<StageDescription>& stages = going_on.stages;
   if (stages.empty()) stages.push_back(scene.stage(""));
   std::vector<StageDescription> made = before.stages;

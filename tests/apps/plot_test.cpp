@@ -84,6 +84,8 @@ TEST_F(Results, AreDrawnAsPngAndPdf) {
 }
 
 TEST_F(Results, HaveTheirHistoriesDrawn) {
+  ASSERT_EQ(dda("plot result --unbalanced -o e.svg"), 0) << err_;
+  EXPECT_NE(read_file(directory_ / "e.svg").find("out of balance"), std::string::npos);
   ASSERT_EQ(dda("plot result --history ux,vy --energy -o d.svg"), 0) << err_;
   const std::string picture = svg("d.svg");
   for (const char* words : {"kinetic", "time", "mJ/m"})

@@ -33,7 +33,7 @@ TEST_F(Program, TablesHaveTheContractsColumnsAndRows) {
   EXPECT_EQ(
       header("energy.csv"),
       "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,balance_error,"
-      "damping_dissipated,pushed_out,plastic_dissipated");
+      "damping_dissipated,pushed_out,plastic_dissipated,unbalanced,fastest");
   EXPECT_EQ(header("supports.csv"), "block,vertex,fx,fy");
   EXPECT_EQ(
       header("blocks.csv"),
