@@ -24,12 +24,15 @@
 #include <polyfem/element/finite_strain.hpp>
 #include <polyfem/element/loads.hpp>
 #include <polyfem/element/matrices.hpp>
+#include <polyfem/element/mean_dilatation.hpp>
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/small_strain.hpp>
 #include <polyfem/element/stress_recovery.hpp>
 #include <polyfem/element/tolerance.hpp>
+#include <polyfem/element/virtual_element.hpp>
 
 // Materials.
+#include <polyfem/material/isotropic_damage.hpp>
 #include <polyfem/material/j2_plasticity.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/material/neo_hooke.hpp>
@@ -42,6 +45,7 @@
 #include <polyfem/io/vtu_reader.hpp>
 #include <polyfem/mesh/cell_division.hpp>
 #include <polyfem/mesh/cut_cells.hpp>
+#include <polyfem/mesh/cut_grid.hpp>
 #include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/generators.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>

@@ -12,6 +12,9 @@
 namespace polyfem {
 namespace {
 
+/// Of an edge's length: what the vertex in its middle may be off.
+constexpr double off_middle = 1e-8;
+
 /// What matrices rest on; everything else about a mesh is `find_defects`' business.
 const PolygonMesh& checked(const PolygonMesh& mesh, int n_components) {
   if (n_components < 1)
@@ -23,6 +26,20 @@ const PolygonMesh& checked(const PolygonMesh& mesh, int n_components) {
       if (std::exchange(last_cell[static_cast<std::size_t>(v)], c) == c)
         throw Error("cell " + std::to_string(c) + " has vertex " + std::to_string(v) + " twice");
   return mesh;
+}
+
+/// Whether every cell lists corners and middles of edges in turn, as `with_edge_midpoints` makes them.
+bool is_quadratic(const PolygonMesh& mesh) {
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const std::span<const int> nodes = mesh.cell(c);
+    if (nodes.size() < 6 || nodes.size() % 2 != 0) return false;
+    for (std::size_t k = 0; k < nodes.size(); k += 2) {
+      const Vec2 first = mesh.vertices.col(nodes[k]), last = mesh.vertices.col(nodes[(k + 2) % nodes.size()]);
+      if ((mesh.vertices.col(nodes[k + 1]) - (first + last) / 2).norm() > off_middle * (last - first).norm())
+        return false;
+    }
+  }
+  return mesh.n_cells() > 0;
 }
 
 /// What a symmetric matrix may differ by from its transpose, over its largest entry: half of the digits,
@@ -209,6 +226,11 @@ void FieldProblem::require_edge(int first, int second) const {
 }
 
 void FieldProblem::add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load) {
+  if (!edges.empty() && is_quadratic(*mesh_))
+    throw Error("a load is on the edge from vertex " + std::to_string(edges[0][0]) + " to " +
+                std::to_string(edges[0][1]) +
+                ", but edges of quadratic cells have three vertices: give them by quadratic_edges or "
+                "quadratic_boundary_edges");
   add_loads_on(edges, load);
 }
 
@@ -231,7 +253,7 @@ void FieldProblem::add_loads_on(std::span<const std::array<int, n>> edges, const
     };
     if (!(length > 0)) refuse("has no direction: give it two vertices at different places");
     if constexpr (n == 3)
-      if ((mesh_->vertices.col(nodes[1]) - (a + edge / 2)).norm() > 1e-8 * length)
+      if ((mesh_->vertices.col(nodes[1]) - (a + edge / 2)).norm() > off_middle * length)
         refuse("is of second order, but " + mesh_->vertex_name(nodes[1]) +
                " is not in the middle: give edges as quadratic_boundary_edges does");
     for (Index q = 0; q < rule.points.size(); ++q) {

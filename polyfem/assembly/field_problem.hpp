@@ -73,12 +73,12 @@ class FieldProblem {
   /// Adds the integrals of N_i times a load over edges of cells: three Gauss points an edge, exact for loads
   /// up to degree 4 along it (shape functions are linear there). Edges run in their cell's direction, as
   /// `boundary_edges` gives them: the normal is to their right. Throws Error for an edge that no cell has or
-  /// that runs against its cell, for one without length, and for loads of the wrong size or not finite; then
-  /// nothing is added.
+  /// that runs against its cell, for one without length, for loads of the wrong size or not finite, and on
+  /// meshes of quadratic cells; then nothing is added.
   void add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load);
   /// The same for edges (first, middle, last) of quadratic cells, as `quadratic_boundary_edges` gives them:
-  /// exact for loads up to degree 3 along an edge. On such meshes the other one would take its halves for
-  /// linear edges. Throws Error also when `middle` is not in the middle.
+  /// exact for loads up to degree 3 along an edge. `quadratic_edges` makes them of pairs, as named groups
+  /// have. Throws Error also when `middle` is not in the middle.
   void add_edge_loads(std::span<const std::array<int, 3>> edges, const EdgeLoad& load);
   /// Drops all loads, those of the cells included, to begin another right hand side.
   void clear_loads();

@@ -27,7 +27,8 @@ struct NewtonReport {
 /// Each solution starts from the last one that converged, u = 0 at first. Steps are halved while they turn
 /// a cell inside out or leave more residual than the last three (line search). Symmetric tangents must be
 /// positive definite near a solution: stable equilibria. Those without symmetry, as of materials whose flow
-/// is not associated, are stated as such and have to be regular.
+/// is not associated, are stated as such and have to be regular; so are symmetric ones that are not definite
+/// on the way, as of materials that soften, or nearly incompressible ones under large strains.
 class NonlinearProblem {
  public:
   /// Fills the tangent K = d forces / d u (square, symmetric) and the forces of a cell at displacements u of
@@ -53,7 +54,9 @@ class NonlinearProblem {
   }
 
   /// Solves at load factor t until the residual is below `tolerance`. Not converged, within 25 iterations or
-  /// as the tangent is not positive definite, is reported; the solution is the last converged one then.
+  /// as the tangent is not positive definite, is reported; the solution is the last converged one then. With
+  /// assertions on, each iteration compares the tangent of a cell where the residual is largest with
+  /// differences of its forces, and one that is off by 5 % is reported.
   NewtonReport solve(double t, double tolerance = 1e-10);
 
   /// The last converged solution.
@@ -73,6 +76,8 @@ class NonlinearProblem {
   /// Makes what is held or tied go in one step where it is at load factor t. False: it is there.
   bool prescribe(const VectorXd& u, double t);
   VectorXd of_cell(int cell, const VectorXd& u) const;
+  /// Throws Error when the tangent of a cell at this vertex is not the derivative of its forces.
+  void require_derivative(int vertex, const VectorXd& u) const;
   std::string failure(const Residual& residual, const VectorXd& u) const;
 
   const PolygonMesh* mesh_;

@@ -7,12 +7,19 @@
 #include <string>
 
 namespace polyfem {
+namespace {
 
-FiniteStress neo_hooke(double lambda, double mu, const Mat2& F) {
-  const double J = F.determinant();
+void require_volume(double J) {
   if (!(J > 0))
     throw Error("the material is turned inside out (det F = " + std::to_string(J) +
                 "): take smaller load steps");
+}
+
+}  // namespace
+
+FiniteStress neo_hooke(double lambda, double mu, const Mat2& F) {
+  const double J = F.determinant();
+  require_volume(J);
   const Mat2 inverse = F.inverse();
   const double log_J = std::log(J);
   FiniteStress stress;
@@ -25,6 +32,11 @@ FiniteStress neo_hooke(double lambda, double mu, const Mat2& F) {
           stress.tangent(2 * b + i, 2 * L + k) +=
               lambda * inverse(b, i) * inverse(L, k) + (mu - lambda * log_J) * inverse(b, k) * inverse(L, i);
   return stress;
+}
+
+VolumeStress neo_hooke_volume(double lambda, double J) {
+  require_volume(J);
+  return {lambda * std::log(J) / J, lambda * (1 - std::log(J)) / (J * J)};
 }
 
 }  // namespace polyfem

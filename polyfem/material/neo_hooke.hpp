@@ -21,4 +21,14 @@ struct FiniteStress {
 /// At F = 1 it is linear elasticity with Lame's constants. Throws Error unless J > 0.
 FiniteStress neo_hooke(double lambda, double mu, const Mat2& F);
 
+/// The derivatives of an energy U(J) that resists a change of volume alone; J is the volume over that before.
+struct VolumeStress {
+  double stress;   ///< dU/dJ: tension positive, Pa
+  double tangent;  ///< d^2U/dJ^2, Pa
+};
+
+/// Of the part U = lambda/2 (ln J)^2 of the energy above: `neo_hooke(lambda, mu, F)` has the stress of
+/// `neo_hooke(0, mu, F)` plus dU/dJ cof F. Throws Error unless J > 0.
+VolumeStress neo_hooke_volume(double lambda, double J);
+
 }  // namespace polyfem

@@ -56,8 +56,8 @@ std::vector<Method> methods_for(const Problem& problem) {
                of_deal_ii("deal.II Q1 reduced", Cells::quadrilaterals, DealIIElement::q1_reduced)};
   } else {
     methods = {of_polyfem("polyfem quadrilaterals", Cells::quadrilaterals),
-               of_polyfem("polyfem hexagons", Cells::hexagons),
-               of_polyfem("polyfem Voronoi", Cells::voronoi)};
+               of_polyfem("polyfem hexagons", Cells::hexagons), of_polyfem("polyfem Voronoi", Cells::voronoi),
+               of_polyfem("polyfem Voronoi virtual", Cells::voronoi, PolyfemElement::virtual_element)};
   }
   methods.push_back(
       of_polyfem("polyfem quadrilaterals quadratic", Cells::quadrilaterals, PolyfemElement::quadratic, 64));

@@ -8,6 +8,7 @@
 #include <polyfem/element/loads.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/quadratic_element.hpp>
+#include <polyfem/element/virtual_element.hpp>
 #include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 
@@ -118,6 +119,8 @@ void measure_errors(const Problem& problem, const PolygonMesh& mesh, PolyfemElem
     const Points polygon = mesh.outline(c);
     if (kind == PolyfemElement::quadratic)
       tabulate_quadratic_cell(polygon, dunavant_rule(8), GradientCorrection::off, element);
+    else if (kind == PolyfemElement::virtual_element)
+      tabulate_virtual(polygon, dunavant_rule(6), element);
     else
       tabulate(polygon, dunavant_rule(6), suitable_basis(polygon), GradientCorrection::off, element);
     d.resize(2 * polygon.cols());
@@ -153,11 +156,24 @@ static Run run_with_edges_of(const Problem& problem, const PolygonMesh& mesh, Po
   apply_boundary_data<n>(problem, mesh, field);
   stages.pattern = watch.lap();
   field.assemble([&](int, const PointsRef& polygon, MatrixXd& K, VectorXd& f) {
-    if (kind == PolyfemElement::quadratic)
-      tabulate_quadratic_cell(polygon, dunavant_rule(4), GradientCorrection::on, element);
-    else
-      tabulate_cell(polygon, element);
-    kind == PolyfemElement::b_bar ? b_bar_stiffness(element, D, K) : stiffness(element, D, K);
+    switch (kind) {
+      case PolyfemElement::plain:
+        tabulate_cell(polygon, element);
+        stiffness(element, D, K);
+        break;
+      case PolyfemElement::b_bar:
+        tabulate_cell(polygon, element);
+        b_bar_stiffness(element, D, K);
+        break;
+      case PolyfemElement::quadratic:
+        tabulate_quadratic_cell(polygon, dunavant_rule(4), GradientCorrection::on, element);
+        stiffness(element, D, K);
+        break;
+      case PolyfemElement::virtual_element:
+        virtual_stiffness(polygon, D, K);
+        if (force) tabulate_virtual(polygon, element);
+        break;
+    }
     if (force) body_force(element, force, f);
   });
   stages.assembly = watch.lap();

@@ -5,6 +5,7 @@
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/material/linear_elastic.hpp>
+#include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/generators.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 #include <polyfem/mesh/voronoi.hpp>
@@ -360,6 +361,24 @@ TEST(FieldProblem, RefusesLoadsOnReversedAndMissingEdgesAndThenAddsNone) {
   EXPECT_EQ(refusal_of(problem, {{1, 4}, {4, 1}}), "") << "an inner edge, from either side";
   problem.solve();
   EXPECT_NEAR(problem.reactions()(Eigen::seq(0, Eigen::last, 2)).sum(), -4, 1e-12);
+}
+
+TEST(FieldProblem, RefusesPairsOfVerticesAsEdgesOfQuadraticCells) {
+  const PolygonMesh quadratic = with_edge_midpoints(mesh);
+  const auto on_top = [](const Vec2& x) { return x.y() == 1; };
+  FieldProblem problem(quadratic, 2);
+  const auto corners = boundary_edges(mesh, on_top), halves = boundary_edges(quadratic, on_top);
+  for (const auto& edges : {corners, halves}) {
+    try {
+      problem.add_edge_loads(edges, pressure(1));
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("quadratic_edges"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(problem.loads().isZero(0));
+  }
+  problem.add_edge_loads(quadratic_edges(quadratic, corners), pressure(1));
+  EXPECT_NEAR(problem.loads().reshaped(2, quadratic.vertices.cols()).row(1).sum(), -3, 1e-13);
 }
 
 TEST(FieldProblem, RefusesAMatrixThatIsNotSymmetric) {

@@ -163,7 +163,6 @@ TEST(NonlinearProblem, AWrongTangentIsReportedWithItsPlace) {
   problem.add_edge_loads(boundary_edges(mesh, at_right), pressure(-0.3));
   const NewtonReport report = problem.solve(1);
   EXPECT_FALSE(report.converged);
-  EXPECT_NE(report.reason.find("is at vertex"), std::string::npos) << report.reason;
   EXPECT_NE(report.reason.find("the tangent of cell"), std::string::npos) << report.reason;
   EXPECT_TRUE(problem.solution().isZero());
 }

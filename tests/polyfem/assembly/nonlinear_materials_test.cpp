@@ -1,0 +1,257 @@
+// Whole nonlinear problems of each material: against closed forms, without locking, with Newton's method
+// squaring its residual.
+#include <polyfem/assembly/nonlinear_problem.hpp>
+#include <polyfem/basis/quadratic_shapes.hpp>
+#include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/element/finite_strain.hpp>
+#include <polyfem/element/loads.hpp>
+#include <polyfem/element/mean_dilatation.hpp>
+#include <polyfem/element/quadratic_element.hpp>
+#include <polyfem/element/small_strain.hpp>
+#include <polyfem/material/isotropic_damage.hpp>
+#include <polyfem/material/linear_elastic.hpp>
+#include <polyfem/mesh/edge_midpoints.hpp>
+#include <polyfem/mesh/generators.hpp>
+#include <polyfem/mesh/voronoi.hpp>
+#include <tests/support/domains.hpp>
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+#include <cmath>
+
+using namespace polyfem;
+
+namespace {
+
+/// Once a residual is below 1e-2 the next one is at most `factor` times its square, to round-off.
+void expect_squared_residuals(const NewtonReport& report, double factor, double round_off = 1e-11) {
+  ASSERT_TRUE(report.converged) << report.reason;
+  const std::vector<double>& r = report.residuals;
+  for (std::size_t k = 2; k < r.size(); ++k)
+    if (r[k - 1] < 1e-2) {
+      EXPECT_LT(r[k], std::max(factor * r[k - 1] * r[k - 1], round_off)) << k;
+    }
+}
+
+void tabulate_first_order(const PointsRef& cell, TabulatedElement& element) {
+  tabulate(cell, dunavant_rule(4), suitable_basis(cell), GradientCorrection::on, element);
+}
+
+void tabulate_second_order(const PointsRef& cell, TabulatedElement& element) {
+  tabulate_quadratic(cell, dunavant_rule(4), suitable_basis(quadratic_corners(cell)), GradientCorrection::on,
+                     element);
+}
+
+constexpr double rubber_shear = 80.1938, rubber_lame = 400889.8;  // nu = 0.4999
+
+enum class Rubber { first_order, first_order_mean_dilatation, second_order };
+
+NonlinearProblem::CellForces rubber(Rubber kind) {
+  return [kind](int, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+    TabulatedElement element;
+    kind == Rubber::second_order ? tabulate_second_order(cell, element) : tabulate_first_order(cell, element);
+    const bool mean = kind == Rubber::first_order_mean_dilatation;
+    finite_strain_forces(
+        element, [mean](const Mat2& F) { return neo_hooke(mean ? 0 : rubber_lame, rubber_shear, F); }, u, K,
+        forces);
+    if (mean)
+      add_mean_dilatation(
+          element, [](double J) { return neo_hooke_volume(rubber_lame, J); }, u, K, forces);
+  };
+}
+
+const Points cook = support::polygon_of({{0, 0}, {48, 44}, {48, 60}, {0, 44}});
+
+/// How far the upper right corner of Cook's membrane rises under a shear force of 100 (Simo and Armero 1992).
+double rise_of_rubber_membrane(const PolygonMesh& mesh, Rubber kind) {
+  NonlinearProblem problem(mesh, 2, rubber(kind), Symmetry::none);
+  for (const int v : boundary_vertices(mesh, [](const Vec2& x) { return x.x() == 0; }))
+    for (const int axis : {0, 1}) problem.hold(v, axis);
+  const auto at_right = [](const Vec2& x) { return x.x() == 48; };
+  const auto load = [](const Vec2&, const Vec2&) { return VectorXd(Vec2(0, 100. / 16)); };
+  if (kind == Rubber::second_order)
+    problem.add_edge_loads(quadratic_boundary_edges(mesh, at_right), load);
+  else
+    problem.add_edge_loads(boundary_edges(mesh, at_right), load);
+  constexpr int n_steps = 16;  // longer ones turn cells before Newton's method sees how they resist
+  for (int k = 1; k <= n_steps; ++k) {
+    const NewtonReport report = problem.solve(1. * k / n_steps, 1e-9);
+    EXPECT_TRUE(report.converged) << report.reason;
+  }
+  for (int v = 0; v < static_cast<int>(mesh.vertices.cols()); ++v)
+    if (mesh.vertices.col(v) == cook.col(2)) return problem.solution()[2 * v + 1];
+  return 0;
+}
+
+TEST(NearlyIncompressibleRubber, DoesNotLockWithMeanDilatation) {
+  const PolygonMesh coarse = voronoi(cook, {.n_cells = 300});
+  const double limit =
+      rise_of_rubber_membrane(with_edge_midpoints(voronoi(cook, {.n_cells = 600})), Rubber::second_order);
+  const double locked = rise_of_rubber_membrane(coarse, Rubber::first_order),
+               free = rise_of_rubber_membrane(coarse, Rubber::first_order_mean_dilatation);
+  EXPECT_NEAR(limit, 6.9, 0.1);  // Simo and Armero 1992, figure 6
+  EXPECT_NEAR(free / limit, 1, 0.03);
+  EXPECT_LT(locked / limit, 0.7);
+}
+
+TEST(NearlyIncompressibleRubber, HomogeneousCompressionIsExact) {
+  // P_yy of the stretch `up` with free sides, P_xx = 0: of both unknown stretches by bisection.
+  const double up = 0.6;
+  double low = 1, high = 3;
+  const auto P = [&](double across) {
+    return neo_hooke(rubber_lame, rubber_shear, Vec2(across, up).asDiagonal()).P;
+  };
+  for (int k = 0; k < 60; ++k) (P((low + high) / 2)(0, 0) > 0 ? high : low) = (low + high) / 2;
+  const PolygonMesh mesh = voronoi(support::rectangle(2, 1), {.n_cells = 60});
+  NonlinearProblem problem(mesh, 2, rubber(Rubber::first_order_mean_dilatation), Symmetry::none);
+  for (const int v : boundary_vertices(mesh, [](const Vec2& x) { return x.y() == 0 || x.y() == 1; }))
+    problem.hold(v, 1, mesh.vertices(1, v) * (up - 1));
+  for (const int v : boundary_vertices(mesh, [](const Vec2& x) { return x.x() == 0; })) problem.hold(v, 0);
+  for (const double t : {0.25, 0.5, 0.75, 1.}) expect_squared_residuals(problem.solve(t, 1e-10), 1e3);
+  const Mat2 G = Vec2(low - 1, up - 1).asDiagonal();
+  EXPECT_LT((problem.solution() - (G * mesh.vertices).reshaped()).lpNorm<Eigen::Infinity>(), 1e-9);
+}
+
+/// A solution that is made up: the body force that balances it is found by differences of its stress.
+Vec2 made_up_displacement(const Vec2& x) {
+  return 0.3 * Vec2(std::sin(2 * x.x()) * x.y(), x.x() * x.x() - 0.5 * x.y() * x.y() * x.x());
+}
+
+Mat2 made_up_stress(const Vec2& x) {
+  const double a = 0.3;
+  Mat2 F;
+  F << 1 + a * 2 * std::cos(2 * x.x()) * x.y(), a * std::sin(2 * x.x()),  //
+      a * (2 * x.x() - 0.5 * x.y() * x.y()), 1 - a * x.y() * x.x();
+  return neo_hooke(2, 1, F).P;
+}
+
+Vec2 made_up_force(const Vec2& x) {
+  const double h = 1e-5;
+  Vec2 force = Vec2::Zero();
+  for (const int axis : {0, 1}) {
+    const Vec2 step = h * Vec2::Unit(axis);
+    force -= (made_up_stress(x + step) - made_up_stress(x - step)).col(axis) / (2 * h);
+  }
+  return force;
+}
+
+/// L2 error of displacements of the made-up solution on the unit square.
+double made_up_error(const PolygonMesh& mesh, bool second_order) {
+  const auto tabulate_cell = second_order ? tabulate_second_order : tabulate_first_order;
+  NonlinearProblem problem(mesh, 2,
+                           [&](int, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+                             TabulatedElement element;
+                             tabulate_cell(cell, element);
+                             finite_strain_forces(
+                                 element, [](const Mat2& F) { return neo_hooke(2, 1, F); }, u, K, forces);
+                             VectorXd load = VectorXd::Zero(forces.size());
+                             body_force(element, made_up_force, load);
+                             forces -= load;
+                           });
+  for (const int v : boundary_vertices(mesh))
+    for (const int axis : {0, 1}) problem.hold(v, axis, made_up_displacement(mesh.vertices.col(v))[axis]);
+  expect_squared_residuals(problem.solve(1, 1e-11), 1e3);
+  double sum = 0;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    TabulatedElement element;
+    tabulate_cell(mesh.outline(c), element);
+    const Points u = problem.solution().reshaped(2, mesh.vertices.cols())(
+        Eigen::all, std::vector<int>(mesh.cell(c).begin(), mesh.cell(c).end()));
+    const Points errors = u * element.values.transpose();
+    for (Index q = 0; q < element.n_points(); ++q)
+      sum += element.rule.weights[q] *
+             (errors.col(q) - made_up_displacement(element.rule.points.col(q))).squaredNorm();
+  }
+  return std::sqrt(sum);
+}
+
+TEST(MadeUpLargeStrains, ConvergeAtTheRatesOfTheElements) {
+  const auto cells = [](int n) { return voronoi(support::rectangle(1, 1), {.n_cells = n}); };
+  const PolygonMesh coarse = cells(64), fine = cells(1024);
+  EXPECT_NEAR(std::log(made_up_error(coarse, false) / made_up_error(fine, false)) / std::log(4.), 2, 0.1);
+  const PolygonMesh coarse_2 = with_edge_midpoints(coarse), fine_2 = with_edge_midpoints(fine);
+  EXPECT_NEAR(std::log(made_up_error(coarse_2, true) / made_up_error(fine_2, true)) / std::log(4.), 3, 0.15);
+}
+
+/// A bar of n columns of cells pulled to `lengthening`: the middle column is weaker and cracks. The
+/// force and the work done, with a fracture energy that does not depend on n.
+class CrackedBar {
+ public:
+  static constexpr double young = 1000, onset = 1e-3, length = 1, height = 0.2, fracture_energy = 2e-3;
+  explicit CrackedBar(int n) : mesh_(rectangles({0, 0}, {length, height}, n, 2)) {
+    const double h = length / n;
+    softening_ = fracture_energy / (young * onset * h) - onset / 2;
+    before_.resize(static_cast<std::size_t>(mesh_.n_cells()));
+    now_ = before_;
+    for (int c = 0; c < mesh_.n_cells(); ++c)
+      weak_.push_back(std::abs(mesh_.outline(c).row(0).mean() - length / 2) < h / 2);
+  }
+  void pull(double lengthening, int n_steps) {
+    NonlinearProblem problem(
+        mesh_, 2,
+        [this](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+          cell_forces(static_cast<std::size_t>(cell), polygon, u, K, forces);
+        },
+        Symmetry::none);  // softening is not positive definite
+    for (const int v : boundary_vertices(mesh_, [](const Vec2& x) { return x.x() == 0 || x.x() == length; }))
+      problem.hold(v, 0, mesh_.vertices(0, v) * lengthening);
+    problem.hold(0, 1);
+    for (int k = 1; k <= n_steps; ++k) {
+      const double t = 1. * k / n_steps;
+      expect_squared_residuals(problem.solve(t, 1e-9), 1e3, 1e-9);
+      before_ = now_;
+      const double force = stress_ * height;
+      work_ += (force_ + force) / 2 * lengthening / n_steps;
+      force_ = force;
+      // Every part of the bar carries the same stress, the crack by the strain that is left for it.
+      const double crack = t * lengthening - force / (height * young) * (length - width());
+      const double strain = crack / width();
+      const double stress =
+          strain < onset ? young * strain : young * onset * std::exp(-(strain - onset) / softening_);
+      EXPECT_NEAR(force / (height * stress), 1, 1e-8) << k;
+    }
+  }
+  double force() const { return force_; }
+  double work() const { return work_; }
+
+ private:
+  double width() const { return mesh_.vertices(0, 1) - mesh_.vertices(0, 0); }
+  void cell_forces(std::size_t cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K,
+                   VectorXd& forces) {
+    TabulatedElement element;
+    tabulate_first_order(polygon, element);
+    before_[cell].resize(static_cast<std::size_t>(element.n_points()));
+    now_[cell].resize(before_[cell].size());
+    const DamageMaterial material{.elasticity = elasticity_matrix(young, 0, Plane::stress),
+                                  .young = young,
+                                  .onset = weak_[cell] ? onset : 2 * onset,
+                                  .softening = softening_};
+    small_strain_forces(
+        element,
+        [&](Index q, const Vec3& strain, Mat3& tangent) {
+          const auto at = static_cast<std::size_t>(q);
+          const DamageStep step = damage_step(material, strain, before_[cell][at]);
+          now_[cell][at] = step.largest_strain;
+          tangent = step.tangent;
+          stress_ = step.stress[0];
+          return step.stress;
+        },
+        u, K, forces);
+  }
+  PolygonMesh mesh_;
+  std::vector<std::vector<double>> before_, now_;
+  std::vector<bool> weak_;
+  double softening_ = 0, stress_ = 0, force_ = 0, work_ = 0;
+};
+
+TEST(CrackedBarOfDamage, FollowsTheClosedFormWhateverTheMesh) {
+  for (const int n : {5, 15}) {
+    CrackedBar bar(n);
+    bar.pull(0.012, 120);
+    EXPECT_LT(bar.force(), 3e-3 * CrackedBar::young * CrackedBar::onset * CrackedBar::height);
+    EXPECT_NEAR(bar.work() / (CrackedBar::fracture_energy * CrackedBar::height), 1, 0.02);
+  }
+}
+
+}  // namespace
