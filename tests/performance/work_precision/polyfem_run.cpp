@@ -30,9 +30,15 @@ void tabulate_cell(const PointsRef& polygon, TabulatedElement& element) {
   tabulate(polygon, rule, basis, GradientCorrection::on, element);
 }
 
-void tabulate_quadratic_cell(const PointsRef& polygon, const TriangleRule& rule,
-                             GradientCorrection correction, TabulatedElement& element) {
-  tabulate_quadratic(polygon, rule, suitable_basis(quadratic_corners(polygon)), correction, element);
+/// Three Gauss points in each direction of a quadrilateral, six points on each triangle of another cell.
+void tabulate_quadratic_cell(const PointsRef& polygon, TabulatedElement& element) {
+  const Points corners = quadratic_corners(polygon);
+  const Basis& basis = suitable_basis(corners);
+  if (corners.cols() != 4)
+    return tabulate_quadratic(polygon, dunavant_rule(4), basis, GradientCorrection::on, element);
+  static PolygonRule rule;
+  make_quadrilateral_rule(corners, 3, rule);
+  tabulate_quadratic(polygon, rule, basis, GradientCorrection::on, element);
 }
 
 /// The edges of the boundary, of two or three vertices, each from its first to its last.
@@ -118,7 +124,8 @@ void measure_errors(const Problem& problem, const PolygonMesh& mesh, PolyfemElem
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const Points polygon = mesh.outline(c);
     if (kind == PolyfemElement::quadratic)
-      tabulate_quadratic_cell(polygon, dunavant_rule(8), GradientCorrection::off, element);
+      tabulate_quadratic(polygon, dunavant_rule(8), suitable_basis(quadratic_corners(polygon)),
+                         GradientCorrection::off, element);
     else if (kind == PolyfemElement::virtual_element)
       tabulate_virtual(polygon, dunavant_rule(6), element);
     else
@@ -166,7 +173,7 @@ static Run run_with_edges_of(const Problem& problem, const PolygonMesh& mesh, Po
         b_bar_stiffness(element, D, K);
         break;
       case PolyfemElement::quadratic:
-        tabulate_quadratic_cell(polygon, dunavant_rule(4), GradientCorrection::on, element);
+        tabulate_quadratic_cell(polygon, element);
         stiffness(element, D, K);
         break;
       case PolyfemElement::virtual_element:
