@@ -105,4 +105,39 @@ std::vector<Element> deal_ii_elements(const std::vector<polyfem::Points>& polygo
   return result;
 }
 
+std::vector<MatrixXd> deal_ii_serendipity_stiffness(const std::vector<polyfem::Points>& polygons,
+                                                    double young, double poisson) {
+  // The nodes of Q2, four vertices in lexicographic order, the sides x = 0, 1 and y = 0, 1, and the middle,
+  // in the order of the polygon.
+  constexpr std::array<Index, 8> node{0, 2, 6, 4, 7, 3, 1, 5};
+  MatrixXd T = MatrixXd::Zero(18, 16);
+  const dealii::FESystem<2> element(dealii::FE_Q<2>(2), 2);
+  for (unsigned i = 0; i < 18; ++i) {
+    const auto [component, k] = element.system_to_component_index(i);
+    if (k < 8)
+      T(i, 2 * node[k] + component) = 1;
+    else
+      for (Index other = 0; other < 8; ++other) T(i, 2 * other + component) = other % 2 == 0 ? -0.25 : 0.5;
+  }
+  dealii::Triangulation<2> triangulation;
+  make_cells(polygons, triangulation);
+  dealii::FEValues<2> values(element, dealii::QGauss<2>(3),
+                             dealii::update_gradients | dealii::update_JxW_values);
+  const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
+  const double mu = young / (2 * (1 + poisson));
+  std::vector<MatrixXd> result;
+  for (const auto& cell : triangulation.active_cell_iterators()) {
+    values.reinit(cell);
+    const auto& u = values[dealii::FEValuesExtractors::Vector(0)];
+    MatrixXd K = MatrixXd::Zero(18, 18);
+    for (const unsigned q : values.quadrature_point_indices())
+      for (unsigned i = 0; i < 18; ++i)
+        for (unsigned j = 0; j < 18; ++j)
+          K(i, j) += values.JxW(q) * (2 * mu * u.symmetric_gradient(i, q) * u.symmetric_gradient(j, q) +
+                                      lambda * u.divergence(i, q) * u.divergence(j, q));
+    result.push_back(T.transpose() * K * T);
+  }
+  return result;
+}
+
 }  // namespace oracle

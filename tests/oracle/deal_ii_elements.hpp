@@ -19,4 +19,10 @@ struct Element {
 std::vector<Element> deal_ii_elements(const std::vector<polyfem::Points>& polygons, double young,
                                       double poisson, unsigned n_gauss);
 
+/// The stiffness of deal.II's Q2 on counter-clockwise parallelograms, restricted to the functions without
+/// x^2 y^2: the middle follows the boundary, u = (sum of middles) / 2 - (sum of corners) / 4. Nodes are a
+/// corner and the middle of the edge after it in turn, 16 x 16.
+std::vector<polyfem::MatrixXd> deal_ii_serendipity_stiffness(const std::vector<polyfem::Points>& polygons,
+                                                             double young, double poisson);
+
 }  // namespace oracle

@@ -3,6 +3,7 @@
 // rational, the bilinear functions of a general quadrilateral contain a square root of the position.
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/matrices.hpp>
+#include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <tests/oracle/difference.hpp>
 #include <tests/support/random_polygon.hpp>
@@ -103,6 +104,39 @@ TEST(DealIIElement, BilinearOneOfAKiteIsAnother) {
   EXPECT_NEAR(difference.stiffness, 1.8e-2, 1e-3);
   EXPECT_GT(difference.gradients, 1e-3);
   EXPECT_GT(difference.mass, 1e-3);
+}
+
+TEST(DealIIElement, QuadraticOneWithoutItsMiddleIsOursOnParallelograms) {
+  std::vector<Points> parallelograms;
+  std::mt19937 random(4);
+  for (int k = 0; k < 100; ++k) {
+    Points polygon(2, 4);
+    polygon.col(0) << 0.3, -2;
+    const Vec2 side(support::uniform(0.5, 2, random), support::uniform(-0.3, 0.3, random)),
+        other(support::uniform(-0.5, 0.5, random), support::uniform(0.5, 2, random));
+    polygon.col(1) = polygon.col(0) + side;
+    polygon.col(2) = polygon.col(1) + other;
+    polygon.col(3) = polygon.col(0) + other;
+    parallelograms.push_back(polygon);
+  }
+  const auto theirs = oracle::deal_ii_serendipity_stiffness(parallelograms, oracle::young, oracle::poisson);
+  const Mat3 D = elasticity_matrix(oracle::young, oracle::poisson, Plane::strain);
+  PolygonRule rule;
+  TabulatedElement element;
+  MatrixXd K;
+  for (std::size_t k = 0; k < parallelograms.size(); ++k)
+    for (const GradientCorrection correction : {GradientCorrection::off, GradientCorrection::on}) {
+      const Points& corners = parallelograms[k];
+      Points nodes(2, 8);
+      for (Index i = 0; i < 4; ++i) {
+        nodes.col(2 * i) = corners.col(i);
+        nodes.col(2 * i + 1) = (corners.col(i) + corners.col((i + 1) % 4)) / 2;
+      }
+      make_quadrilateral_rule(corners, 3, rule);
+      tabulate_quadratic(nodes, rule, wachspress, correction, element);
+      stiffness(element, D, K);
+      EXPECT_LT((K - theirs[k]).norm(), 1e-12 * theirs[k].norm());
+    }
 }
 
 }  // namespace

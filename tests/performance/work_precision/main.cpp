@@ -22,19 +22,16 @@ struct Method {
   std::string name;
   Cells cells;
   std::function<Run(const Problem&, const polyfem::PolygonMesh&, bool with_errors)> run;
-  int finest = 1000;  ///< rows of cells
 };
 
-Method of_polyfem(std::string name, Cells cells, PolyfemElement element = PolyfemElement::plain,
-                  int finest = 1000) {
+Method of_polyfem(std::string name, Cells cells, PolyfemElement element = PolyfemElement::plain) {
   return {std::move(name), cells,
           [element](const Problem& problem, const polyfem::PolygonMesh& mesh, bool with_errors) {
             return run_polyfem(problem, mesh, element, with_errors);
-          },
-          finest};
+          }};
 }
 
-Method of_deal_ii(std::string name, Cells cells, DealIIElement element, int finest = 1000) {
+Method of_deal_ii(std::string name, Cells cells, DealIIElement element) {
   return {std::move(name), cells,
           [element](const Problem& problem, const polyfem::PolygonMesh& mesh, bool with_errors) {
             // Conjugate gradients fall back further with every refinement, most of all near
@@ -42,8 +39,7 @@ Method of_deal_ii(std::string name, Cells cells, DealIIElement element, int fine
             constexpr int most_cells = 2500;
             const bool with_cg = mesh.n_cells() <= most_cells && !problem.nearly_incompressible;
             return run_deal_ii(problem, mesh, element, with_cg, with_errors);
-          },
-          finest};
+          }};
 }
 
 std::vector<Method> methods_for(const Problem& problem) {
@@ -60,11 +56,11 @@ std::vector<Method> methods_for(const Problem& problem) {
                of_polyfem("polyfem Voronoi virtual", Cells::voronoi, PolyfemElement::virtual_element)};
   }
   methods.push_back(
-      of_polyfem("polyfem quadrilaterals quadratic", Cells::quadrilaterals, PolyfemElement::quadratic, 64));
-  methods.push_back(of_polyfem("polyfem Voronoi quadratic", Cells::voronoi, PolyfemElement::quadratic, 64));
+      of_polyfem("polyfem quadrilaterals quadratic", Cells::quadrilaterals, PolyfemElement::quadratic));
+  methods.push_back(of_polyfem("polyfem Voronoi quadratic", Cells::voronoi, PolyfemElement::quadratic));
   methods.push_back(of_deal_ii("deal.II Q1", Cells::quadrilaterals, DealIIElement::q1));
   methods.push_back(of_deal_ii("deal.II P1", Cells::triangles, DealIIElement::p1));
-  methods.push_back(of_deal_ii("deal.II Q2", Cells::quadrilaterals, DealIIElement::q2, 64));
+  methods.push_back(of_deal_ii("deal.II Q2", Cells::quadrilaterals, DealIIElement::q2));
   return methods;
 }
 
@@ -110,8 +106,7 @@ void append(const Problem& problem, const Method& method, const Samples& samples
 }
 
 void measure(const Problem& problem, int n_rows, int repetitions, std::vector<Measurement>& table) {
-  std::vector<Method> methods = methods_for(problem);
-  std::erase_if(methods, [n_rows](const Method& method) { return n_rows > method.finest; });
+  const std::vector<Method> methods = methods_for(problem);
   std::vector<Samples> samples(methods.size());
   for (int repetition = 0; repetition < repetitions; ++repetition)
     for (std::size_t k = 0; k < methods.size(); ++k) take_sample(problem, methods[k], n_rows, samples[k]);
