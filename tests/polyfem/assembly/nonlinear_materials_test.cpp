@@ -9,9 +9,11 @@
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/small_strain.hpp>
 #include <polyfem/material/isotropic_damage.hpp>
+#include <polyfem/material/j2_plasticity.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/generators.hpp>
+#include <polyfem/mesh/vertex_moves.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 #include <tests/support/domains.hpp>
 
@@ -19,6 +21,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <numbers>
 
 using namespace polyfem;
 
@@ -252,6 +255,57 @@ TEST(CrackedBarOfDamage, FollowsTheClosedFormWhateverTheMesh) {
     EXPECT_LT(bar.force(), 3e-3 * CrackedBar::young * CrackedBar::onset * CrackedBar::height);
     EXPECT_NEAR(bar.work() / (CrackedBar::fracture_energy * CrackedBar::height), 1, 0.02);
   }
+}
+
+/// The outer radius' displacement of a ring 1 < r < 2 in plane strain, a quarter of it in n x 2n cells of
+/// first order, under the inner pressure at which it flows up to the radius c. Incompressible von Mises'
+/// material:
+///     p = 2 / sqrt(3) Y (ln c + (1 - c^2 / 4) / 2)    (Hill 1950, chapter V),
+/// and as u = A / r everywhere, with the shear stress Y / sqrt(3) at r = c, u(2) = Y c^2 / (4 sqrt(3) G).
+double outer_displacement_over_hills(int n, double c) {
+  const J2Material deviatoric{.bulk = 0, .shear = 400, .yield_stress = 1};
+  constexpr double bulk = 4e5;  // nu = 0.4995
+  const PolygonMesh ring = mapped(rectangles({1, 0}, {2, 1}, n, 2 * n), [](const Vec2& x) {
+    const double angle = std::numbers::pi / 2 * x.y();
+    return Vec2(x.x() * std::cos(angle), x.y() == 1 ? x.x() : x.x() * std::sin(angle));
+  });
+  const double pressure_to_c = 2 / std::sqrt(3.) * (std::log(c) + (1 - c * c / 4) / 2);
+  std::vector<std::vector<PlasticState>> before(static_cast<std::size_t>(ring.n_cells())), now = before;
+  NonlinearProblem problem(
+      ring, 2, [&](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+        TabulatedElement element;
+        tabulate_first_order(polygon, element);
+        auto &old_states = before[static_cast<std::size_t>(cell)],
+             &states = now[static_cast<std::size_t>(cell)];
+        old_states.resize(static_cast<std::size_t>(element.n_points()));
+        states.resize(old_states.size());
+        small_strain_forces(
+            element,
+            [&](Index q, const Vec3& strain, Mat3& tangent) {
+              const auto at = static_cast<std::size_t>(q);
+              const PlasticStep step = j2_step(deviatoric, strain, old_states[at]);
+              states[at] = step.state;
+              tangent = step.tangent;
+              return step.stress;
+            },
+            u, K, forces);
+        add_mean_dilatation(element, bulk, u, K, forces);
+      });
+  for (const int axis : {0, 1})
+    for (const int v : boundary_vertices(ring, [axis](const Vec2& x) { return std::abs(x[axis]) < 1e-12; }))
+      problem.hold(v, axis);
+  problem.add_edge_loads(boundary_edges(ring, [](const Vec2& x) { return x.norm() < 1 + 0.1 / 64; }),
+                         pressure(pressure_to_c));
+  for (int k = 1; k <= 10; ++k) {
+    expect_squared_residuals(problem.solve(k / 10., 1e-9), 1e4, 1e-8);
+    before = now;
+  }
+  return problem.solution()[2 * n] / (c * c / (4 * std::sqrt(3.) * deviatoric.shear));  // at (2, 0)
+}
+
+TEST(ThickCylinderOfMises, MovesAsHillsSolution) {
+  EXPECT_NEAR(outer_displacement_over_hills(8, 1.5), 1, 0.02);
+  EXPECT_NEAR(outer_displacement_over_hills(24, 1.5), 1, 0.003);
 }
 
 }  // namespace
