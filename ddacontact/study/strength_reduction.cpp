@@ -8,7 +8,7 @@ namespace ddacontact {
 
 namespace {
 
-constexpr int fewest_settling_steps = 200;
+constexpr int fewest_settling_steps = 1000;
 
 /// In two parts: settled while glued, then as it is.
 Scene with_settling(Scene scene) {

@@ -29,7 +29,7 @@ class SettlingStopped : public Error {
 };
 
 /// All trials start from the same settled state: that at the end of the stage before the last. A scene of one
-/// part is settled with all joints glued first, by static steps, as many as the scene has or 200.
+/// part is settled with all joints glued first, by static steps, as many as the scene has or 1000.
 class StrengthReduction {
  public:
   /// Makes the settled state. Throws SettlingStopped, and Error when the scene is of the method

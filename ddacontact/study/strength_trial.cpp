@@ -22,10 +22,11 @@ class Way {
   explicit Way(const Stepper& stepper)
       : stepper_(stepper), start_(stepper.blocks().displacements(stepper.state())) {}
 
+  Points of_vertices() const { return stepper_.blocks().displacements(stepper_.state()) - start_; }
   /// Of each block the furthest vertex, m.
   std::vector<double> of_blocks() const {
     const BlockSystem& blocks = stepper_.blocks();
-    const Points moved = blocks.displacements(stepper_.state()) - start_;
+    const Points moved = of_vertices();
     std::vector<double> furthest(static_cast<std::size_t>(blocks.n_blocks()), 0);
     for (int b = 0; b < blocks.n_blocks(); ++b) {
       if (!blocks.is_present(b)) continue;
@@ -58,6 +59,7 @@ void describe_end(const Stepper& stepper, const Way& way, double start_time, Str
   trial.kinetic = stepper.equilibrium().kinetic;
   trial.unbalanced = stepper.equilibrium().unbalanced;
   trial.time = stepper.state().time - start_time;
+  trial.displacements = way.of_vertices();
   const int first = way.furthest(ways);
   if (ways[first] == 0) return;
   trial.first_block = first;

@@ -36,6 +36,7 @@ struct StrengthTrial {
   long steps = 0;
   int first_block = -1;           ///< whose vertex went furthest, in sizes of the block
   std::vector<int> moved_blocks;  ///< that went a tenth as far at least, ascending
+  Points displacements;           ///< of all vertices since the start of the trial, m
 };
 
 /// Steps until one of the limits decides. `stopped` when the stepper stops before, by itself or interrupted.

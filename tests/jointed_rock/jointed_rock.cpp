@@ -14,6 +14,7 @@ the tests' own. Of {} statements {} are seen.
 
 constexpr verification::Chapter chapters[] = {{"flush_joints", jointed_rock::flush_joints},
                                               {"random_slopes", jointed_rock::random_slopes},
+                                              {"factors_of_safety", jointed_rock::factors_of_safety},
                                               {"arches_walls", jointed_rock::arches_walls}};
 
 }  // namespace

@@ -234,6 +234,15 @@ RigidBlocks rigid_blocks(const ddacontact::Scene& scene) {
   return blocks;
 }
 
+RigidBlocks interlocked(RigidBlocks blocks) {
+  Touching& touching = blocks.touching;
+  for (const CornerContact& corner : touching.corners)
+    for (const Vec2& normal : {corner.first, corner.last})
+      touching.points.push_back({corner.one, corner.other, corner.at, normal});
+  touching.corners.clear();
+  return blocks;
+}
+
 bool can_be_held(const RigidBlocks& blocks, double friction) {
   Balance balance(blocks);
   balance.add_missing_forces();

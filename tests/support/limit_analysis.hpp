@@ -43,6 +43,11 @@ struct RigidBlocks {
 /// pressures and for supports of single vertices.
 RigidBlocks rigid_blocks(const ddacontact::Scene& scene);
 
+/// The same blocks where no corner passes a corner: those that touch press on each other across every line
+/// between them. Blocks interlock where one joint has slipped by a hair and the joints that cross it have
+/// steps. Their least friction is the least with which admissible forces exist at all.
+RigidBlocks interlocked(RigidBlocks blocks);
+
 /// Admissible forces under the dead load alone. \param[in] friction  mu = tan(phi), the same everywhere
 bool can_be_held(const RigidBlocks& blocks, double friction);
 

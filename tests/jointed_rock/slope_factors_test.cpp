@@ -1,0 +1,40 @@
+// Factors of safety of a few random slopes against limit analysis; doc/verification/jointed_rock.md has 50.
+#include "slope_factors.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace jointed_rock;
+
+constexpr support::SlopeSize size{20, 40};
+
+Slope slope_of(std::uint64_t seed) {
+  Slopes slopes(size);
+  Slope slope = slopes.next();
+  while (slope.seed != seed) slope = slopes.next();
+  return slope;
+}
+
+class SlopeFactors : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(SlopeFactors, NoSlopeRestsWhereNoAdmissibleForcesExist) {
+  const Slope slope = slope_of(GetParam());
+  const StrengthReduction reduction = reduction_of(slope);
+  EXPECT_EQ(reduction.unsettled(), "");
+  const StrengthTrial trial = reduction.try_factor(most_above * interlocked_factor(slope) * known_factor);
+  EXPECT_EQ(trial.verdict, ddacontact::Verdict::moves);
+  if (!slid_on_a_plane(slope, trial)) return;
+  EXPECT_EQ(reduction.try_factor(least_on_a_plane * known_factor).verdict, ddacontact::Verdict::rests);
+}
+
+/// Planes, several planes, blocks whose corners interlock.
+INSTANTIATE_TEST_SUITE_P(Seeds, SlopeFactors, testing::Values(3, 5, 12, 23, 37, 43, 44));
+
+TEST(SlopeFactors, CornersThatInterlockHoldMore) {
+  const SlopeFactor factor = factor_of(slope_of(44), 0.01);
+  EXPECT_GT(factor.interlocked, 1.1);
+  EXPECT_NEAR(factor.found.low, factor.interlocked, 0.02 * factor.interlocked);
+}
+
+}  // namespace
