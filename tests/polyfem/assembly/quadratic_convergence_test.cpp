@@ -87,7 +87,18 @@ Vec2 bulged(const Vec2& x) {
   const double bulge = 0.1 * std::sin(std::numbers::pi * x.x()) * std::sin(std::numbers::pi * x.y());
   return x + Vec2(bulge, -bulge);
 }
+/// The trapezoids on which mapped 8-node quadrilaterals lose their rates (Arnold, Boffi and Falk 2002):
+/// vertical sides of 3/4 and 5/4 of the cells' width in turn.
+PolygonMesh trapezoids(int n) {
+  PolygonMesh mesh = rectangles({0, 0}, {1, 1}, n, n);
+  for (auto x : mesh.vertices.colwise()) {
+    const auto column = std::lround(x[0] * n), row = std::lround(x[1] * n);
+    if (row % 2 == 1) x[1] += (column % 2 == 0 ? 0.25 : -0.25) / n;
+  }
+  return mesh;
+}
 const Kind kinds[] = {
+    {"trapezoids", trapezoids},
     {"quadrilaterals",
      [](int n) {
        return mapped(rectangles({0, 0}, {1, 1}, n, n), bulged);
