@@ -8,9 +8,11 @@
 
 namespace polyfem {
 
-/// Points handled at once. Two registers of AVX hide each other's latency; of SSE2 they would not fit.
-#ifdef __AVX__
+/// Points handled at once: one register. GCC passes vectors of two registers through memory.
+#ifdef __AVX512F__
 inline constexpr Index n_lanes = 8;
+#elif defined __AVX__
+inline constexpr Index n_lanes = 4;
 #else
 inline constexpr Index n_lanes = 2;
 #endif
