@@ -15,6 +15,7 @@
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/study/factor_distribution.hpp>
 #include <ddacontact/study/sweep_cases.hpp>
+#include <ddacontact/study/sweep_map.hpp>
 #include <ddacontact/study/sweep_results.hpp>
 
 #include <algorithm>
@@ -245,6 +246,8 @@ void tell_factors(const fs::path& directory, bool quiet) {
 int sweep_all(const SweepArguments& arguments) {
   std::optional<std::pair<std::string, std::string>> curve;
   if (!arguments.curve.empty()) curve = columns_of(arguments.curve);
+  std::optional<MapColumns> map;
+  if (!arguments.map.empty()) map = parse_map(arguments.map);
   Sweep sweep(arguments);
   if (arguments.slurm) {
     sweep.write_slurm();
@@ -262,6 +265,7 @@ int sweep_all(const SweepArguments& arguments) {
   }
   const fs::path directory(arguments.directory);
   if (curve) write(directory / "sweep.svg", curve_of(directory / "sweep.csv", curve->first, curve->second));
+  if (map) write(directory / "map.svg", map_of(directory / "sweep.csv", *map));
   if (arguments.safety) tell_factors(directory, arguments.quiet);
   if (!arguments.quiet) fmt::print("{} cases in {}/sweep.csv\n", sweep.n_cases(), arguments.directory);
   return done;
@@ -302,6 +306,8 @@ void add_sweep(CLI::App& app, SweepArguments& arguments) {
   sweep->add_option("--joints", arguments.joints, "NAME,...: the joints made weaker, as of dda safety")
       ->needs(safety);
   sweep->add_option("--curve", arguments.curve, "X,Y: two columns of sweep.csv, drawn as sweep.svg");
+  sweep->add_option("--map", arguments.map,
+                    "X,Y,VALUE: a column of sweep.csv over two others, coloured cells drawn as map.svg");
   sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors")
       ->check(CLI::Range(1, 1024));
   sweep->add_option("--case", arguments.only, "Run this one only, from 1")->check(CLI::Range(1, 1'000'000));

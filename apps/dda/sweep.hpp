@@ -13,6 +13,7 @@ struct SweepArguments {
   std::string scene, directory, table;
   std::vector<std::string> vary, outcomes, settings;
   std::string curve;                     ///< "X,Y": two columns of sweep.csv; empty: none
+  std::string map;                       ///< "X,Y,VALUE": three columns; empty: none
   int jobs = 0;                          ///< processes at a time; 0: as many as processors
   int only = 0;                          ///< the one case to run; 0: all
   bool safety = false;                   ///< a search for the factor of safety each, instead of a run

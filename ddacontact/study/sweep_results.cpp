@@ -19,13 +19,6 @@ namespace {
 
 constexpr std::string_view of_monitor = "monitor.";
 
-std::optional<double> number_of(const std::string& text) {
-  double number = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 /// The last row of a monitor; empty when it or the column is not there.
 std::string at_monitor(const std::filesystem::path& directory, const std::string& path) {
   const std::size_t dot = path.rfind('.');
@@ -66,6 +59,14 @@ double largest_displacement(const std::filesystem::path& directory) {
 }
 
 }  // namespace
+
+std::optional<double> number_of(const std::string& text) {
+  double number = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
+    return std::nullopt;
+  return number;
+}
 
 Outcome parse_outcome(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -110,10 +111,10 @@ CaseResult read_case(const std::filesystem::path& directory, const std::vector<O
 
 std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y) {
   const CsvTable rows(table);
-  const std::vector<std::string> xs = rows.texts(x), ys = rows.texts(y);
+  const std::vector<std::string> xs = rows.texts(x), ys = rows.texts(y), status = rows.texts("status");
   std::vector<std::pair<double, double>> points;
   for (std::size_t k = 0; k < xs.size(); ++k)
-    if (const auto at = number_of(xs[k]), value = number_of(ys[k]); at && value)
+    if (const auto at = number_of(xs[k]), value = number_of(ys[k]); at && value && status[k] != "failed")
       points.emplace_back(*at, *value);
   if (points.empty()) throw Error("no case has numbers in both columns \"" + x + "\" and \"" + y + "\"");
   std::ranges::sort(points);

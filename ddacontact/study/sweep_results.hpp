@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,11 @@ CaseResult read_case(const std::filesystem::path& directory, const std::vector<O
 /// Of the summary in a directory, or of its safety.json; empty without either.
 std::string case_status(const std::filesystem::path& directory);
 
-/// Two columns of a table as a curve, SVG; rows without both numbers are left out. Throws Error when a
-/// column is not there or no row has both.
+/// The finite number that a cell of sweep.csv is.
+std::optional<double> number_of(const std::string& text);
+
+/// Two columns of a table as a curve, SVG; rows of failed cases and without both numbers are left out. Throws
+/// Error when a column is not there or no row has both.
 std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y);
 
 }  // namespace ddacontact

@@ -33,6 +33,20 @@ TEST_F(Program, SweepWritesARowPerCase) {
   EXPECT_NE(read_file(directory_ / "result/sweep.svg").find("</svg>"), std::string::npos);
 }
 
+TEST_F(Program, SweepDrawsAMapOfTwoSettings) {
+  const std::string call =
+      "sweep " + slope +
+      " --vary joint.0.friction_angle=95,20,30 --vary analysis.steps=2,4 --quiet -o result"
+      " --map joint.0.friction_angle,analysis.steps,";
+  ASSERT_EQ(dda(call + "time"), 0) << err_;
+  const std::string map = read_file(directory_ / "result/map.svg");
+  for (const char* text : {">0.04<", ">0.08<", ">20<", ">30<", ">joint.0.friction_angle<"})
+    EXPECT_NE(map.find(text), std::string::npos) << text;
+  EXPECT_EQ(map.find(">95<"), std::string::npos);  // it failed
+  EXPECT_EQ(dda(call + "no_such"), 2);
+  EXPECT_NE(err_.find("no_such"), std::string::npos) << err_;
+}
+
 TEST_F(Program, SweepGoesOnWhenACaseFailsAndSaysWhy) {
   ASSERT_EQ(
       dda("sweep " + slope + " --vary joint.0.friction_angle=95,20 --set analysis.steps=2 -o result --quiet"),
@@ -125,7 +139,7 @@ TEST_F(Program, SweepRefusesWrongCalls) {
         std::pair{"--vary a=1,2 --vary a=3", "twice"},
         std::pair{"--vary a=1,2 --case 3", "there are 2 cases"},
         std::pair{"--vary a=1 --outcome b", "NAME=PATH"}, std::pair{"--vary a=1 --curve b", "X,Y"},
-        std::pair{"--vary a=1 --range 1:2", "--safety"},
+        std::pair{"--vary a=1 --map a,b", "X,Y,VALUE"}, std::pair{"--vary a=1 --range 1:2", "--safety"},
         std::pair{"--vary no.such=1 --quiet", "no case could be run"}}) {
     EXPECT_EQ(dda("sweep " + slope + " -o result " + arguments), 2) << arguments;
     EXPECT_NE(err_.find(word), std::string::npos) << err_;

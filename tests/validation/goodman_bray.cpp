@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <ddacontact/output/frame.hpp>
 #include <ddacontact/picture/picture.hpp>
+#include <ddacontact/study/strength_reduction.hpp>
 #include <mechanics_scenes.hpp>
 
 #include <algorithm>
@@ -168,6 +169,14 @@ constexpr Slope slopes[] = {
     {"C", 12, 9, 6, 35, 0.3, 2.2, 3},
 };
 
+/// The critical friction angle by the factor of safety of the slope at 45 degrees, as `dda safety` finds it.
+double reduced_angle(const Slope& slope) {
+  const StrengthReduction reduction(slope_scene(slope, 45, Foot::free), {0});
+  const FactorBracket factor = bracket_factor(
+      [&](double tried) { return reduction.try_factor(tried).verdict; }, FactorRange{1, 3}, 0.002);
+  return std::atan(2 / (factor.low + factor.high)) / radians(1);
+}
+
 Behaviour behaviour_of(const Stepper& stepper, const Slope& slope, int column) {
   const int b = block_of(slope, column);
   if (std::abs(stepper.state().rotation[b]) > 1e-3) return Behaviour::topples;
@@ -243,23 +252,29 @@ void goodman_bray(Report& report) {
       "riser (feet "
       "held), the foot is caught between the edge of its tread and the riser and held down by friction "
       "there, and the "
-      "slope may rest a little below its limit:");
+      "slope may rest a little below its limit. *Strength reduction* is the angle that the factor of safety "
+      "of the "
+      "slope with 45° and free feet gives, as `dda safety` finds it:");
   std::vector<std::vector<std::string>> rows{{"slope", "columns", "Δx, m", "ψ", "limit", "feet free", "error",
-                                              "s", "feet held", "error", "riser's force, of the largest P"}};
+                                              "s", "feet held", "error", "riser's force, of the largest P",
+                                              "strength reduction", "error"}};
   bool within_bar = true, as_told = true;
-  double worst = 0, worst_force = 0;
+  double worst = 0, worst_force = 0, worst_reduced = 0;
   std::string behaviours;
   std::vector<Frame> frames;
   for (const Slope& slope : slopes) {
     Critical free;
     const double seconds = seconds_of([&] { free = critical(slope, Foot::free); });
     const Critical held = critical(slope, Foot::held);
+    const double reduced = reduced_angle(slope);
     const double rests_at = free.computed + 0.02, moves_at = free.limit - 0.5;
     rows.push_back({slope.name, std::to_string(slope.n_columns), text(slope.width),
                     fmt::format("{:g}°", slope.tread_dip), fmt::format("{:.2f}°", free.limit),
                     fmt::format("{:.2f}°", free.computed), fmt::format("{:+.2f}°", free.error()),
                     fmt::format("{:.1f}", seconds), fmt::format("{:.2f}°", held.computed),
-                    fmt::format("{:+.2f}°", held.error()), text(grip(slope, held.computed + 0.02))});
+                    fmt::format("{:+.2f}°", held.error()), text(grip(slope, held.computed + 0.02)),
+                    fmt::format("{:.2f}°", reduced), fmt::format("{:+.2f}°", reduced - free.limit)});
+    worst_reduced = std::max(worst_reduced, std::abs(reduced - free.limit));
     within_bar = within_bar && free.within_bar;
     worst = std::max(worst, std::abs(free.error()));
 
@@ -292,6 +307,8 @@ void goodman_bray(Report& report) {
                   fmt::format("{:.3f}°", book)},
                  {"Every slope moves half a degree below its limit and rests half a degree above.",
                   within_bar, fmt::format("critical friction angle within {:.2f}°", worst)},
+                 {"Strength reduction finds the critical angle within 0.3° (feet free).",
+                  worst_reduced <= 0.3, fmt::format("{:.2f}°", worst_reduced)},
                  {"Just above the limit the columns push on each other as the formula has it, within 5 % of "
                   "the largest force.",
                   worst_force < 0.05, text(worst_force)},
