@@ -29,7 +29,7 @@ void factors_of_safety(Report& report) {
   std::vector<std::vector<std::string>> rows{
       {"seed", "free blocks", "limiting φ", "strength reduction", "interlocked", "mechanism"}};
   Slopes slopes(size);
-  int n_never_above = 0, n_planes = 0, n_close = 0, n_above_passing = 0, n_decided = 0;
+  int n_stopped_planes = 0, n_never_above = 0, n_planes = 0, n_close = 0, n_above_passing = 0, n_decided = 0;
   double lowest = 1, highest = 1;
   for (int k = 0; k < n_slopes; ++k) {
     const Slope slope = slopes.next();
@@ -38,6 +38,7 @@ void factors_of_safety(Report& report) {
     n_above_passing += factor.found.low > most_above;
     n_planes += factor.on_a_plane;
     n_close += factor.on_a_plane && factor.close_on_a_plane();
+    n_stopped_planes += factor.on_a_plane && factor.found.stopped;
     n_decided += !factor.found.stopped;
     lowest = std::min(lowest, factor.found.low);
     highest = std::max(highest, factor.found.low);
@@ -56,8 +57,9 @@ void factors_of_safety(Report& report) {
         n_above_passing == 0,
         fmt::format("{} of {} above, by {:.0f} % at most", n_above_passing, n_slopes, 100 * (highest - 1))},
        {"It is within 3 % of limit analysis where a single plane is the mechanism.", n_close == n_planes,
-        fmt::format("{} of {}; elsewhere down to {:.2f}", n_close, n_planes, lowest)},
-       {"Every trial ends with a verdict.", n_decided == n_slopes,
+        fmt::format("{} of {}, where {} searches stopped early; elsewhere down to {:.2f}", n_close, n_planes,
+                    n_stopped_planes, lowest)},
+       {"Every search ends with a bracket of 1 %.", n_decided == n_slopes,
         fmt::format("{} of {}", n_decided, n_slopes)}});
 }
 

@@ -18,7 +18,21 @@ double interlocked_factor(const Slope& slope) {
          support::least_friction(support::interlocked(support::rigid_blocks(slope.scene))).value();
 }
 
+namespace {
+
+bool has_face_of_limiting_dip(const Slope& slope) {
+  const auto is_free = [&](int block) { return !slope.scene.blocks[static_cast<std::size_t>(block)].fixed; };
+  return std::ranges::any_of(
+      support::rigid_blocks(slope.scene).touching.points, [&](const support::ContactPoint& point) {
+        const double tangent = std::abs(point.normal.x() / point.normal.y());
+        return (is_free(point.one) || is_free(point.other)) && std::abs(tangent / slope.limit - 1) < 1e-5;
+      });
+}
+
+}  // namespace
+
 bool slid_on_a_plane(const Slope& slope, const StrengthTrial& trial) {
+  if (!has_face_of_limiting_dip(slope)) return false;
   constexpr double aside = 0.1;
   std::vector<Eigen::Index> first_vertex{0};
   for (const BlockDescription& block : slope.scene.blocks)

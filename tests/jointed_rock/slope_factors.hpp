@@ -32,8 +32,8 @@ SlopeFactor factor_of(const Slope& slope, double tolerance);
 /// Over `Slope::limit`: largest factor at which any admissible forces exist, see support::interlocked.
 double interlocked_factor(const Slope& slope);
 
-/// Whether the blocks that moved went along a plane of the dip tan^-1(limit), none of their vertices more
-/// than a tenth of the way aside.
+/// Whether some face has the dip tan^-1(limit) and the blocks that moved went along it, none of their
+/// vertices more than a tenth of the way aside.
 bool slid_on_a_plane(const Slope& slope, const StrengthTrial& trial);
 
 }  // namespace jointed_rock
