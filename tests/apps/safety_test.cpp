@@ -30,6 +30,20 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   EXPECT_NE(read_file(directory_ / "result/safety.svg").find("</svg>"), std::string::npos);
 }
 
+/// The slope that is made slides on its bedding of 25 degrees, whose friction angle is 30.
+TEST_F(Program, ThreeCommandsGoFromNothingToAFactorOfSafety) {
+  const double exact = std::tan(30 * std::numbers::pi / 180) / std::tan(25 * std::numbers::pi / 180);
+  ASSERT_EQ(dda("make joints -o rock.toml"), 0) << err_;
+  ASSERT_EQ(dda("plot rock.toml -o rock.svg"), 0) << err_;
+  ASSERT_EQ(dda("safety rock.toml -o safety --tolerance 0.03 --range " + std::to_string(0.99 * exact) + ":" +
+                std::to_string(1.01 * exact)),
+            0)
+      << err_;
+  const nlohmann::json found = nlohmann::json::parse(read_file(directory_ / "safety/safety.json"));
+  EXPECT_NEAR(found["factor_low"].get<double>(), 0.99 * exact, 1e-5);
+  EXPECT_NEAR(found["factor_high"].get<double>(), 1.01 * exact, 1e-5);
+}
+
 TEST_F(Program, SafetySaysWhatBecomesOfCohesion) {
   const std::string coarsely = "safety " + slope + " -o result --set analysis.preset=default --tolerance 0.5";
   const auto cohesion = [&] {
