@@ -57,7 +57,7 @@ void factors_of_safety(Report& report) {
         n_above_passing == 0,
         fmt::format("{} of {} above, by {:.0f} % at most", n_above_passing, n_slopes, 100 * (highest - 1))},
        {"It is within 3 % of limit analysis where a single plane is the mechanism.", n_close == n_planes,
-        fmt::format("{} of {}, where {} searches stopped early; elsewhere down to {:.2f}", n_close, n_planes,
+        fmt::format("{} of {}, searches that stopped early: {}; elsewhere down to {:.2f}", n_close, n_planes,
                     n_stopped_planes, lowest)},
        {"Every search ends with a bracket of 1 %.", n_decided == n_slopes,
         fmt::format("{} of {}", n_decided, n_slopes)}});
