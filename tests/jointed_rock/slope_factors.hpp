@@ -8,7 +8,7 @@
 namespace jointed_rock {
 
 constexpr double known_factor = 1.2;  ///< of limit analysis, if corners pass each other
-/// Of the factors, both by the contract.
+/// Of the factors.
 constexpr double most_above = 1.01, least_on_a_plane = 0.97;
 
 /// The slope with the friction that gives `known_factor`, settled.
