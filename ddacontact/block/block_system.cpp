@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace ddacontact {
 
@@ -73,18 +75,50 @@ void BlockSystem::set_prescribed_dofs(std::vector<PrescribedDof> held) {
 
 void BlockSystem::remove(int b) {
   present_[b] = false;
-  std::erase_if(point_loads, [&](const PointLoad& load) { return load.point.block == b; });
-  std::erase_if(pressure_loads, [&](const PressureLoad& load) { return load.block == b; });
-  std::erase_if(body_loads, [&](const BodyLoad& load) { return load.block == b; });
-  std::erase_if(quiet_faces, [&](const QuietFace& face) { return face.block == b; });
-  std::erase_if(water.faces, [&](const WetFace& face) { return face.block == b; });
-  std::erase_if(fixed_vertices, [&](const FixedVertex& held) { return held.block == b; });
-  std::erase_if(prescribed_dofs_,
-                [&](const PrescribedDof& held) { return block_of_point_[held.vertex] == b; });
-  std::erase_if(supported_vertices, [&](int point) { return block_of_point_[point] == b; });
-  for (Bolt& bolt : bolts)
-    for (MaterialPoint& node : bolt.nodes)
-      if (node.block == b) node.block = -1;
+  TakenOut& out = taken_out_.emplace_back();
+  out.block = b;
+  const auto take = [](auto& from, auto& to, const auto& is_of_block) {
+    const auto taken = std::ranges::stable_partition(from, std::not_fn(is_of_block));
+    to.assign(std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+    from.erase(taken.begin(), taken.end());
+  };
+  const auto of_block = [b](const auto& thing) { return thing.block == b; };
+  take(point_loads, out.point_loads, [b](const PointLoad& load) { return load.point.block == b; });
+  take(pressure_loads, out.pressure_loads, of_block);
+  take(body_loads, out.body_loads, of_block);
+  take(quiet_faces, out.quiet_faces, of_block);
+  std::erase_if(water.faces, of_block);
+  take(fixed_vertices, out.fixed_vertices, of_block);
+  take(prescribed_dofs_, out.prescribed_dofs,
+       [&](const PrescribedDof& held) { return block_of_point_[held.vertex] == b; });
+  take(supported_vertices, out.supported_vertices, [&](int point) { return block_of_point_[point] == b; });
+  for (std::size_t i = 0; i < bolts.size(); ++i)
+    for (std::size_t k = 0; k < bolts[i].nodes.size(); ++k)
+      if (bolts[i].nodes[k].block == b) {
+        bolts[i].nodes[k].block = -1;
+        out.bolt_nodes.emplace_back(i, k);
+      }
+  number_equations();
+}
+
+void BlockSystem::restore(int b) {
+  const auto found = std::ranges::find(taken_out_, b, &TakenOut::block);
+  assert(found != taken_out_.end() && !present_[b]);
+  present_[b] = true;
+  TakenOut& out = *found;
+  const auto give = [](auto& from, auto& to) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  give(out.point_loads, point_loads);
+  give(out.pressure_loads, pressure_loads);
+  give(out.body_loads, body_loads);
+  give(out.quiet_faces, quiet_faces);
+  give(out.fixed_vertices, fixed_vertices);
+  give(out.prescribed_dofs, prescribed_dofs_);
+  give(out.supported_vertices, supported_vertices);
+  std::ranges::sort(supported_vertices);
+  for (const auto& [bolt, node] : out.bolt_nodes) bolts[bolt].nodes[node].block = b;
+  taken_out_.erase(found);
   number_equations();
 }
 

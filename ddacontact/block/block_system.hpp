@@ -134,6 +134,8 @@ class BlockSystem {
   /// Takes a block out with its loads and supports and the bolts in it: nothing of it counts any more. Its
   /// points stay in the arrays of the state.
   void remove(int b);
+  /// A block that was taken out is there again, with what was taken out with it but the water on it.
+  void restore(int b);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const;
   /// Prepares the blocks that have matrices for a state; `first_time` includes all others.
@@ -186,6 +188,19 @@ class BlockSystem {
  private:
   friend class SystemPart;
 
+  /// What was taken out with a block.
+  struct TakenOut {
+    int block = 0;
+    std::vector<PointLoad> point_loads;
+    std::vector<PressureLoad> pressure_loads;
+    std::vector<BodyLoad> body_loads;
+    std::vector<QuietFace> quiet_faces;
+    std::vector<FixedVertex> fixed_vertices;
+    std::vector<PrescribedDof> prescribed_dofs;
+    std::vector<int> supported_vertices;
+    std::vector<std::pair<std::size_t, std::size_t>> bolt_nodes;  ///< of which bolt which
+  };
+
   BlockSystem() = default;
   void number_equations();
   /// Into the block across an edge, times its length.
@@ -200,6 +215,7 @@ class BlockSystem {
   std::vector<PrescribedDof> prescribed_dofs_;
   std::vector<int> equation_;
   std::vector<bool> present_;
+  std::vector<TakenOut> taken_out_;
   std::vector<bool> resting_;  ///< left where they are for a while, as if wholly held
   std::vector<bool> movable_;
   std::vector<bool> free_;

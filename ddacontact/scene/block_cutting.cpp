@@ -136,7 +136,11 @@ Scene cut_blocks(const Scene& scene, const CutOptions& options, CutCounts& count
       if (parts.size() > 1 && !block.name.empty()) result.blocks.back().name += '.' + std::to_string(k + 1);
     }
   }
-  for (StageDescription& stage : result.stages) stage.removed = all_parts(stage.removed, parts_of_block);
+  for (StageDescription& stage : result.stages) {
+    stage.removed = all_parts(stage.removed, parts_of_block);
+    stage.added = all_parts(stage.added, parts_of_block);
+    stage.loads.clear();
+  }
   require_own_names(result);
   return result;
 }

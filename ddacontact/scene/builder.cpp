@@ -17,6 +17,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace ddacontact {
@@ -224,8 +225,9 @@ class Builder {
 
     BlockState initial = system.initial_state();
     set_initial(system, initial);
-    built_.stepper =
-        std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(), stages());
+    std::vector<Stage> parts = stages(system);
+    built_.stepper = std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(),
+                                               std::move(parts));
     return std::move(built_);
   }
 
@@ -404,22 +406,29 @@ class Builder {
   }
 
   void add_loads(BlockSystem& system) const {
-    for (const Load& load : scene_.loads) {
-      const Placed& on = placed_[load.block];
-      const Block& block = system.block(load.block);
-      switch (load.kind) {
-        case Load::Kind::point:
-          system.point_loads.push_back({{load.block, block.point_weights(load.at - origin_)}, load.force});
-          break;
-        case Load::Kind::pressure:
-          for_parts(block, on, load.edge, [&](int part) {
-            system.pressure_loads.push_back({load.block, part, load.force});
-          });
-          break;
-        case Load::Kind::body:
-          system.body_loads.push_back({load.block, load.force});
-          break;
-      }
+    std::set<int> later;
+    for (const StageDescription& stage : scene_.stages) later.insert(stage.loads.begin(), stage.loads.end());
+    for (int l = 0; l < static_cast<int>(scene_.loads.size()); ++l)
+      if (!later.contains(l)) add_load(l, system, system);
+  }
+
+  /// \param[in,out] to  has `point_loads`, `pressure_loads` and `body_loads`: the system, or a stage
+  void add_load(int l, const BlockSystem& system, auto& to) const {
+    const Load& load = scene_.loads[l];
+    const Placed& on = placed_[load.block];
+    const Block& block = system.block(load.block);
+    switch (load.kind) {
+      case Load::Kind::point:
+        to.point_loads.push_back({{load.block, block.point_weights(load.at - origin_)}, load.force});
+        break;
+      case Load::Kind::pressure:
+        for_parts(block, on, load.edge, [&](int part) {
+          to.pressure_loads.push_back({load.block, part, load.force});
+        });
+        break;
+      case Load::Kind::body:
+        to.body_loads.push_back({load.block, load.force});
+        break;
     }
   }
 
@@ -540,11 +549,12 @@ class Builder {
     return water;
   }
 
-  std::vector<Stage> stages() const {
+  std::vector<Stage> stages(const BlockSystem& system) const {
     std::vector<Stage> stages;
     const auto add = [&](const StageDescription& stage) {
       stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements,
-                        stage.until, stage.name, from_origin(stage.water), stage.bolts});
+                        stage.until, stage.name, from_origin(stage.water), stage.bolts, stage.added});
+      for (const int load : stage.loads) add_load(load, system, stages.back());
     };
     if (scene_.stages.empty()) add(scene_.stage(""));
     for (const StageDescription& stage : scene_.stages) add(stage);

@@ -1,5 +1,7 @@
 #include <ddacontact/scene/document_of.hpp>
 
+#include <set>
+
 namespace ddacontact::scene_format {
 
 namespace {
@@ -122,6 +124,7 @@ SupportRecord record_of(const Support& support, const Scene& scene) {
 
 LoadRecord record_of(const Load& load, const Scene& scene) {
   LoadRecord record;
+  if (!load.name.empty()) record.name = load.name;
   record.type = load.kind;
   record.block = reference_to(load.block, scene.blocks);
   if (load.kind == Load::Kind::point) record.at = load.at;
@@ -228,7 +231,12 @@ StageRecord record_of(const StageDescription& stage, const Scene& scene) {
   record.until = stage.until;
   if (!(stage.water == scene.water)) record.water = record_of(stage.water);
   for (const int block : stage.removed) record.remove.blocks.push_back(reference_to(block, scene.blocks));
-  for (const int bolt : stage.bolts) record.add.push_back(scene.bolts[bolt].name);
+  for (const int bolt : stage.bolts) record.add.blocks.push_back(Reference{scene.bolts[bolt].name, {}});
+  std::set<std::string> loads;
+  for (const int load : stage.loads)
+    if (const std::string& name = scene.loads[load].name; loads.insert(name).second)
+      record.add.blocks.push_back(Reference{name, {}});
+  for (const int block : stage.added) record.add.blocks.push_back(reference_to(block, scene.blocks));
   return record;
 }
 

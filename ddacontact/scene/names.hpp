@@ -23,6 +23,8 @@ class NameTable {
   /// Some members are not known: from now on one that is not found is no problem.
   void set_incomplete() { incomplete_ = true; }
 
+  bool knows(const std::string& name) const { return indices_.contains(name); }
+
   /// The index of a member called by name, by index, or by its index as a string when no one has that name;
   /// -1 and a problem at `location` when there is none. `asked_by`, where not empty, is told in the
   /// problem: "feature 7".

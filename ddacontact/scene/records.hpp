@@ -250,6 +250,7 @@ struct SupportRecord {
 };
 
 struct LoadRecord {
+  std::optional<std::string> name;
   Load::Kind type = Load::Kind::point;
   BlockReference block;
   std::optional<Vec2> at;
@@ -324,7 +325,7 @@ struct StageRecord {
   std::vector<JointChange> joints;
   bool reset_displacements = false;
   BlockList remove;
-  GroupNames add;  ///< bolts
+  BlockList add;  ///< and names of bolts and loads
   std::optional<RestCriterion> until;
   std::optional<WaterRecord> water;
   KeyLocations locations;

@@ -62,7 +62,7 @@ bool holds_are_known(const Document& document, const BlockTable& blocks, const S
   if (!document.has_all_blocks || !usable(document.analysis.locations)) return false;
   for (std::size_t s = 0; s < scene.stages.size(); ++s) {
     const StageRecord& record = document.stages[s];
-    if (!usable(record.locations) || !record.locations.usable("remove") ||
+    if (!usable(record.locations) || !record.locations.usable("remove") || !record.locations.usable("add") ||
         scene.stages[s].removed.size() != record.remove.blocks.size())
       return false;
   }

@@ -191,6 +191,7 @@ std::vector<Load> resolve_loads(const Document& document, const BlockTable& bloc
   for (const LoadRecord& record : document.loads) {
     const KeyLocations& locations = record.locations;
     Load load;
+    load.name = record.name.value_or("");
     load.kind = record.type;
     load.block = find_block(record.block, locations, blocks, problems);
     if (locations.good("type")) check_load_keys(record, problems);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace ddacontact::scene_format {
 
@@ -48,38 +49,67 @@ class Removals {
   std::vector<int> since_;  ///< of each block; < 0: it stays
 };
 
-/// Since which stage bolts are there.
-class Installations {
+/// What comes in by stages, and since which.
+class Arrivals {
  public:
-  Installations(const NameTable& bolts, const NameTable& stages, ProblemList& problems)
-      : bolts_(bolts), stages_(stages), problems_(problems), since_(bolts.size(), -1) {}
+  Arrivals(const BlockTable& blocks, const NameTable& bolts, const std::vector<LoadRecord>& loads,
+           const NameTable& stages, ProblemList& problems)
+      : blocks_(blocks), bolts_(bolts), loads_(loads), stages_(stages), problems_(problems) {}
 
-  /// The bolts that a stage installs; those that are there already are a problem.
-  std::vector<int> operator()(const StageRecord& record, int stage) {
-    std::vector<int> installed;
-    const SourceLocation& location = record.locations.of("add");
-    for (const std::string& name : record.add) {
-      const int bolt = bolts_.find({name, {}}, location, problems_);
-      if (bolt < 0) continue;
-      if (since_[bolt] >= 0) {
-        const bool here = since_[bolt] == stage;
-        problems_.error(
-            location,
-            bolts_.title(bolt) + (here ? " stands twice" : " is there since " + stages_.title(since_[bolt])),
-            "add each bolt once");
+  /// What a stage brings; what is there already is a problem.
+  void operator()(const BlockList& list, int index, StageDescription& stage) {
+    for (std::size_t i = 0; i < list.blocks.size(); ++i) {
+      const Reference& one = list.blocks[i];
+      const SourceLocation& location = list.locations[i];
+      if (!one.index && bolts_.knows(one.name)) {
+        const int bolt = bolts_.find(one, location, problems_);
+        arrive(bolts_.title(bolt), bolt, since_of_bolts_, index, location, stage.bolts);
         continue;
       }
-      since_[bolt] = stage;
-      installed.push_back(bolt);
+      if (!one.index && !blocks_.names.knows(one.name) && is_load(one.name)) {
+        for (std::size_t l = 0; l < loads_.size(); ++l)
+          if (loads_[l].name == one.name)
+            arrive("load '" + one.name + "'", static_cast<int>(l), since_of_loads_, index, location,
+                   stage.loads);
+        continue;
+      }
+      const int block = blocks_.names.find(one, location, problems_);
+      if (block < 0) continue;
+      const BlockDescription& description = blocks_.descriptions[block];
+      if (!description.velocity.isZero(0) || description.angular_velocity != 0)
+        problems_.error(location, blocks_.names.title(block) + " comes in with a velocity",
+                        "leave its velocity out: blocks come in at rest");
+      arrive(blocks_.names.title(block), block, since_of_blocks_, index, location, stage.added);
     }
-    return installed;
+  }
+
+  /// The stage that a block comes in with; -1: it is there from the start.
+  int of_block(int block) const {
+    const auto found = since_of_blocks_.find(block);
+    return found == since_of_blocks_.end() ? -1 : found->second;
   }
 
  private:
+  bool is_load(const std::string& name) const {
+    return std::ranges::any_of(loads_, [&](const LoadRecord& load) { return load.name == name; });
+  }
+
+  void arrive(const std::string& title, int number, std::map<int, int>& since, int stage,
+              const SourceLocation& location, std::vector<int>& arrived) {
+    const auto [known, is_new] = since.emplace(number, stage);
+    if (is_new) return arrived.push_back(number);
+    problems_.error(location,
+                    title + (known->second == stage ? " stands twice"
+                                                    : " is there since " + stages_.title(known->second)),
+                    "add each once");
+  }
+
+  const BlockTable& blocks_;
   const NameTable& bolts_;
+  const std::vector<LoadRecord>& loads_;
   const NameTable& stages_;
   ProblemList& problems_;
-  std::vector<int> since_;  ///< of each bolt; < 0: no stage
+  std::map<int, int> since_of_bolts_, since_of_loads_, since_of_blocks_;
 };
 
 /// Steps are counted over all stages.
@@ -100,7 +130,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
                                              ContactMethod method, ProblemList& problems) {
   NameTable names("stage");
   Removals removals(blocks, names, problems);
-  Installations installations(bolts, names, problems);
+  Arrivals arrivals(blocks, bolts, document.loads, names, problems);
   std::int64_t n_steps = 0;
   std::vector<StageDescription> stages;
   for (const StageRecord& record : document.stages) {
@@ -117,10 +147,17 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.until = record.until;
     stage.water = changed_water(record, document, stage.analysis, problems);
     stage.removed = removals(record.remove, index);
-    stage.bolts = installations(record, index);
+    arrivals(record.add, index, stage);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(locations.of("remove"), names.title(index) + " leaves no block", "leave one at least");
   }
+  for (std::size_t k = 0; k < stages.size(); ++k)
+    for (const int block : stages[k].removed)
+      if (arrivals.of_block(block) >= static_cast<int>(k))
+        problems.error(document.stages[k].locations.of("remove"),
+                       blocks.names.title(block) + " is not there yet: it comes in with " +
+                           names.title(arrivals.of_block(block)),
+                       "remove it in a later stage");
   return stages;
 }
 

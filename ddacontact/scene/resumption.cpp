@@ -213,6 +213,7 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
   if (progress.steps == 0)
     return mismatch(scene_file, {1, 1}, "\"" + checkpoint_name + "\" has made no step of its stage",
                     cure_as_stage);
+  const auto location_of_add = [&](std::size_t k) { return find_in_file(scene_file, {"stage", k, "add"}); };
   for (std::size_t k = 0; k < stages.size(); ++k) {
     for (int block : stages[k].removed)
       if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.removed, block) > 0; }))
@@ -221,8 +222,13 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
                         "leave it out of 'remove'");
     for (int bolt : stages[k].bolts)
       if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.bolts, bolt) > 0; }))
-        return mismatch(scene_file, find_in_file(scene_file, {"stage", k, "add"}),
+        return mismatch(scene_file, location_of_add(k),
                         "bolt '" + scene.bolts[bolt].name + "' is there in \"" + checkpoint_name + "\"",
+                        "leave it out of 'add'");
+    for (int block : stages[k].added)
+      if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.added, block) > 0; }))
+        return mismatch(scene_file, location_of_add(k),
+                        "block '" + scene.block_name(block) + "' is there in \"" + checkpoint_name + "\"",
                         "leave it out of 'add'");
   }
   stages.insert(stages.begin(), made.begin(), made.end());

@@ -73,6 +73,7 @@ struct Support {
 /// One force on a block; which members count depends on the kind.
 struct Load {
   enum class Kind { point, pressure, body };
+  std::string name;  ///< may be empty, and that of several
   Kind kind = Kind::point;
   int block = 0;
   Vec2 at{0, 0};       ///< point: where at the start
@@ -133,6 +134,8 @@ struct StageDescription {
   std::optional<RestCriterion> until;  ///< ends it with the first step that meets it
   Water water{};                       ///< while it lasts
   std::vector<int> bolts{};            ///< installed at its start, absent before
+  std::vector<int> added{};            ///< blocks that come in at its start, absent before
+  std::vector<int> loads{};            ///< that act from its start on
 };
 
 /// How much is written.

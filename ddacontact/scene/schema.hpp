@@ -346,6 +346,10 @@ void describe(SupportRecord& r, Visit&& visit) {
 
 template <class Visit>
 void describe(LoadRecord& r, Visit&& visit) {
+  visit(Key{.name = "name",
+            .what = "What `add` of a stage calls it; several may share one.",
+            .default_text = "none"},
+        r.name);
   visit(Key{.name = "type", .what = "At a point, on an edge, or per volume.", .required = true}, r.type);
   const bool body = r.type == Load::Kind::body;
   visit(Key{.name = "block", .what = "The block, or those a selector finds.", .required = true}, r.block);
@@ -527,7 +531,9 @@ void describe(StageRecord& r, Visit&& visit) {
             .what = "Displacements are counted anew from the end of the stage; stresses stay."},
         r.reset_displacements);
   visit(Key{.name = "remove", .what = "Blocks taken out at the start of the stage."}, r.remove);
-  visit(Key{.name = "add", .what = "Bolts installed at the start of the stage, absent before."}, r.add);
+  visit(Key{.name = "add",
+            .what = "Bolts, loads and blocks that come in at the start of the stage, absent before."},
+        r.add);
   visit(Key{.name = "until",
             .what =
                 "Ends the stage before its steps are made: when forces are in balance, the kinetic energy is "

@@ -276,7 +276,10 @@ void expand_selectors(Document& document, ProblemList& problems) {
     expansion.monitor(record, blocks, all);
   });
   for (QuietRecord& record : document.quiet_boundaries) expansion.quiet_boundary(record);
-  for (StageRecord& stage : document.stages) expansion.list(stage.remove);
+  for (StageRecord& stage : document.stages) {
+    expansion.list(stage.remove);
+    expansion.list(stage.add);
+  }
 }
 
 }  // namespace ddacontact::scene_format

@@ -94,6 +94,8 @@ std::vector<int> find_loose(const StaticPart& part, const BlockTable& blocks,
 
 std::vector<StaticPart> static_parts(const Scene& scene) {
   StaticPart part{"a static analysis", std::vector<bool>(scene.blocks.size(), true), {}};
+  for (const StageDescription& stage : scene.stages)
+    for (const int block : stage.added) part.has[block] = false;
   const auto pull = [&part](const Vec2& gravity) {
     const bool known =
         std::find(part.gravities.begin(), part.gravities.end(), gravity) != part.gravities.end();
@@ -107,6 +109,7 @@ std::vector<StaticPart> static_parts(const Scene& scene) {
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const StageDescription& stage = scene.stages[i];
     for (const int block : stage.removed) part.has[block] = false;
+    for (const int block : stage.added) part.has[block] = true;
     if (stage.analysis.mode == Mode::dynamic) {
       part.after_motion = true;
       continue;

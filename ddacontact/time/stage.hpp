@@ -24,6 +24,15 @@ struct Stage {
   std::string name;                    ///< for messages; may be empty
   Water water{};                       ///< relative to the model's origin
   std::vector<int> bolts{};            ///< installed at its start
+  std::vector<int> added{};            ///< blocks that come in at its start, absent before
+  /// That come in at its start.
+  std::vector<PointLoad> point_loads{};
+  std::vector<PressureLoad> pressure_loads{};
+  std::vector<BodyLoad> body_loads{};
+
+  bool has_new_loads() const {
+    return !point_loads.empty() || !pressure_loads.empty() || !body_loads.empty();
+  }
 };
 
 /// How a stage ended, or where it stands.

@@ -59,6 +59,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       warnings_(blocks_.n_blocks()),
       sleeping_(blocks_.n_blocks()) {
   contact_builder_.emplace(blocks_, properties_);
+  for (const Stage& stage : stages_)
+    for (int b : stage.added) blocks_.remove(b);
   if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
     faces_ = divide_faces(blocks_);
   for (const Stage& stage : stages_)
@@ -86,9 +88,22 @@ void Stepper::apply(const Stage& stage) {
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
+  if (!stage.added.empty()) {
+    for (int b : stage.added) blocks_.restore(b);
+    blocks_.prepare(state_, true);
+    contact_builder_.emplace(blocks_, properties_);  // it knows pairs of those that were there
+    state_.coordinates.resize(0);
+  }
+  const auto bring = [&](const auto& loads, auto& to, const auto& block_of) {
+    for (const auto& load : loads)
+      if (blocks_.is_present(block_of(load))) to.push_back(load);
+  };
+  bring(stage.point_loads, blocks_.point_loads, [](const PointLoad& load) { return load.point.block; });
+  bring(stage.pressure_loads, blocks_.pressure_loads, [](const PressureLoad& load) { return load.block; });
+  bring(stage.body_loads, blocks_.body_loads, [](const BodyLoad& load) { return load.block; });
   blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
   for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = true;
-  if (!system_ || !stage.removed.empty() || !stage.bolts.empty()) make_system();
+  if (!system_ || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty()) make_system();
   std::erase_if(contacts_, [&](const ContactRecord& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
@@ -140,7 +155,8 @@ void Stepper::enter_stage(int stage) {
   e.kinetic = kinetic;
   e.elastic = elastic;
   const Stage &last = stages_[stage - 1], &next = stages_[stage];
-  if (is_static() || !next.removed.empty() || !next.bolts.empty() || !have_same_forces(last, next)) {
+  if (is_static() || !next.removed.empty() || !next.added.empty() || !next.bolts.empty() ||
+      next.has_new_loads() || !have_same_forces(last, next)) {
     // Half of the impulse of the next step would be that of forces that were not there before.
     state_.carried.setZero();
     state_.carried_dt = 0;

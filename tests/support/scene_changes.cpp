@@ -173,7 +173,8 @@ Scene reordered(Scene scene, const std::vector<int>& order) {
   for (Load& load : scene.loads) number(load.block);
   for (Monitor& monitor : scene.monitors) number(monitor.block);
   for (StageDescription& stage : scene.stages)
-    for (int& block : stage.removed) number(block);
+    for (std::vector<int>* blocks : {&stage.removed, &stage.added})
+      for (int& block : *blocks) number(block);
   return scene;
 }
 

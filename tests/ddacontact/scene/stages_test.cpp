@@ -127,6 +127,31 @@ TEST(Stages, MayRemoveWhatIsHeldLoadedOrWatched) {
       (std::vector<int>{2, 0}));
 }
 
+TEST(Stages, BringBlocksLoadsAndBolts) {
+  const std::string more =
+      replaced(in_stages, "[[stage]]",
+               "[[load]]\nname = \"push\"\ntype = \"point\"\nblock = \"beam\"\nat = [1, 1.5]\n"
+               "force = [1, 0]\n[[stage]]");
+  const Scene scene = scene_of(more, {"stage.0.remove=[]", "stage.1.remove=[]", "stage.1.add=[\"push\"]",
+                                      "stage.2.remove=[]", "stage.2.add=[\"beam\"]"});
+  EXPECT_EQ(scene.stages[1].loads.size(), 1u);
+  EXPECT_EQ(scene.stages[2].added.size(), 1u);
+  std::ostringstream text;
+  write_scene(text, scene);
+  const Scene again = scene_of(text.str());
+  EXPECT_EQ(again.stages[1].loads, scene.stages[1].loads);
+  EXPECT_EQ(again.stages[2].added, scene.stages[2].added);
+  const auto refused = [&](const std::vector<std::string>& settings, const std::string& words) {
+    const SceneReading reading = read_scene_text(more, "scene.toml", settings);
+    ASSERT_FALSE(reading.scene) << words;
+    EXPECT_NE(reading.problems[0].text().find(words), std::string::npos) << reading.problems[0].text();
+  };
+  refused({"stage.1.add=[\"pusch\"]"}, "unknown block 'pusch'");
+  refused({"stage.1.add=[\"push\"]", "stage.2.add=[\"push\"]"}, "load 'push' is there since stage");
+  refused({"stage.1.remove=[\"beam\"]", "stage.2.remove=[]", "stage.2.add=[\"beam\"]"},
+          "block 'beam' is not there yet");
+}
+
 TEST(Stages, AreWrittenAndReadBack) {
   const std::vector<std::string> all[] = {
       {},

@@ -191,6 +191,62 @@ TEST(Stages, EverySchemeSettlesInStaticSteps) {
   }
 }
 
+/// The push of a later stage: (50 kN - tan(30) W) / m from rest then.
+TEST(Stages, ALoadComesInWithItsStage) {
+  Scene scene = slope_scene(0, 30);
+  Load push;
+  push.block = 1;
+  push.at = Vec2(0, 0.5);
+  push.force.value = Vec2(50e3, 0);
+  scene.loads = {push};
+  scene.stages = {scene.stage("before"), scene.stage("pushed")};
+  scene.stages[0].analysis.steps = 20;
+  scene.stages[1].loads = {0};
+  scene.stages[1].analysis.steps = 100;
+  BuiltScene built = build(scene);
+  run(*built.stepper, 20);
+  EXPECT_LT(travel(*built.stepper, 1).norm(), 1e-5);
+  run(*built.stepper, 100);
+  const double acceleration = 50e3 / 5000 - 9.8 * std::tan(radians(30));
+  EXPECT_NEAR(travel(*built.stepper, 1).x(), acceleration / 2, 1e-3 * acceleration);
+  EXPECT_LT(std::abs(built.stepper->energy().balance_error()), 1e-6);
+}
+
+/// Bricks one upon the other, the upper two by later stages: what is below bears what has come.
+TEST(Stages, BlocksComeInWithTheirStages) {
+  Scene scene = slope_scene(0, 30);
+  scene.blocks.push_back(block(rectangle(0, 1, 2, 1)));
+  scene.blocks.push_back(block(rectangle(0, 2, 2, 1)));
+  Load push;
+  push.block = 3;
+  push.at = Vec2(1, 3);
+  push.force.value = Vec2(0, -10e3);
+  scene.loads = {push};
+  scene.stages = {scene.stage("one"), scene.stage("two"), scene.stage("three"), scene.stage("fall")};
+  for (StageDescription& stage : scene.stages) {
+    stage.analysis.mode = Mode::statics;
+    stage.analysis.steps = 30;
+  }
+  scene.stages[1].added = {2};
+  scene.stages[2].added = {3};
+  scene.stages[3].analysis.mode = Mode::dynamic;
+  scene.stages[3].removed = {1};
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  const double of_base = 9.8 * stepper.blocks().block(0).mass_total(), of_brick = 5000 * 9.8;
+  for (int n = 1; n <= 3; ++n) {
+    run(stepper, 30);
+    EXPECT_EQ(stepper.blocks().n_present(), n + 1);
+    const double load = n == 3 ? 10e3 : 0;
+    EXPECT_NEAR(stepper.reactions().row(1).sum(), of_base + n * of_brick + load, 1e-3);
+    EXPECT_TRUE(stepper.is_at_rest());
+  }
+  // What came in falls as what was there.
+  run(stepper, 20);
+  EXPECT_NEAR(travel(stepper, 2).y(), -9.8 / 2 * 0.2 * 0.2, 0.15 * 9.8 / 2 * 0.2 * 0.2);
+  EXPECT_LT(std::abs(stepper.energy().balance_error()), 1e-6);
+}
+
 TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
   Scene scene = beam_scene();
   scene.blocks[3].velocity = Vec2(0.5, 0);
@@ -198,6 +254,8 @@ TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
   scene.stages[0].analysis.steps = 5;
   scene.stages[2].analysis.steps = 12;
   scene.stages[2].removed = {1};
+  scene.blocks.push_back(block(rectangle(1, 2, 1, 1)));
+  scene.stages[1].added = {4};
   BuiltScene whole = build(scene);
   std::vector<std::string> records{to_bytes(whole.stepper->run_record())};
   for (int k = 0; k < scene.n_steps(); ++k) {
