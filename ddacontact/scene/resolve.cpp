@@ -151,7 +151,8 @@ Scene resolve(const Document& document, ProblemList& problems) {
   if (std::ranges::all_of(blocks.outlines, [](const PositionedOutline& of) { return of.outline.valid(); }))
     check_corner_rounding(document, scene, blocks, problems);
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
-  scene.stages = resolve_stages(document, joints, blocks, bolts.names, scene.contact.method, problems);
+  scene.stages =
+      resolve_stages(document, joints, blocks, scene.blocks, bolts.names, scene.contact.method, problems);
   scene.joints = std::move(joints.joints);
   if (apart && holds_are_known(document, blocks, scene))
     check_statics(blocks, static_parts(scene), bolts.blocks, problems);

@@ -52,9 +52,15 @@ class Removals {
 /// What comes in by stages, and since which.
 class Arrivals {
  public:
-  Arrivals(const BlockTable& blocks, const NameTable& bolts, const std::vector<LoadRecord>& loads,
-           const NameTable& stages, ProblemList& problems)
-      : blocks_(blocks), bolts_(bolts), loads_(loads), stages_(stages), problems_(problems) {}
+  Arrivals(const BlockTable& blocks, const std::vector<BlockDescription>& descriptions,
+           const NameTable& bolts, const std::vector<LoadRecord>& loads, const NameTable& stages,
+           ProblemList& problems)
+      : blocks_(blocks),
+        descriptions_(descriptions),
+        bolts_(bolts),
+        loads_(loads),
+        stages_(stages),
+        problems_(problems) {}
 
   /// What a stage brings; what is there already is a problem.
   void operator()(const BlockList& list, int index, StageDescription& stage) {
@@ -75,7 +81,7 @@ class Arrivals {
       }
       const int block = blocks_.names.find(one, location, problems_);
       if (block < 0) continue;
-      const BlockDescription& description = blocks_.descriptions[block];
+      const BlockDescription& description = descriptions_[block];
       if (!description.velocity.isZero(0) || description.angular_velocity != 0)
         problems_.error(location, blocks_.names.title(block) + " comes in with a velocity",
                         "leave its velocity out: blocks come in at rest");
@@ -105,6 +111,7 @@ class Arrivals {
   }
 
   const BlockTable& blocks_;
+  const std::vector<BlockDescription>& descriptions_;
   const NameTable& bolts_;
   const std::vector<LoadRecord>& loads_;
   const NameTable& stages_;
@@ -126,11 +133,13 @@ void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList
 }  // namespace
 
 std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
-                                             const BlockTable& blocks, const NameTable& bolts,
-                                             ContactMethod method, ProblemList& problems) {
+                                             const BlockTable& blocks,
+                                             const std::vector<BlockDescription>& descriptions,
+                                             const NameTable& bolts, ContactMethod method,
+                                             ProblemList& problems) {
   NameTable names("stage");
   Removals removals(blocks, names, problems);
-  Arrivals arrivals(blocks, bolts, document.loads, names, problems);
+  Arrivals arrivals(blocks, descriptions, bolts, document.loads, names, problems);
   std::int64_t n_steps = 0;
   std::vector<StageDescription> stages;
   for (const StageRecord& record : document.stages) {

@@ -8,9 +8,12 @@
 
 namespace ddacontact::scene_format {
 
-/// `method` is that of the scene, resolved.
+/// \param[in] descriptions  of the blocks
+/// \param[in] method        of the scene, resolved
 std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
-                                             const BlockTable& blocks, const NameTable& bolts,
-                                             ContactMethod method, ProblemList& problems);
+                                             const BlockTable& blocks,
+                                             const std::vector<BlockDescription>& descriptions,
+                                             const NameTable& bolts, ContactMethod method,
+                                             ProblemList& problems);
 
 }  // namespace ddacontact::scene_format
