@@ -66,13 +66,13 @@ inline TimeFunction constant(const Vec2& value) {
 }
 
 inline Load point_load(int on, const Vec2& at, const TimeFunction& force) {
-  return {Load::Kind::point, on, at, 0, force};
+  return {"", Load::Kind::point, on, at, 0, force};
 }
 inline Load pressure_load(int on, int edge, double pressure) {
-  return {Load::Kind::pressure, on, Vec2(0, 0), edge, constant({pressure, 0})};
+  return {"", Load::Kind::pressure, on, Vec2(0, 0), edge, constant({pressure, 0})};
 }
 inline Load body_load(int on, const TimeFunction& force) {
-  return {Load::Kind::body, on, Vec2(0, 0), 0, force};
+  return {"", Load::Kind::body, on, Vec2(0, 0), 0, force};
 }
 
 /// Makes the scene's steps; a failure of the test when the run stops.
