@@ -2,6 +2,7 @@
 
 #include <ddacontact/scene/resolve_options.hpp>
 #include <ddacontact/scene/resolve_water.hpp>
+#include <ddacontact/scene/spelling.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -53,12 +54,11 @@ class Removals {
 class Arrivals {
  public:
   Arrivals(const BlockTable& blocks, const std::vector<BlockDescription>& descriptions,
-           const NameTable& bolts, const std::vector<LoadRecord>& loads, const NameTable& stages,
-           ProblemList& problems)
+           const NameTable& bolts, const Document& document, const NameTable& stages, ProblemList& problems)
       : blocks_(blocks),
         descriptions_(descriptions),
         bolts_(bolts),
-        loads_(loads),
+        document_(document),
         stages_(stages),
         problems_(problems) {}
 
@@ -73,10 +73,15 @@ class Arrivals {
         continue;
       }
       if (!one.index && !blocks_.names.knows(one.name) && is_load(one.name)) {
-        for (std::size_t l = 0; l < loads_.size(); ++l)
-          if (loads_[l].name == one.name)
+        for (std::size_t l = 0; l < document_.loads.size(); ++l)
+          if (document_.loads[l].name == one.name)
             arrive("load '" + one.name + "'", static_cast<int>(l), since_of_loads_, index, location,
                    stage.loads);
+        continue;
+      }
+      if (!one.index && !blocks_.names.knows(one.name)) {
+        problems_.error(location, "unknown block, bolt or load '" + excerpt(one.name) + "'",
+                        suggestion(one.name, "block, bolt or load", known()));
         continue;
       }
       const int block = blocks_.names.find(one, location, problems_);
@@ -96,8 +101,18 @@ class Arrivals {
   }
 
  private:
+  std::vector<std::string_view> known() const {
+    std::vector<std::string_view> names;
+    for (const BlockDescription& block : descriptions_)
+      if (!block.name.empty()) names.emplace_back(block.name);
+    for (const BoltRecord& bolt : document_.bolts) names.emplace_back(bolt.name);
+    for (const LoadRecord& load : document_.loads)
+      if (load.name) names.emplace_back(*load.name);
+    return names;
+  }
+
   bool is_load(const std::string& name) const {
-    return std::ranges::any_of(loads_, [&](const LoadRecord& load) { return load.name == name; });
+    return std::ranges::any_of(document_.loads, [&](const LoadRecord& load) { return load.name == name; });
   }
 
   void arrive(const std::string& title, int number, std::map<int, int>& since, int stage,
@@ -113,7 +128,7 @@ class Arrivals {
   const BlockTable& blocks_;
   const std::vector<BlockDescription>& descriptions_;
   const NameTable& bolts_;
-  const std::vector<LoadRecord>& loads_;
+  const Document& document_;
   const NameTable& stages_;
   ProblemList& problems_;
   std::map<int, int> since_of_bolts_, since_of_loads_, since_of_blocks_;
@@ -139,7 +154,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
                                              ProblemList& problems) {
   NameTable names("stage");
   Removals removals(blocks, names, problems);
-  Arrivals arrivals(blocks, descriptions, bolts, document.loads, names, problems);
+  Arrivals arrivals(blocks, descriptions, bolts, document, names, problems);
   std::int64_t n_steps = 0;
   std::vector<StageDescription> stages;
   for (const StageRecord& record : document.stages) {

@@ -114,14 +114,14 @@ const BadBolt bad_bolts[] = {
      "steps = 3\n[[bolt]]",
      "steps = 3\nadd = [\"b2\"]\n[[bolt]]",
      26,
-     7,
-     {"'b2'", "'b1'"}},
+     8,
+     {"'b2'", "did you mean 'b'"}},
     {"AddsTwice",
      row_of_three,
      "steps = 3\n[[bolt]]",
      "steps = 3\nadd = [\"b1\", \"b1\"]\n[[bolt]]",
      26,
-     7,
+     14,
      {"bolt 'b1' stands twice"}},
 };
 

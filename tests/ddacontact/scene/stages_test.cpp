@@ -128,10 +128,10 @@ TEST(Stages, MayRemoveWhatIsHeldLoadedOrWatched) {
 }
 
 TEST(Stages, BringBlocksLoadsAndBolts) {
-  const std::string more =
-      replaced(in_stages, "[[stage]]",
-               "[[load]]\nname = \"push\"\ntype = \"point\"\nblock = \"beam\"\nat = [1, 1.5]\n"
-               "force = [1, 0]\n[[stage]]");
+  std::string more(in_stages);
+  more.insert(more.find("[[stage]]"),
+              "[[load]]\nname = \"push\"\ntype = \"point\"\nblock = \"beam\"\nat = [1, 1.5]\n"
+              "force = [1, 0]\n");
   const Scene scene = scene_of(more, {"stage.0.remove=[]", "stage.1.remove=[]", "stage.1.add=[\"push\"]",
                                       "stage.2.remove=[]", "stage.2.add=[\"beam\"]"});
   EXPECT_EQ(scene.stages[1].loads.size(), 1u);
@@ -146,7 +146,7 @@ TEST(Stages, BringBlocksLoadsAndBolts) {
     ASSERT_FALSE(reading.scene) << words;
     EXPECT_NE(reading.problems[0].text().find(words), std::string::npos) << reading.problems[0].text();
   };
-  refused({"stage.1.add=[\"pusch\"]"}, "unknown block 'pusch'");
+  refused({"stage.1.add=[\"pusch\"]"}, "unknown block, bolt or load 'pusch'");
   refused({"stage.1.add=[\"push\"]", "stage.2.add=[\"push\"]"}, "load 'push' is there since stage");
   refused({"stage.1.remove=[\"beam\"]", "stage.2.remove=[]", "stage.2.add=[\"beam\"]"},
           "block 'beam' is not there yet");
