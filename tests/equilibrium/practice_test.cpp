@@ -107,7 +107,9 @@ TEST(Practice, BridgeBearsALoadThatMovesAcross) {
   for (int second = 1; second <= 12; ++second) {
     ASSERT_TRUE(support::run(stepper, 20)) << stepper.stop_reason();
     const double load = second == 12 ? 0 : 60e3;
-    EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + load, 1e-4 * weight) << second;
+    const double moving = stepper.equilibrium().unbalanced;  // static steps find the way to balance
+    EXPECT_LT(moving, 1e-3) << second;
+    EXPECT_NEAR(stepper.reactions().row(1).sum(), weight + load, (1e-6 + moving) * weight) << second;
     const double sunk = -travel_of(built, "crown").y();
     if (sunk > lowest) lowest_at = second;
     lowest = std::max(lowest, sunk);
