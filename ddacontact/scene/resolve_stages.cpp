@@ -175,6 +175,19 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(locations.of("remove"), names.title(index) + " leaves no block", "leave one at least");
   }
+  std::vector<bool> is_gone(static_cast<std::size_t>(blocks.names.size()), false);
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    for (const int block : stages[k].removed) is_gone[block] = true;
+    for (const int load : stages[k].loads) {
+      const SourceLocation& location = document.stages[k].locations.of("add");
+      const int block = blocks.names.find(document.loads[load].block, location, problems);
+      if (block >= 0 && is_gone[block])
+        problems.error(location,
+                       "load '" + excerpt(*document.loads[load].name) + "' is on " +
+                           blocks.names.title(block) + ", which is gone by then",
+                       "leave it out of 'add'");
+    }
+  }
   for (std::size_t k = 0; k < stages.size(); ++k)
     for (const int block : stages[k].removed)
       if (arrivals.of_block(block) >= static_cast<int>(k))

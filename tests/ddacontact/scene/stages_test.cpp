@@ -148,6 +148,8 @@ TEST(Stages, BringBlocksLoadsAndBolts) {
   };
   refused({"stage.1.add=[\"pusch\"]"}, "unknown block, bolt or load 'pusch'");
   refused({"stage.1.add=[\"push\"]", "stage.2.add=[\"push\"]"}, "load 'push' is there since stage");
+  refused({"stage.1.remove=[\"beam\"]", "stage.2.add=[\"push\"]"},
+          "load 'push' is on block 'beam', which is gone");
   refused({"stage.1.remove=[\"beam\"]", "stage.2.remove=[]", "stage.2.add=[\"beam\"]"},
           "block 'beam' is not there yet");
 }
