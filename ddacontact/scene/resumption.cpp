@@ -188,7 +188,12 @@ std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::st
 
 std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const std::string& checkpoint_name,
                                             const Scene& scene, const std::string& scene_file) {
-  const Scene before = read_scene_text(checkpoint.scene, checkpoint_name).scene.value();
+  const SceneReading reading = read_scene_text(checkpoint.scene, checkpoint_name);
+  if (!reading.scene)  // written by a version with other keys
+    return mismatch(scene_file, {1, 1},
+                    "the scene in the checkpoint cannot be read: " + reading.problems[0].text(),
+                    cure_as_stage);
+  const Scene& before = *reading.scene;
   if (auto difference = find_difference(text_of(lasting_part(scene)), text_of(lasting_part(before)),
                                         checkpoint_name, scene_file, cure_as_stage))
     return *difference;
