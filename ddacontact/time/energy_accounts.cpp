@@ -62,27 +62,29 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
   });
 }
 
+double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties) {
+  double energy = 0;
+  const bool any_compliant = properties.joints.any_compliant();
+  for (const ContactRecord& contact : contacts)
+    energy += any_compliant && properties.is_compliant(contact)
+                  ? energy_of_joint(properties, contact)
+                  : stored_normal(properties, contact.history.state, contact.end_gap) +
+                        stored_shear(properties, contact.history.state, contact.end_slip);
+  return energy;
+}
+
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
-                      const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
-                      double fixed_point_stiffness) {
+                      const std::vector<ContactRecord>& contacts, const ContactProperties& properties) {
   double energy = sum_over_blocks(blocks.n_blocks(), [&](int b) {
     return blocks.is_present(b) ? blocks.block(b).elastic_energy(state) : 0;
   });
-  const bool any_compliant = properties.joints.any_compliant();
-  for (const ContactRecord& contact : contacts) {
-    if (any_compliant && properties.is_compliant(contact)) {
-      energy += energy_of_joint(properties, contact);
-      continue;
-    }
-    energy += stored_normal(properties, contact.history.state, contact.end_gap) +
-              stored_shear(properties, contact.history.state, contact.end_slip);
-  }
+  energy += spring_energy(contacts, properties);
   for (const FixedVertex& held : blocks.fixed_vertices) {
     const int v = blocks.block(held.block).vertices().first + held.vertex;
     const Vec2 target = held.motion.at(state.time, blocks.end_time);
     for (int axis = 0; axis < 2; ++axis) {
       const double stretch = blocks.total_displacement(state, v, axis) - target[axis];
-      if (axis == 0 ? held.x : held.y) energy += fixed_point_stiffness * stretch * stretch / 2;
+      if (axis == 0 ? held.x : held.y) energy += properties.normal_stiffness * stretch * stretch / 2;
     }
   }
   return energy + bolt_energy(blocks, state);

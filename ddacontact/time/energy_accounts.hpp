@@ -12,15 +12,15 @@ namespace ddacontact {
 /// v M v / 2 over all blocks, J per m.
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 
-/// Of the blocks, of the springs of closed contacts at the end of their step,
-/// of the springs of held vertices, and of bolts.
+/// What the springs of contacts store at the end of their step, J per m.
+double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
+
+/// Of the blocks, of their contacts' springs, of the springs of held vertices, and of bolts, J per m.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
-                      const std::vector<ContactRecord>& contacts, const ContactProperties& properties,
-                      double fixed_point_stiffness);
+                      const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
 
 /// A step that was accepted, as its blocks still have it.
 struct AcceptedStep {
-  double dt;
   const VectorXd& d;
   const VectorXd& motion;  ///< d and the shift that an impact made before: what forces act on
   const Residual& residual;

@@ -1,6 +1,5 @@
 #include <ddacontact/time/stepper.hpp>
 
-#include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <polyfem/core/out_of_memory.hpp>
@@ -31,31 +30,13 @@ double without_round_off(double dt, double time_step, double time) {
 
 }  // namespace
 
-/// While it lives a step is made.
-class Stepper::PartInPlace {
- public:
-  explicit PartInPlace(Stepper& stepper) : stepper_(stepper) {
-    stepper_.in_step_ = true;
-    stepper_.show_part();
-  }
-  ~PartInPlace() {
-    stepper_.in_step_ = false;
-    stepper_.show_whole();
-  }
-  PartInPlace(const PartInPlace&) = delete;
-  PartInPlace& operator=(const PartInPlace&) = delete;
-
- private:
-  Stepper& stepper_;
-};
-
 bool Stepper::step() {
   const bool more_stages = progress_.stage + 1 < static_cast<int>(stages_.size());
   if (more_stages && (progress_.steps == analysis_.steps || progress_.came_to_rest))
     enter_stage(progress_.stage + 1);
   bool made = false;
   {
-    const PartInPlace while_stepping(*this);
+    const SleepingBlocks::PartInPlace while_stepping(sleepers_);
     made = make_substeps();
   }
   if (!made) return false;
@@ -93,9 +74,10 @@ bool Stepper::make_substeps() {
           state_.time = end;
           ++counts_.steps;
         }
-        accepted_ = {substep_, counts_, {}};
+        accepted_ = {substep_, counts_};
+        sleepers_.accept();
         look_ahead(next_substep(progress_.steps + is_last).dt);
-        accepted_.sleeping.reset();  // who sleeps after it is what a record holds
+        sleepers_.accept();  // who sleeps after it is what a record holds
         if (is_last) return true;
         if (is_interrupted()) return false;
         continue;
@@ -106,7 +88,7 @@ bool Stepper::make_substeps() {
       stop_reason_ = dynamic_cast<const polyfem::OutOfMemory*>(&error)
                          ? error.what()
                          : "out of memory with " + std::to_string(blocks_.n_equations()) + " unknowns and " +
-                               std::to_string(trial_contacts_.size()) + " contacts";
+                               std::to_string(trial_.contacts().size()) + " contacts";
       return false;
     }
     ++counts_.rejected;
@@ -140,10 +122,7 @@ bool Stepper::is_interrupted() {
 void Stepper::discard_trials() {
   substep_ = accepted_.substep;
   counts_ = accepted_.counts;
-  if (accepted_.sleeping) {
-    sleeping_ = Sleeping(*accepted_.sleeping);
-    regroup(&accepted_.sleeping->around);
-  }
+  sleepers_.discard();
   blocks_.prepare(state_);
   forget_ahead();
   reach_scale_ = 1;
@@ -154,14 +133,14 @@ void Stepper::forget_ahead() {
   detected_ = false;
 }
 
-Stepper::Solution Stepper::find_solution(double dt) {
-  wake_changing(dt);
+TrialSolution Stepper::find_solution(double dt) {
+  if (sleepers_.wake_changing(dt)) detected_ = false;
   if (!detected_) detect(dt);
-  return solve_with_corners(dt);
+  return trial_.solve(dt);
 }
 
 Stepper::Trial Stepper::make_trial(double dt) {
-  Solution solution;
+  TrialSolution solution;
   if (ahead_ && ahead_->dt == dt) {
     solution = std::move(ahead_->solution);
     counts_ = ahead_->counts;
@@ -171,8 +150,11 @@ Stepper::Trial Stepper::make_trial(double dt) {
     solution = find_solution(dt);
   }
 
-  const polyfem::Stopwatch watch(times_.update);
-  if (wake_hit(solution)) return Trial::woke_blocks;
+  const polyfem::Stopwatch watch(update_seconds_);
+  if (sleepers_.wake_hit(solution)) {
+    forget_ahead();
+    return Trial::woke_blocks;
+  }
   rejection_ = solution.rejection;
   const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * longest_substep();
   if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Trial::rejected;
@@ -198,61 +180,40 @@ Stepper::Trial Stepper::make_trial(double dt) {
   }
   if (outran) return Trial::outran_detection;
 
-  BlockState next = solution.impact.changes() ? solution.impact.start : state_;
-  if (!advance(dt, solution, next)) return Trial::rejected;
-  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, state_, next)) {
+  TrialEnd end = trial_.advance(dt, solution);
+  rejection_ = end.rejection;
+  if (!rejection_.empty()) return Trial::rejected;
+  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, state_, end.state)) {
     rejection_ = "supports drive blocks " + quoted(blocks_.names[(*overlap)[0]]) + " and " +
                  quoted(blocks_.names[(*overlap)[1]]) + " into each other";
     return Trial::rejected;
   }
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
-  if (analysis_.preset != Preset::paper && contact_builder_->find_missed(state_, next, trial_contacts_)) {
-    restart_contacts();
-    contact_builder_->add_missed(state_, trial_contacts_);
-    keep_start();
-    return Trial::missed_contacts;
-  }
+  if (analysis_.preset != Preset::paper && trial_.take_missed(end.state)) return Trial::missed_contacts;
   if (solution.friction_unsettled) {
     ++counts_.unconverged;
-    last_unsettled_ = rejection_ + ", at time " + std::to_string(next.time) + " s";
+    last_unsettled_ = solution.rejection + ", at time " + std::to_string(end.state.time) + " s";
   }
-  accept(dt, solution, std::move(next));
+  accept(dt, solution, std::move(end));
   return Trial::accepted;
 }
 
 void Stepper::detect(double dt) {
-  const polyfem::Stopwatch watch(times_.detection);
-  look_around(dt);
-  contact_builder_->keep_pairs(analysis_.skip.skin);
+  const polyfem::Stopwatch watch(detection_seconds_);
+  search_margin_ = sleepers_.look_around(dt, reach_scale_);
   if (begun_)
-    contact_builder_->build(state_, predicted_motion(dt), search_margin_, contacts_, trial_contacts_,
-                            state_.time > progress_.start_time);
+    trial_.detect(dt, search_margin_, state_.time > progress_.start_time);
   else
-    trial_contacts_ = contact_builder_->build_first(state_, predicted_motion(dt), search_margin_);
-  keep_start();
+    trial_.detect_first(dt, search_margin_);
   detected_ = true;
 }
 
-void Stepper::keep_start() {
-  for_contacts(trial_contacts_.size(), [&](std::size_t c) {
-    trial_contacts_[c].start_state = trial_contacts_[c].history.state;
-    trial_contacts_[c].start_bonded = trial_contacts_[c].history.bonded;
-  });
-  trials_changed_ = false;
-}
-
-void Stepper::restart_contacts() {
-  if (!trials_changed_) return;
-  for_contacts(trial_contacts_.size(), [&](std::size_t c) { contact_builder_->restart(trial_contacts_[c]); });
-  trials_changed_ = false;
-}
-
 std::vector<Contact> Stepper::contacts_to_begin_with() {
-  const PartInPlace while_looking(*this);
+  const SleepingBlocks::PartInPlace while_looking(sleepers_);
   forget_ahead();
   detect(analysis_.time_step);
   detected_ = false;
-  return trial_contacts_;
+  return trial_.contacts();
 }
 
 }  // namespace ddacontact

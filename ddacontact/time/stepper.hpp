@@ -1,21 +1,13 @@
 /// \file One time step after another: detect, solve, accept or cut.
 #pragma once
 
-#include <ddacontact/block/system_part.hpp>
-#include <ddacontact/classic/open_close.hpp>
-#include <ddacontact/contact/contact_builder.hpp>
-#include <ddacontact/core/options.hpp>
-#include <ddacontact/solver/contact_solver.hpp>
-#include <ddacontact/solver/islands_apart.hpp>
+#include <ddacontact/time/contact_histories.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/equilibrium.hpp>
 #include <ddacontact/time/face_parts.hpp>
-#include <ddacontact/time/impacts.hpp>
-#include <ddacontact/time/motion_accounts.hpp>
-#include <ddacontact/time/motion_limits.hpp>
 #include <ddacontact/time/run_record.hpp>
 #include <ddacontact/time/run_warnings.hpp>
-#include <ddacontact/time/sleeping.hpp>
+#include <ddacontact/time/sleeping_blocks.hpp>
 #include <ddacontact/time/stable_step.hpp>
 #include <ddacontact/time/stage.hpp>
 
@@ -75,7 +67,7 @@ class Stepper {
   void restore(RunRecord record);
 
   /// Limits of the contact solver, for measurements. Every stage sets its tolerance anew.
-  ContactSolverOptions& contact_solver_options() { return solver_options_; }
+  ContactSolverOptions& contact_solver_options() { return trial_.options(); }
 
   const BlockSystem& blocks() const { return blocks_; }
   /// The velocity is that at the time of the state; where the next substep is not solvable as it stands, that
@@ -83,7 +75,7 @@ class Stepper {
   const BlockState& state() const { return state_; }
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   /// Those of sleeping blocks are as they were.
-  const std::vector<ContactRecord>& contacts() const;
+  const std::vector<ContactRecord>& contacts() const { return sleepers_.contacts(); }
   /// Those that a step from here begins with; where blocks sleep, by the numbers of those that take part.
   std::vector<Contact> contacts_to_begin_with();
   /// With the joints of the present stage.
@@ -93,11 +85,11 @@ class Stepper {
   /// m, 2 x all outline vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
-  const StepTimes& times() const { return times_; }
+  StepTimes times() const;
   /// While no block sleeps.
   StepMemory memory() const;
   /// Whether a block sleeps: see Sleeping.
-  bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
+  bool is_asleep(int b) const { return sleepers_.is_asleep(b); }
   /// The present stage, or the one whose steps have all been made.
   int stage() const { return progress_.stage; }
   /// Whether the `until` of the last stage came true: the run is over before its steps are made.
@@ -128,7 +120,6 @@ class Stepper {
 
  private:
   enum class Trial { accepted, rejected, outran_detection, missed_contacts, woke_blocks };
-  class PartInPlace;
 
   /// Length of the next trial step, and the end of the time_step.
   struct Substep {
@@ -144,8 +135,6 @@ class Stepper {
   double longest_substep() const;
   /// What changes of the blocks and of the way of stepping, but not the state.
   void apply(const Stage& stage);
-  /// (13) anew, for the blocks that take part now.
-  void make_system();
   void leave_stage();
   void start_accounts();
   /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
@@ -155,117 +144,34 @@ class Stepper {
   /// middle of the last one and of this. Closes the accounts of the last one.
   void look_ahead(double dt);
   void forget_ahead();
-  /// Takes this as the kinetic energy; what it changes by the work of inertia has to have made.
-  void book_kinetic(double kinetic);
-  void book(const StepWork& work);
   /// Blocks that an impact of the next substep makes jump have the velocity before it at the present time.
   void before_impact(const VectorXd& jump);
-  /// What weight and loads work where an impact shifts the start of the step.
-  void book_shift(const VectorXd& shift);
-  /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
-  /// forces. \param[in] from  where the step was computed from
-  void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion);
   bool is_interrupted();
   /// Discards all trials since the last accepted substep.
   void discard_trials();
   void detect(double dt);
-  /// Keeps the part of the contacts that a trial changes.
-  void keep_start();
-  /// Restores the contacts to before the last trial, if there was one.
-  void restart_contacts();
-  /// The solution of a trial step, its residual, and the reason for its rejection (empty: none).
-  struct Solution {
-    VectorXd d;         ///< of all unknowns
-    VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
-    Residual residual;
-    double tolerance = 0;  ///< that contact forces were solved to
-    std::string rejection;
-    bool friction_unsettled = false;  ///< and nothing else
-    StepImpact impact;
-    VectorXd start;                    ///< where d was looked for from, without an earlier solution
-    std::vector<ContactForce> forces;  ///< of the contacts that it is solved again with
-  };
   /// Of a substep that begins now, with blocks woken and contacts looked for.
-  Solution find_solution(double dt);
-  /// \param[in] warm_start  the solution with contacts that differ little; may be null
-  Solution solve(double dt, const Solution* warm_start = nullptr);
-  /// Of the trial contacts.
-  std::vector<ContactForce> trial_forces() const;
-  /// From where the blocks are at the start of the step.
-  static VectorXd motion_of(const Solution& solution);
-  /// The same, with the lines that corners meet chosen by the motion that is found.
-  Solution solve_with_corners(double dt);
-  /// The motion of a step without the contacts at corners that are in doubt.
-  /// \param[in,out] with  what was found with them; its forces are used up
-  Solution solve_without(const std::vector<int>& doubtful, double dt, Solution& with);
-  /// Of all unknowns in a step, as velocities and supports have it.
-  VectorXd predicted_motion(double dt) const;
-  /// One trial with a predicted impact.
-  /// \param[in] warm_start  the solution with an impact that differs little; may be null
-  Solution solve_with(double dt, StepImpact impact, const Solution* warm_start);
-  /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
-  bool find_unpredicted(double dt, const Solution& solution, std::vector<char>& forced) const;
+  TrialSolution find_solution(double dt);
   /// Whether blocks are carried on by their motions (BlockMotion).
   bool has_motions() const {
     return analysis_.scheme == Scheme::decaying || analysis_.scheme == Scheme::central_difference;
   }
   /// Of the blocks in the present state, where they are carried on by them.
   void find_motions();
-  void solve_by_open_close(Solution& solution);
-  void solve_by_contact_solver(const StepStart& start, const Solution* warm_start, Solution& solution);
-  std::string between(int contact) const;
-  /// Whether an outline that is not convex is simple; notes one that was convex in `turned_concave_`.
-  bool check_concave(int block, const BlockState& next);
-  /// The next state; sets `rejection_` and returns false when a block does not survive it.
-  bool advance(double dt, const Solution& solution, BlockState& next);
-  void accept(double dt, const Solution& solution, BlockState next);
-  /// Ends the step of the bolts and closes their accounts.
-  /// \param[in] motion  of all unknowns, that their forces worked on
-  void end_bolts(const Solution& solution, const VectorXd& motion, BlockState& next);
+  void accept(double dt, const TrialSolution& solution, TrialEnd end);
+  void count(const TrialSolution& solution, const ContactEnds& ends);
+  void note_concave(const std::vector<int>& concave, double time);
   /// Prepares the blocks for the new state. The integrals of the shape functions of incremental blocks change
   /// with the shape, so that the same vertex velocities would carry another momentum: free blocks are given
   /// the difference as a translation. The paper preset leaves it.
   void prepare_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
-  void record_contacts();
-  void dilate(Contact& contact, double shear_before);
   /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
-  void assess(double dt, const Solution& solution, const BlockState& next);
+  void assess(double dt, const TrialSolution& solution, const BlockState& next);
   bool is_static() const { return analysis_.mode == Mode::statics; }
 
-  // Blocks that sleep take no part in a step: blocks_, state_, contacts_ and all that is made for them are
-  // then those of a part of the whole, while a step is made.
-  bool may_sleep() const;
-  /// The number in the whole of one of blocks_.
-  int in_whole(int b) const { return part_in_place_ ? asleep_->part->blocks()[b] : b; }
-  /// Puts the islands to sleep that have rested enough by the end of the substep just made; false: none.
-  bool fall_asleep(double dt);
-  /// The blocks that may not fall asleep, whatever their speed: their contacts, loads or supports change.
-  std::vector<char> find_restless(double dt) const;
-  /// Wakes the islands whose loads or supports change within the next substep.
-  void wake_changing(double dt);
-  /// Wakes the islands that supports in motion may reach, and looks anew for what is near the blocks awake
-  /// when they may leave where that was done. After it `search_margin_` holds.
-  void look_around(double dt);
-  /// Wakes what blocks hit in a trial; false: nothing sleeping.
-  bool wake_hit(const Solution& solution);
-  bool wake(int b);
-  void wake_all();
-  /// For an interruption before the next substep is accepted.
-  void remember_sleepers();
-  /// contacts_ with the numbers of the whole.
-  std::vector<ContactRecord> contacts_in_whole() const;
-  /// After other blocks sleep: divides blocks and contacts anew into those that take part and those that do
-  /// not.
-  /// \param[in] around  see SleepRecord; null: to be made
-  void regroup(const std::vector<Box>* around = nullptr);
-  /// Takes stock of what sleeps.
-  void survey();
-  /// Makes the part of the blocks that are awake and what is near them.
-  void form_part(const std::vector<Box>* around);
-  void show_part();
-  void show_whole();
-  SleepRecord sleep_record() const;
+  // While a step is made blocks_, state_, contacts_ and all that is made for them are those of the blocks
+  // that take part: see SleepingBlocks.
 
   BlockSystem blocks_;
   std::vector<Stage> stages_;
@@ -274,36 +180,28 @@ class Stepper {
   AnalysisOptions analysis_;  ///< of the present stage
   MotionLimits limits_;
   ContactProperties properties_;
-  std::optional<ContactBuilder> contact_builder_;
-  std::optional<StepSystem> system_;  ///< of the blocks that are present
-  IslandsApart islands_;
-  OpenCloseOptions open_close_;
-  ContactMethod method_;
-  ContactSolverOptions solver_options_;
-  double fixed_point_stiffness_;
 
   BlockState state_;
   std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
+  StepCounts counts_;
   EnergyLedger energy_;
-  Points reactions_;
+  Points reactions_, reactions_of_step_;
   Equilibrium equilibrium_;
   std::vector<StageEnd> stage_ends_;
   RunWarnings warnings_;
 
-  std::vector<Contact> trial_contacts_;  ///< of the present substep, after the last trial
-  std::vector<double> search_margin_;    ///< that they were looked for within
+  TrialStep trial_;                    ///< of the present substep, after the last trial
+  std::vector<double> search_margin_;  ///< that its contacts were looked for within
   double reach_scale_ = 1;
   bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
-  bool detected_ = false;  ///< trial_contacts_ are those of state_
-  bool trials_changed_ =
-      false;  ///< by a trial: trial_contacts_ differ from those at the start of the substep
+  bool detected_ = false;  ///< the trial's contacts are those of state_
 
   std::optional<StableStep> stable_;  ///< of the present stage, by central differences
   double substep_ = 0;                ///< the length to try next, s
   /// The solution of the next substep, when it was looked for already, and the counts with it.
   struct Ahead {
     double dt;
-    Solution solution;
+    TrialSolution solution;
     StepCounts counts;
   };
   std::optional<Ahead> ahead_;
@@ -311,40 +209,15 @@ class Stepper {
   struct {
     double substep;
     StepCounts counts;
-    std::optional<SleepRecord> sleeping;  ///< if it is another now
-  } accepted_;                            ///< as it was after the last accepted substep
-  bool accepting_ = false;                ///< the state is neither that before the substep nor that after it
+  } accepted_;              ///< as it was after the last accepted substep
+  bool accepting_ = false;  ///< the state is neither that before the substep nor that after it
 
-  Sleeping sleeping_;
-  /// What the whole has beside the part, while someone sleeps.
-  struct Asleep {
-    std::optional<SystemPart> part;
-    std::vector<ContactRecord> contacts;  ///< without a block that is awake; numbers of the whole
-    std::vector<Box> boxes;               ///< of all blocks, valid for those at rest
-    std::vector<Box> around;              ///< see SleepRecord
-    std::vector<double> elastic;          ///< energy of each block at rest, J per m
-    double elastic_outside = 0;           ///< of what is not in the part
-    Points reactions;  ///< of supports to those who sleep, 2 x all points; only of wholly held blocks
-    /// A function of time on a block.
-    struct Watched {
-      int block;
-      const TimeFunction* function;  ///< of a load or a support
-    };
-    std::vector<Watched> watched;  ///< what may wake sleepers: on them, or on held blocks that they touch
-    int n_closed = 0;              ///< of `contacts`
-    Points part_reactions;
-  };
-  std::optional<Asleep> asleep_;
-  bool in_step_ = false, part_in_place_ = false;
-  mutable std::vector<ContactRecord> all_contacts_;  ///< while someone sleeps
-  mutable bool all_contacts_known_ = false;
+  SleepingBlocks sleepers_;
   std::function<bool()> interrupted_;
   double last_dt_ = 0;
-  StepCounts counts_;
-  StepTimes times_;
+  double detection_seconds_ = 0, update_seconds_ = 0;
   std::string stop_reason_, rejection_, last_unsettled_;
-  std::vector<char> convex_;         ///< outlines that have been so to this moment
-  std::vector<int> turned_concave_;  ///< blocks, in the present trial
+  std::vector<char> convex_;  ///< outlines that have been so to this moment
   std::vector<std::string> notes_;
 };
 

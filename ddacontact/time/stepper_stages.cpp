@@ -51,14 +51,11 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       stages_(std::move(stages)),
       limits_(blocks_, stages_.front().analysis),
       properties_(contacts),
-      method_(contacts.method),
-      solver_options_(contacts.tolerance, contacts.penetration_tolerance),
-      fixed_point_stiffness_(contacts.normal_stiffness),
       state_(std::move(initial)),
       reactions_(Points::Zero(2, state_.position.cols())),
       warnings_(blocks_.n_blocks()),
-      sleeping_(blocks_.n_blocks()) {
-  contact_builder_.emplace(blocks_, properties_);
+      trial_(blocks_, state_, contacts_, analysis_, properties_, counts_),
+      sleepers_(blocks_, state_, contacts_, properties_, limits_, trial_) {
   for (const Stage& stage : stages_)
     for (int b : stage.added) blocks_.remove(b);
   if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
@@ -74,11 +71,10 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
                       !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
   }
-  const std::vector<Contact> first =
-      contact_builder_->build_first(state_, predicted_motion(analysis_.time_step),
-                                    limits_.search_margin(state_, {}, analysis_.time_step, 1));
-  contacts_.assign(first.begin(), first.end());
-  accepted_ = {substep_, counts_, {}};
+  trial_.detect_first(analysis_.time_step, limits_.search_margin(state_, {}, analysis_.time_step, 1));
+  contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());
+  accepted_ = {substep_, counts_};
+  sleepers_.accept();
   set_flight_acceleration();
   start_accounts();
 }
@@ -91,7 +87,7 @@ void Stepper::apply(const Stage& stage) {
   if (!stage.added.empty()) {
     for (int b : stage.added) blocks_.restore(b);
     blocks_.prepare(state_, true);
-    contact_builder_.emplace(blocks_, properties_);  // it knows pairs of those that were there
+    trial_.forget_pairs(properties_);  // it knows pairs of those that were there
     state_.coordinates.resize(0);
   }
   const auto bring = [&](const auto& loads, auto& to, const auto& block_of) {
@@ -103,20 +99,21 @@ void Stepper::apply(const Stage& stage) {
   bring(stage.body_loads, blocks_.body_loads, [](const BodyLoad& load) { return load.block; });
   blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
   for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = true;
-  if (!system_ || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty()) make_system();
+  if (!trial_.has_system() || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty())
+    trial_.make_system();
   std::erase_if(contacts_, [&](const ContactRecord& contact) {
     return !blocks_.is_present(contact.pair.vertex_block) || !blocks_.is_present(contact.pair.edge_block);
   });
   properties_.joints = stage.joints;
-  contact_builder_->set_joints(stage.joints);
+  trial_.builder().set_joints(stage.joints);
   find_motions();
   stable_ = find_stable_step(blocks_, analysis_);
   substep_ = longest_substep();
   if (stable_ && stable_->n_decaying > 0)
     notes_.push_back("by the explicit scheme " + std::to_string(stable_->n_decaying) +
                      " slivers do not vibrate: their deformation decays");
-  solver_options_.solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
-                                                             : tolerance_of_explicit_steps);
+  trial_.options().solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
+                                                              : tolerance_of_explicit_steps);
 }
 
 void Stepper::find_motions() {
@@ -129,14 +126,9 @@ void Stepper::find_motions() {
       throw Error("block " + quoted(blocks_.names[b]) + " has no motions that half steps could carry on");
 }
 
-void Stepper::make_system() {
-  system_.emplace(blocks_);
-  islands_.clear();
-}
-
 void Stepper::enter_stage(int stage) {
   stage_ends_.push_back(stage_end());
-  wake_all();
+  sleepers_.wake_all();
   const AnalysisOptions before = analysis_;
   forget_ahead();
   apply(stages_[stage]);
@@ -150,7 +142,7 @@ void Stepper::enter_stage(int stage) {
   Energy& e = energy_.now;
   // What goes with the blocks that are taken out is work done on them, as what pretensions bring.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),
-               elastic = elastic_energy(blocks_, state_, contacts_, properties_, fixed_point_stiffness_);
+               elastic = elastic_energy(blocks_, state_, contacts_, properties_);
   e.external += (kinetic - e.kinetic) + (elastic - e.elastic);
   e.kinetic = kinetic;
   e.elastic = elastic;
@@ -169,7 +161,8 @@ void Stepper::enter_stage(int stage) {
   if (analysis_.scheme != before.scheme || analysis_.mode != before.mode ||
       analysis_.gravity != before.gravity)
     set_flight_acceleration();
-  accepted_ = {substep_, counts_, {}};
+  accepted_ = {substep_, counts_};
+  sleepers_.accept();
 }
 
 void Stepper::set_flight_acceleration() {
@@ -208,7 +201,7 @@ void Stepper::leave_stage() {
 void Stepper::start_accounts() {
   energy_ = {};
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_, fixed_point_stiffness_);
+  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_);
   energy_.start();
   equilibrium_ = {};
   stage_ends_.clear();
@@ -216,7 +209,7 @@ void Stepper::start_accounts() {
 }
 
 StepRecord Stepper::record() const {
-  return {counts_.steps, begun_, substep_, progress_, state_, contacts(), sleep_record()};
+  return {counts_.steps, begun_, substep_, progress_, state_, contacts(), sleepers_.record()};
 }
 
 void Stepper::restore(StepRecord record) {
@@ -231,7 +224,7 @@ void Stepper::restore(StepRecord record) {
       !std::ranges::all_of(record.contacts,
                            [&](const ContactRecord& contact) { return is_between(blocks_, contact.pair); }))
     throw Error("the record is of other blocks or stages");
-  wake_all();
+  sleepers_.wake_all();
   while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);
   counts_.steps = record.steps;
   begun_ = record.begun;
@@ -243,11 +236,23 @@ void Stepper::restore(StepRecord record) {
   blocks_.prepare(state_, true);
   forget_ahead();
   reach_scale_ = 1;
-  accepted_ = {substep_, counts_, {}};
+  accepted_ = {substep_, counts_};
+  sleepers_.accept();
   start_accounts();
   if (record.sleeping.island.empty()) return;
-  sleeping_ = Sleeping(record.sleeping);
-  if (sleeping_.n_asleep() > 0) regroup(&record.sleeping.around);
+  sleepers_.restore(record.sleeping);
+}
+
+StepTimes Stepper::times() const {
+  const TrialStep::Times& of_trials = trial_.times();
+  return {.detection = detection_seconds_,
+          .assembly = of_trials.assembly,
+          .solver = of_trials.solver,
+          .update = update_seconds_,
+          .analysis = of_trials.analysis,
+          .factorization = of_trials.factorization,
+          .solution = of_trials.solution,
+          .analyses = of_trials.analyses};
 }
 
 StepMemory Stepper::memory() const {
@@ -255,10 +260,10 @@ StepMemory Stepper::memory() const {
   return {.state = bytes_of(s.bolts) + bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
                    bytes_of(s.carried) + bytes_of(s.stress) + bytes_of(s.coordinates) + bytes_of(s.rotation) +
                    bytes_of(reactions_),
-          .contacts = bytes_of(contacts_) + bytes_of(trial_contacts_),
-          .detection = contact_builder_->memory() + bytes_of(search_margin_),
-          .equations = system_->memory(),
-          .factor = system_->problem().cholesky().memory()};
+          .contacts = bytes_of(contacts_) + bytes_of(trial_.contacts()),
+          .detection = trial_.builder().memory() + bytes_of(search_margin_),
+          .equations = trial_.system().memory(),
+          .factor = trial_.system().problem().cholesky().memory()};
 }
 
 RunRecord Stepper::run_record() const {

@@ -1,6 +1,6 @@
 // Which lines corners meet, by the motion of the step itself.
 #include <ddacontact/time/step_from.hpp>
-#include <ddacontact/time/stepper.hpp>
+#include <ddacontact/time/trial_step.hpp>
 
 #include <algorithm>
 
@@ -30,49 +30,36 @@ std::vector<ContactForce> forces_still_there(const std::vector<Contact>& had,
 
 }  // namespace
 
-VectorXd Stepper::predicted_motion(double dt) const {
-  const bool at_rest = is_static() || analysis_.preset == Preset::paper;
-  VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.going_on());
-  if (analysis_.preset == Preset::paper || blocks_.prescribed_dofs().empty()) return d;
-  const VectorXd prescribed = blocks_.prescribed(state_, state_.time + dt);
-  for (const PrescribedDof& held : blocks_.prescribed_dofs()) d[held.unknown] = prescribed[held.unknown];
-  return d;
-}
-
-VectorXd Stepper::motion_of(const Solution& solution) {
-  return solution.impact.changes() ? VectorXd(solution.d + solution.impact.shift) : solution.d;
-}
-
-Stepper::Solution Stepper::solve_without(const std::vector<int>& doubtful, double dt, Solution& with) {
-  with.forces = trial_forces();
-  restart_contacts();
-  const std::vector<Contact> all = trial_contacts_;
+TrialSolution TrialStep::solve_without(const std::vector<int>& doubtful, double dt, TrialSolution& with) {
+  with.forces = forces();
+  restart();
+  const std::vector<Contact> all = contacts_;
   for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) {
-    trial_contacts_.erase(trial_contacts_.begin() + *c);
+    contacts_.erase(contacts_.begin() + *c);
     with.forces.erase(with.forces.begin() + *c);
   }
-  Solution without = solve(dt, &with);
-  trial_contacts_ = all;
-  trials_changed_ = false;
+  TrialSolution without = solve_with_impacts(dt, &with);
+  contacts_ = all;
+  solved_ = false;
   return without;
 }
 
-Stepper::Solution Stepper::solve_with_corners(double dt) {
-  Solution solution = solve(dt);
+TrialSolution TrialStep::solve(double dt) {
+  TrialSolution solution = solve_with_impacts(dt);
   if (analysis_.preset == Preset::paper) return solution;
-  for (int round = 0; contact_builder_->has_choices() && solution.rejection.empty(); ++round) {
-    const std::vector<Contact> solved = trial_contacts_;
-    const std::vector<int> doubtful = contact_builder_->find_doubtful(
-        trial_contacts_, solver_options_.residual_tolerance * solution.residual.scale);
+  for (int round = 0; builder_->has_choices() && solution.rejection.empty(); ++round) {
+    const std::vector<Contact> solved = contacts_;
+    const std::vector<int> doubtful =
+        builder_->find_doubtful(contacts_, options_.residual_tolerance * solution.residual.scale);
     bool changed = false;
     if (doubtful.empty()) {
-      restart_contacts();
-      changed = contact_builder_->choose_again(state_, motion_of(solution), contacts_, trial_contacts_);
+      restart();
+      changed = builder_->choose_again(state_, solution.motion(), last_, contacts_);
     } else {
-      const Solution without = solve_without(doubtful, dt, solution);
+      const TrialSolution without = solve_without(doubtful, dt, solution);
       if (without.rejection.empty()) {
         ++counts_.corner_solutions;
-        changed = contact_builder_->decide_doubtful(state_, motion_of(without), contacts_, trial_contacts_);
+        changed = builder_->decide_doubtful(state_, without.motion(), last_, contacts_);
       }
       const StepImpact& impact = solution.impact;
       if (impact.changes() || without.impact.changes()) {  // the step of the solution, not that without
@@ -84,13 +71,13 @@ Stepper::Solution Stepper::solve_with_corners(double dt) {
     }
     if (changed && round == most_corner_rounds) ++counts_.unsettled_corners;
     if (!changed || round == most_corner_rounds) {
-      trial_contacts_ = solved;
-      trials_changed_ = true;
+      contacts_ = solved;
+      solved_ = true;
       break;
     }
     keep_start();
-    solution.forces = forces_still_there(solved, trial_contacts_);
-    solution = solve(dt, &solution);
+    solution.forces = forces_still_there(solved, contacts_);
+    solution = solve_with_impacts(dt, &solution);
     ++counts_.corner_solutions;
   }
   return solution;

@@ -1,8 +1,8 @@
-// The solutions of a trial step: with its impacts, by either contact method.
+#include <ddacontact/time/trial_step.hpp>
+
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/step_from.hpp>
-#include <ddacontact/time/stepper.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
@@ -35,24 +35,83 @@ class Swapped {
 
 }  // namespace
 
-Stepper::Solution Stepper::solve(double dt, const Solution* warm_start) {
-  const StepRule rule = step_rule(analysis_, dt, state_.carried_dt);
-  const bool has_impacts =
-      method_ != ContactMethod::classic && !is_static() &&
-      std::ranges::any_of(trial_contacts_, [&](const Contact& contact) {
-        return restitution_of(contact_builder_->properties(), contact.pair, rule).has_value();
-      });
+TrialStep::TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<ContactRecord>& last,
+                     const AnalysisOptions& analysis, const ContactProperties& properties, StepCounts& counts)
+    : blocks_(blocks),
+      state_(state),
+      last_(last),
+      analysis_(analysis),
+      counts_(counts),
+      method_(properties.method),
+      fixed_point_stiffness_(properties.normal_stiffness),
+      options_(properties.tolerance, properties.penetration_tolerance) {
+  forget_pairs(properties);
+}
+
+void TrialStep::make_system() {
+  system_.emplace(blocks_);
+  islands_.clear();
+}
+
+VectorXd TrialStep::predicted_motion(double dt) const {
+  const bool at_rest = is_static() || analysis_.preset == Preset::paper;
+  VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.going_on());
+  if (analysis_.preset == Preset::paper || blocks_.prescribed_dofs().empty()) return d;
+  const VectorXd prescribed = blocks_.prescribed(state_, state_.time + dt);
+  for (const PrescribedDof& held : blocks_.prescribed_dofs()) d[held.unknown] = prescribed[held.unknown];
+  return d;
+}
+
+void TrialStep::detect(double dt, const std::vector<double>& margin, bool goes_on) {
+  builder_->keep_pairs(analysis_.skip.skin);
+  builder_->build(state_, predicted_motion(dt), margin, last_, contacts_, goes_on);
+  keep_start();
+}
+
+void TrialStep::detect_first(double dt, const std::vector<double>& margin) {
+  builder_->keep_pairs(analysis_.skip.skin);
+  contacts_ = builder_->build_first(state_, predicted_motion(dt), margin);
+  keep_start();
+}
+
+bool TrialStep::take_missed(const BlockState& next) {
+  if (!builder_->find_missed(state_, next, contacts_)) return false;
+  restart();
+  builder_->add_missed(state_, contacts_);
+  keep_start();
+  return true;
+}
+
+void TrialStep::keep_start() {
+  for_contacts(contacts_.size(), [&](std::size_t c) {
+    contacts_[c].start_state = contacts_[c].history.state;
+    contacts_[c].start_bonded = contacts_[c].history.bonded;
+  });
+  solved_ = false;
+}
+
+void TrialStep::restart() {
+  if (!solved_) return;
+  for_contacts(contacts_.size(), [&](std::size_t c) { builder_->restart(contacts_[c]); });
+  solved_ = false;
+}
+
+TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm_start) {
+  const StepRule rule = this->rule(dt);
+  const bool has_impacts = method_ != ContactMethod::classic && !is_static() &&
+                           std::ranges::any_of(contacts_, [&](const Contact& contact) {
+                             return restitution_of(builder_->properties(), contact.pair, rule).has_value();
+                           });
   if (!has_impacts) return solve_with(dt, {}, warm_start);
   std::vector<char> forced;
-  Solution solution;
+  TrialSolution solution;
   for (int round = 0; round < most_impact_rounds; ++round) {
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
-      if (round > 0) solution.forces = trial_forces();
-      restart_contacts();
-      impact =
-          predict_impact(blocks_, state_, contact_builder_->properties(), trial_contacts_, rule, dt, forced);
+      if (round > 0) solution.forces = forces();
+      restart();
+      impact = predict_impact(blocks_, state_, builder_->properties(), contacts_, rule, dt, forced);
     }
     solution = solve_with(dt, std::move(impact), round > 0 ? &solution : warm_start);
     if (!solution.rejection.empty() || !find_unpredicted(dt, solution, forced)) break;
@@ -60,29 +119,27 @@ Stepper::Solution Stepper::solve(double dt, const Solution* warm_start) {
   return solution;
 }
 
-std::vector<ContactForce> Stepper::trial_forces() const {
+std::vector<ContactForce> TrialStep::forces() const {
   std::vector<ContactForce> forces;
-  forces.reserve(trial_contacts_.size());
-  for (const Contact& contact : trial_contacts_) forces.push_back({contact.normal, contact.shear});
+  forces.reserve(contacts_.size());
+  for (const Contact& contact : contacts_) forces.push_back({contact.normal, contact.shear});
   return forces;
 }
 
-bool Stepper::find_unpredicted(double dt, const Solution& solution, std::vector<char>& forced) const {
+bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const {
   const std::vector<char> before = forced;
-  forced.resize(trial_contacts_.size(), 0);
-  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
-    const Contact& start = trial_contacts_[c];
+  forced.resize(contacts_.size(), 0);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Contact& start = contacts_[c];
     if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
-    if (!restitution_of(contact_builder_->properties(), start.pair,
-                        step_rule(analysis_, dt, state_.carried_dt)))
-      continue;
+    if (!restitution_of(builder_->properties(), start.pair, rule(dt))) continue;
     const double rate = start.motion.change_along(start.first_gap().gradient, state_.going_on());
     if (-rate > least_approach(blocks_, start, dt)) forced[c] = 1;
   }
   return forced != before && std::find(forced.begin(), forced.end(), 1) != forced.end();
 }
 
-Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Solution* warm_start) {
+TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSolution* warm_start) {
   std::optional<Swapped> at_impact;  // the step starts from where the impact leads it
   if (impact.changes()) at_impact.emplace(state_, impact.start);
   const StepStart start = step_from(analysis_, state_, dt, state_.carried_dt);
@@ -93,20 +150,20 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
-  restart_contacts();
-  trials_changed_ = true;
-  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
-    Contact& contact = trial_contacts_[c];
-    contact.damping = contact_builder_->dashpot(contact) / dt;
+  restart();
+  solved_ = true;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    Contact& contact = contacts_[c];
+    contact.damping = builder_->dashpot(contact) / dt;
     if (impact.changes()) {
-      contact_builder_->start_from(state_, contact);
+      builder_->start_from(state_, contact);
       contact.meets = impact.hit[c];
     }
     if (!warm_start) continue;
     contact.normal = warm_start->forces[c].normal;
     contact.shear = warm_start->forces[c].shear;
   }
-  Solution solution;
+  TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
             analyses = cholesky.n_analyses();
@@ -119,7 +176,7 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   solution.d = system_->displacement(solution.straight);
   at_impact.reset();
   if (impact.changes()) {
-    for (Contact& contact : trial_contacts_) contact_builder_->start_from(state_, contact);
+    for (Contact& contact : contacts_) builder_->start_from(state_, contact);
     blocks_.prepare(state_);
   }
   solution.impact = std::move(impact);
@@ -132,8 +189,8 @@ Stepper::Solution Stepper::solve_with(double dt, StepImpact impact, const Soluti
   return solution;
 }
 
-void Stepper::solve_by_open_close(Solution& solution) {
-  OpenCloseReport report = iterate_open_close(*system_, open_close_, trial_contacts_, solution.d);
+void TrialStep::solve_by_open_close(TrialSolution& solution) {
+  OpenCloseReport report = iterate_open_close(*system_, open_close_, contacts_, solution.d);
   counts_.open_close_iterations += report.iterations;
   solution.residual = std::move(report.residual);
   switch (report.status) {
@@ -155,24 +212,24 @@ void Stepper::solve_by_open_close(Solution& solution) {
   }
 }
 
-void Stepper::solve_by_contact_solver(const StepStart& start, const Solution* warm_start,
-                                      Solution& solution) {
-  solver_options_.local =
-      !is_static() &&
-      (start.rule.is_explicit() ||
-       std::all_of(trial_contacts_.begin(), trial_contacts_.end(),
-                   [&](const Contact& contact) { return carries_waves(blocks_, contact, system_->dt()); }));
-  solver_options_.skip = analysis_.skip;
-  solver_options_.directions = start.rule.directions();
-  solver_options_.is_static = is_static();
+void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolution* warm_start,
+                                        TrialSolution& solution) {
+  options_.local =
+      !is_static() && (start.rule.is_explicit() ||
+                       std::all_of(contacts_.begin(), contacts_.end(), [&](const Contact& contact) {
+                         return carries_waves(blocks_, contact, system_->dt());
+                       }));
+  options_.skip = analysis_.skip;
+  options_.directions = start.rule.directions();
+  options_.is_static = is_static();
   solution.d = solution.start = system_->free_path();
-  solver_options_.warm_start = warm_start;
+  options_.warm_start = warm_start;
   if (warm_start) solution.d += warm_start->straight - warm_start->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
-                     islands_.divide(blocks_, trial_contacts_);
+                     islands_.divide(blocks_, contacts_);
   ContactSolverReport report =
-      apart ? islands_.solve(blocks_, state_, start, *system_, solver_options_, trial_contacts_, solution.d)
-            : solve_contacts(*system_, solver_options_, trial_contacts_, solution.d);
+      apart ? islands_.solve(blocks_, state_, start, *system_, options_, contacts_, solution.d)
+            : solve_contacts(*system_, options_, contacts_, solution.d);
   if (apart) {
     const IslandsApart::Work& work = islands_.last_work();
     counts_.linear_solves += work.n_solves;
@@ -210,9 +267,9 @@ void Stepper::solve_by_contact_solver(const StepStart& start, const Solution* wa
   }
 }
 
-std::string Stepper::between(int contact) const {
+std::string TrialStep::between(int contact) const {
   if (contact < 0) return "";
-  const VertexEdge& pair = trial_contacts_[contact].pair;
+  const VertexEdge& pair = contacts_[contact].pair;
   return ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
          quoted(blocks_.names[pair.edge_block]);
 }

@@ -1,7 +1,7 @@
-// How a stepper leaves out the blocks that sleep.
+#include <ddacontact/time/sleeping_blocks.hpp>
+
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
-#include <ddacontact/time/stepper.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -66,19 +66,53 @@ void add_forces(const BlockSystem& blocks, const BlockState& state, const Contac
 
 }  // namespace
 
-bool Stepper::may_sleep() const {
-  return analysis_.skip.sleep && analysis_.preset != Preset::paper && method_ == ContactMethod::staged &&
-         !is_static();
+SleepingBlocks::SleepingBlocks(BlockSystem& blocks, BlockState& state, std::vector<ContactRecord>& contacts,
+                               const ContactProperties& properties, MotionLimits& limits, TrialStep& trial)
+    : blocks_(blocks),
+      state_(state),
+      contacts_(contacts),
+      properties_(properties),
+      limits_(limits),
+      trial_(trial),
+      sleeping_(blocks.n_blocks()) {}
+
+SleepingBlocks::PartInPlace::PartInPlace(SleepingBlocks& sleepers) : sleepers_(sleepers) {
+  sleepers_.in_step_ = true;
+  sleepers_.show_part();
 }
 
-std::vector<ContactRecord> Stepper::contacts_in_whole() const {
+SleepingBlocks::PartInPlace::~PartInPlace() {
+  sleepers_.in_step_ = false;
+  sleepers_.show_whole();
+}
+
+SleepRecord SleepingBlocks::record() const {
+  return {sleeping_.islands(), sleeping_.rested(), asleep_ ? asleep_->around : std::vector<Box>{}};
+}
+
+void SleepingBlocks::restore(const SleepRecord& record) {
+  sleeping_ = Sleeping(record);
+  if (asleep_ || sleeping_.n_asleep() > 0) regroup(&record.around);
+}
+
+void SleepingBlocks::discard() {
+  if (before_) restore(*before_);
+}
+
+bool SleepingBlocks::may_sleep() const {
+  const AnalysisOptions& analysis = trial_.analysis();
+  return analysis.skip.sleep && analysis.preset != Preset::paper &&
+         properties_.method == ContactMethod::staged && analysis.mode != Mode::statics;
+}
+
+std::vector<ContactRecord> SleepingBlocks::contacts_in_whole() const {
   std::vector<ContactRecord> contacts = contacts_;
   for (ContactRecord& contact : contacts)
     for (int* b : {&contact.pair.vertex_block, &contact.pair.edge_block}) *b = asleep_->part->blocks()[*b];
   return contacts;
 }
 
-const std::vector<ContactRecord>& Stepper::contacts() const {
+const std::vector<ContactRecord>& SleepingBlocks::contacts() const {
   if (!asleep_) return contacts_;
   if (!all_contacts_known_) {
     all_contacts_.clear();
@@ -89,7 +123,7 @@ const std::vector<ContactRecord>& Stepper::contacts() const {
   return all_contacts_;
 }
 
-std::vector<char> Stepper::find_restless(double dt) const {
+std::vector<char> SleepingBlocks::find_restless(double dt) const {
   std::vector<char> restless(blocks_.n_blocks(), 0);
   const double to = state_.time, from = to - dt, end_time = blocks_.end_time;
   for (const PointLoad& load : blocks_.point_loads)
@@ -113,19 +147,19 @@ std::vector<char> Stepper::find_restless(double dt) const {
   const auto force_of_rest = [&](int b) {
     return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt) / dt;
   };
-  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
-    const auto [vertex_block, vertex, edge_block, edge, corner] = trial_contacts_[c].pair;
+  for (std::size_t c = 0; c < trial_.contacts().size(); ++c) {
+    const auto [vertex_block, vertex, edge_block, edge, corner] = trial_.contacts()[c].pair;
     const bool has_closed =
-        trial_contacts_[c].start_state == ContactState::open && trial_contacts_[c].closed();
+        trial_.contacts()[c].start_state == ContactState::open && trial_.contacts()[c].closed();
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
-      if ((has_closed && trial_contacts_[c].normal > force_of_rest(b)) ||
-          (trial_contacts_[c].closed() && !blocks_.is_movable(other) && restless[other]))
+      if ((has_closed && trial_.contacts()[c].normal > force_of_rest(b)) ||
+          (trial_.contacts()[c].closed() && !blocks_.is_movable(other) && restless[other]))
         restless[b] = 1;
   }
   return restless;
 }
 
-bool Stepper::fall_asleep(double dt) {
+bool SleepingBlocks::fall_asleep(double dt) {
   if (!may_sleep()) return false;
   const std::vector<char> restless = find_restless(dt);
   std::vector<int> awake;
@@ -136,7 +170,7 @@ bool Stepper::fall_asleep(double dt) {
                                                     rest_speed(blocks_, b, dt));
   }
   std::vector<Pair> touching;
-  for (const Contact& contact : trial_contacts_)
+  for (const Contact& contact : trial_.contacts())
     if (contact.closed() && blocks_.is_movable(contact.pair.vertex_block) &&
         blocks_.is_movable(contact.pair.edge_block))
       touching.push_back({in_whole(contact.pair.vertex_block), in_whole(contact.pair.edge_block)});
@@ -146,23 +180,21 @@ bool Stepper::fall_asleep(double dt) {
     state_.velocity.segment(u.first, u.count).setZero();
     state_.carried.segment(u.first, u.count).setZero();
   }
-  if (falling.empty()) return false;
-  book_kinetic(kinetic_energy(blocks_, state_.velocity));
-  return true;
+  return !falling.empty();
 }
 
-void Stepper::remember_sleepers() {
-  if (!accepted_.sleeping) accepted_.sleeping = sleep_record();
+void SleepingBlocks::remember() {
+  if (!before_) before_ = record();
 }
 
-bool Stepper::wake(int b) {
+bool SleepingBlocks::wake(int b) {
   if (!sleeping_.is_asleep(b)) return false;
-  remember_sleepers();
+  remember();
   return sleeping_.wake(b);
 }
 
-void Stepper::wake_changing(double dt) {
-  if (!asleep_) return;
+bool SleepingBlocks::wake_changing(double dt) {
+  if (!asleep_) return false;
   bool woken = false;
   for (const auto& [block, function] : asleep_->watched) {
     if (!varies(*function, state_.time, state_.time + dt, blocks_.end_time)) continue;
@@ -174,42 +206,43 @@ void Stepper::wake_changing(double dt) {
     }
   }
   if (woken) regroup();
+  return woken;
 }
 
-void Stepper::look_around(double dt) {
+std::vector<double> SleepingBlocks::look_around(double dt, double reach) {
   while (true) {
-    search_margin_ = limits_.search_margin(state_, contacts_, dt, reach_scale_);
-    if (!asleep_) return;
+    std::vector<double> margin = limits_.search_margin(state_, contacts_, dt, reach);
+    if (!asleep_) return margin;
     bool woken = false, covered = true;
     std::size_t k = 0;
     const double round_off = 1e-12;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (blocks_.is_unchanging(b)) continue;
-      const Box box = box_of(blocks_, state_, b, search_margin_[b]);
+      const Box box = box_of(blocks_, state_, b, margin[b]);
       if (blocks_.is_movable(b))
         covered = covers(asleep_->around[k++], box) && covered;
-      else if (search_margin_[b] > round_off * blocks_.block(b).size())
+      else if (margin[b] > round_off * blocks_.block(b).size())
         for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
           if (overlap(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
     }
     if (woken) {
       regroup();
     } else if (!covered) {
-      remember_sleepers();
+      remember();
       contacts_ = contacts_in_whole();
       show_whole();
       form_part(nullptr);
     } else {
-      return;
+      return margin;
     }
   }
 }
 
-bool Stepper::wake_hit(const Solution& solution) {
+bool SleepingBlocks::wake_hit(const TrialSolution& solution) {
   if (!asleep_) return false;
   bool woken = false;
-  for (std::size_t c = 0; c < trial_contacts_.size(); ++c) {
-    const Contact& contact = trial_contacts_[c];
+  for (std::size_t c = 0; c < trial_.contacts().size(); ++c) {
+    const Contact& contact = trial_.contacts()[c];
     if (!asleep_->part->is_resting(contact.pair.vertex_block) &&
         !asleep_->part->is_resting(contact.pair.edge_block))
       continue;
@@ -223,28 +256,26 @@ bool Stepper::wake_hit(const Solution& solution) {
   return woken;
 }
 
-void Stepper::wake_all() {
+void SleepingBlocks::wake_all() {
   sleeping_.wake_all();
   if (asleep_) regroup();
 }
 
-void Stepper::regroup(const std::vector<Box>* around) {
+void SleepingBlocks::regroup(const std::vector<Box>* around) {
   contacts_ = std::vector(contacts());
   show_whole();
   asleep_.reset();
   all_contacts_known_ = false;
-  detected_ = false;
   if (sleeping_.n_asleep() > 0) {
     survey();
     form_part(around);
   } else {
-    contact_builder_.emplace(blocks_, properties_);
-    make_system();
-    forget_ahead();
+    trial_.forget_pairs(properties_);
+    trial_.make_system();
   }
 }
 
-void Stepper::survey() {
+void SleepingBlocks::survey() {
   Asleep& asleep = asleep_.emplace(Asleep{});
   const auto takes_part = [&](int b) { return !blocks_.is_unchanging(b) && !sleeping_.is_asleep(b); };
   const auto has_part = [&](const ContactRecord& contact) {
@@ -252,6 +283,7 @@ void Stepper::survey() {
   };
   std::ranges::copy_if(contacts_, std::back_inserter(asleep.contacts), std::not_fn(has_part));
   std::erase_if(contacts_, std::not_fn(has_part));
+  asleep.elastic_of_contacts = spring_energy(asleep.contacts, properties_);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     asleep.boxes.push_back(box_of(blocks_, state_, b, 0));
     asleep.elastic.push_back(
@@ -283,7 +315,7 @@ void Stepper::survey() {
     for (int b = 0; b < blocks_.n_blocks(); ++b) watch(b, of_record);
 }
 
-void Stepper::form_part(const std::vector<Box>* around) {
+void SleepingBlocks::form_part(const std::vector<Box>* around) {
   Asleep& asleep = *asleep_;
   const int n_blocks = blocks_.n_blocks();
   std::vector<char> resting(n_blocks, 0), takes_part(n_blocks, 0);
@@ -316,7 +348,7 @@ void Stepper::form_part(const std::vector<Box>* around) {
     for (const MaterialPoint& node : bolt.nodes)
       if (node.block >= 0 && acts(bolt, blocks_)) takes_part[node.block] = 1;
   std::vector<int> part;
-  asleep.elastic_outside = 0;
+  asleep.elastic_outside = asleep.elastic_of_contacts;
   for (int b = 0; b < n_blocks; ++b) {
     if (takes_part[b])
       part.push_back(b);
@@ -339,26 +371,34 @@ void Stepper::form_part(const std::vector<Box>* around) {
     properties.materials.push_back(properties_.materials[b]);
     if (!properties_.edge_joints.empty()) properties.edge_joints.push_back(properties_.edge_joints[b]);
   }
-  contact_builder_.emplace(blocks_, std::move(properties));
-  make_system();
-  forget_ahead();
+  trial_.forget_pairs(properties);
+  trial_.make_system();
   if (!in_step_) show_whole();
 }
 
-void Stepper::show_part() {
+void SleepingBlocks::spread_reactions(const Points& of_step, Points& of_whole) const {
+  if (!asleep_) {
+    of_whole = of_step;
+    return;
+  }
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (asleep_->part->is_resting(b)) continue;
+    const Range &from = blocks_.block(b).points(), &to = asleep_->part->points_in_whole(b);
+    of_whole.middleCols(to.first, to.count) =
+        of_step.middleCols(from.first, from.count) + asleep_->reactions.middleCols(to.first, to.count);
+  }
+}
+
+void SleepingBlocks::show_part() {
   if (!asleep_ || part_in_place_) return;
   asleep_->part->put_in(blocks_, state_);
   part_in_place_ = true;
 }
 
-void Stepper::show_whole() {
+void SleepingBlocks::show_whole() {
   if (!part_in_place_) return;
   asleep_->part->take_out(blocks_, state_);
   part_in_place_ = false;
-}
-
-SleepRecord Stepper::sleep_record() const {
-  return {sleeping_.islands(), sleeping_.rested(), asleep_ ? asleep_->around : std::vector<Box>{}};
 }
 
 }  // namespace ddacontact

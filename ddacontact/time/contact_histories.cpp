@@ -1,0 +1,71 @@
+#include <ddacontact/time/contact_histories.hpp>
+
+#include <ddacontact/time/joint_springs.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddacontact {
+
+namespace {
+
+/// A contact that slides rises: the gap that counts as none grows with what of its slip is not its spring's.
+void dilate(const JointStrength& joint, double shear_before, Contact& contact, Energy& energy) {
+  ContactHistory& history = contact.history;
+  const double most = joint.dilation * joint.dilation_slip, before = history.gap_offset;
+  if (!contact.closed() || before >= most) return;
+  const double elastic =
+      contact.law.compliant ? (shear_before - history.shear) / contact.law.tangential_stiffness : 0;
+  const double rise = std::min(joint.dilation * std::abs(contact.slip_change - elastic), most - before);
+  history.gap_offset += rise;
+  if (contact.law.compliant) {
+    const double p = contact.law.normal_stiffness, normal = history.normal;
+    history.normal += p * rise;
+    energy.friction_dissipated -= (history.normal + normal) / 2 * rise;
+  } else {
+    energy.friction_dissipated -= contact.normal * rise;
+    energy.numerical_dissipated += contact.normal * rise;
+  }
+}
+
+/// Forces that the next step begins with.
+void hand_on_forces(bool hands_on, bool means, Contact& contact) {
+  ContactHistory& history = contact.history;
+  const double by_dashpot =
+      contact.normal == 0 ? 0 : contact.damping * (contact.gap - contact.motion.start_gap());
+  const ContactForce of_springs = end_forces_of_joint(contact, means),
+                     end = !hands_on               ? ContactForce{}
+                           : contact.law.compliant ? of_springs
+                                                   : ContactForce{contact.normal + by_dashpot, contact.shear};
+  history.normal = end.normal;
+  history.shear = end.shear;
+}
+
+}  // namespace
+
+ContactEnds end_histories(const ContactProperties& properties, bool means, std::vector<Contact>& contacts,
+                          Energy& energy) {
+  ContactEnds ends;
+  for (Contact& contact : contacts) {
+    ContactHistory& history = contact.history;
+    contact.end_gap = contact.gap - history.gap_offset;
+    const double shear_before = history.shear;
+    hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant), means,
+                   contact);
+    if (is_slipping(history.state)) dilate(properties.strength(contact.pair), shear_before, contact, energy);
+    const bool slid = is_slipping(history.state) && !contact.law.frictionless() && !contact.law.ductile;
+    if (slid || !contact.closed()) history.bonded = false;
+    const bool had_strength = contact.law.cohesion > 0 || contact.law.tension > 0;
+    if (contact.start_bonded && !history.bonded && had_strength) ++ends.broken_bonds;
+    if (!contact.closed()) {
+      const double left = std::clamp(contact.gap, std::min(history.gap_offset, 0.0), 0.0);
+      history.gap_offset = left < -contact.length_tolerance() ? left : 0;
+      continue;
+    }
+    ++ends.closed;
+    ends.deepest = std::max(ends.deepest, -contact.end_gap);
+  }
+  return ends;
+}
+
+}  // namespace ddacontact

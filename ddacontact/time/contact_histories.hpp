@@ -1,0 +1,24 @@
+/// \file What contacts hand on from a step to the next.
+#pragma once
+
+#include <ddacontact/contact/contact_builder.hpp>
+#include <ddacontact/time/energy_ledger.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// Counts of the contacts at the end of a step.
+struct ContactEnds {
+  long closed = 0, broken_bonds = 0;
+  double deepest = 0;  ///< penetration, m
+};
+
+/// Writes the histories of the contacts at the end of an accepted step: forces, dilation, bonds and gaps that
+/// count as none.
+/// \param[in] means           the step's forces are those of both ends
+/// \param[in,out] energy      what dilation lifts is paid for by what friction takes
+ContactEnds end_histories(const ContactProperties& properties, bool means, std::vector<Contact>& contacts,
+                          Energy& energy);
+
+}  // namespace ddacontact

@@ -1,0 +1,98 @@
+#include <ddacontact/time/trial_accounts.hpp>
+
+#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/motion_accounts.hpp>
+
+#include <algorithm>
+
+namespace ddacontact {
+
+namespace {
+
+void book(const StepWork& work, Energy& energy) {
+  energy.gravity += work.gravity;
+  energy.external += work.external;
+  energy.friction_dissipated += work.friction;
+  energy.damping_dissipated += work.damping;
+  energy.numerical_dissipated += work.scheme;
+  energy.pushed_out += work.pushed_out;
+}
+
+/// What weight and loads work where an impact shifts the start of the step.
+void book_shift(const BlockSystem& blocks, const BlockState& before, const VectorXd& shift, Energy& energy) {
+  VectorXd weight = VectorXd::Zero(blocks.n_unknowns()), loads = weight;
+  blocks.add_gravity(weight);
+  blocks.add_loads(before, before.time, loads);
+  energy.gravity -= weight.dot(shift);
+  energy.external += loads.dot(shift);
+  energy.numerical_dissipated += (weight + loads).dot(shift);
+}
+
+/// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
+/// forces. \param[in] from  where the step was computed from
+void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion, TrialStep& trial) {
+  for (Contact& contact : trial.contacts()) {
+    if (contact.normal == 0 && contact.shear == 0) continue;
+    trial.builder().start_from(from, contact);
+    const GapAndSlip at_d =
+        contact.motion.gap_and_slip_at(d, contact.history.lock, trial.system().rule().directions());
+    contact.gap_change = contact.motion.change_along(at_d.by_gap, motion);
+    contact.slip_change = contact.motion.change_along(at_d.by_slip, motion);
+  }
+}
+
+}  // namespace
+
+void account(const AcceptedTrial& accepted, Energy& energy) {
+  const auto& [blocks, before, trial, solution] = accepted;
+  const StepImpact& impact = solution.impact;
+  const BlockState& from = impact.changes() ? impact.start : before;
+  if (trial.system().rule().has_half_steps()) {
+    if (impact.changes())
+      for (Contact& contact : trial.contacts()) trial.builder().start_from(from, contact);
+    book(account_motion_step(
+             blocks, trial.system(),
+             {from, solution.straight, trial.system().prescribed(), solution.residual, trial.contacts()}),
+         energy);
+    if (impact.changes()) book_shift(blocks, before, impact.shift, energy);
+  } else {
+    const VectorXd motion = accepted.motion();
+    if (impact.changes()) measure_contacts(from, solution.d, motion, trial);
+    account_step(blocks, trial.system(),
+                 {solution.d, motion, solution.residual, trial.contacts(), trial.builder().properties()},
+                 energy);
+  }
+}
+
+std::vector<std::string> end_bolts(const AcceptedTrial& accepted, BlockState& next, Energy& energy) {
+  const auto& [blocks, before, trial, solution] = accepted;
+  const std::vector<StepBolt>& bolts = trial.system().bolts_at(solution.straight);
+  if (bolts.empty()) return {};
+  std::vector<std::string> torn;
+  double dissipated = 0;
+  for (const StepBolt& bolt : bolts) {
+    const BoltLosses losses = bolt.end(next.bolts);
+    dissipated += losses.dissipated;
+    if (losses.tears) torn.push_back(bolt.bolt().name);
+  }
+  energy.plastic_dissipated += dissipated;
+  energy.numerical_dissipated += bolt_energy(blocks, before) - bolt_energy(blocks, next) - dissipated -
+                                 trial.system().bolt_forces(solution.straight).dot(accepted.motion());
+  return torn;
+}
+
+void account_impact(const StepImpact& impact, Energy& energy) {
+  const double all = impact.friction_loss + impact.normal_loss,
+               by_friction = std::clamp(impact.friction_loss, std::min(0.0, all), std::max(0.0, all));
+  energy.numerical_dissipated -= all;
+  energy.friction_dissipated += by_friction;
+  energy.damping_dissipated += all - by_friction;
+}
+
+void book_kinetic(double kinetic, Energy& energy) {
+  energy.numerical_dissipated -= kinetic - energy.kinetic;
+  energy.kinetic = kinetic;
+}
+
+}  // namespace ddacontact

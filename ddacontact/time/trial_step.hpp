@@ -1,0 +1,133 @@
+/// \file One trial of a step: its contacts, and the motion and forces that solve it.
+#pragma once
+
+#include <ddacontact/classic/open_close.hpp>
+#include <ddacontact/contact/contact_builder.hpp>
+#include <ddacontact/core/options.hpp>
+#include <ddacontact/solver/contact_solver.hpp>
+#include <ddacontact/solver/islands_apart.hpp>
+#include <ddacontact/time/impacts.hpp>
+#include <ddacontact/time/step_counts.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ddacontact {
+
+/// The solution of a trial, its residual, and the reason to reject it (empty: none).
+struct TrialSolution {
+  VectorXd d;         ///< of all unknowns
+  VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
+  Residual residual;
+  double tolerance = 0;  ///< that contact forces were solved to
+  std::string rejection;
+  bool friction_unsettled = false;  ///< and nothing else
+  StepImpact impact;
+  VectorXd start;                    ///< where d was looked for from, without an earlier solution
+  std::vector<ContactForce> forces;  ///< of the contacts that it is solved again with
+
+  /// From where the blocks are at the start of the step.
+  VectorXd motion() const { return impact.changes() ? VectorXd(d + impact.shift) : d; }
+};
+
+/// Where a solution leads the blocks.
+struct TrialEnd {
+  BlockState state;
+  std::string rejection;     ///< why a block does not survive the step; empty: all do
+  std::vector<int> concave;  ///< blocks whose outlines are not convex there
+};
+
+/// Finds the contacts of blocks in a state, and solves steps that begin there: impacts first, then forces and
+/// motion by the contact method, again where corners meet other edges than those chosen.
+class TrialStep {
+ public:
+  /// All are seen as they are when a trial is made.
+  /// \param[in] last  contacts of the last accepted substep
+  /// \param[in,out] counts  what solutions take is added
+  TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<ContactRecord>& last,
+            const AnalysisOptions& analysis, const ContactProperties& properties, StepCounts& counts);
+
+  /// Forgets pairs of blocks that may meet: blocks have other numbers, or others take part.
+  void forget_pairs(const ContactProperties& properties) { builder_.emplace(blocks_, properties); }
+  /// (13) anew, for the blocks that take part now.
+  void make_system();
+
+  /// Looks for the contacts of the next step, of blocks that have made one.
+  /// \param[in] margin       how far from each block, m
+  /// \param[in] goes_on      the last step was of the same stage
+  void detect(double dt, const std::vector<double>& margin, bool goes_on);
+  /// The contacts of blocks that have not made a step.
+  void detect_first(double dt, const std::vector<double>& margin);
+  /// Of the step of that length that begins now, with the contacts found.
+  TrialSolution solve(double dt);
+  /// Where the blocks are at its end.
+  TrialEnd advance(double dt, const TrialSolution& solution) const;
+  /// Takes in the contacts that let a vertex into a block on its way to `next`. False: there are none.
+  bool take_missed(const BlockState& next);
+
+  const AnalysisOptions& analysis() const { return analysis_; }
+  /// Of the trial, with what the last solution made of them.
+  std::vector<Contact>& contacts() { return contacts_; }
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  ContactBuilder& builder() { return *builder_; }
+  const ContactBuilder& builder() const { return *builder_; }
+  /// As the last solution left it begun.
+  const StepSystem& system() const { return *system_; }
+  bool has_system() const { return system_.has_value(); }
+  ContactSolverOptions& options() { return options_; }
+  const ContactSolverOptions& options() const { return options_; }
+
+  /// Seconds spent on solutions, by phase.
+  struct Times {
+    double assembly = 0, solver = 0;
+    double analysis = 0, factorization = 0, solution = 0;  ///< of the solver, on the factors of (13)
+    long analyses = 0;                                     ///< of the pattern of (13)
+  };
+  const Times& times() const { return times_; }
+
+ private:
+  bool is_static() const { return analysis_.mode == Mode::statics; }
+  StepRule rule(double dt) const { return step_rule(analysis_, dt, state_.carried_dt); }
+  /// Keeps the part of the contacts that a solution changes.
+  void keep_start();
+  /// Restores the contacts to before the last solution, if there was one.
+  void restart();
+  std::vector<ContactForce> forces() const;
+  /// Of all unknowns in a step, as velocities and supports have it.
+  VectorXd predicted_motion(double dt) const;
+  /// With the impacts of the step.
+  /// \param[in] warm_start  the solution with contacts that differ little; may be null
+  TrialSolution solve_with_impacts(double dt, const TrialSolution* warm_start = nullptr);
+  /// With a predicted impact.
+  TrialSolution solve_with(double dt, StepImpact impact, const TrialSolution* warm_start);
+  /// Without the contacts at corners that are in doubt.
+  /// \param[in,out] with  what was found with them; its forces are used up
+  TrialSolution solve_without(const std::vector<int>& doubtful, double dt, TrialSolution& with);
+  /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
+  bool find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const;
+  void solve_by_open_close(TrialSolution& solution);
+  void solve_by_contact_solver(const StepStart& start, const TrialSolution* warm_start,
+                               TrialSolution& solution);
+  std::string between(int contact) const;
+  void set_supports(const StepRule& rule, BlockState& next) const;
+  void set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const;
+
+  BlockSystem& blocks_;
+  BlockState& state_;
+  const std::vector<ContactRecord>& last_;
+  const AnalysisOptions& analysis_;
+  StepCounts& counts_;
+  ContactMethod method_;
+  double fixed_point_stiffness_;
+  ContactSolverOptions options_;
+  OpenCloseOptions open_close_;
+  std::optional<ContactBuilder> builder_;
+  std::optional<StepSystem> system_;  ///< of the blocks that are present
+  IslandsApart islands_;
+  std::vector<Contact> contacts_;
+  bool solved_ = false;  ///< contacts_ differ from those at the start of the step
+  Times times_;
+};
+
+}  // namespace ddacontact

@@ -1,0 +1,81 @@
+// Where a trial leads the blocks.
+#include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/core/quoted.hpp>
+#include <ddacontact/time/support_velocity.hpp>
+#include <ddacontact/time/trial_step.hpp>
+#include <polyfem/geometry/validity.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace ddacontact {
+
+namespace {
+
+/// Why a block cannot go on with this outline, which is not convex; empty: it can.
+std::string defect_of(const std::string& name, const PointsRef& outline) {
+  if (!(polyfem::signed_area(outline) > 0))
+    return "block " + quoted(name) + " is turned inside out: it is too soft for its loads";
+  if (polyfem::find_defect(outline)) return "the outline of block " + quoted(name) + " crosses itself";
+  return "";
+}
+
+}  // namespace
+
+TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
+  TrialEnd end{solution.impact.changes() ? solution.impact.start : state_, "", {}};
+  BlockState& next = end.state;
+  next.time += dt;
+  blocks_.end_step(solution.straight, solution.residual.external, next);
+  std::vector<char> is_concave(blocks_.n_blocks(), 0);
+  for_blocks(blocks_.n_blocks(), [&](int b) {
+    if (blocks_.is_unchanging(b)) return;
+    const Range& v = blocks_.block(b).vertices();
+    const auto outline = next.position.middleCols(v.first, v.count);
+    is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
+    const double angle = best_fit_rotation(blocks_.block(b).reference().leftCols(v.count), outline);
+    next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
+  });
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!is_concave[b]) continue;
+    const Range& v = blocks_.block(b).vertices();
+    end.rejection = defect_of(blocks_.names[b], next.position.middleCols(v.first, v.count));
+    if (!end.rejection.empty()) return end;
+    end.concave.push_back(b);
+  }
+  const StepRule rule = this->rule(dt);
+  next.carried_dt = rule.has_half_steps() && !is_static() ? dt : 0;
+  set_supports(rule, next);
+  if (is_static()) {  // after a static step blocks are at rest
+    next.velocity.setZero();
+    next.carried.setZero();
+  } else if (rule.has_half_steps()) {
+    next.velocity = next.carried;
+  } else {
+    set_support_velocities(rule, solution.d, next);
+  }
+  return end;
+}
+
+/// With half steps supports are where they should be to the bit, without the rounding of the motions.
+void TrialStep::set_supports(const StepRule& rule, BlockState& next) const {
+  if (!rule.has_half_steps()) return;
+  for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
+    const int b = blocks_.block_of_unknown(held.unknown);
+    if (blocks_.is_unchanging(b)) continue;
+    next.position(held.axis, held.vertex) = state_.position(held.axis, held.vertex) +
+                                            system_->prescribed()[held.unknown] +
+                                            (state_.origin(held.axis, b) - next.origin(held.axis, b));
+  }
+}
+
+/// Where the trapezoidal rule goes on with the velocity of a support d - dt v0 is a contact's force: a mean
+/// over the step would be half a step late, and make it twice as large as the support's acceleration does.
+void TrialStep::set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const {
+  for (const PrescribedDof& held : blocks_.prescribed_dofs())
+    next.velocity[held.unknown] = rule.mean_forces() && held.motion.is_history()
+                                      ? support_velocity(held, next.time, system_->dt(), blocks_.end_time)
+                                      : d[held.unknown] / system_->dt();
+}
+
+}  // namespace ddacontact
