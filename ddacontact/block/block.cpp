@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -45,6 +46,12 @@ Mat3 Block::compliance() const {
 
 double Block::size() const {
   return std::sqrt(reference_area_);
+}
+
+double Block::furthest_vertex(const VectorXd& d) const {
+  double furthest = 0;  // squared
+  for (int v = 0; v < n_vertices(); ++v) furthest = std::max(furthest, vertex_map(v)(d).squaredNorm());
+  return std::sqrt(furthest);
 }
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> Block::rigid_modes() const {

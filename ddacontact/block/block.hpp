@@ -118,6 +118,8 @@ class Block {
 
   /// The displacement of a point (0 .. n_points - 1).
   virtual PointMap vertex_map(int point) const = 0;
+  /// The furthest that d moves a vertex of the outline, or its speed when given velocities; of all unknowns.
+  double furthest_vertex(const VectorXd& d) const;
   /// F += integral of T^T b, Eq. (23), of all unknowns; `b` is a force per volume of the undeformed block.
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
 

@@ -2,8 +2,6 @@
 
 #include <ddacontact/block/corotational_motion.hpp>
 
-#include <cmath>
-
 namespace ddacontact {
 
 template <class Of>

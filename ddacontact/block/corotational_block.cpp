@@ -9,7 +9,6 @@
 #include <Eigen/LU>
 
 #include <cassert>
-#include <cmath>
 
 namespace ddacontact {
 

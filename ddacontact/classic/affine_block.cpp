@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 
-#include <cmath>
 
 namespace ddacontact {
 

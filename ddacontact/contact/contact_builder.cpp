@@ -12,9 +12,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
-#include <set>
-#include <span>
 
 namespace ddacontact {
 

@@ -4,7 +4,6 @@
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace ddacontact {

@@ -30,22 +30,6 @@ void add_to_prescribed(const Contact& contact, const Range& unknowns, const Vect
   }
 }
 
-IslandsApart::Work work_of(const StepSystem& system) {
-  const polyfem::Cholesky& cholesky = system.problem().cholesky();
-  return {cholesky.n_solves(), cholesky.n_factorizations(), cholesky.n_analyses(), cholesky.seconds()};
-}
-
-void add_difference(const IslandsApart::Work& now, const IslandsApart::Work& before,
-                    IslandsApart::Work& work) {
-  work.n_solves += now.n_solves - before.n_solves;
-  work.n_analyses += now.n_analyses - before.n_analyses;
-  work.n_factorizations += now.n_factorizations - before.n_factorizations;
-  for (double polyfem::CholeskySeconds::*phase :
-       {&polyfem::CholeskySeconds::analysis, &polyfem::CholeskySeconds::factorization,
-        &polyfem::CholeskySeconds::solution})
-    work.seconds.*phase += now.seconds.*phase - before.seconds.*phase;
-}
-
 }  // namespace
 
 struct IslandsApart::Island {
@@ -175,7 +159,7 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
     part.put_in(blocks, state);
     if (!island->system) island->system.emplace(blocks);
     StepSystem& system = *island->system;
-    const Work before = work_of(system);
+    const polyfem::CholeskyWork before = system.problem().cholesky().work();
     system.set_step(state, of_part, whole.fixed_point_stiffness());
     system.problem().keep_factor(options.skip.unchanged_factor);
     std::vector<Contact> own;
@@ -183,7 +167,7 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
     VectorXd own_d = island->of_part(start_d);
     ContactSolverReport own_report = solve_contacts(system, options, own, own_d);
     part.take_out(blocks, state);
-    add_difference(work_of(system), before, work_);
+    work_ += system.problem().cholesky().work().since(before);
     for (std::size_t c = 0; c < own.size(); ++c)
       island->to_whole(std::move(own[c]), contacts[island->contacts[c]]);
     const Residual& of_own = own_report.residual;

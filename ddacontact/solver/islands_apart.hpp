@@ -31,17 +31,13 @@ class IslandsApart {
   void clear();
 
   /// What the last call of `solve` took on factors, in all islands.
-  struct Work {
-    int n_solves = 0, n_factorizations = 0, n_analyses = 0;
-    polyfem::CholeskySeconds seconds;
-  };
-  const Work& last_work() const { return work_; }
+  const polyfem::CholeskyWork& last_work() const { return work_; }
 
  private:
   struct Island;
 
   std::vector<std::unique_ptr<Island>> islands_;  ///< by their first blocks
-  Work work_;
+  polyfem::CholeskyWork work_;
 };
 
 }  // namespace ddacontact

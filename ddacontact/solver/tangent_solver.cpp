@@ -3,7 +3,6 @@
 #include <ddacontact/solver/krylov.hpp>
 #include <ddacontact/solver/tangent_operator.hpp>
 
-#include <algorithm>
 #include <cassert>
 
 namespace ddacontact {

@@ -10,9 +10,9 @@ namespace {
 
 /// What elastic forces took from the block's motion and do not store, with the work of inertia; and what its
 /// damping took.
-Vec2 block_losses(const Block& block, const AcceptedStep& step) {
+Vec2 block_losses(const Block& block, const VectorXd& of_all, const VectorXd& motion_of_all) {
   const Range& u = block.unknowns();
-  const auto d = step.d.segment(u.first, u.count), motion = step.motion.segment(u.first, u.count);
+  const auto d = of_all.segment(u.first, u.count), motion = motion_of_all.segment(u.first, u.count);
   thread_local BlockForces forces;
   block.forces(d, forces);
   // A shift before the step stores nothing.
@@ -90,28 +90,30 @@ double elastic_energy(const BlockSystem& blocks, const BlockState& state,
   return energy + bolt_energy(blocks, state);
 }
 
-void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
-                  Energy& energy) {
-  energy.gravity -= system.gravity_forces().dot(step.motion);
-  energy.external += system.load_forces().dot(step.motion);
-  if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(step.d).dot(step.motion);
+void account_step(const StepSystem& system, const TrialSolution& solution, const VectorXd& motion,
+                  const std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy) {
+  const BlockSystem& blocks = system.blocks();
+  const VectorXd& d = solution.d;
+  energy.gravity -= system.gravity_forces().dot(motion);
+  energy.external += system.load_forces().dot(motion);
+  if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(d).dot(motion);
   for (const PrescribedDof& held : blocks.prescribed_dofs())
-    energy.external += step.residual.force[held.unknown] * step.motion[held.unknown];
+    energy.external += solution.residual.force[held.unknown] * motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());
   for_blocks(blocks.n_blocks(), [&](int b) {
-    if (!blocks.is_unchanging(b)) losses.col(b) = block_losses(blocks.block(b), step);
+    if (!blocks.is_unchanging(b)) losses.col(b) = block_losses(blocks.block(b), d, motion);
   });
   for (const auto& of_block : losses.colwise()) {
     energy.numerical_dissipated += of_block[0];
     energy.damping_dissipated += of_block[1];
   }
   for (const StepSystem::FixedPointSpring& spring : system.fixed_point_springs()) {
-    const double change = spring.form.change(step.d) - spring.target_change;
+    const double change = spring.form.change(d) - spring.target_change;
     energy.numerical_dissipated += system.fixed_point_stiffness() * change * change / 2;
-    energy.external -= system.fixed_point_stiffness() * spring.form(step.d) * spring.target_change;
+    energy.external -= system.fixed_point_stiffness() * spring.form(d) * spring.target_change;
   }
-  for (const Contact& contact : step.contacts)
-    account_contact(step.properties, system.rule().mean_forces(), contact, energy);
+  for (const Contact& contact : contacts)
+    account_contact(properties, system.rule().mean_forces(), contact, energy);
 }
 
 }  // namespace ddacontact

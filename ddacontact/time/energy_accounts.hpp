@@ -4,6 +4,7 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/solver/step_system.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
+#include <ddacontact/time/trial_step.hpp>
 
 #include <vector>
 
@@ -19,20 +20,13 @@ double spring_energy(const std::vector<ContactRecord>& contacts, const ContactPr
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
 
-/// A step that was accepted, as its blocks still have it.
-struct AcceptedStep {
-  const VectorXd& d;
-  const VectorXd& motion;  ///< d and the shift that an impact made before: what forces act on
-  const Residual& residual;
-  const std::vector<Contact>& contacts;  ///< at the end, with the overlaps that they started with
-  const ContactProperties& properties;   ///< of the contacts
-};
-
 /// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it
 /// takes every force at one value over the whole step, and the difference between that work and the change of
 /// the energy that the force belongs to is gone. Of inertia's work the change of kinetic energy is still to
 /// be taken off.
-void account_step(const BlockSystem& blocks, const StepSystem& system, const AcceptedStep& step,
-                  Energy& energy);
+/// \param[in] motion    d and the shift that an impact made before: what forces act on
+/// \param[in] contacts  at the end, with the overlaps that they started with
+void account_step(const StepSystem& system, const TrialSolution& solution, const VectorXd& motion,
+                  const std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy);
 
 }  // namespace ddacontact

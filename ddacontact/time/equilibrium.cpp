@@ -24,9 +24,7 @@ Equilibrium find_motion(const BlockSystem& blocks, const VectorXd& velocity) {
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Block& block = blocks.block(b);
-    double fastest = 0;
-    for (int v = 0; v < block.n_vertices(); ++v)
-      fastest = std::max(fastest, block.vertex_map(v)(velocity).norm());
+    const double fastest = block.furthest_vertex(velocity);
     if (fastest > found.fastest) {
       found.fastest = fastest;
       found.fastest_block = b;
@@ -71,16 +69,8 @@ Equilibrium find_equilibrium(const BlockSystem& blocks, const StepSystem& system
     if (blocks.is_unchanging(b)) continue;
     const Block& block = blocks.block(b);
     if (!blocks.is_movable(b)) continue;  // what supports drive has no balance of its own
-    const Range &u = block.unknowns(), &points = block.points();
-    const auto size_of = [&](const VectorXd& forces) {
-      const auto of_block = forces.segment(u.first, u.count);
-      const Vec2 resultant = block.translations().transpose() * of_block;
-      return std::max(resultant.norm(), std::abs(block.rotation().dot(of_block)) / block.size());
-    };
-    const double largest =
-        std::max({largest_contact[b], size_of(system.gravity_forces()), size_of(system.load_forces()),
-                  reactions.middleCols(points.first, points.count).colwise().norm().maxCoeff()});
-    judge(b, size_of(total), largest, found);
+    judge(b, size_of_forces(block, total),
+          std::max(largest_contact[b], largest_force(system, block, reactions)), found);
   }
   return found;
 }

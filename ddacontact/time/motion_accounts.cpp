@@ -12,7 +12,7 @@ namespace {
 
 /// What a contact takes or gives: friction, the end of an approach, and pushing out.
 void account_contact(const StepRule& rule, double dt, const BlockState& from, const VectorXd& straight,
-                     Contact& contact, StepWork& work) {
+                     Contact& contact, Energy& energy) {
   const bool had_force = contact.history.normal != 0 && contact.law.compliant;
   if (contact.normal == 0 && contact.shear == 0 && !had_force) return;
   const GapAndSlip start = contact.motion.rates_at(contact.motion.positions(), contact.history.lock);
@@ -21,67 +21,71 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   contact.slip_change = contact.motion.change_along(start.by_slip, straight);
   if (contact.law.compliant) {
     const JointSpringWork of_joint = account_joint_springs(contact, false);
-    work.friction += of_joint.friction;
-    work.damping += of_joint.damping;
-    work.scheme += of_joint.scheme;
+    energy.friction_dissipated += of_joint.friction;
+    energy.damping_dissipated += of_joint.damping;
+    energy.numerical_dissipated += of_joint.scheme;
     return;
   }
   const double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;
-  work.friction += by_friction;
-  work.scheme -= contact.shear * contact.slip_change + by_friction;
+  energy.friction_dissipated += by_friction;
+  energy.numerical_dissipated -= contact.shear * contact.slip_change + by_friction;
   const double by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change;
-  work.damping -= by_dashpot * contact.gap_change;
+  energy.damping_dissipated -= by_dashpot * contact.gap_change;
   // An impulse changes kinetic energy by p times the mean of the rates before and after.
   const double before =
                    contact.motion.change_along(start.by_gap, from.going_on()) * (rule.starts_at_rest ? 0 : 1),
-               energy = contact.normal * rule.impulse_time * (dt * before + contact.gap_change) / 2;
-  (energy > 0 ? work.pushed_out : work.damping) += std::abs(energy);
-  work.scheme -= (contact.normal - by_dashpot) * contact.gap_change - energy;
+               exchanged = contact.normal * rule.impulse_time * (dt * before + contact.gap_change) / 2;
+  (exchanged > 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(exchanged);
+  energy.numerical_dissipated -= (contact.normal - by_dashpot) * contact.gap_change - exchanged;
 }
 
 }  // namespace
 
-StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system, const MotionStep& step) {
-  StepWork work;
-  const StepRule& rule = system.rule();
-  const double dt = system.dt();
-  work.gravity -= system.gravity_forces().dot(step.straight);
-  work.external += system.load_forces().dot(step.straight);
-  if (!blocks.quiet_faces.empty()) work.damping -= system.quiet_forces(step.straight).dot(step.straight);
+void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
+                         const Residual& residual, std::vector<Contact>& contacts, Energy& energy) {
+  const BlockSystem& blocks = system.blocks();
+  energy.gravity -= system.gravity_forces().dot(straight);
+  energy.external += system.load_forces().dot(straight);
+  if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(straight).dot(straight);
   for (const PrescribedDof& held : blocks.prescribed_dofs()) {
-    const double reaction = step.residual.force[held.unknown], moved = step.prescribed[held.unknown];
-    work.external += reaction * moved;
-    work.scheme -= reaction * (step.straight[held.unknown] - moved);
+    const double reaction = residual.force[held.unknown], moved = system.prescribed()[held.unknown];
+    energy.external += reaction * moved;
+    energy.numerical_dissipated -= reaction * (straight[held.unknown] - moved);
   }
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    const BlockMotion::Losses losses =
-        blocks.block(b).motion()->losses(step.straight.segment(u.first, u.count));
-    work.damping += losses.damping;
-    work.scheme += losses.scheme;
+    const BlockMotion::Losses losses = blocks.block(b).motion()->losses(straight.segment(u.first, u.count));
+    energy.damping_dissipated += losses.damping;
+    energy.numerical_dissipated += losses.scheme;
   }
-  for (Contact& contact : step.contacts) account_contact(rule, dt, step.from, step.straight, contact, work);
-  return work;
+  for (Contact& contact : contacts)
+    account_contact(system.rule(), system.dt(), from, straight, contact, energy);
 }
 
-std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSystem& system,
-                                      const VectorXd& straight, const Points& reactions) {
+double size_of_forces(const Block& block, const VectorXd& forces) {
+  const auto of_block = forces.segment(block.unknowns().first, block.unknowns().count);
+  const Vec2 resultant = block.translations().transpose() * of_block;
+  return std::max(resultant.norm(), std::abs(block.rotation().dot(of_block)) / block.size());
+}
+
+double largest_force(const StepSystem& system, const Block& block, const Points& reactions) {
+  return std::max({size_of_forces(block, system.gravity_forces()),
+                   size_of_forces(block, system.load_forces()),
+                   reactions.middleCols(block.points().first, block.n_points()).colwise().norm().maxCoeff()});
+}
+
+std::vector<BlockForceSum> sum_forces(const StepSystem& system, const VectorXd& straight,
+                                      const Points& reactions) {
+  const BlockSystem& blocks = system.blocks();
   std::vector<BlockForceSum> sums(static_cast<std::size_t>(blocks.n_blocks()));
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Block& block = blocks.block(b);
-    const Range &u = block.unknowns(), &points = block.points();
+    const Range& u = block.unknowns();
     const Vec3 momentum = block.motion()->resultant(straight.segment(u.first, u.count));
-    const auto size_of = [&](const VectorXd& forces) {
-      const auto of_block = forces.segment(u.first, u.count);
-      const Vec2 resultant = block.translations().transpose() * of_block;
-      return std::max(resultant.norm(), std::abs(block.rotation().dot(of_block)) / block.size());
-    };
-    sums[b].resultant = std::max(momentum.head<2>().norm(), std::abs(momentum[2]) / block.size());
-    sums[b].largest =
-        std::max({size_of(system.gravity_forces()), size_of(system.load_forces()),
-                  reactions.middleCols(points.first, points.count).colwise().norm().maxCoeff()});
+    sums[b] = {std::max(momentum.head<2>().norm(), std::abs(momentum[2]) / block.size()),
+               largest_force(system, block, reactions)};
   }
   return sums;
 }

@@ -4,20 +4,11 @@
 
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/time/energy_ledger.hpp>
 
 #include <vector>
 
 namespace ddacontact {
-
-/// What a step does to the energies, J per m, each from its own definition.
-struct StepWork {
-  double gravity = 0;     ///< change of the potential
-  double external = 0;    ///< work of loads and supports
-  double friction = 0;    ///< taken by friction
-  double damping = 0;     ///< taken by damping, and by contacts that end an approach
-  double pushed_out = 0;  ///< put in by contacts that push penetration out
-  double scheme = 0;      ///< taken by the scheme; the change of kinetic energy is still to be taken off
-};
 
 /// The forces on a block, for the verdict on its balance, N per m.
 struct BlockForceSum {
@@ -25,21 +16,22 @@ struct BlockForceSum {
   double largest = 0;    ///< of weight, loads and reactions; contact forces are the contacts'
 };
 
-/// An accepted step as its blocks still have it begun.
-struct MotionStep {
-  const BlockState& from;          ///< where it starts: shifted and jumped by an impact
-  const VectorXd& straight;        ///< the straight motion of all unknowns
-  const VectorXd& prescribed;      ///< displacements of the prescribed degrees of freedom
-  const Residual& residual;        ///< reactions of prescribed degrees of freedom
-  std::vector<Contact>& contacts;  ///< gap and slip changes are set to those of the straight motion
-};
+/// Adds what an accepted step by the blocks' motions did to the energies, but for the change of kinetic
+/// energy. An impulse works on the straight motion of the shape at the start. What turns away from that on
+/// the way, of slips and of prescribed points, is the scheme's. Gap and slip changes of the contacts become
+/// those of the straight motion. \param[in] from      where it starts: shifted and jumped by an impact
+/// \param[in] straight  the straight motion of all unknowns
+/// \param[in] residual  reactions of prescribed degrees of freedom
+void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
+                         const Residual& residual, std::vector<Contact>& contacts, Energy& energy);
 
-/// An impulse works on the straight motion of the shape at the start. What turns away from that on the way,
-/// of slips and of prescribed points, is the scheme's.
-StepWork account_motion_step(const BlockSystem& blocks, const StepSystem& system, const MotionStep& step);
+/// The forces of all unknowns on a block: |force| or |moment| / size, the larger, N per m.
+double size_of_forces(const Block& block, const VectorXd& forces);
+/// The largest of weight, loads and reactions on a block, N per m.
+double largest_force(const StepSystem& system, const Block& block, const Points& reactions);
 
 /// Mass times acceleration of every block, and the largest force beside those of contacts.
-std::vector<BlockForceSum> sum_forces(const BlockSystem& blocks, const StepSystem& system,
-                                      const VectorXd& straight, const Points& reactions);
+std::vector<BlockForceSum> sum_forces(const StepSystem& system, const VectorXd& straight,
+                                      const Points& reactions);
 
 }  // namespace ddacontact

@@ -29,17 +29,10 @@ double MotionLimits::largest_search_margin(int block) const {
   return std::min(largest_reach_ratio * blocks_.block(block).size(), largest_displacement_);
 }
 
-double MotionLimits::fastest_vertex(const BlockState& state, int block) const {
-  const Block& of = blocks_.block(block);
-  double fastest = 0;  // squared
-  for (int v = 0; v < of.n_vertices(); ++v)
-    fastest = std::max(fastest, of.vertex_map(v)(state.going_on()).squaredNorm());
-  return std::sqrt(fastest);
-}
-
 void MotionLimits::find_speeds(const BlockState& state, const std::vector<ContactRecord>& met) {
   own_speed_.resize(blocks_.n_blocks());
-  for_blocks(blocks_.n_blocks(), [&](int b) { own_speed_[b] = fastest_vertex(state, b); });
+  for_blocks(blocks_.n_blocks(),
+             [&](int b) { own_speed_[b] = blocks_.block(b).furthest_vertex(state.going_on()); });
   speed_ = own_speed_;
   for (const ContactRecord& contact : met) {
     const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
@@ -60,10 +53,7 @@ const std::vector<double>& MotionLimits::search_margin(const BlockState& state,
     if (blocks_.is_unchanging(b)) continue;
     if (!blocks_.is_movable(b)) {
       if (prescribed.size() == 0) prescribed = blocks_.prescribed(state, state.time + dt);
-      double furthest = 0;
-      for (int v = 0; v < block.n_vertices(); ++v)
-        furthest = std::max(furthest, block.vertex_map(v)(prescribed).norm());
-      search_margin_[b] = furthest;
+      search_margin_[b] = block.furthest_vertex(prescribed);
     } else {
       const double expected = 2 * (speed_[b] * dt + fall) + least_reach * block.size();
       search_margin_[b] = std::min(scale * expected, largest_search_margin(b));

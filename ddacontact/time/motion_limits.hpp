@@ -36,7 +36,6 @@ class MotionLimits {
   double largest_search_margin(int block) const;
 
  private:
-  double fastest_vertex(const BlockState& state, int block) const;
   /// Of each block or, where that is faster, of those that it may meet: in speed_.
   void find_speeds(const BlockState& state, const std::vector<ContactRecord>& met);
 

@@ -91,9 +91,8 @@ void RunWarnings::look(const SeenStep& step) {
       strain = of_block;
       strained_block = whole;
     }
-    for (int v = 0; v < block.n_vertices(); ++v) {
-      const double moved = block.vertex_map(v)(step.d).norm() / block.size();
-      if (moved <= furthest) continue;
+    const double moved = block.furthest_vertex(step.d) / block.size();
+    if (moved > furthest) {
       furthest = moved;
       furthest_block = whole;
     }

@@ -48,13 +48,6 @@ Pair block_pair(const ContactRecord& contact) {
   return {first, second};
 }
 
-double fastest_vertex(const Block& block, const VectorXd& velocity) {
-  double fastest = 0;
-  for (int v = 0; v < block.n_vertices(); ++v)
-    fastest = std::max(fastest, block.vertex_map(v)(velocity).norm());
-  return fastest;
-}
-
 /// What a contact's forces do to the unknowns of its blocks.
 void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
                 VectorXd& F) {
@@ -166,7 +159,7 @@ bool SleepingBlocks::fall_asleep(double dt) {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     awake.push_back(in_whole(b));
-    sleeping_.note(in_whole(b), !restless[b] && fastest_vertex(blocks_.block(b), state_.going_on()) <=
+    sleeping_.note(in_whole(b), !restless[b] && blocks_.block(b).furthest_vertex(state_.going_on()) <=
                                                     rest_speed(blocks_, b, dt));
   }
   std::vector<Pair> touching;

@@ -150,7 +150,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
     solution = find_solution(dt);
   }
 
-  const polyfem::Stopwatch watch(update_seconds_);
+  const polyfem::Stopwatch watch(trial_.times().update);
   if (sleepers_.wake_hit(solution)) {
     forget_ahead();
     return Trial::woke_blocks;
@@ -162,10 +162,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
   bool outran = false;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
-    const Block& block = blocks_.block(b);
-    double furthest = 0;
-    for (int v = 0; v < block.n_vertices(); ++v)
-      furthest = std::max(furthest, block.vertex_map(v)(solution.d).norm());
+    const double furthest = blocks_.block(b).furthest_vertex(solution.d);
     if (furthest > limits_.largest_displacement()) {
       rejection_ = "block " + quoted(blocks_.names[b]) +
                    " moves further in one step than max_displacement_ratio allows";
@@ -199,7 +196,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
 }
 
 void Stepper::detect(double dt) {
-  const polyfem::Stopwatch watch(detection_seconds_);
+  const polyfem::Stopwatch watch(trial_.times().detection);
   search_margin_ = sleepers_.look_around(dt, reach_scale_);
   if (begun_)
     trial_.detect(dt, search_margin_, state_.time > progress_.start_time);

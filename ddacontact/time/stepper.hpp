@@ -17,13 +17,6 @@
 
 namespace ddacontact {
 
-/// Seconds spent, by phase.
-struct StepTimes {
-  double detection = 0, assembly = 0, solver = 0, update = 0;
-  double analysis = 0, factorization = 0, solution = 0;  ///< of the solver, on the factors of (13)
-  long analyses = 0;  ///< of the pattern of (13); going on from a record takes one more
-};
-
 /// Bytes of the heap between two steps, by what takes them; the blocks and what describes them are the rest.
 struct StepMemory {
   double state = 0;      ///< of the blocks, with reactions
@@ -85,7 +78,7 @@ class Stepper {
   /// m, 2 x all outline vertices.
   const Points& reactions() const { return reactions_; }
   const StepCounts& counts() const { return counts_; }
-  StepTimes times() const;
+  const StepTimes& times() const { return trial_.times(); }
   /// While no block sleeps.
   StepMemory memory() const;
   /// Whether a block sleeps: see Sleeping.
@@ -215,7 +208,6 @@ class Stepper {
   SleepingBlocks sleepers_;
   std::function<bool()> interrupted_;
   double last_dt_ = 0;
-  double detection_seconds_ = 0, update_seconds_ = 0;
   std::string stop_reason_, rejection_, last_unsettled_;
   std::vector<char> convex_;  ///< outlines that have been so to this moment
   std::vector<std::string> notes_;

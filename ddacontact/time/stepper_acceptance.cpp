@@ -119,8 +119,7 @@ void Stepper::assess(double dt, const TrialSolution& solution, const BlockState&
   const double before = equilibrium_.unbalanced;
   equilibrium_ =
       has_motions()
-          ? find_equilibrium(blocks_,
-                             sum_forces(blocks_, trial_.system(), solution.straight, reactions_of_step_),
+          ? find_equilibrium(blocks_, sum_forces(trial_.system(), solution.straight, reactions_of_step_),
                              trial_.contacts(), velocity)
           : find_equilibrium(blocks_, trial_.system(), solution.residual, trial_.contacts(),
                              reactions_of_step_, velocity);

@@ -243,18 +243,6 @@ void Stepper::restore(StepRecord record) {
   sleepers_.restore(record.sleeping);
 }
 
-StepTimes Stepper::times() const {
-  const TrialStep::Times& of_trials = trial_.times();
-  return {.detection = detection_seconds_,
-          .assembly = of_trials.assembly,
-          .solver = of_trials.solver,
-          .update = update_seconds_,
-          .analysis = of_trials.analysis,
-          .factorization = of_trials.factorization,
-          .solution = of_trials.solution,
-          .analyses = of_trials.analyses};
-}
-
 StepMemory Stepper::memory() const {
   const BlockState& s = state_;
   return {.state = bytes_of(s.bolts) + bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +

@@ -10,15 +10,6 @@ namespace ddacontact {
 
 namespace {
 
-void book(const StepWork& work, Energy& energy) {
-  energy.gravity += work.gravity;
-  energy.external += work.external;
-  energy.friction_dissipated += work.friction;
-  energy.damping_dissipated += work.damping;
-  energy.numerical_dissipated += work.scheme;
-  energy.pushed_out += work.pushed_out;
-}
-
 /// What weight and loads work where an impact shifts the start of the step.
 void book_shift(const BlockSystem& blocks, const BlockState& before, const VectorXd& shift, Energy& energy) {
   VectorXd weight = VectorXd::Zero(blocks.n_unknowns()), loads = weight;
@@ -51,17 +42,12 @@ void account(const AcceptedTrial& accepted, Energy& energy) {
   if (trial.system().rule().has_half_steps()) {
     if (impact.changes())
       for (Contact& contact : trial.contacts()) trial.builder().start_from(from, contact);
-    book(account_motion_step(
-             blocks, trial.system(),
-             {from, solution.straight, trial.system().prescribed(), solution.residual, trial.contacts()}),
-         energy);
+    account_motion_step(trial.system(), from, solution.straight, solution.residual, trial.contacts(), energy);
     if (impact.changes()) book_shift(blocks, before, impact.shift, energy);
   } else {
     const VectorXd motion = accepted.motion();
     if (impact.changes()) measure_contacts(from, solution.d, motion, trial);
-    account_step(blocks, trial.system(),
-                 {solution.d, motion, solution.residual, trial.contacts(), trial.builder().properties()},
-                 energy);
+    account_step(trial.system(), solution, motion, trial.contacts(), trial.builder().properties(), energy);
   }
 }
 

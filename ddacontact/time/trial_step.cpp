@@ -7,7 +7,6 @@
 #include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace ddacontact {
@@ -165,9 +164,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   }
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
-  const int solves = cholesky.n_solves(), factorizations = cholesky.n_factorizations(),
-            analyses = cholesky.n_analyses();
-  const polyfem::CholeskySeconds seconds = cholesky.seconds();
+  const polyfem::CholeskyWork before = cholesky.work();
   if (method_ == ContactMethod::classic)
     solve_by_open_close(solution);
   else
@@ -180,13 +177,17 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
     blocks_.prepare(state_);
   }
   solution.impact = std::move(impact);
-  counts_.linear_solves += cholesky.n_solves() - solves;
-  counts_.factorizations += cholesky.n_factorizations() - factorizations;
-  times_.analyses += cholesky.n_analyses() - analyses;
-  times_.analysis += cholesky.seconds().analysis - seconds.analysis;
-  times_.factorization += cholesky.seconds().factorization - seconds.factorization;
-  times_.solution += cholesky.seconds().solution - seconds.solution;
+  add(cholesky.work().since(before));
   return solution;
+}
+
+void TrialStep::add(const polyfem::CholeskyWork& work) {
+  counts_.linear_solves += work.n_solves;
+  counts_.factorizations += work.n_factorizations;
+  times_.analyses += work.n_analyses;
+  times_.analysis += work.analysis;
+  times_.factorization += work.factorization;
+  times_.solution += work.solution;
 }
 
 void TrialStep::solve_by_open_close(TrialSolution& solution) {
@@ -230,15 +231,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolut
   ContactSolverReport report =
       apart ? islands_.solve(blocks_, state_, start, *system_, options_, contacts_, solution.d)
             : solve_contacts(*system_, options_, contacts_, solution.d);
-  if (apart) {
-    const IslandsApart::Work& work = islands_.last_work();
-    counts_.linear_solves += work.n_solves;
-    counts_.factorizations += work.n_factorizations;
-    times_.analyses += work.n_analyses;
-    times_.analysis += work.seconds.analysis;
-    times_.factorization += work.seconds.factorization;
-    times_.solution += work.seconds.solution;
-  }
+  if (apart) add(islands_.last_work());
   counts_.open_close_iterations += report.iterations;
   counts_.interior_point_solves += report.interior_point_solves;
   counts_.augmentations += report.augmentations;

@@ -15,6 +15,13 @@
 
 namespace ddacontact {
 
+/// Seconds spent, by phase.
+struct StepTimes {
+  double detection = 0, assembly = 0, solver = 0, update = 0;
+  double analysis = 0, factorization = 0, solution = 0;  ///< of the solver, on the factors of (13)
+  long analyses = 0;  ///< of the pattern of (13); going on from a record takes one more
+};
+
 /// The solution of a trial, its residual, and the reason to reject it (empty: none).
 struct TrialSolution {
   VectorXd d;         ///< of all unknowns
@@ -78,13 +85,9 @@ class TrialStep {
   ContactSolverOptions& options() { return options_; }
   const ContactSolverOptions& options() const { return options_; }
 
-  /// Seconds spent on solutions, by phase.
-  struct Times {
-    double assembly = 0, solver = 0;
-    double analysis = 0, factorization = 0, solution = 0;  ///< of the solver, on the factors of (13)
-    long analyses = 0;                                     ///< of the pattern of (13)
-  };
-  const Times& times() const { return times_; }
+  /// Of the run: what solutions take is added.
+  StepTimes& times() { return times_; }
+  const StepTimes& times() const { return times_; }
 
  private:
   bool is_static() const { return analysis_.mode == Mode::statics; }
@@ -110,6 +113,7 @@ class TrialStep {
   void solve_by_contact_solver(const StepStart& start, const TrialSolution* warm_start,
                                TrialSolution& solution);
   std::string between(int contact) const;
+  void add(const polyfem::CholeskyWork& work);
   void set_supports(const StepRule& rule, BlockState& next) const;
   void set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const;
 
@@ -127,7 +131,7 @@ class TrialStep {
   IslandsApart islands_;
   std::vector<Contact> contacts_;
   bool solved_ = false;  ///< contacts_ differ from those at the start of the step
-  Times times_;
+  StepTimes times_;
 };
 
 }  // namespace ddacontact

@@ -106,8 +106,8 @@ Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 void Cholesky::analyze(const SparseMatrix& lower) {
-  ++n_analyses_;
-  const Stopwatch watch(seconds_.analysis);
+  ++work_.n_analyses;
+  const Stopwatch watch(work_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
@@ -127,8 +127,8 @@ void Cholesky::analyze(const SparseMatrix& lower, std::span<const int> order) {
 
 /// By one of CHOLMOD's orderings; the order if that is given.
 void Cholesky::analyze(const SparseMatrix& lower, int ordering, const int* order) {
-  ++n_analyses_;
-  const Stopwatch watch(seconds_.analysis);
+  ++work_.n_analyses;
+  const Stopwatch watch(work_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
@@ -142,8 +142,8 @@ void Cholesky::analyze(const SparseMatrix& lower, int ordering, const int* order
 }
 
 bool Cholesky::factorize(const SparseMatrix& lower) {
-  ++n_factorizations_;
-  const Stopwatch watch(seconds_.factorization);
+  ++work_.n_factorizations;
+  const Stopwatch watch(work_.factorization);
   const NoThreads no_threads;
   if (lower.rows() == 0) return true;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
@@ -156,8 +156,8 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
 }
 
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
-  ++n_solves_;
-  const Stopwatch watch(seconds_.solution);
+  ++work_.n_solves;
+  const Stopwatch watch(work_.solution);
   x.resize(b.size());
   if (b.size() == 0) return;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == b.size());
@@ -178,8 +178,8 @@ void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
     solve(b, x);
     return;
   }
-  ++n_solves_;
-  const Stopwatch watch(seconds_.solution);
+  ++work_.n_solves;
+  const Stopwatch watch(work_.solution);
   if (factor_->rounded.empty()) factor_->rounded = single_precision_entries(*factor_->L);
   factor_->solution_of_groups.solve(*factor_->L, factor_->rounded, b, x);
 }

@@ -14,9 +14,26 @@ namespace polyfem {
 /// Compressed columns with int indices, as CHOLMOD takes them.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// What was spent on factors, s.
-struct CholeskySeconds {
-  double analysis = 0, factorization = 0, solution = 0;
+/// What was done for factors and solutions, and the seconds that it took.
+struct CholeskyWork {
+  int n_analyses = 0, n_factorizations = 0, n_solves = 0;
+  double analysis = 0, factorization = 0, solution = 0;  ///< s
+
+  CholeskyWork& operator+=(const CholeskyWork& other) {
+    n_analyses += other.n_analyses;
+    n_factorizations += other.n_factorizations;
+    n_solves += other.n_solves;
+    analysis += other.analysis;
+    factorization += other.factorization;
+    solution += other.solution;
+    return *this;
+  }
+  /// Since `before`.
+  CholeskyWork since(const CholeskyWork& before) const {
+    return {n_analyses - before.n_analyses,       n_factorizations - before.n_factorizations,
+            n_solves - before.n_solves,           analysis - before.analysis,
+            factorization - before.factorization, solution - before.solution};
+  }
 };
 
 /// K = L L^T of a symmetric positive definite matrix given by its lower triangle.
@@ -50,18 +67,17 @@ class Cholesky {
   /// Bytes of the heap: of the factor, and what CHOLMOD works in and keeps.
   double memory() const;
 
-  int n_analyses() const { return n_analyses_; }
-  int n_factorizations() const { return n_factorizations_; }
-  int n_solves() const { return n_solves_; }
-  const CholeskySeconds& seconds() const { return seconds_; }
+  int n_analyses() const { return work_.n_analyses; }
+  int n_factorizations() const { return work_.n_factorizations; }
+  int n_solves() const { return work_.n_solves; }
+  const CholeskyWork& work() const { return work_; }
 
  private:
   void analyze(const SparseMatrix& lower, int ordering, const int* order);
 
   struct Factor;
   std::unique_ptr<Factor> factor_;
-  int n_analyses_ = 0, n_factorizations_ = 0, n_solves_ = 0;
-  CholeskySeconds seconds_;
+  CholeskyWork work_;
 };
 
 /// An order in which to eliminate the rows of a symmetric pattern so that few entries arise, by approximate

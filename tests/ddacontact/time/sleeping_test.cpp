@@ -204,6 +204,30 @@ TEST(Sleeping, AStageWakesAllSoThatWhatLosesItsRestFalls) {
   expect_closed_ledger(*sleepy.stepper);
 }
 
+/// A stack on soft joints falls asleep under a block of another material that falls from high above: its
+/// joints are rigid, and the first by number of those that are awake.
+TEST(Sleeping, JointsKeepWhatTheirSpringsStore) {
+  Scene scene = stack_scene(3);
+  scene.materials.push_back({"hard", 2500, 10e9, 0.2});
+  scene.joints[0].normal_stiffness = 0.1e9;
+  scene.joints[0].shear_stiffness = 0.05e9;
+  scene.joints.push_back({"rigid", 35, 0, 0, std::array{1, 1}});
+  BlockDescription flier = block(rectangle(20, 80, 1, 1));
+  flier.material = 1;
+  scene.blocks.insert(scene.blocks.begin(), flier);
+  scene.stages = {scene.stage("settles"), scene.stage("rests")};
+  scene.stages[0].analysis.mode = Mode::statics;
+  scene.stages[0].analysis.steps = 30;
+  scene.stages[1].analysis.steps = 250;
+  BuiltScene built = build(scene);
+  run(*built.stepper, 280);
+  EXPECT_EQ(n_asleep(*built.stepper), 3);
+  double stored = 0;  // under 1, 2 and 3 blocks, by F^2 / (2 k l)
+  for (int n : {1, 2, 3}) stored += std::pow(n * weight, 2) / (2 * 0.1e9);
+  EXPECT_NEAR(built.stepper->energy().now.elastic, stored, 0.01 * stored);
+  expect_closed_ledger(*built.stepper);
+}
+
 /// A block in flight at the top of its path, a slider just above the angle of friction and one that is pulled
 /// along slowly are not at rest.
 TEST(Sleeping, WhatIsSlowIsNotAtRest) {
