@@ -15,7 +15,7 @@ using ddacontact::Problem;
 using ddacontact::Scene;
 using ddacontact::SceneReading;
 
-/// Every table and every kind of value; the line numbers are those that bad_scene_test.cpp names.
+/// Every table and every kind of value; the line numbers are those that bad_input.txt names.
 inline constexpr std::string_view complete = R"(format = 1
 title = "Complete"
 [analysis]
@@ -114,7 +114,7 @@ material = "rock"
 vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
 )";
 
-/// A run of three stages; the line numbers are those that stages_test.cpp names.
+/// A run of three stages; the line numbers are those that bad_input.txt names.
 inline constexpr std::string_view in_stages = R"([analysis]
 time_step = 0.01
 scheme = "newmark"
@@ -183,6 +183,43 @@ inline std::string replaced(std::string_view text, std::string_view from, std::s
   EXPECT_EQ(result.find(from, location + 1), std::string::npos) << from << " stands twice";
   return location == std::string::npos ? result : result.replace(location, from.size(), to);
 }
+
+/// Three blocks of 2 x 1 m in a row, the first one held; the bolt stands in lines 27 to 32.
+inline const std::string row_of_three = R"(format = 1
+[analysis]
+steps = 3
+time_step = 0.01
+gravity = [0.0, -10.0]
+[[material]]
+name = "rock"
+density = 2000.0
+young = 1e9
+poisson = 0.2
+[[block]]
+name = "a"
+material = "rock"
+vertices = [[0, 0], [2, 0], [2, 1], [0, 1]]
+fixed = true
+[[block]]
+name = "b"
+material = "rock"
+vertices = [[2, 0], [4, 0], [4, 1], [2, 1]]
+[[block]]
+name = "c"
+material = "rock"
+vertices = [[4, 0], [6, 0], [6, 1], [4, 1]]
+[[stage]]
+steps = 3
+[[bolt]]
+name = "b1"
+points = [[1, 0.5], [5, 0.5]]
+area = "4 cm2"
+young = "200 GPa"
+pretension = "50 kN"
+)";
+
+inline const std::string grouted =
+    replaced(row_of_three, "area", "type = \"grouted\"\nbond_stiffness = \"1 GN/m2\"\narea");
 
 inline SceneReading read(std::string_view text, const std::vector<std::string>& settings = {}) {
   return ddacontact::read_scene_text(std::string(text), "scene.toml", settings);

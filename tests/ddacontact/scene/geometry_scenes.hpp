@@ -28,6 +28,20 @@ young = 1e8
 poisson = 0.25
 )";
 
+/// Blocks for it.
+inline constexpr std::string_view good_json = R"({"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {"name": "base", "fixed": [0, 1]}, "geometry":
+  {"type": "Polygon", "coordinates": [[[0, -1], [8, -1], [8, 0], [0, 0], [0, -1]]]}},
+{"type": "Feature", "properties": {"name": "slider", "material": "soil", "model": "affine"}, "geometry":
+  {"type": "MultiPolygon", "coordinates": [[[[1, 0], [5, 0], [5, 2], [1, 2], [1, 0]]]]}}
+]})";
+
+inline constexpr std::string_view good_wkt = R"(# a wall
+POLYGON ((0 -1, 8 -1, 8 0, 0 0, 0 -1))
+MULTIPOLYGON (((1 0, 5 0, 5 2, 1 2, 1 0)),
+              ((6 0, 7 0, 6 1, 6 0)))
+)";
+
 /// A directory that lasts as long as the test.
 class GeometryScenes : public testing::Test {
  protected:
