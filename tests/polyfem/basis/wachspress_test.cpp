@@ -1,9 +1,10 @@
+// What Wachspress functions hold to fewer roundings, and at harder points, than the suite in testing/ demands
+// of every basis.
 #include <polyfem/basis/wachspress.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 
@@ -45,18 +46,6 @@ void for_each_sample(int n, const std::function<void(const Sample&)>& check) {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The smallest b_i = cross(v_i - v_i-1, v_i+1 - v_i).
-double smallest_corner(const Points& polygon) {
-  double smallest = std::numeric_limits<double>::infinity();
-  const Index n = polygon.cols();
-  for (Index i = 0; i < n; ++i) {
-    const Vec2 in = polygon.col(i) - polygon.col((i + n - 1) % n),
-               out = polygon.col((i + 1) % n) - polygon.col(i);
-    smallest = std::min(smallest, cross(in, out));
-  }
-  return smallest;
-}
-
 double largest(const Points& gradients) {
   return gradients.cwiseAbs().maxCoeff();
 }
@@ -69,18 +58,16 @@ class Wachspress : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Vertices, Wachspress, testing::Values(3, 4, 5, 6, 7, 8, 12, 20, 50, 100));
 
-TEST_P(Wachspress, ValuesSumToOne) {
+TEST_P(Wachspress, ReproducesLinearFunctionsToAFewRoundings) {
   for_each_sample(GetParam(), [&](const Sample& sample) {
     wachspress(sample.polygon, sample.x, shape_);
+    const Points from_x = sample.polygon.colwise() - sample.x;
+    const double scale = largest(shape_.gradients);
     ASSERT_NEAR(shape_.values.sum(), 1, 1e-14);  // n roundings of numbers that sum to 1; measured: 2e-15
-  });
-}
-
-TEST_P(Wachspress, ReproducesThePosition) {
-  for_each_sample(GetParam(), [&](const Sample& sample) {
-    wachspress(sample.polygon, sample.x, shape_);
-    const Vec2 error = (sample.polygon.colwise() - sample.x) * shape_.values;
-    ASSERT_LT(error.norm(), 4e-15 * sample.size);  // measured: 6e-16
+    ASSERT_LT((from_x * shape_.values).norm(), 4e-15 * sample.size);  // measured: 6e-16
+    ASSERT_LT(shape_.gradients.rowwise().sum().norm(), gradient_sum_tolerance() * scale);
+    ASSERT_LT((from_x * shape_.gradients.transpose() - Mat2::Identity()).norm(),
+              gradient_sum_tolerance() * scale * sample.size);
   });
 }
 
@@ -91,42 +78,6 @@ TEST_P(Wachspress, IsNotNegative) {
     const double step = epsilon * (sample.x.norm() + sample.size);
     ASSERT_GT(shape_.values.minCoeff(), -2 * step * largest(shape_.gradients));
   });
-}
-
-TEST_P(Wachspress, GradientsSumToZero) {
-  for_each_sample(GetParam(), [&](const Sample& sample) {
-    wachspress(sample.polygon, sample.x, shape_);
-    ASSERT_LT(shape_.gradients.rowwise().sum().norm(), gradient_sum_tolerance() * largest(shape_.gradients));
-  });
-}
-
-TEST_P(Wachspress, GradientsReproduceTheIdentity) {
-  for_each_sample(GetParam(), [&](const Sample& sample) {
-    wachspress(sample.polygon, sample.x, shape_);
-    const Mat2 gradient_of_position = (sample.polygon.colwise() - sample.x) * shape_.gradients.transpose();
-    ASSERT_LT((gradient_of_position - Mat2::Identity()).norm(),
-              gradient_sum_tolerance() * largest(shape_.gradients) * sample.size);
-  });
-}
-
-TEST_P(Wachspress, GradientsAreTheCentralDifferencesOfTheValues) {
-  const int n = GetParam();
-  std::mt19937 random(static_cast<unsigned>(n));
-  ShapeValues ahead, behind;
-  for (int trial = 0; trial < 200; ++trial) {
-    const Points polygon = support::random_convex_polygon(n, random);
-    const Vec2 x = 0.9 * support::random_point_in(polygon, random);  // the centroid is at the origin
-    wachspress(polygon, x, shape_);
-    const double scale = largest(shape_.gradients), h = 1e-5 / scale;
-    for (int axis = 0; axis < 2; ++axis) {
-      wachspress(polygon, x + h * Vec2::Unit(axis), ahead);
-      wachspress(polygon, x - h * Vec2::Unit(axis), behind);
-      const VectorXd differences = (ahead.values - behind.values) / (2 * h);
-      // truncation (h scale)^2 = 1e-10 times a factor of the third derivatives (measured: up to 130),
-      // round-off 1e-15 / (h scale) = 1e-10
-      ASSERT_LT((differences - shape_.gradients.row(axis).transpose()).cwiseAbs().maxCoeff(), 1e-7 * scale);
-    }
-  }
 }
 
 TEST_P(Wachspress, IsOneAtItsVertexAndZeroAtTheOthers) {
@@ -178,34 +129,6 @@ TEST_P(Wachspress, IsLinearAlongEdges) {
       }
     }
   });
-}
-
-TEST_P(Wachspress, FollowsAffineMaps) {
-  const int n = GetParam();
-  std::mt19937 random(static_cast<unsigned>(n));
-  ShapeValues mapped;
-  for (int trial = 0; trial < 100; ++trial) {
-    const Points polygon = support::random_convex_polygon(n, random);
-    const Vec2 x = support::random_point_in(polygon, random), shift(0.3, -0.2);
-    Mat2 A;
-    A << 1.2, 0.5, -0.4, 0.9;
-    wachspress(polygon, x, shape_);
-    wachspress((A * polygon).colwise() + shift, A * x + shift, mapped);
-    // the mapped vertices are rounded, and the weights are known as far as the corners' areas b_i are
-    const double rounding = epsilon * (4 + 1 / smallest_corner(polygon));
-    ASSERT_LT((mapped.values - shape_.values).cwiseAbs().maxCoeff(), rounding);
-    ASSERT_LT(largest(A.transpose() * mapped.gradients - shape_.gradients),
-              (1e-14 + rounding) * largest(shape_.gradients));
-  }
-}
-
-TEST_P(Wachspress, KeepsTheStorageOfItsResult) {
-  const Points polygon = support::regular_polygon(GetParam());
-  wachspress(polygon, Vec2(0, 0), shape_);
-  const double *values = shape_.values.data(), *gradients = shape_.gradients.data();
-  wachspress(polygon, Vec2(0.1, 0), shape_);
-  EXPECT_EQ(shape_.values.data(), values);
-  EXPECT_EQ(shape_.gradients.data(), gradients);
 }
 
 }  // namespace

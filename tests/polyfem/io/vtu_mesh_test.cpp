@@ -38,8 +38,8 @@ TEST(VtuMesh, GivesBackMeshAndGroupsOfAMeshFileToTheBit) {
 }
 
 TEST(VtuMesh, ReadsTheEncodingsOfOtherPrograms) {
-  for (const char* const text : {encoded_vtu::ascii, encoded_vtu::base64, encoded_vtu::base64_zlib,
-                                 encoded_vtu::base64_zlib_64, encoded_vtu::appended_base64}) {
+  for (const std::string& text : {encoded_vtu::ascii, encoded_vtu::base64, encoded_vtu::base64_zlib,
+                                  encoded_vtu::base64_zlib_64, encoded_vtu::appended_base64}) {
     const NamedMesh named = read_vtu_mesh(file_of("encoded.vtu", text));
     EXPECT_TRUE(find_defects(named.mesh).empty());
     ASSERT_EQ(named.mesh.n_cells(), 2);
