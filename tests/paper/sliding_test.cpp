@@ -1,7 +1,6 @@
 // Example 5.1: a block slides down a ramp. The answer for a rigid block is (53), v = g
 // t (sin a - cos a tan phi).
 
-#include <ddacontact/output/block_summary.hpp>
 #include <tests/support/run_scene.hpp>
 
 #include <cmath>
@@ -76,37 +75,6 @@ TEST(SlidingSoft, At40DegreesVibratesAboutTheRigidBlocksVelocity) {
     EXPECT_NEAR(velocity_along_slope(*built.stepper) / exact_velocity(40), 1, 0.1) << model;
   }
 }
-
-TEST(SlidingStress, WithoutFrictionIsUniform) {
-  BuiltScene built = support::build_example(scene(0));
-  ASSERT_TRUE(support::run(*built.stepper, n_steps));
-  const StressRange s = stress_range(built.stepper->blocks().block(slider), built.stepper->state());
-  EXPECT_LE((s.max - s.min).cwiseAbs().maxCoeff(), 1e-6 * s.mean.cwiseAbs().maxCoeff());
-}
-
-class SlidingStressOfBothModels : public testing::TestWithParam<int> {};
-
-TEST_P(SlidingStressOfBothModels, OriginalDdaLiesInTheRangeAndNearTheMeanOfWachspress) {
-  const auto stress_of = [](const char* model) {
-    BuiltScene built =
-        support::build_example(scene(GetParam()), {std::string("analysis.block_model=") + model});
-    EXPECT_TRUE(support::run(*built.stepper, n_steps));
-    return stress_range(built.stepper->blocks().block(slider), built.stepper->state());
-  };
-  const StressRange wachspress = stress_of("wachspress"), affine = stress_of("affine");
-  const double size = std::max(std::abs(wachspress.s1_max), std::abs(wachspress.s2_min));
-  for (int k = 0; k < 3; ++k) {
-    EXPECT_GE(affine.mean[k], wachspress.min[k] - 1e-6 * size) << k;
-    EXPECT_LE(affine.mean[k], wachspress.max[k] + 1e-6 * size) << k;
-    EXPECT_NEAR(affine.mean[k], wachspress.mean[k], 0.05 * size) << k;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(AllAngles, SlidingStressOfBothModels, testing::Values(0, 15, 30, 40));
-
-}  // namespace
-
-namespace {
 
 struct Slope {
   double slope, friction, width, height;  // degrees, m

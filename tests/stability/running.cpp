@@ -77,9 +77,9 @@ Carried carry(const Ratio& ratio, Mode mode, double start_of_springs) {
 }  // namespace
 
 void ratios(Page& page) {
-  Report& report = page.begin({"Mass or stiffness ratio 1e6",
-                               "contact forces within 1e-6 of the weight, no flipping states",
-                               "`Stack.OfDensitiesOrModuliAMillionApartCarriesEveryWeight`, mechanics.md 5"});
+  Report& report =
+      page.begin({"Mass or stiffness ratio 1e6",
+                  "contact forces within 1e-6 of the weight, no flipping states", "mechanics.md 5"});
   report.paragraph(
       "Three squares of 1 m upon each other, Δt = 0.01 s: largest error of a contact force over the weight "
       "it carries "
@@ -185,7 +185,7 @@ void spinning(Page& page) {
 void resting(Page& page) {
   page.begin({"Stack of 100 at rest, 1e5 steps",
               "creep at most 1e-9 L after settling, reactions = weight to 1e-8, no state change",
-              "`Stack.ComesToRestCarriesItsWeightAndStays`, mechanics.md 5 (2000 steps)"});
+              "mechanics.md 5 (2000 steps)"});
   page.claims({page.recorded("Creep at most 1e-9 L.", "stack creep"),
                page.recorded("Reactions are the weight to 1e-8.", "stack reaction"),
                page.recorded("No state changes.", "stack states")});
@@ -193,7 +193,7 @@ void resting(Page& page) {
 
 void slope(Page& page) {
   page.begin({"Slope at mu = tan a (1 +- 1e-6)", "stays / slides with the right acceleration",
-              "`Slope.AtTheLimitOfFrictionAMillionthDecides`, computed in mechanics.md 3"});
+              "computed in mechanics.md 3"});
   page.claims({Page::quoted("mechanics.md", "At μ = tan a (1 + 1e-6) the block stays (below 1e-9 m/s)."),
                Page::quoted("mechanics.md",
                             "At μ = tan a (1 − 1e-6) it slides with the right acceleration, to 1 %.")});

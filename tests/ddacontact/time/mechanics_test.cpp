@@ -1,9 +1,10 @@
+/// \file Blocks in motion and collision. What they do on slopes, in stacks and in flight is checked by the
+/// verification pages (doc/verification/slope.cpp, resting.cpp, toppling.cpp, tumbling.cpp), over more steps,
+/// angles and ratios.
 #include <ddacontact/block/corotational_shape.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <Eigen/LU>
-
-#include <algorithm>
 
 using namespace support;
 
@@ -46,19 +47,6 @@ double spin_momentum(const Stepper& stepper, int b) {
 double mechanical_energy(const Stepper& stepper) {
   const Energy& now = stepper.energy().now;
   return now.kinetic + now.elastic + now.gravity;
-}
-
-double normal_force(const Stepper& stepper, int one, int other) {
-  double sum = 0;
-  for (const ContactRecord& c : stepper.contacts())
-    if (std::minmax(c.pair.vertex_block, c.pair.edge_block) == std::minmax(one, other)) sum += c.normal;
-  return sum;
-}
-
-std::vector<ContactState> states(const Stepper& stepper) {
-  std::vector<ContactState> states;
-  for (const ContactRecord& contact : stepper.contacts()) states.push_back(contact.history.state);
-  return states;
 }
 
 Scene spinning(BlockModel model, Scheme scheme, int turns, double young = 35e9) {
@@ -139,89 +127,6 @@ TEST(SpinningCorotationalBlock, SlowsDownAsItsSchemeSays) {
   }
 }
 
-TEST(Flight, OfASpinningBlockIsExactAndItsAngleOfSecondOrder) {
-  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint}) {
-    for (const double dt : {0.02, 0.005}) {
-      Scene scene = stiff_scene(dt, 1, scheme);
-      scene.blocks = {block(pentagon())};
-      scene.blocks[0].velocity = {4, 6};
-      scene.blocks[0].angular_velocity = 5;
-      const BuiltScene built = run(scene);
-      EXPECT_LE((travel(*built.stepper, 0) - Vec2(4, 6 - g / 2)).norm(),
-                1e-7);  // a stretched shape's centroid
-      EXPECT_LE((rigid(*built.stepper, 0).linear - Vec2(4, 6 - g)).norm(), 1e-12);
-      const double law = scheme == Scheme::midpoint ? 5 / (5 * dt / 2) * std::atan(5 * dt / 2) : 5;
-      EXPECT_NEAR(built.stepper->state().rotation[0], law, 1e-5);
-    }
-  }
-}
-
-namespace {
-
-/// A block of 4 x 2 m on a slope that falls to the right. Gravity pulls along the slope smoothly from 0.1 to
-/// 0.6 s, so that the block does not vibrate.
-Scene slow_slope(double angle, double friction, double dt, double penalty) {
-  const Vec2 along(std::cos(angle), -std::sin(angle)), normal(std::sin(angle), std::cos(angle));
-  Scene scene = stiff_scene(dt, 1.4);
-  scene.blocks = {block(turned(rectangle(-5, -1, 60, 1), -angle), true),
-                  block(turned(rectangle(0, 0, 4, 2), -angle))};
-  scene.joints[0].friction_angle = std::atan(friction) * 180 / std::numbers::pi;
-  scene.contact.normal_stiffness = penalty * 35e9;
-  scene.contact.tangential_stiffness = penalty * 14e9;
-  scene.analysis.gravity = -g * std::cos(angle) * normal;
-  Load load = body_load(1, {TimeFunction::Kind::history, Vec2::Zero(), {}});
-  for (int k = 0; k <= 100; ++k) {
-    const double s = k / 100., grown = s * s * s * (10 - 15 * s + 6 * s * s);
-    const Vec2 force = grown * 2500 * g * std::sin(angle) * along;
-    load.force.history.emplace_back(0.1 + 0.5 * s, force.x(), force.y());
-  }
-  scene.loads = {load};
-  return scene;
-}
-
-/// The acceleration along the slope from 0.7 to 1.4 s, by the distance and by the velocity, and the velocity
-/// at the end.
-struct Slid {
-  double by_distance, by_velocity, velocity;
-};
-Slid slide(double angle, double friction, double dt, double penalty = 40) {
-  const Vec2 along(std::cos(angle), -std::sin(angle));
-  const BuiltScene built = build(slow_slope(angle, friction, dt, penalty));
-  Stepper& stepper = *built.stepper;
-  const int first = static_cast<int>(std::lround(0.7 / dt)), all = static_cast<int>(std::lround(1.4 / dt));
-  run(stepper, first);
-  const double x0 = travel(stepper, 1).dot(along), v0 = rigid(stepper, 1).linear.dot(along),
-               t = (all - first) * dt;
-  run(stepper, all - first);
-  const double v = rigid(stepper, 1).linear.dot(along);
-  EXPECT_EQ(stepper.counts().rejected, 0);
-  return {2 * (travel(stepper, 1).dot(along) - x0 - v0 * t) / (t * t), (v - v0) / t, v};
-}
-
-}  // namespace
-
-TEST(Slope, ABlockSlidesAsARigidOneWhateverTheStepAndThePenalty) {
-  for (const double a : {radians(45), radians(30)})
-    for (const double below : {1., 5., 30.})
-      for (const double dt : {0.02, 0.002}) {
-        const double mu = std::tan(a - radians(below)), exact = g * (std::sin(a) - std::cos(a) * mu);
-        const double with_E = slide(a, mu, dt, 1).by_distance,
-                     with_1000_E = slide(a, mu, dt, 1000).by_distance;
-        EXPECT_NEAR(with_E, exact, 1e-3 * exact) << below << ' ' << dt;
-        EXPECT_NEAR(with_1000_E, with_E, 1e-4 * exact) << below << ' ' << dt;
-      }
-}
-
-TEST(Slope, AtTheLimitOfFrictionAMillionthDecides) {
-  for (const double a : {radians(45), radians(30)})
-    for (const double dt : {0.02, 0.005}) {
-      const double exact = 1e-6 * g * std::sin(a);
-      EXPECT_LE(std::abs(slide(a, std::tan(a) * (1 + 1e-6), dt).velocity), 1e-9) << dt;
-      EXPECT_NEAR(slide(a, std::tan(a) * (1 - 1e-6), dt).by_velocity, exact, 0.05 * exact) << dt;
-    }
-}
-
-/// Acceleration 0.3 g sin(2 pi t) along `direction`, from rest.
 /// Friction alone takes a block along, with mu g.
 TEST(ShakenBase, ThatStartsAtOnceTakesABlockAlongByFriction) {
   for (const double dt : {0.01, 0.005, 0.002}) {
@@ -357,90 +262,6 @@ TEST(Impact, OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy) {
           }
           EXPECT_LT(momentum(stepper, 0).x(), 0.7 * x0);
         }
-}
-
-TEST(Stack, ComesToRestCarriesItsWeightAndStays) {
-  Scene scene = stiff_scene(0.01, 1);
-  scene.joints[0].friction_angle = 30;
-  scene.blocks = {block(rectangle(-2, -1, 5, 1), true)};
-  for (int k = 0; k < 20; ++k) scene.blocks.push_back(block(rectangle(0, k, 1, 1)));
-  const BuiltScene built = build(scene);
-  Stepper& stepper = *built.stepper;
-  run(stepper, 300);
-  const Points before = stepper.blocks().displacements(stepper.state());
-  const auto states_before = states(stepper);
-  for (int k = 0; k < 50; ++k) {
-    run(stepper, 1);
-    ASSERT_NEAR(normal_force(stepper, 0, 1) / (20 * 2500 * g), 1, 1e-8) << k;
-    ASSERT_EQ(states(stepper), states_before) << k;
-  }
-  EXPECT_LE((stepper.blocks().displacements(stepper.state()) - before).cwiseAbs().maxCoeff(), 1e-10);
-  EXPECT_EQ(stepper.counts().rejected, 0);
-}
-
-TEST(Stack, OfDensitiesOrModuliAMillionApartCarriesEveryWeight) {
-  struct Blocks {
-    double density[3], young[3];  // from below
-  };
-  for (const Blocks& blocks :
-       {Blocks{{25, 25, 2.5e7}, {35e9, 35e9, 35e9}}, Blocks{{2.5e7, 25, 25}, {35e9, 35e9, 35e9}},
-        Blocks{{2500, 2500, 2500}, {35e6, 35e6, 35e12}}, Blocks{{2500, 2500, 2500}, {35e12, 35e6, 35e6}}}) {
-    Scene scene = stiff_scene(0.01, 1);
-    scene.joints[0].friction_angle = 30;
-    scene.blocks = {block(rectangle(-2, -1, 5, 1), true)};
-    scene.materials.clear();
-    for (int k = 0; k < 3; ++k) {
-      scene.blocks.push_back(block(rectangle(0, k, 1, 1)));
-      scene.blocks.back().material = k;
-      scene.materials.push_back({std::to_string(k), blocks.density[k], blocks.young[k], 0.3});
-    }
-    // A force is resolved to its spring times the last digit of a coordinate.
-    scene.contact.normal_stiffness = *std::min_element(blocks.young, blocks.young + 3);
-    scene.contact.tangential_stiffness = scene.contact.normal_stiffness / 2.5;
-    const BuiltScene built = build(scene);
-    run(*built.stepper, 1000);
-    double weight = 0;
-    for (int k = 2; k >= 0; --k) {
-      weight += blocks.density[k] * g;
-      EXPECT_NEAR(normal_force(*built.stepper, k, k + 1) / weight, 1, 1e-6) << k;
-    }
-  }
-}
-
-namespace {
-
-/// How a block of height 1 m and atan(base / height) = `slenderness` starts on a slope of 30 degrees.
-std::pair<bool, bool> slides_and_topples(double friction, double slenderness) {
-  const double a = radians(30);
-  Scene scene = stiff_scene(0.01, 0.3);
-  scene.joints[0].friction_angle = friction;
-  scene.blocks = {block(turned(rectangle(-2, -1, 6, 1), -a), true),
-                  block(turned(rectangle(0, 0, std::tan(radians(slenderness)), 1), -a))};
-  const BuiltScene built = run(scene);
-  const Stepper& stepper = *built.stepper;
-  const Vec2 toe =
-      stepper.blocks().displacements(stepper.state()).col(stepper.blocks().block(1).vertices().first + 1);
-  return {toe.dot(Vec2(std::cos(a), -std::sin(a))) > 1e-3, stepper.state().rotation[1] < -1e-3};
-}
-
-}  // namespace
-
-/// Statics: it slides below a friction angle of 30 degrees and topples below a slenderness of as much. In
-/// motion a block that tilts pushes less along the slope, and one that slides topples only below its friction
-/// angle.
-TEST(SlideOrTopple, IsRightADegreeFromTheBoundaries) {
-  const auto rests = std::pair(false, false), slides = std::pair(true, false),
-             topples = std::pair(false, true), both = std::pair(true, true);
-  EXPECT_EQ(slides_and_topples(31, 31), rests);
-  EXPECT_EQ(slides_and_topples(31, 29), topples);
-  EXPECT_EQ(slides_and_topples(29, 31), slides);
-  EXPECT_EQ(slides_and_topples(50, 31), rests);
-  EXPECT_EQ(slides_and_topples(50, 29), topples);
-  EXPECT_EQ(slides_and_topples(29, 50), slides);
-  EXPECT_EQ(slides_and_topples(5, 50), slides);
-  EXPECT_EQ(slides_and_topples(10, 12), slides);
-  EXPECT_EQ(slides_and_topples(10, 8), both);
-  EXPECT_EQ(slides_and_topples(5, 3), both);
 }
 
 /// A bar of 20 blocks of 0.5 m, bonded or pressed together, held sideways by having no Poisson's ratio,
