@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -52,6 +53,8 @@ class Groups {
     if (!code)
       throw DxfError{n_lines_, "'" + excerpt(word) + "' is no group code",
                      "save the drawing as ASCII DXF; the file is read no further"};
+    if (at_ >= text_.size())
+      throw DxfError{n_lines_, "the file ends within a group", "it is cut short: save the drawing again"};
     now_ = {*code, trimmed(line()), n_lines_};
   }
   bool starts(const char* entity) const { return now_.code == 0 && now_.value == entity; }
@@ -103,7 +106,8 @@ class DxfReader {
     find_entities();
     while (!groups_.starts("ENDSEC")) {
       if (groups_.at_end())
-        throw DxfError{groups_.now().line, "the file ends within its entities", "save the drawing again"};
+        throw DxfError{groups_.now().line, "the file ends within its entities",
+                       "it is cut short: save the drawing again"};
       read_entity();
     }
     tell_skipped();
@@ -112,6 +116,9 @@ class DxfReader {
   }
 
  private:
+  static constexpr double missing = std::numeric_limits<double>::infinity();  ///< no coordinate of a file
+  static constexpr int surface_flags = 16 | 64;  ///< of group 70: a mesh of vertices, faces of a solid
+
   void find_entities() {
     for (; !groups_.at_end(); groups_.next()) {
       if (groups_.now().code == 9 && groups_.now().value == "$INSUNITS") read_unit();
@@ -136,40 +143,79 @@ class DxfReader {
     line.location = location(start.line);
     std::vector<Vertex> vertices;
     std::map<int, double> numbers;
-    bool in_paper_space = false;
+    bool in_paper_space = false, is_surface = false, faces_down = false;
     for (groups_.next(); !groups_.at_end() && groups_.now().code != 0; groups_.next()) {
       const Group& group = groups_.now();
       if (group.code == 8) line.layer = group.value;
       if (group.code == 67) in_paper_space = group.value == "1";
       if (group.code == 70) line.closed = number_of<int>(group.value).value_or(0) % 2 == 1;
-      if (start.value == "LWPOLYLINE" && group.code == 10) vertices.push_back({{groups_.number(), 0}, 0});
-      if (start.value == "LWPOLYLINE" && group.code == 20 && !vertices.empty())
-        vertices.back().point.y() = groups_.number();
-      if (start.value == "LWPOLYLINE" && group.code == 42 && !vertices.empty())
-        vertices.back().bulge = groups_.number();
+      if (group.code == 70) is_surface = (number_of<int>(group.value).value_or(0) & surface_flags) != 0;
+      if (group.code == 230) faces_down = groups_.number() < 0;
+      if (start.value == "LWPOLYLINE") add_group(vertices, start);
       if ((group.code >= 10 && group.code < 60)) numbers[group.code] = groups_.number();
     }
+    if (start.value == "LWPOLYLINE") expect_whole(vertices, start);
     if (start.value == "POLYLINE") vertices = read_vertices();
-    if (in_paper_space) return;
-    if (start.value == "LINE")
-      vertices = {{{numbers[10], numbers[20]}, 0}, {{numbers[11], numbers[21]}, 0}};
-    else if (start.value == "CIRCLE" || start.value == "ARC")
-      return add_circle(numbers, start.value == "CIRCLE", std::move(line));
-    else if (start.value != "LWPOLYLINE" && start.value != "POLYLINE")
+    if (in_paper_space) return static_cast<void>(++skipped_[start.value + " of the paper space"]);
+    if (start.value == "POLYLINE" && is_surface)
+      return static_cast<void>(++skipped_["POLYLINE of a surface"]);
+    const bool is_circle = start.value == "CIRCLE", is_arc = start.value == "ARC",
+               is_line = start.value == "LINE";
+    if (!is_line && !is_circle && !is_arc && start.value != "LWPOLYLINE" && start.value != "POLYLINE")
       return static_cast<void>(++skipped_[start.value]);
-    add(vertices, std::move(line));
+    if (faces_down && !is_line)
+      throw DxfError{start.line, "the " + start.value + " is drawn mirrored (group 230 is negative)",
+                     "redraw it seen from above, or explode it into lines"};
+    expect_groups(numbers, start,
+                  is_line     ? std::vector{10, 20, 11, 21}
+                  : is_circle ? std::vector{10, 20, 40}
+                  : is_arc    ? std::vector{10, 20, 40, 50, 51}
+                              : std::vector<int>{});
+    if (is_line) vertices = {{{numbers[10], numbers[20]}, 0}, {{numbers[11], numbers[21]}, 0}};
+    if (!is_circle && !is_arc) return add(vertices, std::move(line));
+    if (!(numbers[40] > 0))
+      throw DxfError{start.line, "the radius of the " + start.value + " is not positive", "correct group 40"};
+    add_circle(numbers, is_circle, std::move(line));
+  }
+
+  static void expect_groups(const std::map<int, double>& numbers, const Group& start,
+                            const std::vector<int>& codes) {
+    for (const int code : codes)
+      if (!numbers.contains(code))
+        throw DxfError{start.line, "the " + start.value + " has no group " + std::to_string(code),
+                       "the file is damaged: save the drawing again"};
+  }
+
+  /// Of a vertex of a polyline: x begins the next one.
+  void add_group(std::vector<Vertex>& vertices, const Group& start) {
+    const Group& group = groups_.now();
+    if (group.code == 10) {
+      expect_whole(vertices, start);
+      vertices.push_back({{groups_.number(), missing}, 0});
+    }
+    if (vertices.empty()) return;
+    if (group.code == 20) vertices.back().point.y() = groups_.number();
+    if (group.code == 42) vertices.back().bulge = groups_.number();
+  }
+  static void expect_whole(const std::vector<Vertex>& vertices, const Group& start) {
+    if (!vertices.empty() && vertices.back().point.y() == missing)
+      throw DxfError{
+          start.line,
+          "vertex " + std::to_string(vertices.size() - 1) + " of the " + start.value + " has no group 20",
+          "the file is damaged: save the drawing again"};
   }
 
   /// The entities VERTEX behind a POLYLINE.
   std::vector<Vertex> read_vertices() {
     std::vector<Vertex> vertices;
     while (groups_.starts("VERTEX")) {
-      Vertex& vertex = vertices.emplace_back();
-      for (groups_.next(); !groups_.at_end() && groups_.now().code != 0; groups_.next()) {
-        if (groups_.now().code == 10) vertex.point.x() = groups_.number();
-        if (groups_.now().code == 20) vertex.point.y() = groups_.number();
-        if (groups_.now().code == 42) vertex.bulge = groups_.number();
-      }
+      const Group start = groups_.now();
+      std::map<int, double> numbers;
+      for (groups_.next(); !groups_.at_end() && groups_.now().code != 0; groups_.next())
+        if (groups_.now().code >= 10 && groups_.now().code < 60)
+          numbers[groups_.now().code] = groups_.number();
+      expect_groups(numbers, start, {10, 20});
+      vertices.push_back({{numbers[10], numbers[20]}, numbers[42]});
     }
     if (groups_.starts("SEQEND")) do
         groups_.next();

@@ -24,9 +24,11 @@ GeometryBlocks read_geometry_file(const std::string& path, const SourceLocation&
   const std::string ending = small_ending(path);
   const bool is_json = ending == ".geojson" || ending == ".json";
   if (!is_json && ending != ".wkt" && !is_drawing(path) && !is_mesh_file(path)) {
-    problems.error(key,
-                   "'" + key_name + "' = '" + path + "' is no geometry file by its ending '" + ending + "'",
-                   "known: .geojson, .json, .wkt, .dxf, .geo, .msh, .vtu");
+    problems.error(
+        key, "'" + key_name + "' = '" + path + "' is no geometry file by its ending '" + ending + "'",
+        ending == ".ana" ? "Shi's analysis file is not read: write its numbers as keys of the scene, "
+                           "their order is in doc/scene_format.md, [domain]"
+                         : "known: .geojson, .json, .wkt, .dxf, .geo, .msh, .vtu");
     return {};
   }
   const FileText file = read_text(path);

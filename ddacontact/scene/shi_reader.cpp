@@ -22,6 +22,8 @@ class ShiReader {
 
   Drawing read() {
     search_margin_ = number("the least distance of vertices");
+    if (search_margin_ < 0)
+      throw ShiError{line_, 1, "the least distance of vertices is negative", "expected a length in m"};
     const int n_joints = count("joint lines"), n_boundary = count("boundary lines"),
               n_materials = count("material lines"), n_bolts = count("bolts"), n_fixed = count("fixed lines"),
               n_points = count("loaded points") + count("measured points") + count("holes");
@@ -34,6 +36,7 @@ class ShiReader {
       (k < n_boundary ? boundary : drawing_.lines).push_back(std::move(line));
     }
     chain(std::move(boundary));
+    pass_over(n_materials, n_bolts, n_fixed, n_points);
     if (n_materials + n_bolts + n_fixed + n_points > 0)
       problems_.warning({source_, 1, 1},
                         "skipped: " + std::to_string(n_materials) + " material lines, " +
@@ -69,6 +72,21 @@ class ShiReader {
     if (value < 0 || value > 1e6 || value != std::floor(value))
       throw ShiError{line_, 1, "the number of " + what + " is no count", "expected a whole number"};
     return static_cast<int>(value);
+  }
+
+  /// What follows the joint lines is not used, but a file that is cut short is refused. The layout of bolts
+  /// differs between versions of DC: nothing behind them is looked at.
+  void pass_over(int n_materials, int n_bolts, int n_fixed, int n_points) {
+    const auto pass = [&](int n, const std::string& what) {
+      for (int k = 0; k < n; ++k) number(what);
+    };
+    pass(5 * n_materials, "x1 y1 x2 y2 and the material of a material line");
+    if (n_bolts > 0) return;
+    pass(4 * n_fixed, "x1 y1 x2 y2 of a fixed line");
+    pass(2 * n_points, "x and y of a point");
+    if (text_.find_first_not_of(" \t\r\n", at_) != std::string::npos)
+      problems_.warning({source_, line_, 1}, "skipped: what follows the last item that the file counts",
+                        "see that the counts at its beginning are right");
   }
 
   DrawnLine joint_line() {

@@ -3,6 +3,7 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/io/text_file.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -20,7 +21,8 @@ std::string_view trimmed(std::string_view text) {
 template <class T>
 bool parse(std::string_view word, T& value) {
   const char* const end = word.data() + word.size();
-  return std::from_chars(word.data(), end, value).ptr == end && !word.empty();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && stop == end;  // out of range: the value is as it was
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ int LineReader::whole_number(std::string_view what, int least) {
 }
 
 void LineReader::fail(const std::string& what, int line_number) const {
-  throw FileError(path_.string() + ":" + std::to_string(line_number) + ": " + what);
+  throw FileError(path_.string() + ":" + std::to_string(std::max(line_number, 1)) + ": " + what);
 }
 
 }  // namespace polyfem

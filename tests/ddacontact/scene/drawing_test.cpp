@@ -104,10 +104,38 @@ TEST_F(Drawings, BadDxfIsRefusedWithItsLine) {
     EXPECT_NE(all_text(reading.problems).find(problem), std::string::npos) << all_text(reading.problems);
   };
   expect("AutoCAD Binary DXF\r\n", "a.dxf:1:1: error: 'AutoCAD Binary DXF' is no group code");
-  expect(dxf(rectangle).substr(0, 60), "the file ends within its entities");
+  expect(groups({{0, "SECTION"}, {2, "ENTITIES"}}) + rectangle, "the file ends within its entities");
+  expect(groups({{0, "SECTION"}, {2, "ENTITIES"}}) + rectangle + "0",
+         ":29:1: error: the file ends within a group");
   expect(dxf(groups({{0, "LINE"}, {10, "x"}})), "a.dxf:8:1: error: 'x' is no number");
   expect(dxf(line), "the drawing has no closed line");
   expect(groups({{0, "EOF"}}), "no section ENTITIES");
+  expect("", "no section ENTITIES");
+  expect(dxf(rectangle + groups({{0, "LINE"}, {10, "0"}, {20, "0"}, {11, "3"}})),
+         ":30:1: error: the LINE has no group 21");
+  expect(dxf(rectangle + groups({{0, "CIRCLE"}, {10, "0"}, {20, "0"}})), "the CIRCLE has no group 40");
+  expect(dxf(rectangle + groups({{0, "CIRCLE"}, {10, "0"}, {20, "0"}, {40, "-1"}})),
+         "radius of the CIRCLE is not positive");
+  expect(dxf(rectangle + groups({{0, "ARC"}, {10, "0"}, {20, "0"}, {40, "1"}, {50, "0"}})),
+         "the ARC has no group 51");
+  expect(dxf(groups({{0, "LWPOLYLINE"}, {70, "1"}, {10, "0"}, {20, "0"}, {10, "4"}, {10, "4"}, {20, "4"}})),
+         ":6:1: error: vertex 1 of the LWPOLYLINE has no group 20");
+  expect(dxf(groups({{0, "POLYLINE"}, {70, "1"}, {0, "VERTEX"}, {10, "0"}, {0, "SEQEND"}})),
+         "the VERTEX has no group 20");
+  expect(dxf(rectangle + groups({{230, "-1"}})), "the LWPOLYLINE is drawn mirrored");
+}
+
+TEST_F(Drawings, EachKindThatIsSkippedIsCounted) {
+  const std::string surface =
+      groups({{0, "POLYLINE"}, {70, "64"}, {0, "VERTEX"}, {10, "0"}, {20, "0"}, {0, "SEQEND"}});
+  const std::string on_paper = groups({{0, "LINE"}, {67, "1"}, {10, "0"}, {20, "0"}, {11, "3"}, {21, "0"}});
+  const std::string spline = groups({{0, "SPLINE"}, {8, "0"}});
+  const SceneReading reading = domain_of("a.dxf", dxf(rectangle + surface + on_paper + spline + spline));
+  ASSERT_TRUE(reading.scene) << all_text(reading.problems);
+  EXPECT_NE(all_text(reading.problems)
+                .find("skipped: 1 LINE of the paper space, 1 POLYLINE of a surface, 2 SPLINE"),
+            std::string::npos)
+      << all_text(reading.problems);
 }
 
 TEST_F(Drawings, FilesOfShiAreDomains) {
@@ -129,6 +157,17 @@ TEST_F(Drawings, BadFilesOfShiAreRefusedWithTheirLine) {
   expect("0.01\n1 1\n0 0\n0 0 0 0\n0 0 10 0 1\n", "the boundary lines do not close");
   expect("0.01\n1 1\n0 0\n0 0 0 0\n0 0", "the file ends too early");
   expect("0.01\n1 2\n0 0\n0 0 0 0\n", "more boundary lines than lines");
+  expect("", "a.geo:1:1: error: the file ends too early");
+  expect("-1\n4 4\n", "a.geo:1:1: error: the least distance of vertices is negative");
+  expect("0.01\n4.5 4\n", "a.geo:2:1: error: the number of joint lines is no count");
+  const std::string lines = "0 0 10 0 1\n10 0 10 5 1\n10 5 0 5 1\n0 5 0 0 1\n";
+  expect("0.01\n4 4\n0 0\n1 0 0 0\n" + lines,
+         "a.geo:9:1: error: the file ends too early (expected x1 y1 x2 y2 of a fixed");
+  expect("0.01\n4 4\n0 0\n0 0 1 0\n" + lines + "3 nan\n", "a.geo:9:3: error: 'nan");
+  const SceneReading longer = domain_of("a.geo", "0.01\n4 4\n0 0\n0 0 0 0\n" + lines + "7 7\n");
+  EXPECT_NE(all_text(longer.problems).find("skipped: what follows the last item"), std::string::npos);
+  const SceneReading analysis = domain_of("a.ana", "0\n20\n1\n3\n");
+  EXPECT_NE(all_text(analysis.problems).find("Shi's analysis file is not read"), std::string::npos);
 }
 
 TEST_F(Drawings, WrittenDxfReadsBackToTheBit) {
