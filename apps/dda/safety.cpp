@@ -9,12 +9,14 @@
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/study/safety_files.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
+#include <ddacontact/study/trials_ahead.hpp>
 #include <polyfem/assembly/blas.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace dda {
 
@@ -87,17 +89,19 @@ void tell(const StrengthTrial& trial, const Scene& scene) {
 std::string moved_text(const StrengthTrial& trial, const Scene& scene) {
   if (trial.first_block < 0) return "";
   const MovedPart part = moved_part(scene, trial);
-  std::string text =
-      fmt::format("\"{}\" moves first; {} of {} blocks move, {:.1f} % of their area",
-                  scene.block_name(trial.first_block), part.blocks, part.of_blocks, 100 * part.area_share);
-  if (part.area_share < small_share)
-    text +=
-        "\nnote: this is the factor of a small part, see safety_moved.svg; that of the rest is larger "
-        "(fix or remove these blocks to find it)";
-  return text;
+  return fmt::format("\"{}\" moves first; {} of {} blocks move, {:.1f} % of their area",
+                     scene.block_name(trial.first_block), part.blocks, part.of_blocks, 100 * part.area_share);
 }
 
-/// In sentences, for stdout.
+/// A line, or nothing.
+std::string note_of_small_part(const SafetyFiles& files, const Scene& scene) {
+  const StrengthTrial* first = files.first_to_move();
+  if (!first || first->first_block < 0 || moved_part(scene, *first).area_share >= small_share) return "";
+  return "note: this is the factor of a small part, see safety_moved.svg; that of the rest is larger (fix or "
+         "remove these blocks to find it)\n";
+}
+
+/// In a line, for stdout.
 std::string answer(const FactorBracket& bracket, const SafetyFiles& files, const Scene& scene) {
   const StrengthTrial* first = files.first_to_move();
   const std::string moved = first ? moved_text(*first, scene) : "";
@@ -117,22 +121,26 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
                arguments.scene, reduction.unsettled());
   warn_of_brittle_bonds(reduction.scene(), joints, arguments.scene);
   SafetyFiles files(arguments.directory, reduction.scene(), joints);
-  const FactorBracket bracket = bracket_factor(
-      [&](double factor) {
-        const StrengthTrial trial = reduction.try_factor(factor);
+  const int at_once =
+      arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  const FactorBracket bracket = bracket_factor_ahead(
+      [&](double factor, const std::function<bool()>& given_up) {
+        return reduction.try_factor(factor, {}, given_up);
+      },
+      at_once, range, arguments.tolerance,
+      [&](const StrengthTrial& trial) {
         files.add(trial);
         if (!arguments.quiet) tell(trial, scene);
-        return trial.verdict;
-      },
-      range, arguments.tolerance);
+      });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   files.finish(bracket, arguments.tolerance, reduction.unsettled(), wall.count());
   if (bracket.stopped) {
     print_error("the last trial stopped without a verdict, see safety.csv");
     return analysis_stopped;
   }
-  if (arguments.quiet) return done;
   fmt::print("{}\n", answer(bracket, files, scene));
+  if (arguments.quiet) return done;
+  fmt::print("{}", note_of_small_part(files, scene));
   fmt::print("the factor divides friction and cohesion of joints; loads, weights and water stay as stated\n");
   if (bonds_of(reduction.scene(), joints) == "ductile")
     fmt::print("cohesion and tensile strength outlast slip\n");
@@ -159,7 +167,11 @@ void add_safety(CLI::App& app, SafetyArguments& arguments) {
   safety->add_option("--set", arguments.settings, "PATH=VALUE: replace a value of the scene")
       ->take_all()
       ->expected(1);
-  safety->add_flag("--quiet", arguments.quiet, "Print problems only");
+  safety
+      ->add_option("--jobs", arguments.jobs,
+                   "Trials at a time; left out: as many as processors; the answer is the same")
+      ->check(CLI::Range(1, 1024));
+  safety->add_flag("--quiet", arguments.quiet, "Print the factor and problems only");
 }
 
 int safety(const SafetyArguments& arguments) {

@@ -15,6 +15,7 @@ struct SafetyArguments {
   std::vector<std::string> joints;    ///< to be reduced; empty: all
   std::string range;                  ///< "A:B" or empty
   double tolerance = 0.005;           ///< of the factor
+  int jobs = 0;                       ///< trials at a time; 0: as many as processors
   bool quiet = false;
 };
 

@@ -14,6 +14,7 @@
 #include <ddacontact/output/csv_table.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/study/factor_distribution.hpp>
+#include <ddacontact/study/job_queue.hpp>
 #include <ddacontact/study/sweep_cases.hpp>
 #include <ddacontact/study/sweep_map.hpp>
 #include <ddacontact/study/sweep_results.hpp>
@@ -101,19 +102,15 @@ class Sweep {
     for (int k = 1; k <= n_cases(); ++k)
       if ((arguments_.only == 0 || arguments_.only == k) && !is_finished(k)) waiting.push_back(k);
     if (!arguments_.quiet) fmt::print(stderr, "{} of {} cases to run\n", waiting.size(), n_cases());
-    const auto processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const std::size_t jobs = static_cast<std::size_t>(arguments_.jobs > 0 ? arguments_.jobs : processors);
     std::map<pid_t, int> running;
-    auto next = waiting.begin();
-    while (next != waiting.end() || !running.empty()) {
-      for (; next != waiting.end() && running.size() < jobs; ++next) running[start(*next)] = *next;
-      int status = 0;
-      const pid_t ended = waitpid(-1, &status, 0);
-      const auto known = running.find(ended);
-      if (known == running.end()) continue;
-      if (!arguments_.quiet) tell(known->second);
-      running.erase(known);
-    }
+    const auto wait_one = [&] {
+      auto ended = running.end();
+      while (ended == running.end()) ended = running.find(waitpid(-1, nullptr, 0));
+      if (!arguments_.quiet) tell(ended->second);
+      running.erase(ended);
+    };
+    run_jobs(
+        waiting, n_jobs(), [&](int k) { running[start(k)] = k; }, wait_one);
   }
 
   /// Whether any case has a result.
@@ -155,6 +152,11 @@ class Sweep {
   }
 
  private:
+  static std::size_t n_processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+  /// Cases at a time.
+  std::size_t n_jobs() const {
+    return arguments_.jobs > 0 ? static_cast<std::size_t>(arguments_.jobs) : n_processors();
+  }
   fs::path path_of(int k) const { return directory_ / fmt::format("case-{}", k); }
   fs::path log_of(int k) const { return directory_ / fmt::format("case-{}.log", k); }
   fs::path key_file_of(int k) const { return directory_ / fmt::format("case-{}.txt", k); }
@@ -189,6 +191,8 @@ class Sweep {
     if (arguments_.safety) {
       words[1] = "safety";
       for (const std::string& word : arguments_.of_safety()) words.push_back(word);
+      words.insert(words.end(),
+                   {"--jobs", std::to_string(std::max<std::size_t>(1, n_processors() / n_jobs()))});
     } else {
       words.emplace_back("--force");
     }

@@ -19,23 +19,31 @@ class Search {
     return !bracket.stopped;
   }
 
+  /// Where a trial gives no verdict, the next factor is tried.
   void widen() {
-    if (!take(1)) return;
     double factor = 1;
+    if (!take(factor) && !take(factor * growth)) return;
     while (bracket.low == 0 && factor > widest_range.low)
-      if (!take(factor /= growth)) return;
+      if (!take(factor /= growth) && !take(factor /= growth)) return;
+    factor = bracket.low;
     while (!bracket.closed() && bracket.low > 0 && factor < widest_range.high)
-      if (!take(factor *= growth)) return;
+      if (!take(factor *= growth) && !take(factor *= growth)) return;
   }
 
   void halve(double tolerance) {
     while (bracket.closed() && bracket.high - bracket.low > tolerance * bracket.low)
-      if (!take((bracket.low + bracket.high) / 2)) return;
+      if (!divide()) return;
   }
 
   FactorBracket bracket;
 
  private:
+  /// False when no trial within the bracket gave a verdict.
+  bool divide() {
+    const double low = bracket.low, high = bracket.high;
+    return take((low + high) / 2) || take((2 * low + high) / 3) || take((low + 2 * high) / 3);
+  }
+
   const std::function<Verdict(double)>& try_factor_;
 };
 

@@ -19,7 +19,7 @@ struct FactorRange {
 struct FactorBracket {
   double low = 0;                                         ///< 0: it moves at every factor that was tried
   double high = std::numeric_limits<double>::infinity();  ///< infinite: it rests at every factor
-  bool stopped = false;                                   ///< a trial gave no verdict: the search ended there
+  bool stopped = false;                                   ///< trials without a verdict ended the search
 
   bool closed() const { return low > 0 && high < std::numeric_limits<double>::infinity(); }
 };
@@ -28,6 +28,9 @@ struct FactorBracket {
 inline constexpr FactorRange widest_range{0.1, 100};
 
 /// Brackets the factor, then halves the bracket until it is narrower than `tolerance` times its low end.
+/// A trial without a verdict is passed: the next factor is tried, or those at a third and at two thirds of
+/// the bracket instead of the one in its middle. Where these have none either, the search ends.
+///
 /// \param[in] range  its ends are tried first; where one of them has the other's verdict the search ends
 FactorBracket bracket_factor(const std::function<Verdict(double)>& try_factor,
                              const std::optional<FactorRange>& range, double tolerance);

@@ -73,7 +73,8 @@ void StrengthReduction::settle() {
   settled_ = stepper.run_record();
 }
 
-StrengthTrial StrengthReduction::try_factor(double factor, const TrialLimits& limits) const {
+StrengthTrial StrengthReduction::try_factor(double factor, const TrialLimits& limits,
+                                            const std::function<bool()>& given_up) const {
   Scene scene = scene_;
   for (const int j : joints_) {
     Joint& joint = scene.stages.back().joints[j];
@@ -81,6 +82,7 @@ StrengthTrial StrengthReduction::try_factor(double factor, const TrialLimits& li
   }
   const BuiltScene built = build(scene);
   built.stepper->restore(*settled_);
+  built.stepper->interrupt_when(given_up);
   StrengthTrial trial = run_trial(*built.stepper, limits);
   trial.factor = factor;
   return trial;

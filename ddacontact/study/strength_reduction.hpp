@@ -8,6 +8,7 @@
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/study/strength_trial.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +38,11 @@ class StrengthReduction {
   /// \param[in] joints  indices of those that are reduced
   StrengthReduction(const Scene& scene, std::vector<int> joints);
 
-  StrengthTrial try_factor(double factor, const TrialLimits& limits = {}) const;
+  /// Several threads may try factors at a time.
+  /// \param[in] given_up  ends the trial, without a verdict, where it returns true; asked after every trial
+  /// step
+  StrengthTrial try_factor(double factor, const TrialLimits& limits = {},
+                           const std::function<bool()>& given_up = {}) const;
 
   /// What is wrong with the settled state: it is out of balance or moves. Empty: it rests.
   const std::string& unsettled() const { return unsettled_; }

@@ -80,10 +80,10 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
     describe_end(stepper, way, start_time, trial);
     return trial;
   };
-  const long most_steps =
-      long{limits.time_factor} * std::max(stepper.stages().back().analysis.steps, limits.fewest_steps);
+  const long stage_steps = std::max(stepper.stages().back().analysis.steps, limits.fewest_steps),
+             most_steps = limits.time_factor * stage_steps;
   double first_half = 0, second_half = 0;
-  int at_rest = 0;
+  int at_rest = 0, slipped = 0;
   while (trial.steps < most_steps) {
     if (!stepper.step()) return decide(Verdict::stopped, stepper.stop_reason());
     ++trial.steps;
@@ -101,6 +101,11 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
       return decide(Verdict::moves, "a vertex further than " + figure(limits.displacement) +
                                         " sizes of its block, forces out of balance by " +
                                         figure(e.unbalanced));
+    slipped = relative > limits.slip ? slipped + 1 : 0;
+    if (slipped >= stage_steps / 2)
+      return decide(Verdict::moves, "a vertex further than " + figure(limits.slip) +
+                                        " sizes of its block for " + std::to_string(slipped) +
+                                        " steps in a row");
     double& furthest = trial.steps <= most_steps / 2 ? first_half : second_half;
     furthest = std::max(furthest, relative);
   }

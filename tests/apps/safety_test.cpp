@@ -2,6 +2,7 @@
 
 #include "program.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,6 +29,22 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   for (std::size_t k = 1; k < rows.size(); ++k)
     EXPECT_EQ(rows[k][1], std::stod(rows[k][0]) < exact ? "rests" : "moves");
   EXPECT_NE(read_file(directory_ / "result/safety.svg").find("</svg>"), std::string::npos);
+}
+
+TEST_F(Program, SafetyIsTheSameForAnyNumberOfTrialsAtOnce) {
+  const auto found = [&](const std::string& jobs) {
+    EXPECT_EQ(
+        dda("safety " + slope + " --set analysis.preset=default --quiet --jobs " + jobs + " -o jobs" + jobs),
+        0)
+        << err_;
+    EXPECT_EQ(err_, "");
+    EXPECT_EQ(std::ranges::count(out_, '\n'), 1) << out_;
+    return out_ + read_file(directory_ / ("jobs" + jobs + "/safety.csv"));
+  };
+  const std::string one = found("1");
+  EXPECT_EQ(one.find("factor of safety 0.57"), 0u) << one;
+  EXPECT_EQ(found("2"), one);
+  EXPECT_EQ(found("5"), one);
 }
 
 /// The slope that is made slides on its bedding of 25 degrees, whose friction angle is 30.

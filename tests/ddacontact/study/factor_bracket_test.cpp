@@ -52,15 +52,33 @@ TEST(FactorBracket, StaysInTheRange) {
   EXPECT_EQ(above.search(FactorRange{1, 2}).low, 2);
 }
 
-TEST(FactorBracket, EndsWithATrialThatStops) {
-  int n = 0;
-  const FactorBracket bracket = bracket_factor(
-      [&](double f) { return ++n == 3  ? Verdict::stopped
-                             : f < 1.2 ? Verdict::rests
-                                       : Verdict::moves; },
+/// Stops where `stops` says so; rests up to 1.2.
+FactorBracket search_with_stops(const std::function<bool(double)>& stops, int& n) {
+  n = 0;
+  return bracket_factor(
+      [&](double f) {
+        ++n;
+        return stops(f) ? Verdict::stopped : f <= 1.2 ? Verdict::rests : Verdict::moves;
+      },
       std::nullopt, 1e-3);
+}
+
+TEST(FactorBracket, PassesATrialThatStops) {
+  for (const double at : {1.0, 1.5, 1.25}) {
+    int n = 0;
+    const FactorBracket bracket = search_with_stops([&](double f) { return f == at; }, n);
+    EXPECT_FALSE(bracket.stopped);
+    EXPECT_LE(bracket.low, 1.2);
+    EXPECT_GT(bracket.high, 1.2);
+    EXPECT_LE(bracket.high - bracket.low, 1e-3 * bracket.low);
+  }
+}
+
+TEST(FactorBracket, EndsWhereAllTrialsStop) {
+  int n = 0;
+  const FactorBracket bracket = search_with_stops([](double f) { return f > 1 && f < 1.5; }, n);
   EXPECT_TRUE(bracket.stopped);
-  EXPECT_EQ(n, 3);
+  EXPECT_EQ(n, 5);  // 1, 1.5, the middle, the thirds
   EXPECT_EQ(bracket.low, 1);
   EXPECT_EQ(bracket.high, 1.5);
 }

@@ -193,6 +193,15 @@ TEST(StrengthReduction, WedgeOfTwoBlocksHasTheFactorOfLimitEquilibrium) {
   EXPECT_NEAR(bracket.high, exact, 0.01 * exact);
 }
 
+/// However far a trial would have to go: beyond the slip for half of the stage is enough.
+TEST(StrengthReduction, WhatStaysBeyondTheSlipMoves) {
+  const TrialLimits limits{.displacement = 1e9};
+  const StrengthTrial trial = StrengthReduction(plane_failure(30, 40), {0}).try_factor(1.6, limits);
+  EXPECT_EQ(trial.verdict, Verdict::moves);
+  EXPECT_NE(trial.reason.find("for 100 steps in a row"), std::string::npos) << trial.reason;
+  EXPECT_LT(trial.steps, 200);
+}
+
 TEST(StrengthReduction, NamesWhatMoves) {
   Scene scene = plane_failure(30, 40);
   add(scene, rectangle(20, 0, 1, 1));
