@@ -5,7 +5,6 @@
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/time/sleeping.hpp>
 
-#include <iosfwd>
 #include <vector>
 
 namespace ddacontact {
@@ -29,11 +28,5 @@ struct StepRecord {
   std::vector<ContactRecord> contacts;  ///< of the last substep
   SleepRecord sleeping;                 ///< without entries: all are awake
 };
-
-/// Text, with numbers in hexadecimal: read_record returns the same bits. For runs of one stage,
-/// all of whose blocks are awake.
-void write_record(std::ostream& out, const StepRecord& record);
-/// Throws Error for what write_record has not written.
-StepRecord read_record(std::istream& in);
 
 }  // namespace ddacontact

@@ -1,5 +1,6 @@
 #include <tests/support/hard_steps.hpp>
 #include <tests/support/random_scenes.hpp>
+#include <tests/support/step_record_text.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "hard_steps.hpp"
 
 #include "overlap_area.hpp"
+#include "step_record_text.hpp"
 
 #include <ddacontact/scene/reader.hpp>
 #include <ddacontact/scene/writer.hpp>
@@ -23,7 +24,7 @@ void write_hard_step(const std::filesystem::path& path, const ddacontact::Scene&
   std::ofstream out(path);
   ddacontact::write_scene(out, scene);
   out << divider;
-  ddacontact::write_record(out, record);
+  write_record(out, record);
   if (!out.flush()) throw ddacontact::Error("cannot write " + path.string());
 }
 
@@ -35,7 +36,7 @@ HardStep read_hard_step(const std::filesystem::path& path) {
   const ddacontact::SceneReading reading = ddacontact::read_scene_text(text.substr(0, end), path.string());
   if (!reading.scene) throw ddacontact::Error(reading.problems.front().text());
   std::istringstream record(text.substr(end + divider.size()));
-  return {path.stem().string(), *reading.scene, ddacontact::read_record(record)};
+  return {path.stem().string(), *reading.scene, read_record(record)};
 }
 
 std::vector<HardStep> hard_steps() {

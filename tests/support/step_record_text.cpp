@@ -1,4 +1,4 @@
-#include <ddacontact/time/step_record.hpp>
+#include <tests/support/step_record_text.hpp>
 
 #include <polyfem/core/error.hpp>
 
@@ -9,7 +9,9 @@
 #include <string>
 #include <type_traits>
 
-namespace ddacontact {
+namespace support {
+
+using namespace ddacontact;
 
 namespace {
 
@@ -131,4 +133,4 @@ StepRecord read_record(std::istream& in) {
   return record;
 }
 
-}  // namespace ddacontact
+}  // namespace support
