@@ -370,10 +370,6 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
 }
 
 void SleepingBlocks::spread_reactions(const Points& of_step, Points& of_whole) const {
-  if (!asleep_) {
-    of_whole = of_step;
-    return;
-  }
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (asleep_->part->is_resting(b)) continue;
     const Range &from = blocks_.block(b).points(), &to = asleep_->part->points_in_whole(b);

@@ -115,14 +115,14 @@ void Stepper::before_impact(const VectorXd& jump) {
 }
 
 void Stepper::assess(double dt, const TrialSolution& solution, const BlockState& next) {
+  const Points& reactions = sleepers_.n_asleep() > 0 ? reactions_of_step_ : reactions_;
   const VectorXd velocity = is_static() ? solution.d / dt : next.velocity;
   const double before = equilibrium_.unbalanced;
-  equilibrium_ =
-      has_motions()
-          ? find_equilibrium(blocks_, sum_forces(trial_.system(), solution.straight, reactions_of_step_),
-                             trial_.contacts(), velocity)
-          : find_equilibrium(blocks_, trial_.system(), solution.residual, trial_.contacts(),
-                             reactions_of_step_, velocity);
+  equilibrium_ = has_motions()
+                     ? find_equilibrium(blocks_, sum_forces(trial_.system(), solution.straight, reactions),
+                                        trial_.contacts(), velocity)
+                     : find_equilibrium(blocks_, trial_.system(), solution.residual, trial_.contacts(),
+                                        reactions, velocity);
   for (int* b : {&equilibrium_.unbalanced_block, &equilibrium_.fastest_block})
     if (*b >= 0) *b = sleepers_.in_whole(*b);
   equilibrium_.unbalanced_before = before;
@@ -155,7 +155,7 @@ void Stepper::prepare_and_keep_momentum() {
 }
 
 void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
-  Points& reactions = reactions_of_step_;
+  Points& reactions = sleepers_.n_asleep() > 0 ? reactions_of_step_ : reactions_;
   reactions.setZero(2, state_.position.cols());
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
     reactions(held.axis, held.vertex) += residual.force[held.unknown];
@@ -164,7 +164,7 @@ void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
     reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
         trial_.system().fixed_point_stiffness() * spring.form(d);
   }
-  sleepers_.spread_reactions(reactions, reactions_);
+  if (sleepers_.n_asleep() > 0) sleepers_.spread_reactions(reactions, reactions_);
 }
 
 }  // namespace ddacontact
