@@ -202,9 +202,9 @@ bool SleepingBlocks::wake_changing(double dt) {
   return woken;
 }
 
-std::vector<double> SleepingBlocks::look_around(double dt, double reach) {
+const std::vector<double>& SleepingBlocks::look_around(double dt, double reach) {
   while (true) {
-    std::vector<double> margin = limits_.search_margin(state_, contacts_, dt, reach);
+    const std::vector<double>& margin = limits_.search_margin(state_, contacts_, dt, reach);
     if (!asleep_) return margin;
     bool woken = false, covered = true;
     std::size_t k = 0;

@@ -54,8 +54,9 @@ class SleepingBlocks {
   bool wake_changing(double dt);
   /// Wakes the islands that supports in motion may reach, and looks anew for what is near the blocks awake
   /// when they may leave where that was done. Returns how far from each block contacts are to be looked for.
+  /// Valid until the next call.
   /// \param[in] reach  see MotionLimits::search_margin
-  std::vector<double> look_around(double dt, double reach);
+  const std::vector<double>& look_around(double dt, double reach);
   /// Wakes what blocks hit in a trial; false: nothing sleeping.
   bool wake_hit(const TrialSolution& solution);
   void wake_all();

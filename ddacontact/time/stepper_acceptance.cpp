@@ -1,4 +1,4 @@
-// What an accepted step leaves: the next state, its accounts, and what the next step carries on.
+// What an accepted step leaves: its accounts, and what the next step carries on.
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
@@ -28,8 +28,8 @@ void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
   state_ = std::move(next);
   prepare_and_keep_momentum();
   energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, trial_.builder().properties());
-  energy_.now.elastic += sleepers_.elastic_energy();
+  energy_.now.elastic =
+      elastic_energy(blocks_, state_, contacts_, trial_.builder().properties()) + sleepers_.elastic_energy();
   const bool some_fell_asleep = sleepers_.fall_asleep(dt);
   if (some_fell_asleep) book_kinetic(kinetic_energy(blocks_, state_.velocity), energy_.now);
   tolerated_work_ = 0;

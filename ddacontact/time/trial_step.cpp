@@ -41,8 +41,6 @@ TrialStep::TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<C
       last_(last),
       analysis_(analysis),
       counts_(counts),
-      method_(properties.method),
-      fixed_point_stiffness_(properties.normal_stiffness),
       options_(properties.tolerance, properties.penetration_tolerance) {
   forget_pairs(properties);
 }
@@ -97,10 +95,10 @@ void TrialStep::restart() {
 
 TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm_start) {
   const StepRule rule = this->rule(dt);
-  const bool has_impacts = method_ != ContactMethod::classic && !is_static() &&
-                           std::ranges::any_of(contacts_, [&](const Contact& contact) {
-                             return restitution_of(builder_->properties(), contact.pair, rule).has_value();
-                           });
+  const bool has_impacts =
+      !is_classic() && !is_static() && std::ranges::any_of(contacts_, [&](const Contact& contact) {
+        return restitution_of(builder_->properties(), contact.pair, rule).has_value();
+      });
   if (!has_impacts) return solve_with(dt, {}, warm_start);
   std::vector<char> forced;
   TrialSolution solution;
@@ -145,7 +143,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   {
     const polyfem::Stopwatch watch(times_.assembly);
     if (impact.changes()) blocks_.prepare(state_);
-    system_->set_step(state_, start, fixed_point_stiffness_);
+    system_->set_step(state_, start, builder_->properties().normal_stiffness);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
@@ -165,7 +163,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const polyfem::CholeskyWork before = cholesky.work();
-  if (method_ == ContactMethod::classic)
+  if (is_classic())
     solve_by_open_close(solution);
   else
     solve_by_contact_solver(start, warm_start, solution);

@@ -91,6 +91,7 @@ class TrialStep {
 
  private:
   bool is_static() const { return analysis_.mode == Mode::statics; }
+  bool is_classic() const { return builder_->properties().method == ContactMethod::classic; }
   StepRule rule(double dt) const { return step_rule(analysis_, dt, state_.carried_dt); }
   /// Keeps the part of the contacts that a solution changes.
   void keep_start();
@@ -122,8 +123,6 @@ class TrialStep {
   const std::vector<ContactRecord>& last_;
   const AnalysisOptions& analysis_;
   StepCounts& counts_;
-  ContactMethod method_;
-  double fixed_point_stiffness_;
   ContactSolverOptions options_;
   OpenCloseOptions open_close_;
   std::optional<ContactBuilder> builder_;

@@ -7,7 +7,22 @@ namespace {
 
 using namespace geometry_scenes;
 
-class MeshBlocks : public GeometryScenes {};
+struct Damage {
+  const char *from, *to, *problem;
+};
+
+class MeshBlocks : public GeometryScenes {
+ protected:
+  /// The file that the text becomes with each damage, by one message.
+  void expect_refused(const std::string& file, const std::string& text, const std::vector<Damage>& damages) {
+    for (const auto& [from, to, problem] : damages) {
+      const SceneReading reading = read_with(file, replaced(text, from, to));
+      EXPECT_FALSE(reading.scene) << problem;
+      ASSERT_EQ(reading.problems.size(), 1u) << problem << '\n' << all_text(reading.problems);
+      EXPECT_NE(reading.problems[0].text().find(problem), std::string::npos) << reading.problems[0].text();
+    }
+  }
+};
 
 const std::string two_cells = R"($MeshFormat
 2.2 0 8
@@ -64,33 +79,26 @@ TEST_F(MeshBlocks, PolygonsOfVtuAreBlocks) {
   EXPECT_EQ(reading.scene->blocks[1].vertices, named.mesh.outline(1));
 }
 
-struct Damage {
-  const char *from, *to, *problem;
-};
-
 TEST_F(MeshBlocks, DamagedGmshFilesAreRefusedWithLineAndCure) {
-  for (const auto& [from, to, problem] : {
-           Damage{"2 2 0 0", "2 2 zero 0", ":12:1: error: \"zero\" is no finite number (give"},
-           Damage{"2 2 0 0", "2 2 1e999 0", ":12:1: error: \"1e999\" is no finite number (give"},
-           Damage{"2 2 0 0", "2 2 0 1", ":12:1: error: node 2 is not in the plane of the first one (give"},
-           Damage{"2 2 0 0", "1 2 0 0", ":12:1: error: node 1 is there twice (number"},
-           Damage{"2 2 0 0", "2 2 0", ":12:1: error: the line ends too early (give"},
-           Damage{"$Nodes\n5", "$Nodes\n99999999999", ":10:1: error: \"99999999999\" is no whole number"},
-           Damage{"$Nodes\n5", "$Nodes\n-5", ":10:1: error: \"-5\" is no whole number"},
-           Damage{"$Nodes\n5", "$Nodes\n4", "stands where $EndNodes should (see"},
-           Damage{"2 4 3 5", "2 4 3 6", ":20:1: error: there is no node 6 (add it"},
-           Damage{"2 2 2 2 2 4 3 5", "2 4 2 2 2 4 3 5", "neither lines, triangles nor quadrilaterals (mesh"},
-           Damage{"2.2 0", "2.2 1", ":2:1: error: the file is binary (save it as ASCII"},
-           Damage{"2.2 0", "1.0 0", ":2:1: error: version 1.0 of the format is not read (save"},
-           Damage{"$EndElements\n", "", "the file ends where $EndElements should follow (it is cut short"},
-           Damage{two_cells.c_str(), "",
-                  ":1:1: error: the file ends where $MeshFormat should follow (it is cut"},
-       }) {
-    const SceneReading reading = read_with("mesh.msh", replaced(two_cells, from, to));
-    EXPECT_FALSE(reading.scene) << problem;
-    ASSERT_EQ(reading.problems.size(), 1u) << problem << '\n' << all_text(reading.problems);
-    EXPECT_NE(reading.problems[0].text().find(problem), std::string::npos) << reading.problems[0].text();
-  }
+  expect_refused(
+      "mesh.msh", two_cells,
+      {
+          Damage{"2 2 0 0", "2 2 zero 0", ":12:1: error: \"zero\" is no finite number (give"},
+          Damage{"2 2 0 0", "2 2 1e999 0", ":12:1: error: \"1e999\" is no finite number (give"},
+          Damage{"2 2 0 0", "2 2 0 1", ":12:1: error: node 2 is not in the plane of the first one (give"},
+          Damage{"2 2 0 0", "1 2 0 0", ":12:1: error: node 1 is there twice (number"},
+          Damage{"2 2 0 0", "2 2 0", ":12:1: error: the line ends too early (give"},
+          Damage{"$Nodes\n5", "$Nodes\n99999999999", ":10:1: error: \"99999999999\" is no whole number"},
+          Damage{"$Nodes\n5", "$Nodes\n-5", ":10:1: error: \"-5\" is no whole number"},
+          Damage{"$Nodes\n5", "$Nodes\n4", "stands where $EndNodes should (see"},
+          Damage{"2 4 3 5", "2 4 3 6", ":20:1: error: there is no node 6 (add it"},
+          Damage{"2 2 2 2 2 4 3 5", "2 4 2 2 2 4 3 5", "neither lines, triangles nor quadrilaterals (mesh"},
+          Damage{"2.2 0", "2.2 1", ":2:1: error: the file is binary (save it as ASCII"},
+          Damage{"2.2 0", "1.0 0", ":2:1: error: version 1.0 of the format is not read (save"},
+          Damage{"$EndElements\n", "", "the file ends where $EndElements should follow (it is cut short"},
+          Damage{two_cells.c_str(), "",
+                 ":1:1: error: the file ends where $MeshFormat should follow (it is cut"},
+      });
 }
 
 const std::string one_square = R"(<?xml version="1.0"?>
@@ -108,26 +116,23 @@ const std::string one_square = R"(<?xml version="1.0"?>
 
 TEST_F(MeshBlocks, DamagedVtuFilesAreRefusedWithLineAndCure) {
   ASSERT_TRUE(read_with("mesh.vtu", one_square).scene);
-  for (const auto& [from, to, problem] : {
-           Damage{"1 2 0 0", "1 x 0 0", ":4:1: error: \"x\" is no number of type Float64 (write"},
-           Damage{"1 2 0 0", "1 nan 0 0", ":4:1: error: a coordinate is not finite (correct"},
-           Damage{"1 2 0 0", "1 2 3 0", ":4:1: error: the points are not in one plane z = const. (give"},
-           Damage{"1 2 0 0", "1 2 0", ":4:1: error: there are 11 coordinates for 4 points (give"},
-           Damage{"0 1 2 3<", "0 1 2 4<", ":6:1: error: cell 0 has a vertex 4, but there are 4"},
-           Damage{">4<", ">5<", ":7:1: error: cell 0 ends at 5 in the connectivity of 4"},
-           Damage{">7<", ">10<", ":8:1: error: cell 0 is of VTK's type 10 (keep"},
-           Damage{"NumberOfCells=\"1\"", "NumberOfCells=\"2\"",
-                  ":7:1: error: there are 1 offsets and 1 types for 2"},
-           Damage{"0 1 2 3<", "0 2 1 3<", "cell 0 intersects itself"},
-           Damage{"</UnstructuredGrid></VTKFile>", "", "the file is damaged; write it again"},
-           Damage{"UnstructuredGrid\"", "PolyData\"", "save"},
-           Damage{one_square.c_str(), "", ":1:1: error: No document element found (the file is damaged"},
-       }) {
-    const SceneReading reading = read_with("mesh.vtu", replaced(one_square, from, to));
-    EXPECT_FALSE(reading.scene) << problem;
-    ASSERT_EQ(reading.problems.size(), 1u) << problem << '\n' << all_text(reading.problems);
-    EXPECT_NE(reading.problems[0].text().find(problem), std::string::npos) << reading.problems[0].text();
-  }
+  expect_refused(
+      "mesh.vtu", one_square,
+      {
+          Damage{"1 2 0 0", "1 x 0 0", ":4:1: error: \"x\" is no number of type Float64 (write"},
+          Damage{"1 2 0 0", "1 nan 0 0", ":4:1: error: a coordinate is not finite (correct"},
+          Damage{"1 2 0 0", "1 2 3 0", ":4:1: error: the points are not in one plane z = const. (give"},
+          Damage{"1 2 0 0", "1 2 0", ":4:1: error: there are 11 coordinates for 4 points (give"},
+          Damage{"0 1 2 3<", "0 1 2 4<", ":6:1: error: cell 0 has a vertex 4, but there are 4"},
+          Damage{">4<", ">5<", ":7:1: error: cell 0 ends at 5 in the connectivity of 4"},
+          Damage{">7<", ">10<", ":8:1: error: cell 0 is of VTK's type 10 (keep"},
+          Damage{"NumberOfCells=\"1\"", "NumberOfCells=\"2\"",
+                 ":7:1: error: there are 1 offsets and 1 types for 2"},
+          Damage{"0 1 2 3<", "0 2 1 3<", "cell 0 intersects itself"},
+          Damage{"</UnstructuredGrid></VTKFile>", "", "the file is damaged; write it again"},
+          Damage{"UnstructuredGrid\"", "PolyData\"", "save"},
+          Damage{one_square.c_str(), "", ":1:1: error: No document element found (the file is damaged"},
+      });
 }
 
 }  // namespace
