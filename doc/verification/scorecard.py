@@ -1,12 +1,13 @@
-"""Counts the checks of all verification pages, and keeps README's figures equal to those of their pages.
+"""Counts the checks of all verification pages, and keeps figures of README and FAQ equal to those of their pages.
 
-    scorecard.py ROOT           fails when scorecard.md or a figure of README.md is not what the pages say
-    scorecard.py ROOT --write   renews both
+    scorecard.py ROOT           fails when scorecard.md or a figure of these pages is not what the pages say
+    scorecard.py ROOT --write   renews them
 
-A check is a table row "| statement | yes or **no** | value |". A figure of README.md stands between two comments, the first
-of which names its page, the first cell of its row, and its column:
+A check is a table row "| statement | yes or **no** | value |". A figure stands between two comments, the first of which
+names its page, the first cell of its row, and its column; "ten hours by" a time a step is the number of steps:
 
     <!-- from doc/benchmarks/dda.md: explicit steps, 1000 blocks #2 -->12.9 ms<!-- end -->
+    <!-- ten hours by doc/benchmarks/dda.md: explicit steps, 1000 blocks #2 -->2 800 000<!-- end -->
 """
 
 import pathlib
@@ -16,7 +17,10 @@ import sys
 PAGES = ("dda", "mechanics", "blocks", "jointed_rock", "paper", "stability")
 CHECK = re.compile(r"^\| (?P<statement>.*?) \| (?P<passes>yes|\*\*no\*\*) \| (?P<value>.*?) \|$", re.M)
 SECTION = re.compile(r"^#+ (?:\d+\. )?(.*)$", re.M)
-FIGURE = re.compile(r"(<!-- from (?P<page>\S+): (?P<row>.*?) #(?P<column>\d+) -->)(?P<text>.*?)(<!-- end -->)", re.S)
+FIGURE = re.compile(
+    r"(?P<open><!-- (?P<what>from|ten hours by) (?P<page>\S+): (?P<row>.*?) #(?P<column>\d+) -->).*?<!-- end -->", re.S
+)
+WITH_FIGURES = ("README.md", "doc/faq.md")
 
 
 def checks(root):
@@ -64,16 +68,25 @@ def cell(root, page, row, column):
     cells = [line.split(" | ") for line in (root / page).read_text().split("\n") if line.startswith("| ")]
     found = [line for line in cells if line[0].strip("| *") == row]
     if len(found) != 1:
-        raise SystemExit(f"README.md: {page} has {len(found)} rows \"{row}\": name one of its rows")
+        raise SystemExit(f"{page} has {len(found)} rows \"{row}\": name one of its rows")
     return found[0][column - 1].strip("|* ")
 
 
-def readme(root):
-    """README.md with the figures of the pages."""
-    return FIGURE.sub(
-        lambda figure: figure[1] + cell(root, figure["page"], figure["row"], int(figure["column"])) + figure[6],
-        (root / "README.md").read_text(),
-    )
+def steps_in_ten_hours(time):
+    """The number of steps that take so long each, "12.9 ms" or "3.18 s", to two digits."""
+    number, unit = time.split()
+    steps = 36000 / (float(number) * {"us": 1e-6, "ms": 1e-3, "s": 1}[unit])
+    return f"{float(f'{steps:.2g}'):,.0f}".replace(",", " ")
+
+
+def with_figures(root, name):
+    """A page with the figures of the pages that it quotes."""
+
+    def renewed(figure):
+        text = cell(root, figure["page"], figure["row"], int(figure["column"]))
+        return figure["open"] + (text if figure["what"] == "from" else steps_in_ten_hours(text)) + "<!-- end -->"
+
+    return FIGURE.sub(renewed, (root / name).read_text())
 
 
 def renew(path, text, write):
@@ -87,8 +100,9 @@ def renew(path, text, write):
 
 
 def main(root, write):
-    good = renew(root / "doc/verification/scorecard.md", scorecard(root), write)
-    return int(not (renew(root / "README.md", readme(root), write) and good))
+    good = [renew(root / "doc/verification/scorecard.md", scorecard(root), write)]
+    good += [renew(root / name, with_figures(root, name), write) for name in WITH_FIGURES]
+    return int(not all(good))
 
 
 if __name__ == "__main__":
