@@ -43,10 +43,15 @@ std::string title_of(const fs::path& directory, const std::optional<Scene>& scen
 }
 
 std::vector<std::string> block_names(const fs::path& directory) {
+  std::vector<std::string> names;
+  if (const std::optional<Scene> scene = scene_of(directory)) {
+    for (std::size_t b = 0; b < scene->blocks.size(); ++b)
+      names.push_back(scene->block_name(static_cast<int>(b)));
+    return names;
+  }
   std::error_code error;
   const fs::path path = directory / "blocks.csv";
-  if (!fs::exists(path, error)) return {};
-  return CsvTable(path).texts("block");
+  return fs::exists(path, error) ? CsvTable(path).texts("block") : names;
 }
 
 std::vector<BoltLine> bolts_of(const fs::path& directory) {

@@ -24,7 +24,8 @@ std::string title_of(const std::filesystem::path& directory, const std::optional
 /// The directory's own name, also of "." and "a/".
 std::string name_of(const std::filesystem::path& directory);
 
-/// What each block is called in results; nothing when blocks.csv is not there.
+/// What each block of the frames is called, those that a stage has taken out too. Without the scene: those of
+/// blocks.csv, which has no rows of these; nothing when that is not there either.
 std::vector<std::string> block_names(const std::filesystem::path& directory);
 
 /// The bolts at the end of the run; nothing when it has none.
