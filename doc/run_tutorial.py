@@ -3,7 +3,8 @@
     run_tutorial.py PAGE DDA SCRATCH
 
 A block ```toml whose first line is "# FILE" is written to FILE; one with "# FILE, more" is added to it. In a block ```console
-lines "$ dda ..." are run, and the lines below them must be printed in this order; "..." stands for any lines.
+lines "$ ..." are run, and the lines below them must be printed in this order; "..." stands for any lines. The examples of the
+repository are in the folder "examples".
 """
 
 import pathlib
@@ -42,6 +43,7 @@ def run_commands(scratch, program, text):
 def main(page, program, scratch):
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
+    (scratch / "examples").symlink_to(page.resolve().parent.parent / "examples")
     wrong = []
     for language, text in BLOCK.findall(page.read_text()):
         if language == "toml":
