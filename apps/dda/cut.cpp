@@ -65,11 +65,10 @@ void add_cut(CLI::App& app, CutArguments& arguments) {
          "For rounded coordinates: vertices nearer than this (m) become one, and move onto edges as near")
       ->check(CLI::PositiveNumber);
   cut->add_option("--shortest-edge", arguments.options.shortest_edge,
-                  "Make one vertex of the ends of shorter edges; relative to the size of their block, "
-                  "sqrt(area)")
+                  "Merge the two ends of shorter edges; relative to the size of their block, sqrt(area)")
       ->check(CLI::Range(0.0, 1.0));
   cut->add_flag("--drop-straight", arguments.options.drop_straight,
-                "Leave out vertices that turn by at most 1e-9 (a sine)");
+                "Leave out vertices on straight edges: the sine of their turn is at most 1e-9");
   cut->add_flag("--convex", arguments.options.convex,
                 "Split concave blocks into few convex ones: NAME.1, NAME.2, ...");
 }

@@ -29,14 +29,15 @@ An older SCENE-out/ is renamed SCENE-out.1, .2, ...; --force overwrites it.
 
 constexpr std::string_view statuses = R"(Exit statuses
   0    done
-  2    the input or the call is wrong; nothing is written
-  3    the analysis stopped: a step has no solution, even in parts; what was computed is kept
-  4    a file could not be read or written, or memory does not suffice
+  2    the input or the call is wrong, or the scene needs more memory than there is; nothing is written
+  3    the analysis stopped: a step could not be solved, even cut to a thousandth, or memory ran out;
+       results and a checkpoint are kept
+  4    a file could not be read or written
   130  interrupted by Ctrl-C; results and a checkpoint are kept
   143  ended by a signal from the system; results and a checkpoint are kept
 
 "status" of summary.json is "completed", "stopped" or "interrupted". A completed run need not be in equilibrium:
-"unbalanced" and the warnings tell.
+see "at_rest", "unbalanced" and the warnings.
 )";
 
 constexpr std::string_view schemes = R"(analysis.scheme integrates the equations of motion:
@@ -46,8 +47,8 @@ constexpr std::string_view schemes = R"(analysis.scheme integrates the equations
   "newmark"         Newmark's method with beta and gamma; blocks that hardly turn
   "backward_euler"  damps vibration and rotation most of all; scenes that settle
   "dda"             Newmark with beta = 1/2, gamma = 1, as in the paper and in other DDA programs
-mode = "static" makes steps without inertia carried over, for settling.
-What each keeps and loses, with measurements: doc/scene_format.md, doc/verification/mechanics.md.
+mode = "static" starts every step at rest, to find equilibrium.
+What each scheme conserves, with measurements: doc/scene_format.md, doc/verification/mechanics.md.
 )";
 
 }  // namespace

@@ -33,7 +33,7 @@ void tell_rest(Answer& answer, const SummaryTable& summary) {
                 fmt::format(" out of balance; most block {}, by {} of the largest force on it",
                             summary.text("unbalanced_block"), number_text(*unbalanced, 2)));
   else if (*unbalanced > 0)
-    answer.line(fmt::format("out of balance by {} of the largest force on a block at most",
+    answer.line(fmt::format("largest out-of-balance force: {} of the largest force on its block",
                             number_text(*unbalanced, 2)));
   if (*fastest > 0)
     answer.line(fmt::format("block {} moves fastest, {}", summary.text("fastest_block"),
@@ -88,8 +88,7 @@ void tell_work(Answer& answer, const SummaryTable& summary) {
   if (const auto residual = summary.number("max_residual"); residual && *residual > 0)
     answer.line(fmt::format("residual at most {} of the forces", number_text(*residual, 2)));
   if (passes && substeps && *substeps > 0)
-    answer.line(fmt::format("{}, {} a substep",
-                            plural(*passes, "open-close iteration", "open-close iterations"),
+    answer.line(fmt::format("{}, {} a substep", plural(*passes, "contact iteration", "contact iterations"),
                             number_text(*passes / *substeps, 3)));
   if (solves && factorizations)
     answer.line(fmt::format("{}, {}", plural(*solves, "linear solution", "linear solutions"),

@@ -1,4 +1,5 @@
 /// \file The program `dda`: one verb, one file.
+#include "call_error.hpp"
 #include "check.hpp"
 #include "cut.hpp"
 #include "exit_status.hpp"
@@ -100,7 +101,7 @@ int parse_and_execute(int argc, char** argv) {
   dda::add_view(app, call.view);
   dda::add_safety(app, call.safety);
   dda::add_sweep(app, call.sweep);
-  CLI::App* info = app.add_subcommand("info", "Tell a result in words");
+  CLI::App* info = app.add_subcommand("info", "Describe a result in words");
   info->add_option("DIR", call.info, "Result directory")->required();
   CLI::App* help = app.add_subcommand("help", "Print a topic of the manual");
   help->add_option("TOPIC", call.help_topic,
@@ -110,7 +111,8 @@ int parse_and_execute(int argc, char** argv) {
 
   const std::string_view verb = argc > 1 ? argv[1] : "";
   if (!verb.empty() && verb.front() != '-' && !is_known(verb)) {
-    dda::print_error(fmt::format("unknown verb \"{}\" (known: {})", verb, fmt::join(known_verbs, ", ")));
+    const std::vector<std::string_view> known(known_verbs.begin(), known_verbs.end());
+    dda::print_error(fmt::format("unknown verb \"{}\" ({})", verb, dda::choice_among(verb, known)));
     return dda::wrong_input;
   }
   if (verb == "make")
@@ -123,7 +125,9 @@ int parse_and_execute(int argc, char** argv) {
   } catch (const CLI::Success& answered) {
     return app.exit(answered);
   } catch (const CLI::ParseError& error) {
-    dda::print_error(fmt::format("{} (try dda --help)", error.what()));
+    const bool lacks_verb = verb.empty() || verb.front() == '-';
+    const std::string text = verb.empty() ? "no verb is given" : error.what();
+    dda::print_error(fmt::format("{} (try dda {}--help)", text, lacks_verb ? "" : std::string(verb) + ' '));
     return dda::wrong_input;
   }
   return execute(app, call);

@@ -11,7 +11,8 @@ void declare_what(CLI::App& plot, PlotArguments& call) {
       ->required();
   plot.add_option("-o,--output", call.output, "The picture to write: FILE.svg, FILE.png or FILE.pdf")
       ->required();
-  plot.add_option("--width", call.width, "Pixels; a picture may come out narrower; PNG has two dots a pixel")
+  plot.add_option("--width", call.width,
+                  "Width in pixels; a picture may come out narrower; PNG files have twice as many")
       ->check(CLI::Range(200, 20000));
 }
 
@@ -28,7 +29,7 @@ void declare_blocks(CLI::App& plot, PlotArguments& call) {
       "Colours: sxx, syy, sxy, s1, s2, displacement, velocity, material, block or none; several with commas, "
       "or repeated. Left out: s2, or none without stress");
   list("--frame", call.frames,
-       "The number of a step, or last (what is drawn when left out); several likewise");
+       "The number of a step, or last; several with commas, or repeated. Left out: last");
   flag("--reference", call.reference, "Outlines at the start, dashed");
   flag("--forces", call.forces, "Contact forces on the upper of the two blocks, as arrows");
   plot.add_option("--vectors", call.vectors, "An arrow for each block: displacement or velocity")
@@ -38,7 +39,7 @@ void declare_blocks(CLI::App& plot, PlotArguments& call) {
   flag("--names", call.names, "Names of the blocks");
   flag("--numbers", call.numbers, "Of a scene: numbers of vertices and edges");
   plot.add_option("--magnify", call.magnify,
-                  "Draw displacements so many times as large; fields stay as they are")
+                  "Draw displacements larger by this factor; fields stay as they are")
       ->check(CLI::Range(0., 1e9))
       ->group(blocks);
   list("--set", call.settings, "Of a scene: PATH=VALUE: replace a value");
@@ -60,13 +61,15 @@ void declare_curves(CLI::App& plot, PlotArguments& call) {
       ->expected(1)
       ->group(curves);
   plot.add_flag("--energy", call.energy, "Energies over time")->group(curves);
-  plot.add_flag("--unbalanced", call.unbalanced, "What is out of balance over time")->group(curves);
+  plot.add_flag("--unbalanced", call.unbalanced, "Out-of-balance force and largest velocity over time")
+      ->group(curves);
 }
 
 }  // namespace
 
 void declare_plot(CLI::App& app, PlotArguments& arguments) {
-  CLI::App* plot = app.add_subcommand("plot", "Draw results as SVG: blocks in colours, or curves over time");
+  CLI::App* plot =
+      app.add_subcommand("plot", "Draw results as SVG, PNG or PDF: blocks in colours, or curves over time");
   declare_what(*plot, arguments);
   declare_blocks(*plot, arguments);
   declare_curves(*plot, arguments);

@@ -134,7 +134,7 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
            const std::filesystem::path& directory, spdlog::logger& log) {
   const StepCounts& counts = stepper.counts();
   const std::string outcome = fmt::format(
-      "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} open-close iterations, {} "
+      "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} contact iterations, {} "
       "contacts",
       summary.status, counts.steps, stepper.state().time, counts.substeps, counts.rejected,
       counts.unconverged, counts.open_close_iterations, counts.contacts);

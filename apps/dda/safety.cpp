@@ -152,16 +152,18 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
 
 void add_safety(CLI::App& app, SafetyArguments& arguments) {
   CLI::App* safety = app.add_subcommand(
-      "safety", "Factor of safety: joints made weaker until something moves in the last stage");
+      "safety",
+      "Factor of safety by strength reduction: joints are weakened until blocks move in the last stage");
   safety->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required();
   safety
       ->add_option("-o,--output", arguments.directory,
-                   "Directory of safety.csv, safety.json, safety.svg, safety_moved.svg")
+                   "Result directory: safety.csv, safety.json, safety.svg, safety_moved.svg")
       ->required();
-  safety->add_option("--joints", arguments.joints, "NAME,...: the joints made weaker; left out: all")
+  safety->add_option("--joints", arguments.joints, "NAME,...: the joints to weaken; left out: all")
       ->delimiter(',');
-  safety->add_option("--range", arguments.range, "A:B, where to look; left out: from 1 on, both ways");
-  safety->add_option("--tolerance", arguments.tolerance, "Of the factor, relative")
+  safety->add_option("--range", arguments.range,
+                     "A:B: search between these factors; left out: from 1 on, up or down");
+  safety->add_option("--tolerance", arguments.tolerance, "Width of the bracket over the factor")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
   safety->add_option("--set", arguments.settings, "PATH=VALUE: replace a value of the scene")
@@ -171,7 +173,7 @@ void add_safety(CLI::App& app, SafetyArguments& arguments) {
       ->add_option("--jobs", arguments.jobs,
                    "Trials at a time; left out: as many as processors; the answer is the same")
       ->check(CLI::Range(1, 1024));
-  safety->add_flag("--quiet", arguments.quiet, "Print the factor and problems only");
+  safety->add_flag("--quiet", arguments.quiet, "Print one line, the factor, and problems");
 }
 
 int safety(const SafetyArguments& arguments) {

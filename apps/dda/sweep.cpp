@@ -300,21 +300,22 @@ void add_sweep(CLI::App& app, SweepArguments& arguments) {
   sweep->add_option("--table", arguments.table, "CSV file whose header names paths and whose rows are cases")
       ->check(CLI::ExistingFile);
   list("--outcome", arguments.outcomes,
-       "NAME=PATH into summary.json, or NAME=monitor.NAME.COLUMN at the end");
+       "A column of sweep.csv: NAME=PATH into summary.json, or NAME=monitor.NAME.COLUMN at the end");
   list("--set", arguments.settings, "PATH=VALUE: replace a value of the scene in all cases");
   CLI::Option* safety = sweep->add_flag("--safety", arguments.safety,
                                         "Find the factor of safety of each case: columns factor_low, "
                                         "factor_high and the probability of failure");
   sweep->add_option("--range", arguments.range, "A:B, as of dda safety")->needs(safety);
   sweep->add_option("--tolerance", arguments.tolerance, "Of the factors, as of dda safety")->needs(safety);
-  sweep->add_option("--joints", arguments.joints, "NAME,...: the joints made weaker, as of dda safety")
+  sweep->add_option("--joints", arguments.joints, "NAME,...: the joints to weaken, as of dda safety")
       ->needs(safety);
   sweep->add_option("--curve", arguments.curve, "X,Y: two columns of sweep.csv, drawn as sweep.svg");
   sweep->add_option("--map", arguments.map,
                     "X,Y,VALUE: a column of sweep.csv over two others, coloured cells drawn as map.svg");
   sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors")
       ->check(CLI::Range(1, 1024));
-  sweep->add_option("--case", arguments.only, "Run this one only, from 1")->check(CLI::Range(1, 1'000'000));
+  sweep->add_option("--case", arguments.only, "Run only the case of this number, from 1")
+      ->check(CLI::Range(1, 1'000'000));
   sweep->add_flag("--slurm", arguments.slurm, "Write sweep.sbatch, a job array of the cases; run nothing");
   sweep->add_flag("--quiet", arguments.quiet, "Print problems only");
 }

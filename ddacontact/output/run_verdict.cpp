@@ -96,10 +96,10 @@ std::vector<std::string> warnings_of(const Stepper& stepper) {
                        imbalance(stepper, e);
     if (e.fastest_block >= 0) text += ", " + motion(stepper, e);
     const double change = e.unbalanced / e.unbalanced_before - 1;
-    warnings.push_back(
-        text + (change < -settling
-                    ? " (more 'steps': the last one made it " + figure(-100 * change) + " % less)"
-                    : " (more 'steps'; where it does not become less, the scene has no equilibrium)"));
+    warnings.push_back(text +
+                       (change < -settling
+                            ? " (more 'steps': the last one reduced this by " + figure(-100 * change) + " %)"
+                            : " (more 'steps'; if this does not decrease, the scene has no equilibrium)"));
   }
   for (std::string& text :
        stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy()))

@@ -21,12 +21,11 @@ inline constexpr Key time_step{.name = "time_step",
                                .unit = "s",
                                .bounds = positive,
                                .required = true};
-inline constexpr Key max_displacement_ratio{
-    .name = "max_displacement_ratio",
-    .what =
-        "In one step a vertex moves at most this times half the larger side of the box of the scene at "
-        "the start.",
-    .bounds = positive};
+inline constexpr Key max_displacement_ratio{.name = "max_displacement_ratio",
+                                            .what =
+                                                "Largest displacement of a vertex in a step over half the "
+                                                "larger side of the scene's bounding box at the start.",
+                                            .bounds = positive};
 inline constexpr Key gravity{.name = "gravity", .what = "Acceleration of every block.", .unit = "m/s2"};
 inline constexpr Key scheme{.name = "scheme",
                             .what =
@@ -46,7 +45,7 @@ inline constexpr Key damping{
     .unit = "1/s and s",
     .bounds = not_negative};
 inline constexpr Key cutting_factor{.name = "cutting_factor",
-                                    .what = "A rejected step is tried again with this times its length.",
+                                    .what = "A rejected step is repeated with this times its length.",
                                     .bounds = {.low = 0, .high = 1, .with_low = false, .with_high = false}};
 
 }  // namespace analysis_keys
@@ -114,32 +113,33 @@ template <class Visit>
 void describe(ContactRecord& r, Visit&& visit) {
   static const std::string method = preset_text(&Defaults::method);
   visit(Key{.name = "method",
-            .what = "How contact states and forces are found: in stages, or by Shi's open-close iteration.",
+            .what = "Augmented Lagrangian (\"staged\"), or penalty springs with Shi's open-close iteration "
+                    "(\"classic\").",
             .default_text = method.c_str()},
         r.method);
   visit(Key{.name = "normal_stiffness",
-            .what = "Penalty of the normal contact springs, per metre of thickness; where \"staged\" starts.",
+            .what = "Stiffness of the normal contact springs, per metre of thickness. Results of \"staged\" "
+                    "do not depend on it.",
             .unit = "N/m2",
             .other_unit = "N/m",
             .bounds = positive,
             .default_text = "40 x the largest `young`"},
         r.normal_stiffness);
   visit(Key{.name = "tangential_stiffness",
-            .what = "Penalty of the tangential contact springs, per metre of thickness.",
+            .what = "Stiffness of the tangential contact springs, likewise.",
             .unit = "N/m2",
             .other_unit = "N/m",
             .bounds = positive,
             .default_text = "`normal_stiffness` / 2.5"},
         r.tangential_stiffness);
   visit(Key{.name = "penetration_tolerance",
-            .what =
-                "Deepest penetration, of the block size; closed contacts keep gaps of up to a thousandth of "
-                "it. 0 is the plain penalty method.",
+            .what = "Largest penetration over the block size; gaps of closed contacts up to a thousandth of "
+                    "it stay uncorrected. 0: the plain penalty method.",
             .bounds = not_negative,
             .default_text = "`1e-06`; method \"classic\": `0.0`"},
         r.penetration_tolerance);
   visit(Key{.name = "corner_rounding",
-            .what = "Radius of the corners, of the block size; 0: they are sharp.",
+            .what = "Radius of the corners over the block size; 0: sharp corners.",
             .bounds = not_negative,
             .default_text = "`0.0`"},
         r.options.corner_rounding);
@@ -195,13 +195,12 @@ void describe_law(Law& law, Visit&& visit) {
             .unit = "Pa",
             .bounds = not_negative},
         law.tensile_strength);
-  visit(
-      Key{.name = "restitution",
-          .what = "Of blocks that meet: how fast they part, of the normal speed at which they met, as rigid "
-                  "bodies; method \"staged\" alone.",
-          .bounds = {.low = 0, .high = 1},
-          .default_text = "none: as their own elasticity has it"},
-      law.restitution);
+  visit(Key{.name = "restitution",
+            .what = "Normal velocity after an impact over that before, as between rigid bodies; method "
+                    "\"staged\" alone.",
+            .bounds = {.low = 0, .high = 1},
+            .default_text = "none: blocks rebound by their elasticity"},
+        law.restitution);
   visit(Key{.name = "dashpot",
             .what = "Damping of closed contacts, ratio to critical of the contact spring.",
             .bounds = not_negative},
@@ -230,13 +229,13 @@ void describe_springs(Law& law, Visit&& visit) {
             .bounds = positive,
             .default_text = "none: the joint is rigid"},
         law.shear_stiffness);
-  visit(
-      Key{.name = "dilation_angle",
-          .what = "A contact that slides rises by the tangent of it times its slip; method \"staged\" alone.",
-          .unit = "deg",
-          .bounds = {.low = 0, .high = 90, .with_high = false},
-          .default_text = "none: joints do not dilate"},
-      law.dilation_angle);
+  visit(Key{.name = "dilation_angle",
+            .what = "A slipping contact rises by the tangent of this angle times its slip; method \"staged\" "
+                    "alone.",
+            .unit = "deg",
+            .bounds = {.low = 0, .high = 90, .with_high = false},
+            .default_text = "none: joints do not dilate"},
+        law.dilation_angle);
   visit(Key{.name = "dilation_slip",
             .what = "The slip up to which a joint dilates.",
             .unit = "m",

@@ -169,8 +169,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
       return Trial::rejected;
     }
     if (furthest > search_margin_[b]) {
-      rejection_ =
-          "block " + quoted(blocks_.names[b]) + " moves further in one step than contacts are looked for";
+      rejection_ = "block " + quoted(blocks_.names[b]) + " moves further in one step than its search margin";
       if (search_margin_[b] >= limits_.largest_search_margin(b)) return Trial::rejected;
       outran = true;
     }

@@ -17,8 +17,8 @@ html_copy_source = False
 
 
 def without_folders(app, page, source):
-    """Links to folders of the repository, which a site has not, become their text."""
-    source[0] = re.sub(r"\[([^\]]*)\]\((\.\./)+[\w/]+\)", r"\1", source[0])
+    """Links to folders of the repository and to its README, which a site has not, become their text."""
+    source[0] = re.sub(r"\[([^\]]*)\]\((\.\./)+([\w/]+|README\.md)\)", r"\1", source[0])
 
 
 def setup(app):
