@@ -3,8 +3,8 @@
     run_tutorial.py PAGE DDA SCRATCH
 
 A block ```toml whose first line is "# FILE" is written to FILE; one with "# FILE, more" is added to it. In a block ```console
-lines "$ ..." are run, and the lines below them must be printed in this order; "..." stands for any lines. The examples of the
-repository are in the folder "examples".
+lines "$ ..." are run, and the lines below them must be printed in this order; "..." stands for any lines. A command goes on below
+a line that ends with a backslash. The examples of the repository are in the folder "examples".
 """
 
 import pathlib
@@ -32,7 +32,7 @@ def run_commands(scratch, program, text):
     """The commands whose output is not what the page shows."""
     wrong = []
     for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
-        command, *expected = part.rstrip("\n").split("\n")
+        command, *expected = re.sub(r"\\\n *", "", part).rstrip("\n").split("\n")
         call = command.replace("dda ", f"{program} ", 1)
         done = subprocess.run(call, shell=True, cwd=scratch, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if not re.match(pattern(expected), done.stdout):

@@ -14,6 +14,7 @@ exclude_patterns = ["site"]
 html_theme = "furo"
 html_title = "polydda"
 html_copy_source = False
+html_show_copyright = False
 
 
 def without_folders(app, page, source):
