@@ -109,7 +109,7 @@ void require_own_names(const Scene& scene) {
   std::set<std::string> names;
   for (const BlockDescription& block : scene.blocks)
     if (!block.name.empty() && !names.insert(block.name).second)
-      throw Error("two blocks would be called \"" + block.name + "\" (rename the one that is so now)");
+      throw Error("two blocks would be called \"" + block.name + "\" (rename the block that has this name)");
 }
 
 }  // namespace

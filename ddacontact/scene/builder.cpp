@@ -381,11 +381,10 @@ class Builder {
     if (!scene_.domain) return;
     const DomainCounts& cut = *scene_.domain;
     const auto n = [](int count) { return std::to_string(count); };
-    built_.notes.push_back("the domain is cut into " + n(cut.blocks) + " blocks: slivers merged " +
-                           n(cut.slivers_merged) + ", left " + n(cut.slivers_left) +
-                           "; pieces of joints that divide nothing, taken out " + n(cut.dangling_removed) +
-                           "; joints added because blocks surrounded others " + n(cut.connecting_joints) +
-                           "; T-vertices " + n(cut.t_vertices));
+    built_.notes.push_back(
+        "the domain is cut into " + n(cut.blocks) + " blocks: slivers merged " + n(cut.slivers_merged) +
+        ", left " + n(cut.slivers_left) + "; dead ends of joints removed " + n(cut.dangling_removed) +
+        "; connecting joints added " + n(cut.connecting_joints) + "; T-vertices " + n(cut.t_vertices));
   }
 
   /// visit(edge) for all edges of the block, as it numbers them, that an edge of the scene is divided into.

@@ -43,7 +43,7 @@ std::string cure(std::string_view word, std::string_view what) {
   if (what.find("UTF-8") != std::string_view::npos) return "save the file as UTF-8";
   for (const std::string_view name : {"NaN", "Infinity", "-Infinity"})
     if (word == name) return "JSON knows finite numbers alone";
-  return "the file is read no further: mend this first";
+  return "the file is read no further: correct this first";
 }
 
 /// Takes the events of the parser, which come in the order of the text; a cursor follows them from token to

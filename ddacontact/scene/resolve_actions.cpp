@@ -238,7 +238,7 @@ std::vector<QuietBoundary> resolve_quiet_boundaries(const Document& document, Bl
           problems.error(record.locations.table,
                          "edge '" + std::to_string(face.edge) + "' of " + blocks.names.title(face.block) +
                              " is quiet and held in " + "xy"[axis],
-                         "what is held lets no waves out: take it out of the support, 'fixed' or this line");
+                         "a held edge absorbs no waves: take it out of the support, 'fixed' or this line");
           break;
         }
     }

@@ -41,7 +41,7 @@ void check_springs(const Joint& joint, const KeyLocations& locations, ContactMet
                    "add 'normal_stiffness' in Pa/m: a joint is rigid in both directions or in none");
   if (normal && joint.restitution && locations.good("restitution"))
     problems.error(locations.of("restitution"), "'restitution' of a joint that has a stiffness",
-                   "leave it out: blocks part as the joint's springs have it, with a 'dashpot' slower");
+                   "leave it out: the joint's springs make blocks rebound, a 'dashpot' damps them");
 }
 
 bool has_dynamic_steps(const Document& document) {
@@ -61,10 +61,9 @@ void check_dilation(const Joint& joint, const KeyLocations& locations, const Doc
   if (!joint.dilation_angle || !locations.good("dilation_angle")) return;
   check_method("dilation_angle", locations, method, problems);
   if (has_dynamic_steps(document))
-    problems.error(
-        locations.of("dilation_angle"), "'dilation_angle' with dynamic steps",
-        "write mode = \"static\" in [analysis] and in all stages: blocks hop on what lifts them, and "
-        "dynamic steps do not follow that");
+    problems.error(locations.of("dilation_angle"), "'dilation_angle' with dynamic steps",
+                   "write mode = \"static\" in [analysis] and in all stages: dynamic steps do not support "
+                   "dilation");
   if (!joint.dilation_slip)
     problems.error(locations.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
                    "add 'dilation_slip', the slip in m up to which the joint dilates");

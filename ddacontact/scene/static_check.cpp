@@ -136,7 +136,7 @@ void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& part
       if (is_listed[block]) continue;
       is_listed[block] = true;
       if (n_listed++ == most_loose) {
-        (problems.*complain)(blocks.outlines[block].location, "more blocks follow that nothing holds",
+        (problems.*complain)(blocks.outlines[block].location, "more blocks without support follow",
                              "only the first " + std::to_string(most_loose) + " are listed");
         return;
       }

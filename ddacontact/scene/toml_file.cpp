@@ -97,7 +97,7 @@ int column_of_key(const std::string& text, const toml::source_position& position
 void add_syntax_error(const toml::parse_error& error, const std::string& text, ProblemList& problems) {
   const std::string what(error.description());
   SourceLocation location = place_in(error.source(), problems);
-  std::string cure = "the file is read no further: mend this first";
+  std::string cure = "the file is read no further: correct this first";
   if (what.find("cannot redefine") != std::string::npos) {
     cure = "a key or table may be written once; several of a kind are [[block]], [[material]], ...";
     if (!location.source) location.column = column_of_key(text, error.source().begin, what);
