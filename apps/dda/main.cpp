@@ -60,13 +60,7 @@ int execute(const CLI::App& app, Call& call) {
   return dda::run(call.run);
 }
 
-int parse_and_execute(int argc, char** argv) {
-  CLI::App app{"Discontinuous deformation analysis of blocks in contact"};
-  app.name("dda");
-  app.set_version_flag("--version", POLYDDA_VERSION);
-  app.require_subcommand(1);
-  Call call;
-
+void declare_run_and_check(CLI::App& app, Call& call) {
   CLI::App* run = app.add_subcommand("run", "Run a scene and write its results");
   run->add_option("SCENE", call.run.scene, "Scene file (TOML)")->required();
   run->add_option("-o,--output", call.run.directory,
@@ -94,7 +88,24 @@ int parse_and_execute(int argc, char** argv) {
   check->add_option("--set", call.check_settings, "PATH=VALUE: replace a value of the scenes")
       ->take_all()
       ->expected(1);
+}
 
+/// What is wrong with the verb or the word after it; empty: nothing that the parser does not tell better.
+std::string problem_of_words(std::string_view verb, std::string_view next) {
+  if (verb.empty() || verb.front() == '-' || is_known(verb))
+    return verb == "make" ? dda::problem_of_kind(next) : "";
+  const std::vector<std::string_view> known(known_verbs.begin(), known_verbs.end());
+  return fmt::format("unknown verb \"{}\" ({})", verb, dda::choice_among(verb, known));
+}
+
+int parse_and_execute(int argc, char** argv) {
+  CLI::App app{"Discontinuous deformation analysis of blocks in contact"};
+  app.name("dda");
+  app.set_version_flag("--version", POLYDDA_VERSION);
+  app.require_subcommand(1);
+  Call call;
+
+  declare_run_and_check(app, call);
   dda::add_make(app, call.make);
   dda::add_cut(app, call.cut);
   dda::declare_plot(app, call.plot);
@@ -110,16 +121,10 @@ int parse_and_execute(int argc, char** argv) {
   app.footer(dda::help_footer());  // after the verbs, which would inherit it
 
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (!verb.empty() && verb.front() != '-' && !is_known(verb)) {
-    const std::vector<std::string_view> known(known_verbs.begin(), known_verbs.end());
-    dda::print_error(fmt::format("unknown verb \"{}\" ({})", verb, dda::choice_among(verb, known)));
+  if (const std::string problem = problem_of_words(verb, argc > 2 ? argv[2] : ""); !problem.empty()) {
+    dda::print_error(problem);
     return dda::wrong_input;
   }
-  if (verb == "make")
-    if (const std::string problem = dda::problem_of_kind(argc > 2 ? argv[2] : ""); !problem.empty()) {
-      dda::print_error(problem);
-      return dda::wrong_input;
-    }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& answered) {

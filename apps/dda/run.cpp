@@ -234,6 +234,17 @@ std::optional<Checkpoint> checkpoint_of(const RunArguments& arguments, Scene& sc
   return std::nullopt;
 }
 
+void add_notes_of_resumption(const RunArguments& arguments, const Checkpoint& from,
+                             const ResultDirectory& results, const std::string& made_by,
+                             std::vector<std::string>& notes) {
+  if (const auto missing = results.missing_histories(); !missing.empty())
+    notes.push_back(fmt::format("what was before step {} is not beside {}: {} begin there",
+                                from.record.counts.steps, arguments.checkpoint, fmt::join(missing, ", ")));
+  if (from.made_by != made_by)
+    notes.push_back(
+        fmt::format("{} was made by {}: last digits may differ", arguments.checkpoint, from.made_by));
+}
+
 int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point start) {
   std::optional<Checkpoint> from;
   if (!arguments.checkpoint.empty()) {
@@ -273,13 +284,7 @@ int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point sta
   log_choices(built.labels, *log);
   if (from) {
     log->info("resumed from {} after step {}", arguments.checkpoint, from->record.counts.steps);
-    if (const auto missing = results.missing_histories(); !missing.empty())
-      built.notes.push_back(fmt::format("what was before step {} is not beside {}: {} begin there",
-                                        from->record.counts.steps, arguments.checkpoint,
-                                        fmt::join(missing, ", ")));
-    if (from->made_by != made_by)
-      built.notes.push_back(
-          fmt::format("{} was made by {}: last digits may differ", arguments.checkpoint, from->made_by));
+    add_notes_of_resumption(arguments, *from, results, made_by, built.notes);
   }
   for (const std::string& note : built.notes) {
     log->warn("{}", note);

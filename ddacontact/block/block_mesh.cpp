@@ -123,11 +123,7 @@ struct OpenMesh {
   }
 };
 
-}  // namespace
-
-BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std::vector<Vec2>& contact) {
-  const Vec2 shift = outline.rowwise().mean();
-  const Points local = outline.colwise() - shift;
+PolygonMesh cells_of(const Points& local, const MeshOptions& options, const std::vector<Vec2>& contact) {
   const double area = polyfem::signed_area(local);
   const double wanted =
       options.cell_size > 0 ? std::max(1.0, area / (options.cell_size * options.cell_size)) : options.cells;
@@ -138,11 +134,19 @@ BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std
   const bool fits_quads = local.cols() == 4 && !polyfem::find_non_convex_corner(local, least_turn_of_quads);
   const bool in_quads = options.kind == CellKind::quads || (options.kind == CellKind::by_shape && fits_quads);
   PolygonMesh cells = in_quads ? quads(local, wanted) : polyfem::voronoi(local, how);
-  if (options.at_contact > 0 && !contact.empty()) {
-    std::vector<Vec2> zone;
-    for (const Vec2& x : contact) zone.push_back(x - shift);
-    cells = graded(std::move(cells), options.at_contact, zone);
-  }
+  if (options.at_contact > 0 && !contact.empty())
+    cells = graded(std::move(cells), options.at_contact, contact);
+  return cells;
+}
+
+}  // namespace
+
+BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std::vector<Vec2>& contact) {
+  const Vec2 shift = outline.rowwise().mean();
+  const Points local = outline.colwise() - shift;
+  std::vector<Vec2> zone;
+  for (const Vec2& x : contact) zone.push_back(x - shift);
+  const PolygonMesh cells = cells_of(local, options, zone);
   OpenMesh mesh(cells, local.col(0));
   for (const Vec2& x : local.colwise())
     if (mesh.find_on_ring(x) < 0) mesh.insert(x);

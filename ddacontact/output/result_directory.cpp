@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <numbers>
 
 namespace ddacontact {
@@ -59,6 +60,72 @@ Points at_scene_vertices(const Block& block, const OutlineLabels& labels, const 
     forces += force * shape.values.transpose();
   }
   return forces;
+}
+
+using NameOfBlock = std::function<std::string(int)>;
+
+nlohmann::ordered_json stages_of(const Stepper& stepper, const NameOfBlock& name_of) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+  const auto add_stage = [&](const StageEnd& end) {
+    stages.push_back({{"name", stepper.stages()[end.stage].name},
+                      {"steps", end.steps},
+                      {"time", end.time},
+                      {"came_to_rest", end.came_to_rest},
+                      {"at_rest", end.at_rest},
+                      {"unbalanced", end.equilibrium.unbalanced},
+                      {"unbalanced_block", name_of(end.equilibrium.unbalanced_block)},
+                      {"fastest", end.equilibrium.fastest},
+                      {"fastest_block", name_of(end.equilibrium.fastest_block)}});
+  };
+  for (const StageEnd& end : stepper.stage_ends()) add_stage(end);
+  add_stage(stepper.stage_end());
+  return stages;
+}
+
+/// Null where the scheme has none.
+nlohmann::ordered_json stable_step_of(const Stepper& stepper, const NameOfBlock& name_of) {
+  const std::optional<StableStep>& step = stepper.stable_step();
+  if (!step) return nullptr;
+  return {{"critical_step", step->critical},
+          {"block", name_of(step->block)},
+          {"longest_substep", step->dt},
+          {"decaying_blocks", step->n_decaying}};
+}
+
+/// Null where no domain was cut.
+nlohmann::ordered_json cut_of(const RunSummary& summary) {
+  const auto& cut = summary.domain;
+  if (!cut) return nullptr;
+  return {{"blocks", cut->blocks},
+          {"slivers_merged", cut->slivers_merged},
+          {"slivers_left", cut->slivers_left},
+          {"dangling_removed", cut->dangling_removed},
+          {"connecting_joints", cut->connecting_joints},
+          {"t_vertices", cut->t_vertices},
+          {"area", cut->area}};
+}
+
+nlohmann::ordered_json energy_of(const Stepper& stepper) {
+  const Energy& e = stepper.energy().now;
+  return {{"kinetic", e.kinetic},
+          {"elastic", e.elastic},
+          {"gravity", e.gravity},
+          {"friction_dissipated", e.friction_dissipated},
+          {"numerical_dissipated", e.numerical_dissipated},
+          {"external", e.external},
+          {"balance_error", stepper.energy().balance_error()},
+          {"damping_dissipated", e.damping_dissipated},
+          {"pushed_out", e.pushed_out},
+          {"plastic_dissipated", e.plastic_dissipated}};
+}
+
+nlohmann::ordered_json seconds_of(const StepTimes& times, const RunSummary& summary) {
+  return {{"total", summary.seconds_total},  {"setup", summary.seconds_setup},
+          {"steps", summary.seconds_steps},  {"detection", times.detection},
+          {"assembly", times.assembly},      {"solver", times.solver},
+          {"analysis", times.analysis},      {"factorization", times.factorization},
+          {"solution", times.solution},      {"update", times.update},
+          {"output", summary.seconds_output}};
 }
 
 }  // namespace
@@ -255,39 +322,10 @@ void ResultDirectory::write_supports(const Stepper& stepper) {
 
 void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& summary) {
   const StepCounts& counts = stepper.counts();
-  const StepTimes& times = stepper.times();
-  const Energy& e = stepper.energy().now;
   const Equilibrium& rest = stepper.equilibrium();
-  const auto name_of = [&](int block) { return block < 0 ? std::string() : labels_.block_names[block]; };
-  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
-  const auto add_stage = [&](const StageEnd& end) {
-    stages.push_back({{"name", stepper.stages()[end.stage].name},
-                      {"steps", end.steps},
-                      {"time", end.time},
-                      {"came_to_rest", end.came_to_rest},
-                      {"at_rest", end.at_rest},
-                      {"unbalanced", end.equilibrium.unbalanced},
-                      {"unbalanced_block", name_of(end.equilibrium.unbalanced_block)},
-                      {"fastest", end.equilibrium.fastest},
-                      {"fastest_block", name_of(end.equilibrium.fastest_block)}});
+  const NameOfBlock name_of = [&](int block) {
+    return block < 0 ? std::string() : labels_.block_names[block];
   };
-  for (const StageEnd& end : stepper.stage_ends()) add_stage(end);
-  add_stage(stepper.stage_end());
-  nlohmann::ordered_json stable;  // null without
-  if (const std::optional<StableStep>& step = stepper.stable_step())
-    stable = {{"critical_step", step->critical},
-              {"block", name_of(step->block)},
-              {"longest_substep", step->dt},
-              {"decaying_blocks", step->n_decaying}};
-  nlohmann::ordered_json domain;  // null without
-  if (const auto& cut = summary.domain)
-    domain = {{"blocks", cut->blocks},
-              {"slivers_merged", cut->slivers_merged},
-              {"slivers_left", cut->slivers_left},
-              {"dangling_removed", cut->dangling_removed},
-              {"connecting_joints", cut->connecting_joints},
-              {"t_vertices", cut->t_vertices},
-              {"area", cut->area}};
   const nlohmann::ordered_json json = {{"status", summary.status},
                                        {"reason", summary.reason},
                                        {"steps_completed", counts.steps},
@@ -310,7 +348,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"interior_point_solves", counts.interior_solutions},
                                        {"tolerance_largest", counts.largest_tolerance},
                                        {"scheme", summary.scheme},
-                                       {"explicit", stable},
+                                       {"explicit", stable_step_of(stepper, name_of)},
                                        {"solutions_with_stale_factor", counts.solutions_with_stale_factor},
                                        {"krylov_iterations", counts.krylov_iterations},
                                        {"solver_fallbacks", counts.solver_fallbacks},
@@ -329,34 +367,13 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"at_rest", stepper.is_at_rest()},
                                        {"fastest", rest.fastest},
                                        {"fastest_block", name_of(rest.fastest_block)},
-                                       {"stages", stages},
+                                       {"stages", stages_of(stepper, name_of)},
                                        {"warnings", summary.warnings},
-                                       {"analyses", times.analyses},
+                                       {"analyses", stepper.times().analyses},
                                        {"resumed_after", summary.resumed_after},
-                                       {"energy",
-                                        {{"kinetic", e.kinetic},
-                                         {"elastic", e.elastic},
-                                         {"gravity", e.gravity},
-                                         {"friction_dissipated", e.friction_dissipated},
-                                         {"numerical_dissipated", e.numerical_dissipated},
-                                         {"external", e.external},
-                                         {"balance_error", stepper.energy().balance_error()},
-                                         {"damping_dissipated", e.damping_dissipated},
-                                         {"pushed_out", e.pushed_out},
-                                         {"plastic_dissipated", e.plastic_dissipated}}},
-                                       {"wall_seconds",
-                                        {{"total", summary.seconds_total},
-                                         {"setup", summary.seconds_setup},
-                                         {"steps", summary.seconds_steps},
-                                         {"detection", times.detection},
-                                         {"assembly", times.assembly},
-                                         {"solver", times.solver},
-                                         {"analysis", times.analysis},
-                                         {"factorization", times.factorization},
-                                         {"solution", times.solution},
-                                         {"update", times.update},
-                                         {"output", summary.seconds_output}}},
-                                       {"domain", domain},
+                                       {"energy", energy_of(stepper)},
+                                       {"wall_seconds", seconds_of(stepper.times(), summary)},
+                                       {"domain", cut_of(summary)},
                                        {"peak_memory_mb", summary.peak_memory_mb},
                                        {"versions", summary.versions}};
   const std::string path = file("summary.json");

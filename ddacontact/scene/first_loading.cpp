@@ -59,6 +59,48 @@ void add_stresses(BlockSystem& blocks, const BlockState& initial, const StepStar
   }
 }
 
+/// Displacements, and the residual that reactions are.
+struct FirstSolution {
+  const StepSystem& system;
+  const VectorXd &d, &r;
+};
+
+/// What acts on the blocks, each force with its place from the centroid.
+void add_forces(BlockSystem& blocks, const BlockState& initial, const std::vector<Contact>& contacts,
+                const std::vector<ContactTerm>& terms, const FirstSolution& solution, FirstLoading& result) {
+  const auto add = [&](int block, const Vec2& from_origin, const Vec2& force) {
+    result.forces[block].push_back({from_origin - blocks.block(block).moments().centroid, force});
+  };
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const ContactForce force = contact_force(terms[c], solution.d);
+    if (force.normal == 0 && force.shear == 0) continue;
+    const VertexEdgePositions& point = contacts[c].motion.start;
+    const Vec2 along = (point.k - point.j).normalized(), out(along.y(), -along.x()),
+               on_vertex = force.normal * out + force.shear * along;
+    const auto [vertex_block, vertex, edge_block, edge, corner] = contacts[c].pair;
+    const Vec2 shift = initial.origin.col(edge_block) - initial.origin.col(vertex_block);
+    add(vertex_block, point.i + shift, on_vertex);
+    add(edge_block, point.i, -on_vertex);
+  }
+  for (const PrescribedDof& held : blocks.prescribed_dofs()) {
+    const int b = blocks.block_of_point(held.vertex);
+    add(b, initial.position.col(held.vertex), solution.r[held.unknown] * Vec2::Unit(held.axis));
+  }
+  for (const PointLoad& load : blocks.point_loads) {
+    const auto points = initial.position.middleCols(blocks.block(load.point.block).points().first,
+                                                    blocks.block(load.point.block).n_points());
+    add(load.point.block, points * load.point.weights, load.force.at(blocks.end_time, blocks.end_time));
+  }
+  blocks.add_edge_forces(initial, blocks.end_time, [&](int block, int vertex, const Vec2& force) {
+    add(block, initial.position.col(blocks.block(block).vertices().first + vertex), force);
+  });
+  for (const StepBolt& bolt : solution.system.bolts_at(solution.d))
+    for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i) {
+      const MaterialPoint& node = bolt.bolt().nodes[i];
+      add(node.block, blocks.interpolate(node, initial.position), bolt.force_on(static_cast<int>(i)));
+    }
+}
+
 }  // namespace
 
 FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBuilder& builder) {
@@ -97,37 +139,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
 
   VectorXd r;
   system.problem().compute_residual(terms, d0, g0, d, r);
-  const auto add = [&](int block, const Vec2& from_origin, const Vec2& force) {
-    result.forces[block].push_back({from_origin - blocks.block(block).moments().centroid, force});
-  };
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const ContactForce force = contact_force(terms[c], d);
-    if (force.normal == 0 && force.shear == 0) continue;
-    const VertexEdgePositions& point = contacts[c].motion.start;
-    const Vec2 along = (point.k - point.j).normalized(), out(along.y(), -along.x()),
-               on_vertex = force.normal * out + force.shear * along;
-    const auto [vertex_block, vertex, edge_block, edge, corner] = contacts[c].pair;
-    const Vec2 shift = initial.origin.col(edge_block) - initial.origin.col(vertex_block);
-    add(vertex_block, point.i + shift, on_vertex);
-    add(edge_block, point.i, -on_vertex);
-  }
-  for (const PrescribedDof& held : blocks.prescribed_dofs()) {
-    const int b = blocks.block_of_point(held.vertex);
-    add(b, initial.position.col(held.vertex), r[held.unknown] * Vec2::Unit(held.axis));
-  }
-  for (const PointLoad& load : blocks.point_loads) {
-    const auto points = initial.position.middleCols(blocks.block(load.point.block).points().first,
-                                                    blocks.block(load.point.block).n_points());
-    add(load.point.block, points * load.point.weights, load.force.at(blocks.end_time, blocks.end_time));
-  }
-  blocks.add_edge_forces(initial, blocks.end_time, [&](int block, int vertex, const Vec2& force) {
-    add(block, initial.position.col(blocks.block(block).vertices().first + vertex), force);
-  });
-  for (const StepBolt& bolt : system.bolts_at(d))
-    for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i) {
-      const MaterialPoint& node = bolt.bolt().nodes[i];
-      add(node.block, blocks.interpolate(node, initial.position), bolt.force_on(static_cast<int>(i)));
-    }
+  add_forces(blocks, initial, contacts, terms, {system, d, r}, result);
   add_stresses(blocks, initial, start, d, result);
   return result;
 }
