@@ -1,13 +1,14 @@
 #include "make.hpp"
 
 #include "exit_status.hpp"
-#include "memory.hpp"
 #include "messages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/scene/available_memory.hpp>
 #include <ddacontact/scene/geometry_writer.hpp>
+#include <ddacontact/scene/memory_estimate.hpp>
 #include <ddacontact/scene/reader.hpp>
 
 #include <algorithm>
@@ -63,10 +64,10 @@ std::string not_negative(const std::string& word) {
 void make_voronoi(const MakeArguments& arguments) {
   ddacontact::geometry_format(arguments.file);  // an unknown ending is an error before anything is computed
   const double needed = bytes_of_cell * arguments.voronoi.n_cells;
-  if (const auto available = available_memory(); available && *available < needed)
+  if (const auto available = ddacontact::available_memory(); available && *available < needed)
     throw Error(fmt::format("{} cells take about {} of memory, {} are available (about {:.2g} would fit)",
-                            arguments.voronoi.n_cells, bytes_text(needed), bytes_text(*available),
-                            *available / bytes_of_cell));
+                            arguments.voronoi.n_cells, ddacontact::bytes_text(needed),
+                            ddacontact::bytes_text(*available), *available / bytes_of_cell));
   const polyfem::PolygonMesh mesh = polyfem::voronoi(domain_of(arguments), arguments.voronoi);
   std::vector<Points> blocks;
   blocks.reserve(mesh.n_cells());

@@ -1,4 +1,4 @@
-/// \file The memory that there is, and whether a run fits into it.
+/// \file Whether a run fits into the memory that there is.
 #pragma once
 
 #include <ddacontact/scene/scene.hpp>
@@ -7,13 +7,6 @@
 #include <string>
 
 namespace dda {
-
-/// Bytes that this program may still take: what the system has available, the limits of its control group and
-/// of its address space, whichever is least; nothing where none of them is known.
-std::optional<double> available_memory();
-
-/// Bytes as "3.4 GB".
-std::string bytes_text(double bytes);
 
 /// Why a run of the scene does not fit, with what would; nothing when it fits.
 std::optional<std::string> memory_problem(const ddacontact::Scene& scene);

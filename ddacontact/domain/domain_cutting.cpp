@@ -34,6 +34,14 @@ const Points& place_of(const Domain& domain, int region) {
   return region < 0 ? domain.boundary : domain.regions[region].polygon;
 }
 
+double area_of(const Domain& domain, int region) {
+  return std::abs(polyfem::signed_area(place_of(domain, region)));
+}
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
 /// Length of traces per area.
 double intensity(const JointSet& set) {
   return set.trace / (set.trace + set.gap) / set.spacing;
@@ -192,38 +200,51 @@ void require_valid(const Domain& domain) {
   for (const DomainRegion& region : domain.regions) require_simple(region.polygon, "a region of the domain");
   for (const DomainOpening& opening : domain.openings)
     require_simple(opening.outline, "an opening of the domain");
-  double most = expected_blocks(domain);
-  for (const JointSet& set : domain.joint_sets)
-    most = std::max(most, n_joint_traces(set, place_of(domain, set.region)));
+  const ExpectedCut expected = expected_cut(domain);
+  const double most = std::max(expected.blocks, expected.traces);
   if (!(most <= most_blocks))
-    throw Error("the domain would be cut into about " + number(most) + " blocks or traces (at most " +
-                number(most_blocks) + ": wider spacings, longer traces or a smaller domain make fewer)");
+    throw TooManyBlocks("the domain would be cut into about " + number(most) + " blocks or traces (at most " +
+                        number(most_blocks) +
+                        ": wider spacings, longer traces or a smaller domain make fewer)");
 }
 
 }  // namespace
 
-double expected_blocks(const Domain& domain) {
-  double n = 1;
-  const auto area = [&](int region) { return std::abs(polyfem::signed_area(place_of(domain, region))); };
+ExpectedCut expected_cut(const Domain& domain) {
+  ExpectedCut cut;
+  double most_traces = 0;
   for (std::size_t i = 0; i < domain.joint_sets.size(); ++i) {
     const JointSet& set = domain.joint_sets[i];
-    n += intensity(set) * std::sqrt(area(set.region));
-    for (std::size_t j = 0; j < i; ++j) {
+    const double area = area_of(domain, set.region), across = intensity(set), extent = std::sqrt(area),
+                 n_traces = n_joint_traces(set, place_of(domain, set.region));
+    cut.blocks += across * extent;
+    double crossings = 0, ends = 1 / extent;  // of its blocks; per length of its traces
+    for (std::size_t j = 0; j < domain.joint_sets.size(); ++j) {
+      if (i == j) continue;
       const JointSet& other = domain.joint_sets[j];
-      n += intensity(set) * intensity(other) *
-           std::abs(std::sin((set.angle - other.angle) * std::numbers::pi / 180)) *
-           std::min(area(set.region), area(other.region));
+      const double met = intensity(other) * std::abs(std::sin(radians(set.angle - other.angle))),
+                   common = across * met * std::min(area, area_of(domain, other.region));
+      if (j < i) cut.blocks += common;
+      crossings += common;
+      ends += met;
     }
+    const double own_blocks = across * extent + crossings;
+    cut.box_pairs +=
+        own_blocks * std::min(own_blocks / 2, across / ends * std::abs(std::sin(radians(2 * set.angle))));
+    cut.traces += n_traces;
+    if (!(n_traces > most_traces)) continue;
+    most_traces = n_traces;
+    cut.densest_set = static_cast<int>(i);
   }
-  for (const VoronoiCells& cells : domain.voronoi) n += cells.cells;
-  return n;
+  for (const VoronoiCells& cells : domain.voronoi) cut.blocks += cells.cells;
+  return cut;
 }
 
 CutDomain cut_domain(const Domain& domain) {
   require_valid(domain);
   const Points boundary = counter_clockwise(domain.boundary);
   const double area = polyfem::signed_area(boundary),
-               snap = domain.snap > 0 ? domain.snap : 1e-6 * std::sqrt(area / expected_blocks(domain));
+               snap = domain.snap > 0 ? domain.snap : 1e-6 * std::sqrt(area / expected_cut(domain).blocks);
   const CuttingLines lines(domain, snap);
   polyfem::CutCells cells = polyfem::cut_cells(boundary, lines.segments(), snap);
   CutDomain result;

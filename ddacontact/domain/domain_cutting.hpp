@@ -3,6 +3,8 @@
 
 #include <ddacontact/domain/domain.hpp>
 
+#include <polyfem/core/error.hpp>
+
 namespace ddacontact {
 
 /// A block that joints cut out.
@@ -31,12 +33,26 @@ struct CutDomain {
 /// No domain is cut into more.
 inline constexpr double most_blocks = 1e6;
 
-/// About how many blocks would come of it.
-double expected_blocks(const Domain& domain);
+/// About what would come of a domain, told from spacings and areas alone.
+struct ExpectedCut {
+  double blocks = 1;
+  double traces = 0;  ///< of all joint sets
+  /// Pairs of blocks whose boxes along the axes overlap, neighbours apart: oblique slender blocks have as
+  /// many as they are long times the traces per length across them.
+  double box_pairs = 0;
+  int densest_set = -1;  ///< that of the most traces; -1: there is none
+};
+ExpectedCut expected_cut(const Domain& domain);
+
+/// There would be more blocks or traces than `most_blocks`.
+class TooManyBlocks : public Error {
+ public:
+  using Error::Error;
+};
 
 /// Neighbours share their vertices to the bit, T-vertices apart, and the same domain gives the same bytes.
 /// Joints end at the last joint that they cross. Throws Error, with the cure, for outlines that are not
-/// simple, for more than `most_blocks` and for slivers where these are to be refused.
+/// simple, TooManyBlocks, and Error for slivers where these are to be refused.
 CutDomain cut_domain(const Domain& domain);
 
 }  // namespace ddacontact

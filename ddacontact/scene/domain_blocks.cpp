@@ -1,14 +1,18 @@
+#include <ddacontact/scene/available_memory.hpp>
 #include <ddacontact/scene/domain_blocks.hpp>
 
 #include <ddacontact/domain/domain_cutting.hpp>
 #include <ddacontact/domain/opening_shapes.hpp>
 #include <ddacontact/scene/drawing_file.hpp>
 #include <ddacontact/scene/file_text.hpp>
+#include <ddacontact/scene/memory_estimate.hpp>
 #include <ddacontact/scene/names.hpp>
 #include <ddacontact/scene/spelling.hpp>
+#include <ddacontact/scene/text.hpp>
 
 #include <polyfem/core/error.hpp>
 
+#include <cmath>
 #include <set>
 
 namespace ddacontact::scene_format {
@@ -53,7 +57,7 @@ class DomainReader {
   std::optional<BlockRecord> block(const CutBlock& cut, std::size_t number) const {
     BlockRecord block;
     block.name = "d" + std::to_string(number);
-    block.origin = "the domain";
+    block.origin = domain_origin;
     block.locations.table = record_.locations.table;
     block.vertices.points = cut.outline;
     for (const char* key : {"name", "vertices"})
@@ -148,6 +152,28 @@ class DomainReader {
   Domain domain_;
 };
 
+/// Where the number of blocks is stated: at the spacing of the set with the most traces.
+const SourceLocation& place_of_size(const Domain& domain, const DomainRecord& record) {
+  const int densest = expected_cut(domain).densest_set;
+  return densest < 0 ? record.locations.of("boundary") : record.joint_sets[densest].locations.of("spacing");
+}
+
+/// Whether the blocks fit into memory, told before they are cut.
+bool fits_into_memory(const Domain& domain, const SourceLocation& location, ProblemList& problems) {
+  const ExpectedCut expected = expected_cut(domain);
+  const double needed = least_memory(expected.blocks, expected.box_pairs);
+  const std::optional<double> available = available_memory();
+  if (!available || expected.blocks > most_blocks || needed <= *available) return true;
+  const auto about = [](double number) { return rounded(std::round(number)); };
+  problems.error(location,
+                 "the domain would be cut into about " + about(expected.blocks) + " blocks, " +
+                     about(expected.box_pairs) +
+                     " pairs of them with boxes that overlap: they take more than " + bytes_text(needed) +
+                     " of memory, " + bytes_text(*available) + " are available",
+                 "wider spacings, joints across slender blocks or a smaller domain make fewer");
+  return false;
+}
+
 /// The cure of an Error stands in brackets at its end.
 void report(const std::string& message, const SourceLocation& location, ProblemList& problems) {
   const std::size_t cure = message.rfind(" (");
@@ -232,12 +258,16 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
   const std::size_t n_problems = problems.size();
   const DomainReader reader(document, problems);
   if (problems.size() != n_problems) return true;
+  const SourceLocation& size = place_of_size(reader.domain(), *document.domain);
+  if (!fits_into_memory(reader.domain(), size, problems)) return true;
   try {
     const CutDomain cut = cut_domain(reader.domain());
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
       if (auto block = reader.block(cut.blocks[b], b)) document.blocks.push_back(std::move(*block));
     document.domain_counts = cut.counts;
     document.has_all_blocks = all;
+  } catch (const TooManyBlocks& error) {
+    report(error.what(), size, problems);
   } catch (const polyfem::Error& error) {
     report(error.what(), document.domain->locations.of("boundary"), problems);
   }

@@ -6,7 +6,9 @@
 #include <polyfem/material/linear_elastic.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace ddacontact {
 
@@ -18,6 +20,7 @@ constexpr double of_scene_block = 900, of_scene_vertex = 60;
 constexpr double of_block = 700, of_vertex = 400, of_cell = 2500, of_unknown_pair = 24;
 constexpr double of_contact = 900, contacts_of_vertex = 1.5;
 constexpr double of_matrix_entry = 36, of_swept_entry = 8, of_swept_contact = 600;
+constexpr double of_box_pair = 24;
 /// Entries of the factor: so many n log2 n of n rows; bytes of each with what CHOLMOD works in.
 constexpr double fill = 7, of_factor_entry = 12;
 
@@ -69,6 +72,22 @@ bool needs_factor(const Scene& scene) {
            size_of(block).unknowns > ContactSweeps::largest_block ||
            !is_crossed_later(block, scene.materials[block.material], scene.analysis.plane, longest);
   });
+}
+
+std::string bytes_text(double bytes) {
+  std::array<char, 32> text{};
+  if (bytes < 1e9)
+    std::snprintf(text.data(), text.size(), "%.0f MB", bytes / 1e6);
+  else
+    std::snprintf(text.data(), text.size(), "%.1f GB", bytes / 1e9);
+  return text.data();
+}
+
+double least_memory(double n_blocks, double n_box_pairs) {
+  constexpr double n_vertices = 4;
+  const double of_one = of_scene_block + of_block + of_cell +
+                        n_vertices * (of_scene_vertex + of_vertex + of_contact * contacts_of_vertex);
+  return program + n_blocks * of_one + n_box_pairs * of_box_pair;
 }
 
 MemoryEstimate estimate_memory(const Scene& scene) {

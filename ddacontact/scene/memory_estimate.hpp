@@ -3,6 +3,8 @@
 
 #include <ddacontact/scene/scene.hpp>
 
+#include <string>
+
 namespace ddacontact {
 
 /// Bytes, by what takes them.
@@ -22,6 +24,13 @@ struct MemoryEstimate {
 /// block in a step (`carries_waves`) blocks of few unknowns are solved without. Slender blocks may become
 /// meshes by the choice of models.
 bool needs_factor(const Scene& scene);
+
+/// Bytes as "3.4 GB".
+std::string bytes_text(double bytes);
+
+/// Bytes for so many quadrilaterals of the simplest model, without a factor, and for the pairs of them whose
+/// boxes overlap: the least that a scene takes.
+double least_memory(double n_blocks, double n_box_pairs);
 
 /// From the numbers of vertices and of cells alone: blocks of the model "auto" count as undivided, contacts
 /// as in a dense packing.

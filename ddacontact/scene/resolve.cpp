@@ -1,5 +1,6 @@
 #include <ddacontact/scene/resolve.hpp>
 
+#include <ddacontact/scene/free_sides.hpp>
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/overlap_check.hpp>
 #include <ddacontact/scene/resolve_actions.hpp>
@@ -154,8 +155,10 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.stages =
       resolve_stages(document, joints, blocks, scene.blocks, bolts.names, scene.contact.method, problems);
   scene.joints = std::move(joints.joints);
-  if (apart && holds_are_known(document, blocks, scene))
+  if (apart && holds_are_known(document, blocks, scene)) {
     check_statics(blocks, static_parts(scene), bolts.blocks, problems);
+    warn_of_free_sides(document, scene, blocks, problems);
+  }
 
   warn_of_soft_materials(document, scene, problems);
   scene.output = document.output.options;

@@ -15,6 +15,11 @@ bool Holds::holds_any(std::size_t block) const {
                      [](const auto& by) { return by[0] != nobody || by[1] != nobody; });
 }
 
+bool Holds::holds_vertex(int block, int vertex) const {
+  const std::array<int, 2>& by = prescribed_by_[block][vertex];
+  return by[0] != nobody || by[1] != nobody;
+}
+
 std::vector<int> check_vertex_indices(const std::vector<int>& indices, int n_vertices,
                                       const std::string& title, const SourceLocation& location,
                                       ProblemList& problems) {

@@ -23,6 +23,8 @@ class Holds {
   bool holds_all(std::size_t block) const;
   /// Whether some vertex is held in some direction.
   bool holds_any(std::size_t block) const;
+  /// Whether the vertex is held in some direction.
+  bool holds_vertex(int block, int vertex) const;
 
  private:
   std::vector<std::vector<std::array<int, 2>>> prescribed_by_;

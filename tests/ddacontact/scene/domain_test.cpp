@@ -2,9 +2,12 @@
 #include "example_scenes.hpp"
 
 #include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/made_scenes.hpp>
 #include <ddacontact/scene/writer.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <numbers>
 #include <sstream>
 
@@ -194,7 +197,100 @@ TEST(Domain, BadTablesAreRefusedWithPlaceAndCure) {
   expect_problem(
       "[[domain.joint_set]]\nangle = 0\nspacing = 1e-6\n[[domain.joint_set]]\nangle = 90\nspacing = 1e-6\n",
       "the domain would be cut into about 1.2e+13 blocks");
+  expect_problem(
+      "[[domain.joint_set]]\nangle = 30\nspacing = 1\n[[domain.joint_set]]\nangle = 90\nspacing = 1e-8\n",
+      "scene.toml:28:11: error: the domain would be cut into about");
   expect_problem(with("[domain.sliver]\narea = 2\n"), "'area' = '2' is out of range");
+}
+
+/// Oblique slivers 3 m long: their boxes overlap by the thousand, and it is those pairs that take memory.
+TEST(Domain, JointsThatCutMoreThanMemoryHoldsAreRefusedBeforeAnythingIsCut) {
+  const auto begin = std::chrono::steady_clock::now();
+  expect_problem(
+      "[[domain.joint_set]]\nangle = 45\nspacing = 1e-5\n",
+      "scene.toml:25:11: error: the domain would be cut into about 3.464e+05 blocks");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+}
+
+/// A slope of squares whose face looks to the left; the toe is 1 m above the bottom.
+std::string slope(const std::string& tables) {
+  std::string text(head);
+  text.replace(text.find("[0, 3]]"), 7, "[2, 3], [1, 1], [0, 1]]");
+  return text + std::string(squares) + tables;
+}
+
+/// Warnings that a side of the domain is not held.
+std::vector<std::string> free_sides(const std::string& text) {
+  const SceneReading result = read_scene_text(text, "scene.toml");
+  EXPECT_TRUE(result.scene) << all_text(result.problems);
+  std::vector<std::string> found;
+  for (const Problem& problem : result.problems)
+    if (problem.text().find("side of the domain is not held") != std::string::npos)
+      found.push_back(problem.text());
+  return found;
+}
+
+constexpr const char* base = "[[domain.region]]\nname = \"base\"\nfixed = true\npolygon = ";
+
+TEST(FreeSides, OfASlopeThatIsHeldBelowAloneAreWarnedOf) {
+  const std::vector<std::string> warnings =
+      free_sides(slope(base + std::string("[[0, 0], [4, 0], [4, 1], [0, 1]]\n")));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("scene.toml:22:12: warning: the right side of the domain is not held between "
+                             "[4, 1] and [4, 3]"),
+            std::string::npos)
+      << warnings[0];
+  EXPECT_NE(warnings[0].find("[[support]] with 'on' = [[4, 1], [4, 3]]"), std::string::npos) << warnings[0];
+}
+
+TEST(FreeSides, BelowAreWarnedOfToo) {
+  const std::vector<std::string> warnings =
+      free_sides(slope(base + std::string("[[3, 0], [4, 0], [4, 3], [3, 3]]\n")));
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("left side of the domain is not held between [0, 0] and [0, 1]"),
+            std::string::npos)
+      << warnings[0];
+  EXPECT_NE(warnings[1].find("bottom side of the domain is not held between [0, 0] and [3, 0]"),
+            std::string::npos)
+      << warnings[1];
+}
+
+TEST(FreeSides, AreNoneWhereSupportsPressuresBlocksOrQuietBoundariesHoldThem) {
+  const std::string below = base + std::string("[[0, 0], [4, 0], [4, 1], [0, 1]]\n");
+  for (const std::string holder :
+       {"[[support]]\nblock = { box = [3, 0, 4, 3] }\nvertices = { on = [[4, 0], [4, 3]] }\naxes = \"x\"\n",
+        "[[load]]\ntype = \"pressure\"\nblock = { box = [3, 1, 4, 3] }\nedge = { on = [[4, 0], [4, 3]] }\n"
+        "value = 1e3\n",
+        "[[quiet_boundary]]\non = [[4, 1], [4, 3]]\n",
+        "[[block]]\nmaterial = \"rock\"\nfixed = true\nvertices = [[4, 0], [5, 0], [5, 3], [4, 3]]\n"})
+    EXPECT_TRUE(free_sides(slope(below + holder)).empty()) << holder;
+}
+
+TEST(FreeSides, AreLeftAloneWhereNothingOfTheDomainIsHeldAndOfSpecimens) {
+  EXPECT_TRUE(free_sides(slope("")).empty());
+  const std::string below = base + std::string("[[0, 0], [4, 0], [4, 1], [0, 1]]\n");
+  EXPECT_TRUE(free_sides(std::string(head) + std::string(squares) + below).empty());
+  EXPECT_EQ(free_sides(std::string(head) + std::string(squares) + below +
+                       "[[domain.opening]]\nname = \"t\"\npolygon = [[1.5, 1.5], [2.5, 1.5], [2, 2.5]]\n")
+                .size(),
+            2u);
+}
+
+TEST(FreeSides, AreNotInTheExamples) {
+  int n_domains = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(EXAMPLES)) {
+    if (entry.path().extension() != ".toml") continue;
+    const SceneReading result = read_scene(entry.path().string());
+    ASSERT_TRUE(result.scene) << entry.path() << all_text(result.problems);
+    EXPECT_EQ(all_text(result.problems).find("side of the domain"), std::string::npos) << entry.path();
+    n_domains += result.scene->domain.has_value();
+  }
+  EXPECT_EQ(n_domains, 3);
+}
+
+TEST(FreeSides, AreNotInScenesThatAreMade) {
+  for (const std::string& text : {made_scene(MadeSlope()), made_scene(MadeTunnel())})
+    EXPECT_TRUE(free_sides(text).empty());
 }
 
 TEST(Domain, EdgeJointsOfABlockAreOnePerEdge) {
