@@ -113,12 +113,8 @@ class ContactSolver {
                     : std::hypot(force.normal - law.normal, force.shear - law.shear);
     });
     compute_residual(contacts_.forces(), report_.residual);
-    if (report_.residual.block_relative < best_) {
-      best_ = report_.residual.block_relative;
-      since_best_ = 0;
-    } else {
-      ++since_best_;
-    }
+    since_best_ = report_.residual.block_relative < best_ ? 0 : since_best_ + 1;
+    best_ = std::min(best_, report_.residual.block_relative);
   }
 
   void compute_residual(const std::vector<ContactForce>& forces, Residual& residual) const {

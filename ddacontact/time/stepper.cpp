@@ -93,11 +93,8 @@ bool Stepper::make_substeps() {
     }
     ++counts_.rejected;
     if (is_interrupted()) return false;
-    if (result == Trial::woke_blocks) continue;
-    if (result == Trial::missed_contacts) {
-      ++counts_.overlap_rejections;
-      continue;
-    }
+    counts_.overlap_rejections += result == Trial::missed_contacts;
+    if (result == Trial::woke_blocks || result == Trial::missed_contacts) continue;
     if (result == Trial::outran_detection) {
       reach_scale_ *= reach_growth;
       detected_ = false;

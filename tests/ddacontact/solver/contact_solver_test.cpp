@@ -1,4 +1,7 @@
+#include <ddacontact/solver/contact_solver.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
+
+#include <limits>
 
 using namespace support;
 
@@ -44,4 +47,15 @@ TEST(ContactSolver, ABlockStaysOnASlopeBelowItsFrictionAngleAndSlidesAboveIt) {
     EXPECT_LT(prescribed.norm(), 2.5e-4);  // it settles by its own weight
     EXPECT_NEAR((slid - prescribed).norm(), law, 0.1 * law);
   }
+}
+
+TEST(ContactSolver, EndsWhereDisplacementsAreNotFiniteBeforeContactsAreEvaluatedThere) {
+  const BuiltScene built = build(resting(1e9, 0, 30));
+  const BlockState& state = built.stepper->state();
+  StepSystem system(blocks_of(built));
+  std::vector<Contact> contacts = built.stepper->contacts_to_begin_with();
+  system.set_step(state, step_start(state, 0.05), 1e9);
+  VectorXd d = system.prescribed();
+  d.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(solve_contacts(system, {}, contacts, d).status, ContactSolverStatus::not_finite);
 }

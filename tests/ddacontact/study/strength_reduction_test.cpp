@@ -2,6 +2,8 @@
 // that topples off its bond.
 #include "../simple_scenes.hpp"
 
+#include <ddacontact/scene/made_scenes.hpp>
+#include <ddacontact/scene/reader.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
 
 namespace {
@@ -254,6 +256,14 @@ TEST(StrengthReduction, TellsThatItDidNotSettle) {
   Scene scene = plane_failure(30, 20);
   scene.stages = {scene.stage("sliding"), scene.stage("last")};
   EXPECT_NE(StrengthReduction(scene, {0}).unsettled(), "");
+}
+
+/// Between the bedding and the vertical outline of the base a corner is wedged, see trial_step_corners.cpp.
+TEST(StrengthReduction, ASlopeWithAWedgedCornerRestsWithTheFrictionThatItHas) {
+  const SceneReading reading = read_scene_text(made_scene(MadeSlope{.spacing = 2.6}), "slope.toml");
+  ASSERT_TRUE(reading.scene);
+  const StrengthReduction reduction(*reading.scene, {0, 1});
+  EXPECT_EQ(reduction.try_factor(1).verdict, Verdict::rests);
 }
 
 }  // namespace
