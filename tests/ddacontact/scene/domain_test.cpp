@@ -278,7 +278,7 @@ TEST(FreeSides, AreLeftAloneWhereNothingOfTheDomainIsHeldAndOfSpecimens) {
 
 TEST(FreeSides, AreNotInTheExamples) {
   int n_domains = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(EXAMPLES)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(POLYDDA_EXAMPLES)) {
     if (entry.path().extension() != ".toml") continue;
     const SceneReading result = read_scene(entry.path().string());
     ASSERT_TRUE(result.scene) << entry.path() << all_text(result.problems);
