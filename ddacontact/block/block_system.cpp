@@ -192,6 +192,7 @@ void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) c
     block(b).vertex_map(vertex).add_force(force, F);
   });
   for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
+  if (const double left = fading.part_left(time); left > 0) F += left * fading.forces;
   const Vec2 shaking = ground_acceleration(time);
   for (int b = 0; !shaking.isZero(0) && b < n_blocks(); ++b)
     if (present_[b]) block(b).add_body_force(-block(b).mass_total() / block(b).reference_area() * shaking, F);

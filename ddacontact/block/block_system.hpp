@@ -7,6 +7,7 @@
 #include <ddacontact/block/water_pressure.hpp>
 #include <ddacontact/core/time_function.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <functional>
 #include <memory>
@@ -42,6 +43,16 @@ struct WaterLoad {
 struct BodyLoad {
   int block = 0;
   TimeFunction force;  ///< N/m3 of the undeformed block
+};
+
+/// Forces that decrease linearly to nothing: of blocks that were taken out on those that stay.
+struct FadingForces {
+  VectorXd forces{};        ///< on all unknowns; empty: none
+  double from = 0, to = 0;  ///< s
+
+  double part_left(double time) const {
+    return forces.size() == 0 ? 0 : std::clamp((to - time) / (to - from), 0.0, 1.0);
+  }
 };
 
 /// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
@@ -85,6 +96,7 @@ class BlockSystem {
   std::vector<BodyLoad> body_loads;
   WaterLoad water;
   std::vector<QuietFace> quiet_faces;
+  FadingForces fading;
   std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2; 0 outside them
   std::vector<FixedVertex> fixed_vertices;
   /// Numbered by `set_bolts`.
@@ -151,8 +163,8 @@ class BlockSystem {
   /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of
   /// `state`.
   void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
-  /// F += point, pressure and body loads, water and shaking at `time` on the shape of `state`, Eq. (21),
-  /// (23).
+  /// F += point, pressure and body loads, fading forces, water and shaking at `time` on the shape of `state`,
+  /// Eq. (21), (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;
   /// Finds the motions of the blocks that may move from their positions in `state`.
   void find_coordinates(BlockState& state) const;

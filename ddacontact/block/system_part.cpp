@@ -52,38 +52,22 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
     const int k = number_of(block);
     return k >= 0 && !resting_[k] ? k : -1;
   };
-  for (PointLoad load : whole.point_loads)
-    if (const int k = taking_part(load.point.block); k >= 0) {
-      load.point.block = k;
-      system_.point_loads.push_back(std::move(load));
-    }
-  for (PressureLoad load : whole.pressure_loads)
-    if (const int k = taking_part(load.block); k >= 0) {
-      load.block = k;
-      system_.pressure_loads.push_back(load);
-    }
-  for (BodyLoad load : whole.body_loads)
-    if (const int k = taking_part(load.block); k >= 0) {
-      load.block = k;
-      system_.body_loads.push_back(std::move(load));
-    }
+  const auto take = [&](const auto& from, auto& to, const auto& block_of) {
+    for (auto thing : from)
+      if (const int k = taking_part(block_of(thing)); k >= 0) {
+        block_of(thing) = k;
+        to.push_back(std::move(thing));
+      }
+  };
+  const auto block_of = [](auto& thing) -> int& { return thing.block; };
+  take(whole.point_loads, system_.point_loads, [](PointLoad& load) -> int& { return load.point.block; });
+  take(whole.pressure_loads, system_.pressure_loads, block_of);
+  take(whole.body_loads, system_.body_loads, block_of);
   system_.water.water = whole.water.water;
-  for (WetFace face : whole.water.faces)
-    if (const int k = taking_part(face.block); k >= 0) {
-      face.block = k;
-      system_.water.faces.push_back(face);
-    }
-  for (QuietFace face : whole.quiet_faces)
-    if (const int k = taking_part(face.block); k >= 0) {
-      face.block = k;
-      system_.quiet_faces.push_back(std::move(face));
-    }
+  take(whole.water.faces, system_.water.faces, block_of);
+  take(whole.quiet_faces, system_.quiet_faces, block_of);
+  take(whole.fixed_vertices, system_.fixed_vertices, block_of);
   system_.ground = whole.ground;
-  for (FixedVertex held : whole.fixed_vertices)
-    if (const int k = taking_part(held.block); k >= 0) {
-      held.block = k;
-      system_.fixed_vertices.push_back(std::move(held));
-    }
   for (PrescribedDof held : whole.prescribed_dofs_)
     if (const int k = taking_part(whole.block_of_point_[held.vertex]); k >= 0) {
       held.unknown += in_part_[k].unknowns.first - in_whole_[k].unknowns.first;
@@ -91,6 +75,13 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
       system_.prescribed_dofs_.push_back(std::move(held));
     }
 
+  if (whole.fading.forces.size() > 0) {
+    system_.fading = {VectorXd::Zero(next.unknowns.first), whole.fading.from, whole.fading.to};
+    for (std::size_t k = 0; k < blocks_.size(); ++k)
+      if (const Range& to = in_part_[k].unknowns, &from = in_whole_[k].unknowns; !resting_[k])
+        system_.fading.forces.segment(to.first, to.count) =
+            whole.fading.forces.segment(from.first, from.count);
+  }
   take_bolts(whole);
 
   state_.position.resize(2, next.points.first);

@@ -124,6 +124,20 @@ JointLaw ContactProperties::law(const ContactRecord& contact) const {
       .ductile = joint.ductile};
 }
 
+double ContactProperties::inset(const ContactRecord& contact) const {
+  const JointStrength& joint = strength(contact.pair);
+  if (!joint.crushes()) return 0;
+  return std::clamp(contact.history.normal / (2 * joint.compressive_strength), 0.0, contact.history.length);
+}
+
+void ContactProperties::add_forces(const BlockSystem& blocks, const BlockState& state,
+                                   const ContactRecord& contact, VectorXd& F) const {
+  const MovingVertexEdge motion = motion_of(blocks, state, contact.pair, inset(contact));
+  const GapAndSlip rates = motion.rates_at(motion.positions(), contact.history.lock);
+  motion.form(rates.by_gap).add_gradient(contact.normal, F);
+  motion.form(rates.by_slip).add_gradient(contact.shear, F);
+}
+
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
@@ -184,6 +198,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     double offset = contact.lasts() ? contact.history.gap_offset : 0;
     // A joint that has closed by its stiffness is flush.
     if (any_compliant && contact.closed() && properties_.is_compliant(contact)) offset += contact.end_gap;
+    if (contact.closed() && properties_.strength(contact.pair).crushes())
+      offset = std::min(offset, gap(positions_of(blocks_, state, contact.pair)));
     earlier.push_back({contact.pair, offset, ties && contact.closed(), ties});
   }
   const auto move = [&](int block, const PointsRef& outline, Points& moved) {
@@ -339,13 +355,16 @@ double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair
   const int origin = pair.edge_block;
   return contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                         blocks_.outline_from(state, pair.edge_block, origin), pair.edge,
-                        properties_.strength(pair).is_compliant());
+                        properties_.strength(pair).is_compliant() || properties_.strength(pair).crushes());
 }
 
-Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair) const {
+Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair, double normal) const {
   Contact contact;
   contact.pair = pair;
-  contact.motion = motion_of(blocks_, state, pair);
+  const JointStrength& joint = properties_.strength(pair);
+  if (joint.is_compliant() || joint.crushes()) contact.history.length = length_of(state, pair);
+  contact.history.normal = normal;
+  contact.motion = motion_of(blocks_, state, pair, properties_.inset(contact));
   contact.gap = contact.first_gap().constant;
   const VertexEdgePositions positions = contact.motion.slip_positions();
   contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
@@ -358,7 +377,6 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
     contact.straight_after = straight_beyond_end(outline, pair.edge);
   if (pair.corner) contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
-  if (properties_.strength(pair).is_compliant()) contact.history.length = length_of(state, pair);
   contact.law = properties_.law(contact);
   return contact;
 }
@@ -406,9 +424,9 @@ const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, c
 
 Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pair,
                                    std::span<const ContactRecord> previous) const {
-  Contact contact = make_contact(state, pair);
-  const double fraction = contact.history.lock;
   const ContactRecord* old = find_predecessor(state, pair, previous);
+  Contact contact = make_contact(state, pair, old ? old->history.normal : 0);
+  const double fraction = contact.history.lock;
   if (old && !old->closed()) {
     contact.history.gap_offset = old->history.gap_offset;
   } else if (old) {
@@ -517,7 +535,8 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
                              missed_);
   }
   std::erase_if(missed_, [&](const VertexEdge& entry) {
-    const double near = properties_.strength(entry).is_compliant()
+    const JointStrength& joint = properties_.strength(entry);
+    const double near = joint.is_compliant() || joint.crushes()
                             ? near_corner * pair_size(entry.vertex_block, entry.edge_block)
                             : -1;
     return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {

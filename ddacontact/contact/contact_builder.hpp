@@ -50,6 +50,11 @@ struct ContactProperties {
   /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
   /// contact of a glued joint that strength is infinite.
   JointLaw law(const ContactRecord& contact) const;
+  /// How far from the vertex the forces of a contact act: what meets there is crushed over twice that length.
+  double inset(const ContactRecord& contact) const;
+  /// F += what a contact's forces do to the unknowns of its blocks.
+  void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
+                  VectorXd& F) const;
 };
 
 /// Finds the contacts of each step and hands on what they carry from step to step.
@@ -139,8 +144,10 @@ class ContactBuilder {
   /// other vertex made with this vertex's edge.
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const ContactRecord> previous) const;
-  Contact make_contact(const BlockState& state, const VertexEdge& pair) const;
-  /// Over which its stresses act: that of `contact_length`, of joints with a stiffness at any angle.
+  /// \param[in] normal  its force at the end of the last step
+  Contact make_contact(const BlockState& state, const VertexEdge& pair, double normal = 0) const;
+  /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
+  /// compression at any angle.
   double length_of(const BlockState& state, const VertexEdge& pair) const;
   /// Glues a contact of a glued joint that is closed or touches: it sticks where it is. The gap of one that
   /// only touches counts as none from then on, so that glue adds no force.

@@ -1,5 +1,7 @@
 #include <ddacontact/contact/contact_positions.hpp>
 
+#include <ddacontact/detection/corner.hpp>
+
 namespace ddacontact {
 
 namespace {
@@ -26,6 +28,25 @@ Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const Ro
   return rounding;
 }
 
+/// Of a sharp vertex whose forces act at a distance from it.
+Rounding inset_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
+                  const RoundedPositions& positions, double inset) {
+  const Block& block = blocks.block(pair.vertex_block);
+  const Range& v = block.vertices();
+  const PointsRef outline = state.position.middleCols(v.first, v.count);
+  Rounding rounding{.after_i = positions.after_i, .of_after_i = block.vertex_map(next(pair.vertex, outline))};
+  if (corner_at(outline, pair.vertex) == Corner::straight) return rounding;
+  const auto towards = [&](int neighbour) -> Vec2 {
+    return (outline.col(neighbour) - outline.col(pair.vertex)).normalized();
+  };
+  const Vec2 after = towards(next(pair.vertex, outline)), before = towards(previous(pair.vertex, outline)),
+             edge = positions.k - positions.j;
+  const Vec2 along = std::abs(edge.dot(after)) > std::abs(edge.dot(before)) ? after : before;
+  rounding.centre = rounding.surface =
+      SegmentPoint::that_is_at(positions.i + inset * along, positions.i, positions.after_i);
+  return rounding;
+}
+
 }  // namespace
 
 RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
@@ -38,13 +59,16 @@ RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state
           state.position.col(of_vertex.first + (pair.vertex + 1) % of_vertex.count) + shift};
 }
 
-MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair) {
+MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
+                           double inset) {
   const Block &vertex_block = blocks.block(pair.vertex_block), &edge_block = blocks.block(pair.edge_block);
   const RoundedPositions positions = positions_of(blocks, state, pair);
   MovingVertexEdge motion{positions, vertex_block.vertex_map(pair.vertex), edge_block.vertex_map(pair.edge),
                           edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices())};
   if (blocks.has_rounded_corners())
     motion.rounding = std::make_shared<const Rounding>(rounding_of(blocks, pair, positions));
+  else if (inset > 0)
+    motion.rounding = std::make_shared<const Rounding>(inset_of(blocks, state, pair, positions, inset));
   return motion;
 }
 

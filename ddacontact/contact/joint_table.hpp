@@ -28,8 +28,10 @@ struct JointStrength {
   double dilation = 0;       ///< tan(i): a contact that slides rises by so much of its slip
   double dilation_slip = 0;  ///< up to which it does, m
   bool ductile = false;      ///< cohesion and tensile strength outlast slip, and are lost by opening alone
+  double compressive_strength = 0;  ///< of what meets there, Pa; 0: unlimited
 
   bool is_compliant() const { return normal_stiffness > 0; }
+  bool crushes() const { return compressive_strength > 0; }
 };
 
 /// The strengths of the joint between any two materials.

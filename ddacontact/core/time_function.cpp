@@ -94,7 +94,7 @@ Curve second_integral(const std::vector<Vec3>& entries) {
 }  // namespace
 
 Vec2 TimeFunction::at(double time, double end_time) const {
-  const double part = rise > 0 ? std::clamp(time / rise, 0.0, 1.0) : 1;
+  const double part = rise > 0 ? std::clamp((time - start) / rise, 0.0, 1.0) : 1;
   switch (kind) {
     case Kind::constant:
       return part * value;

@@ -24,7 +24,8 @@ struct TimeFunction {
   std::vector<Vec3> history{};  ///< entries (t, x, y), t ascending
   /// Values and derivatives at the entries, between which the function is cubic, of kinds after `history`.
   std::vector<std::pair<Vec2, Vec2>> curve{};
-  double rise = 0;  ///< s, in which all of it grows linearly from nothing at t = 0
+  double rise = 0;   ///< s, in which all of it grows linearly from nothing
+  double start = 0;  ///< of that, s
 
   bool is_history() const { return kind >= Kind::history; }
   /// `end_time` is the length the scene itself states: steps times time_step, of all stages.

@@ -18,8 +18,9 @@ FrameContact describe(const ContactRecord& contact, const Stepper& stepper, cons
   described.edge_block = pair.edge_block;
   described.position = frame.outline(pair.vertex_block).col(pair.vertex);
   described.normal = Vec2(edge.y(), -edge.x()).normalized();
-  if (stepper.blocks().has_rounded_corners()) {
-    const auto [i, j, k] = motion_of(stepper.blocks(), stepper.state(), pair).slip_positions();
+  const double inset = stepper.contact_properties().inset(contact);
+  if (stepper.blocks().has_rounded_corners() || inset > 0) {
+    const auto [i, j, k] = motion_of(stepper.blocks(), stepper.state(), pair, inset).slip_positions();
     described.position = i + stepper.state().origin.col(pair.edge_block) + frame_origin;
     described.normal = Vec2((k - j).y(), (j - k).x()).normalized();
   }

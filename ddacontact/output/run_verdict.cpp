@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace ddacontact {
 
@@ -80,6 +81,65 @@ void add_other_shape(const Stepper& stepper, std::vector<std::string>& warnings)
                        " of its size (the scene as it is drawn has no equilibrium, or only one far from it)");
 }
 
+/// What two blocks press each other with at the end, over all their contacts.
+struct Pressing {
+  int n_contacts = 0;
+  double force = 0, strength = 0;  ///< N per m; the strength is that in compression
+};
+
+std::map<Pair, Pressing> find_pressing(const Stepper& stepper) {
+  std::map<Pair, Pressing> pressing;
+  const ContactProperties& properties = stepper.contact_properties();
+  for (const ContactRecord& contact : stepper.contacts()) {
+    const auto [a, b] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
+    Pressing& of_pair = pressing[Pair{a, b}];
+    of_pair.strength += properties.strength(contact.pair).compressive_strength * contact.history.length;
+    if (contact.normal <= 0) continue;
+    ++of_pair.n_contacts;
+    of_pair.force += contact.normal;
+  }
+  return pressing;
+}
+
+std::string between(const Stepper& stepper, const Pair& pair) {
+  return "between block \"" + stepper.blocks().names[pair[0]] + "\" and block \"" +
+         stepper.blocks().names[pair[1]] + '"';
+}
+
+/// Joints that bear more than their whole section can.
+void add_crushed(const Stepper& stepper, const std::map<Pair, Pressing>& pressing,
+                 std::vector<std::string>& warnings) {
+  for (const auto& [pair, of_pair] : pressing)
+    if (of_pair.strength > 0 && of_pair.force > of_pair.strength)
+      warnings.push_back("the joint " + between(stepper, pair) + " bears " +
+                         figure(of_pair.force / of_pair.strength) +
+                         " of what its 'compressive_strength' allows over its whole length: it is crushed, "
+                         "which is not followed (a larger section, or smaller loads)");
+}
+
+/// Contact patches with too few nodes for a pressure that varies over them.
+void add_coarse_patches(const Stepper& stepper, const std::map<Pair, Pressing>& pressing,
+                        std::vector<std::string>& warnings) {
+  constexpr int least_nodes = 4;
+  const auto is_meshed = [&](int b) { return stepper.blocks().block(b).n_cells() > 1; };
+  int n_coarse = 0;
+  double largest = 0;
+  Pair worst{};
+  for (const auto& [pair, of_pair] : pressing) {
+    if (!is_meshed(pair[0]) && !is_meshed(pair[1])) continue;
+    if (of_pair.n_contacts == 0 || of_pair.n_contacts >= least_nodes) continue;
+    ++n_coarse;
+    if (of_pair.force <= largest) continue;
+    largest = of_pair.force;
+    worst = pair;
+  }
+  if (n_coarse > 0)
+    warnings.push_back("contact patches of meshed blocks with fewer than four nodes: " +
+                       std::to_string(n_coarse) + "; the largest force is that " + between(stepper, worst) +
+                       ": the largest stresses of these blocks are those of their cells, not of the contact "
+                       "(smaller cells there: mesh = { at_contact = ... })");
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Stepper& stepper) {
@@ -101,6 +161,9 @@ std::vector<std::string> warnings_of(const Stepper& stepper) {
                             ? " (more 'steps': the last one reduced this by " + figure(-100 * change) + " %)"
                             : " (more 'steps'; if this does not decrease, the scene has no equilibrium)"));
   }
+  const std::map<Pair, Pressing> pressing = find_pressing(stepper);
+  add_crushed(stepper, pressing, warnings);
+  add_coarse_patches(stepper, pressing, warnings);
   for (std::string& text :
        stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy()))
     warnings.push_back(std::move(text));

@@ -506,7 +506,8 @@ class Builder {
                           tangent_of(joint.residual_friction_angle),
                           tangent_of(joint.dilation_angle).value_or(0),
                           joint.dilation_slip.value_or(0),
-                          joint.ductile},
+                          joint.ductile,
+                          joint.compressive_strength.value_or(0)},
                          joint.between});
     return JointTable(std::move(entries));
   }
@@ -552,7 +553,8 @@ class Builder {
     std::vector<Stage> stages;
     const auto add = [&](const StageDescription& stage) {
       stages.push_back({stage.analysis, joint_table(stage.joints), stage.removed, stage.reset_displacements,
-                        stage.until, stage.name, from_origin(stage.water), stage.bolts, stage.added});
+                        stage.until, stage.name, from_origin(stage.water), stage.bolts, stage.added,
+                        stage.relax.value_or(0)});
       for (const int load : stage.loads) add_load(load, system, stages.back());
     };
     if (scene_.stages.empty()) add(scene_.stage(""));

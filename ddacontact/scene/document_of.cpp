@@ -228,6 +228,7 @@ StageRecord record_of(const StageDescription& stage, const Scene& scene) {
     if (auto change = change_of(static_cast<int>(j), stage.joints[j], scene))
       record.joints.push_back(std::move(*change));
   record.reset_displacements = stage.reset_displacements;
+  record.relax = stage.relax;
   record.until = stage.until;
   if (!(stage.water == scene.water)) record.water = record_of(stage.water);
   for (const int block : stage.removed) record.remove.blocks.push_back(reference_to(block, scene.blocks));

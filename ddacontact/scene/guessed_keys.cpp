@@ -36,6 +36,7 @@ constexpr Guess guesses[] = {
     {"joint", " tension tens jtension jtens tensile sigma_t ft ", "write 'tensile_strength' in Pa"},
     {"joint", " dilation dilatancy jdilation jdil psi zdilation ",
      "write 'dilation_angle' in degrees and 'dilation_slip' in m"},
+    {"joint", " ucs fc sigma_c f_c crushing_strength ", "write 'compressive_strength' in Pa"},
     {"joint", " residual_friction jrfric resfric ", "write 'residual_friction_angle' in degrees"},
     {"joint", " jrescoh residual_cohesion ",
      "there is none: 'cohesion' and 'tensile_strength' are lost on sliding or opening"},

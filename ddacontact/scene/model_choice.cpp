@@ -81,7 +81,9 @@ ChosenModels choose_models(
     const std::function<std::vector<double>(const Scene&, const std::vector<std::string>&)>& missing) {
   ChosenModels chosen{scene, std::vector<std::string>(scene.blocks.size())};
   std::vector<std::size_t> may_bend;
-  const bool at_rest = rests_throughout(scene);
+  const bool at_rest = rests_throughout(scene),
+             crushes = std::ranges::any_of(
+                 scene.joints, [](const Joint&joint) { return joint.compressive_strength.has_value(); });
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     BlockDescription& block = chosen.scene.blocks[b];
     if (block.model != BlockModel::automatic) continue;
@@ -92,7 +94,7 @@ ChosenModels choose_models(
     chosen.reasons[b] = by_shape.reason;
     if (block.fixed)
       chosen.reasons[b] = "held, " + chosen.reasons[b];
-    else if (scene.analysis.kinematics == Kinematics::corotational &&
+    else if (scene.analysis.kinematics == Kinematics::corotational && !crushes &&
              (at_rest || may_bend_in_motion(outline)))
       may_bend.push_back(b);
   }

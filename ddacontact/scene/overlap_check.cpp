@@ -39,7 +39,7 @@ bool check_overlaps(const std::vector<PositionedOutline>& blocks, const NameTabl
     for (const auto& [a, b] : overlapping_pairs(part)) {
       if (static_cast<std::size_t>(b) < done) continue;
       const PositionedOutline &p = blocks[index[a]], &q = blocks[index[b]];
-      if (p.held && q.held) continue;
+      if ((p.held && q.held) || !p.meets(q)) continue;
       const double depth = -separation(p.outline.polygon, q.outline.polygon);
       const double limit = deepest_overlap * size_of_pair(p, q);
       if (depth <= limit) continue;

@@ -325,6 +325,7 @@ struct StageRecord {
   std::vector<JointChange> joints;
   bool reset_displacements = false;
   BlockList remove;
+  std::optional<int> relax;
   BlockList add;  ///< and names of bolts and loads
   std::optional<RestCriterion> until;
   std::optional<WaterRecord> water;

@@ -151,9 +151,13 @@ Scene resolve(const Document& document, ProblemList& problems) {
     blocks.outlines[i].held = blocks.holds.holds_all(i);
   if (std::ranges::all_of(blocks.outlines, [](const PositionedOutline& of) { return of.outline.valid(); }))
     check_corner_rounding(document, scene, blocks, problems);
-  const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
   scene.stages =
       resolve_stages(document, joints, blocks, scene.blocks, bolts.names, scene.contact.method, problems);
+  for (int k = 0; k < static_cast<int>(scene.stages.size()); ++k) {
+    for (const int b : scene.stages[k].added) blocks.outlines[b].comes = k;
+    for (const int b : scene.stages[k].removed) blocks.outlines[b].goes = k;
+  }
+  const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
   scene.joints = std::move(joints.joints);
   if (apart && holds_are_known(document, blocks, scene)) {
     check_statics(blocks, static_parts(scene), bolts.blocks, problems);

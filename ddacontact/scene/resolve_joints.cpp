@@ -75,6 +75,26 @@ void check_dilation(const Joint& joint, const KeyLocations& locations, const Doc
                    "friction has to do the work that lifts the block: make it smaller");
 }
 
+/// What is crushed at corners moves the forces of sharp ones, and of blocks that have nothing between them.
+void check_crushing(const Joint& joint, const KeyLocations& locations, const Document& document,
+                    ContactMethod method, ProblemList& problems) {
+  if (!joint.compressive_strength || !locations.good("compressive_strength")) return;
+  const SourceLocation& location = locations.of("compressive_strength");
+  check_method("compressive_strength", locations, method, problems);
+  if (joint.normal_stiffness)
+    problems.error(location, "'compressive_strength' of a joint that has a stiffness",
+                   "leave one of them out: what is crushed is shifted with the force, at once");
+  if (document.contact.options.corner_rounding > 0)
+    problems.error(location, "'compressive_strength' with 'corner_rounding'",
+                   "leave one of them out: forces of rounded corners act where the arcs touch");
+  const BlockModel default_model = document.analysis.block_model.value_or(BlockModel::automatic);
+  if (std::ranges::any_of(document.blocks, [&](const BlockRecord& block) {
+        return block.model.value_or(default_model) == BlockModel::mesh;
+      }))
+    problems.error(location, "'compressive_strength' in a scene with blocks of model 'mesh'",
+                   "leave their model out: the strength is that of a joint between two corners");
+}
+
 /// A scene without joints may name the one that it has all the same.
 void add_default_joint(NamedJoints& table, ProblemList& problems) {
   Joint& joint = table.joints.emplace_back();
@@ -110,6 +130,7 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     check_restitution(joint.restitution, locations, document.contact, method, problems);
     check_springs(joint, locations, method, problems);
     check_dilation(joint, locations, document, method, problems);
+    check_crushing(joint, locations, document, method, problems);
     if (record.between && locations.good("between")) {
       const int a = materials.find((*record.between)[0], locations.of("between"), problems);
       const int b = materials.find((*record.between)[1], locations.of("between"), problems);

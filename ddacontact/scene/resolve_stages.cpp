@@ -145,6 +145,23 @@ void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList
                    "at most " + std::to_string(most) + " can be counted");
 }
 
+/// There are forces to relax, and steps to do so.
+void check_relaxation(const StageRecord& record, int index, ProblemList& problems) {
+  const KeyLocations& locations = record.locations;
+  if (!record.relax || !locations.usable("relax")) return;
+  if (!locations.written("remove"))
+    problems.error(locations.of("relax"), "'relax' without 'remove'",
+                   "it is for the forces of blocks that are taken out: leave it out");
+  else if (index == 0)
+    problems.error(locations.of("relax"), "'relax' in the first stage: there are no forces yet",
+                   "let a stage before it bring the blocks to rest");
+  else if (locations.good("steps") && *record.relax > record.steps)
+    problems.error(
+        locations.of("relax"),
+        "'relax' = '" + std::to_string(*record.relax) + "' of " + std::to_string(record.steps) + " 'steps'",
+        "give the stage more steps, best some after the forces are gone");
+}
+
 }  // namespace
 
 std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
@@ -171,6 +188,8 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.until = record.until;
     stage.water = changed_water(record, document, stage.analysis, problems);
     stage.removed = removals(record.remove, index);
+    stage.relax = record.relax;
+    check_relaxation(record, index, problems);
     arrivals(record.add, index, stage);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(locations.of("remove"), names.title(index) + " leaves no block", "leave one at least");

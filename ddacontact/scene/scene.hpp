@@ -42,6 +42,7 @@ struct Joint {
   std::optional<double> shear_stiffness{};          ///< Pa/m; none: rigid
   std::optional<double> dilation_angle{};           ///< degrees, of contacts that slide; none: 0
   std::optional<double> dilation_slip{};            ///< m, of the slip that dilates
+  std::optional<double> compressive_strength{};     ///< Pa, of the blocks at the joint; none: unlimited
   bool ductile = false;  ///< bonds outlast slip and are lost by opening alone; in studies of safety, no key
 };
 
@@ -135,6 +136,7 @@ struct StageDescription {
   Water water{};                       ///< while it lasts
   std::vector<int> bolts{};            ///< installed at its start, absent before
   std::vector<int> added{};            ///< blocks that come in at its start, absent before
+  std::optional<int> relax{};          ///< steps in which forces of `removed` decrease; none: gone at once
   std::vector<int> loads{};            ///< that act from its start on
 };
 

@@ -242,6 +242,13 @@ void describe_springs(Law& law, Visit&& visit) {
             .bounds = positive,
             .default_text = "required with `dilation_angle`"},
         law.dilation_slip);
+  visit(Key{.name = "compressive_strength",
+            .what = "Of the blocks at the joint: a contact force N acts N / (2 `compressive_strength`) away "
+                    "from a corner; method \"staged\" alone.",
+            .unit = "Pa",
+            .bounds = positive,
+            .default_text = "none: unlimited"},
+        law.compressive_strength);
 }
 
 inline constexpr Key glued{.name = "glued",
@@ -382,7 +389,9 @@ void describe(LoadRecord& r, Visit&& visit) {
           .default_text = "none"},
       r.history);
   visit(Key{.name = "ramp",
-            .what = "The load grows linearly from nothing in this time from the start.",
+            .what =
+                "The load grows linearly from nothing in this time, from the start or from that of the stage "
+                "that adds it.",
             .unit = "s",
             .bounds = positive,
             .default_text = "none"},
@@ -530,6 +539,11 @@ void describe(StageRecord& r, Visit&& visit) {
             .what = "Displacements are counted anew from the end of the stage; stresses stay."},
         r.reset_displacements);
   visit(Key{.name = "remove", .what = "Blocks taken out at the start of the stage."}, r.remove);
+  visit(Key{.name = "relax",
+            .what = "Steps in which the contact forces of the blocks taken out decrease linearly to nothing.",
+            .bounds = at_least_one,
+            .default_text = "none: they are gone at once"},
+        r.relax);
   visit(Key{.name = "add",
             .what = "Bolts, loads and blocks that come in at the start of the stage, absent before."},
         r.add);

@@ -1,5 +1,6 @@
 #include <ddacontact/time/driven_blocks.hpp>
 
+#include <ddacontact/core/deepest_overlap.hpp>
 #include <ddacontact/detection/separation.hpp>
 
 #include <algorithm>
@@ -30,6 +31,21 @@ std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockSt
       const double limit = allowed * std::min(blocks.block(a).size(), blocks.block(b).size()),
                    now = depth(blocks, end, a, b);
       if (now > limit && now > std::max(0.0, depth(blocks, start, a, b)) + limit) return Pair{a, b};
+    }
+  }
+  return {};
+}
+
+std::optional<Pair> find_overlap(const BlockSystem& blocks, const BlockState& state,
+                                 const std::vector<int>& coming, const std::vector<int>& leaving) {
+  for (int a : coming) {
+    const Box box = bounding_box(blocks.outline_from(state, a, a));
+    for (int b = 0; b < blocks.n_blocks(); ++b) {
+      const bool is_there = blocks.is_present(b) && std::ranges::count(leaving, b) == 0;
+      if (is_there && touch(box, bounding_box(blocks.outline_from(state, b, a))) &&
+          depth(blocks, state, a, b) >
+              deepest_overlap * std::min(blocks.block(a).size(), blocks.block(b).size()))
+        return Pair{a, b};
     }
   }
   return {};

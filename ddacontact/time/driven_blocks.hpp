@@ -1,4 +1,4 @@
-/// \file Blocks that supports move wholly: what they do to each other no force can change.
+/// \file Blocks that overlap where no force can part them: driven by supports, or brought by a stage.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -12,5 +12,10 @@ namespace ddacontact {
 /// into the other than a millionth of the smaller one's size; nothing where there are none.
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& start,
                                         const BlockState& end);
+
+/// The first of these blocks, which come in, with one that is there and not among `leaving` that it overlaps
+/// by more than `deepest_overlap`; nothing where there is none.
+std::optional<Pair> find_overlap(const BlockSystem& blocks, const BlockState& state,
+                                 const std::vector<int>& coming, const std::vector<int>& leaving);
 
 }  // namespace ddacontact

@@ -84,7 +84,7 @@ void visit_record(Archive& visit, Record& r) {
   visit(r.step.substep);
   visit(r.step.progress.stage);
   visit(r.step.progress.steps);
-  visit(r.step.progress.start_time);
+  visit.list(r.step.progress.start_times, [&](auto& time) { visit(time); });
   visit(r.step.progress.came_to_rest);
   auto& state = r.step.state;
   visit(state.time);
@@ -97,6 +97,9 @@ void visit_record(Archive& visit, Record& r) {
   visit(state.stress);
   visit(state.rotation);
   visit(state.bolts);
+  visit(r.step.fading.forces);
+  visit(r.step.fading.from);
+  visit(r.step.fading.to);
   for (auto* numbers : {&r.step.sleeping.island, &r.step.sleeping.rested})
     visit.list(*numbers, [&](auto& number) { visit(number); });
   visit.list(r.step.sleeping.around, [&](auto& box) {

@@ -1,6 +1,5 @@
 #include <ddacontact/time/sleeping_blocks.hpp>
 
-#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
@@ -27,6 +26,14 @@ bool varies(const TimeFunction& function, double from, double to, double end_tim
          (function.at(to, end_time) - before).norm() > round_off;
 }
 
+/// Calls visit with the block and the function of all loads and waves.
+void for_functions(const BlockSystem& blocks, const auto& visit) {
+  for (const PointLoad& load : blocks.point_loads) visit(load.point.block, load.force);
+  for (const PressureLoad& load : blocks.pressure_loads) visit(load.block, load.pressure);
+  for (const BodyLoad& load : blocks.body_loads) visit(load.block, load.force);
+  for (const QuietFace& face : blocks.quiet_faces) visit(face.block, face.incoming);
+}
+
 bool overlap(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
@@ -46,15 +53,6 @@ Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double mar
 Pair block_pair(const ContactRecord& contact) {
   const auto [first, second] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
   return {first, second};
-}
-
-/// What a contact's forces do to the unknowns of its blocks.
-void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
-                VectorXd& F) {
-  const MovingVertexEdge motion = motion_of(blocks, state, contact.pair);
-  const GapAndSlip rates = motion.rates_at(motion.positions(), contact.history.lock);
-  motion.form(rates.by_gap).add_gradient(contact.normal, F);
-  motion.form(rates.by_slip).add_gradient(contact.shear, F);
 }
 
 }  // namespace
@@ -119,14 +117,13 @@ const std::vector<ContactRecord>& SleepingBlocks::contacts() const {
 std::vector<char> SleepingBlocks::find_restless(double dt) const {
   std::vector<char> restless(blocks_.n_blocks(), 0);
   const double to = state_.time, from = to - dt, end_time = blocks_.end_time;
-  for (const PointLoad& load : blocks_.point_loads)
-    if (varies(load.force, from, to, end_time)) restless[load.point.block] = 1;
-  for (const PressureLoad& load : blocks_.pressure_loads)
-    if (varies(load.pressure, from, to, end_time)) restless[load.block] = 1;
-  for (const BodyLoad& load : blocks_.body_loads)
-    if (varies(load.force, from, to, end_time)) restless[load.block] = 1;
-  for (const QuietFace& face : blocks_.quiet_faces)
-    if (varies(face.incoming, from, to, end_time)) restless[face.block] = 1;
+  for_functions(blocks_, [&](int b, const TimeFunction& function) {
+    if (varies(function, from, to, end_time)) restless[b] = 1;
+  });
+  for (int b = 0; blocks_.fading.part_left(from) > 0 && b < blocks_.n_blocks(); ++b) {
+    const Range& u = blocks_.block(b).unknowns();
+    if (!blocks_.fading.forces.segment(u.first, u.count).isZero(0)) restless[b] = 1;
+  }
   for (const TimeFunction& of_record : blocks_.ground)
     if (varies(of_record, from, to, end_time)) restless.assign(restless.size(), 1);
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
@@ -288,7 +285,7 @@ void SleepingBlocks::survey() {
   for (const ContactRecord& contact : asleep.contacts) {
     if (!contact.closed()) continue;
     ++asleep.n_closed;
-    add_forces(blocks_, state_, contact, forces);
+    properties_.add_forces(blocks_, state_, contact, forces);
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) watched[b] = 1;
   }
   asleep.reactions = Points::Zero(2, state_.position.cols());
@@ -300,10 +297,7 @@ void SleepingBlocks::survey() {
     if (!blocks_.is_movable(b)) asleep.reactions(held.axis, held.vertex) -= forces[held.unknown];
     watch(b, held.motion);
   }
-  for (const PointLoad& load : blocks_.point_loads) watch(load.point.block, load.force);
-  for (const PressureLoad& load : blocks_.pressure_loads) watch(load.block, load.pressure);
-  for (const BodyLoad& load : blocks_.body_loads) watch(load.block, load.force);
-  for (const QuietFace& face : blocks_.quiet_faces) watch(face.block, face.incoming);
+  for_functions(blocks_, watch);
   for (const TimeFunction& of_record : blocks_.ground)
     for (int b = 0; b < blocks_.n_blocks(); ++b) watch(b, of_record);
 }

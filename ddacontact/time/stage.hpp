@@ -25,6 +25,7 @@ struct Stage {
   Water water{};                       ///< relative to the model's origin
   std::vector<int> bolts{};            ///< installed at its start
   std::vector<int> added{};            ///< blocks that come in at its start, absent before
+  int relax = 0;                       ///< steps in which the forces of `removed` decrease to nothing
   /// That come in at its start.
   std::vector<PointLoad> point_loads{};
   std::vector<PressureLoad> pressure_loads{};

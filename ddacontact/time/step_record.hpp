@@ -1,7 +1,7 @@
 /// \file Everything that the next step depends on beside the scene, so that it can be made again alone.
 #pragma once
 
-#include <ddacontact/block/state.hpp>
+#include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/time/sleeping.hpp>
 
@@ -12,9 +12,11 @@ namespace ddacontact {
 /// Where a run is among its stages.
 struct StageProgress {
   int stage = 0;
-  long steps = 0;             ///< made in this stage
-  double start_time = 0;      ///< of this stage, s
-  bool came_to_rest = false;  ///< its `until` came true: it is over
+  long steps = 0;                      ///< made in this stage
+  bool came_to_rest = false;           ///< its `until` came true: it is over
+  std::vector<double> start_times{0};  ///< of all stages up to this one, s
+
+  double start_time() const { return start_times.back(); }
 };
 
 /// Where a run stands. Of the contacts only what one step hands to the next is kept: which they are, their
@@ -25,6 +27,7 @@ struct StepRecord {
   double substep = 0;  ///< the length to try next, s
   StageProgress progress;
   BlockState state;
+  FadingForces fading;
   std::vector<ContactRecord> contacts;  ///< of the last substep
   SleepRecord sleeping;                 ///< without entries: all are awake
 };

@@ -32,8 +32,9 @@ double without_round_off(double dt, double time_step, double time) {
 
 bool Stepper::step() {
   const bool more_stages = progress_.stage + 1 < static_cast<int>(stages_.size());
-  if (more_stages && (progress_.steps == analysis_.steps || progress_.came_to_rest))
-    enter_stage(progress_.stage + 1);
+  if (more_stages && (progress_.steps == analysis_.steps || progress_.came_to_rest) &&
+      !enter_stage(progress_.stage + 1))
+    return false;
   bool made = false;
   {
     const SleepingBlocks::PartInPlace while_stepping(sleepers_);
@@ -41,15 +42,15 @@ bool Stepper::step() {
   }
   if (!made) return false;
   const std::optional<RestCriterion>& until = stages_[progress_.stage].until;
-  const bool comes_to_rest =
-      !progress_.came_to_rest && until && equilibrium_.meets(*until, energy_.exchanged());
+  const bool comes_to_rest = !progress_.came_to_rest && until && state_.time >= blocks_.fading.to &&
+                             equilibrium_.meets(*until, energy_.exchanged());
   if (comes_to_rest) progress_.came_to_rest = true;
   if (++progress_.steps == analysis_.steps || comes_to_rest) leave_stage();
   return true;
 }
 
 Stepper::Substep Stepper::next_substep(long steps_made) {
-  const double end = progress_.start_time + static_cast<double>(steps_made + 1) * analysis_.time_step;
+  const double end = progress_.start_time() + static_cast<double>(steps_made + 1) * analysis_.time_step;
   const double remaining = end - state_.time;
   const double wanted = std::min(substep_, limits_.predicted_step(state_, contacts_));
   const double shortest = shortest_substep * longest_substep();
@@ -195,7 +196,7 @@ void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(trial_.times().detection);
   search_margin_ = sleepers_.look_around(dt, reach_scale_);
   if (begun_)
-    trial_.detect(dt, search_margin_, state_.time > progress_.start_time);
+    trial_.detect(dt, search_margin_, state_.time > progress_.start_time());
   else
     trial_.detect_first(dt, search_margin_);
   detected_ = true;

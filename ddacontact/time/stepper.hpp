@@ -123,11 +123,15 @@ class Stepper {
   Substep next_substep(long steps_made);
   /// The steps of one time_step; false when it has to stop.
   bool make_substeps();
-  void enter_stage(int stage);
+  /// False when blocks that come in overlap others: `stop_reason` says which.
+  bool enter_stage(int stage);
+  /// Of the contacts with these blocks, on the blocks that they touch.
+  VectorXd forces_of(const std::vector<int>& blocks) const;
   /// The longest substep of the present stage, s.
   double longest_substep() const;
   /// What changes of the blocks and of the way of stepping, but not the state.
-  void apply(const Stage& stage);
+  /// \param[in] start_time  of the stage, s
+  void apply(const Stage& stage, double start_time);
   void leave_stage();
   void start_accounts();
   /// Newmark's scheme carries accelerations on: those of blocks that fly are known.

@@ -1,6 +1,7 @@
 // Where a stepper begins and where it is among its stages, and going on from there.
 #include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/core/quoted.hpp>
+#include <ddacontact/time/driven_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <polyfem/basis/wachspress.hpp>
@@ -29,7 +30,8 @@ bool are_same(const JointStrength& a, const JointStrength& b) {
   return a.friction == b.friction && a.cohesion == b.cohesion && a.tensile_strength == b.tensile_strength &&
          a.restitution == b.restitution && a.dashpot == b.dashpot && a.glued == b.glued &&
          a.residual_friction == b.residual_friction && a.dilation == b.dilation &&
-         a.dilation_slip == b.dilation_slip && a.ductile == b.ductile && !a.friction_law && !b.friction_law;
+         a.dilation_slip == b.dilation_slip && a.ductile == b.ductile &&
+         a.compressive_strength == b.compressive_strength && !a.friction_law && !b.friction_law;
 }
 
 /// Whether the same forces act under both on the same blocks in the same motion.
@@ -62,7 +64,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     faces_ = divide_faces(blocks_);
   for (const Stage& stage : stages_)
     for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = false;
-  apply(stages_.front());
+  apply(stages_.front(), 0);
   blocks_.prepare(state_, true);
   for (const Bolt& bolt : blocks_.bolts)
     if (bolt.installed) install(bolt, blocks_, state_);
@@ -79,7 +81,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   start_accounts();
 }
 
-void Stepper::apply(const Stage& stage) {
+void Stepper::apply(const Stage& stage, double start_time) {
   analysis_ = stage.analysis;
   blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
@@ -90,13 +92,14 @@ void Stepper::apply(const Stage& stage) {
     trial_.forget_pairs(properties_);  // it knows pairs of those that were there
     state_.coordinates.resize(0);
   }
-  const auto bring = [&](const auto& loads, auto& to, const auto& block_of) {
-    for (const auto& load : loads)
-      if (blocks_.is_present(block_of(load))) to.push_back(load);
+  const auto bring = [&](const auto& load, int block, TimeFunction& function, auto& to) {
+    function.start = start_time;
+    if (blocks_.is_present(block)) to.push_back(load);
   };
-  bring(stage.point_loads, blocks_.point_loads, [](const PointLoad& load) { return load.point.block; });
-  bring(stage.pressure_loads, blocks_.pressure_loads, [](const PressureLoad& load) { return load.block; });
-  bring(stage.body_loads, blocks_.body_loads, [](const BodyLoad& load) { return load.block; });
+  for (PointLoad load : stage.point_loads) bring(load, load.point.block, load.force, blocks_.point_loads);
+  for (PressureLoad load : stage.pressure_loads)
+    bring(load, load.block, load.pressure, blocks_.pressure_loads);
+  for (BodyLoad load : stage.body_loads) bring(load, load.block, load.force, blocks_.body_loads);
   blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
   for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = true;
   if (!trial_.has_system() || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty())
@@ -126,13 +129,38 @@ void Stepper::find_motions() {
       throw Error("block " + quoted(blocks_.names[b]) + " has no motions that half steps could carry on");
 }
 
-void Stepper::enter_stage(int stage) {
-  stage_ends_.push_back(stage_end());
+VectorXd Stepper::forces_of(const std::vector<int>& blocks) const {
+  VectorXd forces = VectorXd::Zero(blocks_.n_unknowns());
+  const auto is_one = [&](int b) { return std::ranges::count(blocks, b) > 0; };
+  for (const ContactRecord& contact : contacts_)
+    if (is_one(contact.pair.vertex_block) != is_one(contact.pair.edge_block))
+      properties_.add_forces(blocks_, state_, contact, forces);
+  for (int b : blocks) {
+    const Range& u = blocks_.block(b).unknowns();
+    forces.segment(u.first, u.count).setZero();
+  }
+  return forces;
+}
+
+bool Stepper::enter_stage(int stage) {
   sleepers_.wake_all();
+  if (const std::optional<Pair> overlap =
+          find_overlap(blocks_, state_, stages_[stage].added, stages_[stage].removed)) {
+    stop_reason_ = "block " + quoted(blocks_.names[(*overlap)[0]]) + " comes in where block " +
+                   quoted(blocks_.names[(*overlap)[1]]) + " is";
+    return false;
+  }
+  stage_ends_.push_back(stage_end());
   const AnalysisOptions before = analysis_;
   forget_ahead();
-  apply(stages_[stage]);
-  progress_ = {stage, 0, state_.time, false};
+  if (const Stage& next = stages_[stage]; next.relax > 0)
+    blocks_.fading = {forces_of(next.removed), state_.time,
+                      state_.time + next.relax * next.analysis.time_step};
+  apply(stages_[stage], state_.time);
+  progress_.stage = stage;
+  progress_.steps = 0;
+  progress_.came_to_rest = false;
+  progress_.start_times.push_back(state_.time);
   detected_ = false;
   for (int b : stages_[stage].removed) {
     const Range& u = blocks_.block(b).unknowns();
@@ -163,6 +191,7 @@ void Stepper::enter_stage(int stage) {
     set_flight_acceleration();
   accepted_ = {substep_, counts_};
   sleepers_.accept();
+  return true;
 }
 
 void Stepper::set_flight_acceleration() {
@@ -209,7 +238,7 @@ void Stepper::start_accounts() {
 }
 
 StepRecord Stepper::record() const {
-  return {counts_.steps, begun_, substep_, progress_, state_, contacts(), sleepers_.record()};
+  return {counts_.steps, begun_, substep_, progress_, state_, blocks_.fading, contacts(), sleepers_.record()};
 }
 
 void Stepper::restore(StepRecord record) {
@@ -225,7 +254,11 @@ void Stepper::restore(StepRecord record) {
                            [&](const ContactRecord& contact) { return is_between(blocks_, contact.pair); }))
     throw Error("the record is of other blocks or stages");
   sleepers_.wake_all();
-  while (progress_.stage < record.progress.stage) apply(stages_[++progress_.stage]);
+  while (progress_.stage < record.progress.stage) {
+    const int stage = ++progress_.stage;
+    apply(stages_[stage], record.progress.start_times[stage]);
+  }
+  blocks_.fading = std::move(record.fading);
   counts_.steps = record.steps;
   begun_ = record.begun;
   substep_ = record.substep;

@@ -269,4 +269,16 @@ TEST(Stages, SayNothingAgainOfWhatIsWrongWithTheAnalysis) {
   }
 }
 
+/// A lining that takes the place of rock that is gone by then.
+TEST(Stages, MayPutABlockWhereAnotherOneWas) {
+  const std::string lining =
+      "[[block]]\nname = \"lining\"\nmaterial = \"rock\"\nvertices = [[1, 0], [2, 0], [2, 1], [1, 1]]\n";
+  const Scene scene = scene_of(std::string(in_stages) + lining, {"stage.1.add=[\"lining\"]"});
+  EXPECT_EQ(scene.stages[1].added, (std::vector<int>{4}));
+  const SceneReading too_early = ddacontact::read_scene_text(std::string(in_stages) + lining, "scene.toml",
+                                                             {"stage.0.add=[\"lining\"]"});
+  ASSERT_EQ(too_early.problems.size(), 1u);
+  EXPECT_NE(too_early.problems[0].text().find("overlaps block 'pillar'"), std::string::npos);
+}
+
 }  // namespace

@@ -247,6 +247,106 @@ TEST(Stages, BlocksComeInWithTheirStages) {
   EXPECT_LT(std::abs(stepper.energy().balance_error()), 1e-6);
 }
 
+/// A rise over 0.1 s counts from when the load comes in.
+TEST(Stages, ALoadThatComesInGrowsFromThenOn) {
+  Scene scene = slope_scene(0, 30);
+  scene.analysis.mode = Mode::statics;
+  scene.loads = {point_load(1, Vec2(1, 1), constant({0, -10e3}))};
+  scene.loads[0].force.rise = 0.1;
+  scene.stages = {scene.stage("before"), scene.stage("loaded")};
+  scene.stages[0].analysis.steps = 20;
+  scene.stages[1].analysis.steps = 20;
+  scene.stages[1].loads = {0};
+  BuiltScene built = build(scene);
+  run(*built.stepper, 20);
+  const double before = built.stepper->reactions().row(1).sum();
+  for (int k = 1; k <= 20; ++k) {
+    run(*built.stepper, 1);
+    EXPECT_NEAR(built.stepper->reactions().row(1).sum() - before, 1e3 * std::min(k, 10), 1) << k;
+  }
+}
+
+TEST(Stages, ABlockDoesNotComeInWhereAnotherOneIs) {
+  Scene scene = slope_scene(0, 30);
+  scene.blocks[1].name = "slider";
+  scene.blocks[1].velocity = Vec2(6, 0);
+  scene.blocks.push_back(block(rectangle(4, 0, 1, 1)));
+  scene.blocks[2].name = "late";
+  scene.stages = {scene.stage("slide"), scene.stage("late")};
+  scene.stages[1].added = {2};
+  BuiltScene built = build(scene);
+  run(*built.stepper, scene.stages[0].analysis.steps);
+  EXPECT_FALSE(built.stepper->step());
+  EXPECT_EQ(built.stepper->stop_reason(), "block \"late\" comes in where block \"slider\" is");
+}
+
+/// A beam of 60 kN on three springs of 1 MN/m, the middle one of which is taken out: from 20 mm to 30 mm.
+class APillarTakenOut : public ::testing::Test {
+ protected:
+  static Scene scene(Mode mode, int relax, int steps) {
+    Scene scene = rock_scene(0.01, 1);
+    scene.analysis.kinematics = Kinematics::corotational;
+    scene.analysis.scheme = Scheme::decaying;
+    scene.contact.method = ContactMethod::staged;
+    scene.contact.penetration_tolerance = 1e-6;
+    scene.materials[0].young = 1e11;
+    scene.materials[0].poisson = 0;
+    scene.joints[0].friction_angle = 30;
+    scene.joints[0].normal_stiffness = scene.joints[0].shear_stiffness = 1.25e6;
+    for (const double x : {0.0, 1.1, 2.2}) scene.blocks.push_back(block(rectangle(x, -1, 0.8, 1), true));
+    scene.blocks.push_back(block(rectangle(0, 0, 3, 1)));
+    scene.stages = {scene.stage("settle"), scene.stage("excavate")};
+    scene.stages[0].analysis.mode = Mode::statics;
+    scene.stages[0].analysis.steps = 20;
+    scene.stages[0].analysis.time_step = 10;
+    scene.stages[1].analysis.mode = mode;
+    if (mode == Mode::statics)
+      scene.stages[1].analysis.time_step = 10;
+    else
+      scene.stages[1].analysis.scheme = Scheme::midpoint;
+    scene.stages[1].analysis.steps = steps;
+    scene.stages[1].removed = {1};
+    if (relax > 0) scene.stages[1].relax = relax;
+    return scene;
+  }
+  static double settlement(const Stepper& stepper) { return -travel(stepper, 3).y(); }
+  /// The deepest of the second stage.
+  static double deepest(const Scene& scene) {
+    BuiltScene built = build(scene);
+    run(*built.stepper, 20);
+    double deepest = 0;
+    for (int k = 0; k < scene.stages[1].analysis.steps; ++k) {
+      run(*built.stepper, 1);
+      deepest = std::max(deepest, settlement(*built.stepper));
+    }
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
+    return deepest;
+  }
+};
+
+TEST_F(APillarTakenOut, SettlesTheBeamInProportionToWhatIsGoneOfItsForce) {
+  BuiltScene built = build(scene(Mode::statics, 10, 20));
+  run(*built.stepper, 20);
+  EXPECT_NEAR(settlement(*built.stepper), 0.02, 1e-7);
+  for (int k = 1; k <= 20; ++k) {
+    run(*built.stepper, 1);
+    EXPECT_NEAR(settlement(*built.stepper), 0.02 + 0.001 * std::min(k, 10), 1e-6) << k;
+  }
+  EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
+}
+
+TEST_F(APillarTakenOut, AtOnceLetsTheBeamGoTwiceAsFarAsWhenItsForceRelaxes) {
+  const double period = 2 * std::numbers::pi / std::sqrt(2e6 / 6000);  // on two springs
+  EXPECT_NEAR(deepest(scene(Mode::dynamic, 0, 60)), 0.04, 1e-4);
+  // Of a ramp over T the beam swings by |sin(w T / 2)| / (w T / 2) of the change.
+  for (const int steps : {50, 100, 200}) {
+    const double half_angle = std::numbers::pi * steps * 0.01 / period;
+    EXPECT_NEAR(deepest(scene(Mode::dynamic, steps, steps + 60)),
+                0.03 + 0.01 * std::abs(std::sin(half_angle)) / half_angle, 1e-4)
+        << steps;
+  }
+}
+
 TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
   Scene scene = beam_scene();
   scene.blocks[3].velocity = Vec2(0.5, 0);
@@ -254,7 +354,11 @@ TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
   scene.stages[0].analysis.steps = 5;
   scene.stages[2].analysis.steps = 12;
   scene.stages[2].removed = {1};
+  scene.stages[2].relax = 8;
   scene.blocks.push_back(block(rectangle(1, 2, 1, 1)));
+  scene.loads = {point_load(3, Vec2(2, 2), constant({0, -10e3}))};
+  scene.loads[0].force.rise = 0.1;
+  scene.stages[1].loads = {0};
   scene.stages[1].added = {4};
   BuiltScene whole = build(scene);
   std::vector<std::string> records{to_bytes(whole.stepper->run_record())};
