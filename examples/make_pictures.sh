@@ -22,6 +22,9 @@ done
 "$dda" plot "$scratch/drums" --frame 805 -o "$doc/example_drums.svg"
 "$dda" safety "$here/retaining_wall.toml" -o "$scratch/retaining" --quiet
 cp "$scratch/retaining/safety_moved.svg" "$doc/example_retaining_wall.svg"
+"$dda" run "$here/tunnel_bolts.toml" --set parameters.bond=1 -o "$scratch/loose" --quiet
+"$dda" run "$here/tunnel_bolts.toml" -o "$scratch/bolted" --quiet
+"$dda" plot "$scratch/loose" "$scratch/bolted" --field none --window 7,29,7,22 -o "$doc/example_tunnel_bolts.svg"
 "$dda" run "$here/arch_bridge.toml" -o "$scratch/bridge" --quiet
 "$dda" plot "$scratch/bridge" --frame 80 --field s2 --forces -o "$doc/example_arch_bridge.svg"
 "$dda" run "$here/jointed_column.toml" -o "$scratch/column" --quiet

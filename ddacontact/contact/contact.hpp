@@ -93,8 +93,9 @@ struct ContactRecord {
   bool was_closed = false;  ///< at the start, at the end or in between
 
   bool closed() const { return history.state != ContactState::open; }
-  /// Whether the next step has to know of it: an open one has its overlap of the start still.
-  bool lasts() const { return closed() || history.gap_offset < 0; }
+  /// Whether the next step has to know of it: an open one has its overlap of the start still, or what
+  /// dilation has lifted.
+  bool lasts() const { return closed() || history.gap_offset != 0; }
 };
 
 /// A vertex of one block against an edge of another, through one step.

@@ -34,6 +34,14 @@ Pair block_pair(const VertexEdge& contact) {
 
 constexpr auto pair_of = [](const Contact& of) { return block_pair(of.pair); };
 
+/// What dilation may lift: the gap that counts as none may be so wide.
+double largest_rise(const JointTable& joints) {
+  double rise = 0;
+  for (const auto& [joint, between] : joints.entries())
+    rise = std::max(rise, joint.dilation * joint.dilation_slip);
+  return rise;
+}
+
 /// Of contacts ordered by their pairs, those of one.
 std::span<const Contact> of_pair(const Pair& pair, const std::vector<Contact>& contacts) {
   return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
@@ -160,6 +168,7 @@ double ContactBuilder::pair_size(int a, int b) const {
 
 void ContactBuilder::find_pairs(const BlockState& state, const std::vector<double>& search_margin) {
   const Index n = blocks_.n_blocks();
+  const double rise = largest_rise(properties_.joints);
   boxes_.resize(n);
   margins_.resize(keeps_pairs_ ? n : 0);
   const auto check_blocks = [&](Index begin, Index end) {
@@ -167,7 +176,7 @@ void ContactBuilder::find_pairs(const BlockState& state, const std::vector<doubl
       const Range& v = blocks_.block(b).vertices();
       outlines_.set(b, state.position.middleCols(v.first, v.count));
       const Box& box = outlines_[b].box;
-      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(search_margin[b]);
+      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(search_margin[b] + rise);
       boxes_[b] = {box.low - margin + origin, box.high + margin + origin};
       if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin[b];
     }
@@ -188,17 +197,20 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
   const double size = pair_size(a, b);
-  const PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
-                          .max_depth = std::min(half_width_[a], half_width_[b]),
-                          .coincidence = coincidence * size,
-                          .lip = properties_.lip * size};
+  const PairLimits limits{
+      .search_margin = search_margin_[a] + search_margin_[b] + largest_rise(properties_.joints),
+      .max_depth = std::min(half_width_[a], half_width_[b]),
+      .coincidence = coincidence * size,
+      .lip = properties_.lip * size};
   earlier.clear();
   const bool any_compliant = properties_.joints.any_compliant();
   for (const ContactRecord& contact : previous) {
     double offset = contact.lasts() ? contact.history.gap_offset : 0;
     // A joint that has closed by its stiffness is flush.
     if (any_compliant && contact.closed() && properties_.is_compliant(contact)) offset += contact.end_gap;
-    if (contact.closed() && properties_.strength(contact.pair).crushes())
+    // So is one that was crushed, or is to rise to where dilation lifts it.
+    const JointStrength& joint = properties_.strength(contact.pair);
+    if (contact.closed() && (joint.crushes() || joint.dilation > 0))
       offset = std::min(offset, gap(positions_of(blocks_, state, contact.pair)));
     earlier.push_back({contact.pair, offset, ties && contact.closed(), ties});
   }

@@ -44,26 +44,14 @@ void check_springs(const Joint& joint, const KeyLocations& locations, ContactMet
                    "leave it out: the joint's springs make blocks rebound, a 'dashpot' damps them");
 }
 
-bool has_dynamic_steps(const Document& document) {
-  const Mode mode = document.analysis.options.mode;
-  return (document.stages.empty() && mode == Mode::dynamic) ||
-         std::ranges::any_of(document.stages, [&](const StageRecord& stage) {
-           return stage.mode.value_or(mode) == Mode::dynamic;
-         });
-}
-
 /// What rises does so by the work of friction.
-void check_dilation(const Joint& joint, const KeyLocations& locations, const Document& document,
-                    ContactMethod method, ProblemList& problems) {
+void check_dilation(const Joint& joint, const KeyLocations& locations, ContactMethod method,
+                    ProblemList& problems) {
   if (joint.dilation_slip && !joint.dilation_angle && locations.good("dilation_slip"))
     problems.error(locations.of("dilation_slip"), "'dilation_slip' without 'dilation_angle'",
                    "add 'dilation_angle' in degrees, or leave it out");
   if (!joint.dilation_angle || !locations.good("dilation_angle")) return;
   check_method("dilation_angle", locations, method, problems);
-  if (has_dynamic_steps(document))
-    problems.error(locations.of("dilation_angle"), "'dilation_angle' with dynamic steps",
-                   "write mode = \"static\" in [analysis] and in all stages: dynamic steps do not support "
-                   "dilation");
   if (!joint.dilation_slip)
     problems.error(locations.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
                    "add 'dilation_slip', the slip in m up to which the joint dilates");
@@ -129,7 +117,7 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     joint.name = record.name.value_or("");
     check_restitution(joint.restitution, locations, document.contact, method, problems);
     check_springs(joint, locations, method, problems);
-    check_dilation(joint, locations, document, method, problems);
+    check_dilation(joint, locations, method, problems);
     check_crushing(joint, locations, document, method, problems);
     if (record.between && locations.good("between")) {
       const int a = materials.find((*record.between)[0], locations.of("between"), problems);

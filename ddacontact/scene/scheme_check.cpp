@@ -3,6 +3,7 @@
 #include <ddacontact/scene/text.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ddacontact::scene_format {
@@ -44,10 +45,27 @@ Stiffest stiffest_block(const Scene& scene, const std::vector<bool>& may_turn) {
   return stiffest;
 }
 
+/// Blocks that a scheme without damping lifts hop, and what they slip above the joint lifts them no more.
+void check_dilation(const Document& document, const Scene& scene, ProblemList& problems) {
+  const auto lets_hop = [](const AnalysisOptions& analysis) {
+    return analysis.mode == Mode::dynamic && analysis.scheme != Scheme::decaying &&
+           analysis.scheme != Scheme::backward_euler;
+  };
+  if (scene.stages.empty() ? !lets_hop(scene.analysis)
+                           : std::ranges::none_of(scene.stages, lets_hop, &StageDescription::analysis))
+    return;
+  for (std::size_t j = 0; j < document.joints.size(); ++j)
+    if (scene.joints[j].dilation_angle)
+      problems.error(document.joints[j].locations.of("dilation_angle"),
+                     "'dilation_angle' with dynamic steps of a scheme that lets lifted blocks hop",
+                     "write scheme = \"decaying\" or \"backward_euler\", or mode = \"static\"");
+}
+
 }  // namespace
 
 void check_scheme(const Document& document, const Scene& scene, const NameTable& blocks,
                   const std::vector<bool>& may_turn, ProblemList& problems) {
+  check_dilation(document, scene, problems);
   const Stiffest stiffest = stiffest_block(scene, may_turn);
   const auto check = [&](const AnalysisOptions& analysis, const KeyLocations& own) {
     const double crossings = stiffest.crossings * analysis.time_step;

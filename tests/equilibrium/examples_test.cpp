@@ -1,4 +1,5 @@
 // The examples of slopes and masonry against limit equilibrium and limit analysis.
+#include <ddacontact/output/bolt_view.hpp>
 #include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
 #include <tests/support/limit_analysis.hpp>
@@ -138,6 +139,33 @@ void expect_limit(const std::string& name, const std::string& parameter, double 
 
 TEST(Examples, ArchFailsAtTheLoadOfLimitAnalysis) {
   expect_limit("arch_quarter_load.toml", "load", -10e3, -85.30e3, 0.97);
+}
+
+/// Without bolts two blocks at the crown fall.
+TEST(Examples, TunnelStandsByItsBolts) {
+  const auto largest_motion = [](const BuiltScene& built) {
+    return built.stepper->blocks().displacements(built.stepper->state()).colwise().norm().maxCoeff();
+  };
+  const auto run = [](const Scene& scene) {
+    BuiltScene built = build(scene);
+    Stepper& stepper = *built.stepper;
+    while (stepper.stage() < 2 || (!stepper.is_at_rest() && stepper.counts().steps < 93))
+      if (!stepper.step()) break;
+    EXPECT_EQ(stepper.stop_reason(), "");
+    return built;
+  };
+  const BuiltScene bolted = run(example("tunnel_bolts.toml"));
+  EXPECT_TRUE(bolted.stepper->is_at_rest());
+  EXPECT_LT(largest_motion(bolted), 1e-3);
+  double force = 0;
+  const BlockSystem& blocks = bolted.stepper->blocks();
+  for (const Bolt& bolt : blocks.bolts)
+    for (int k = 0; k + 1 < static_cast<int>(bolt.nodes.size()); ++k)
+      force = std::max(force, BoltView(bolt, blocks, bolted.stepper->state()).axial(k));
+  EXPECT_NEAR(force, 21.1e3, 2e3);
+  const BuiltScene loose = run(example("tunnel_bolts.toml", {"parameters.bond=1"}));
+  EXPECT_FALSE(loose.stepper->is_at_rest());
+  EXPECT_GT(largest_motion(loose), 1);
 }
 
 /// Bricks slide on each other, which makes limit analysis an upper bound.

@@ -118,3 +118,30 @@ TEST(JointSprings, LiftABlockThatSlidesByTheDilationAngle) {
     EXPECT_GT(built.stepper->energy().now.friction_dissipated, 0);
   }
 }
+
+/// On a block that is lifted the normal force is N = W / (1 + tan(phi) tan(i)). Thrown along its joint it is
+/// first slowed by the impulse that lifts it, by 1 + tan(phi) tan(i) as well.
+TEST(JointSprings, LiftABlockThatIsThrown) {
+  const double rise = std::tan(radians(8)), friction = std::tan(radians(30)), less = 1 + friction * rise,
+               way = 1 / (less * less) / (2 * 10 * friction / less);
+  for (const bool rigid : {false, true}) {
+    Scene scene = column(1, 1e9, 1e9);
+    if (rigid) scene.joints[0].normal_stiffness = scene.joints[0].shear_stiffness = std::nullopt;
+    scene.analysis.scheme = Scheme::decaying;
+    scene.analysis.max_displacement_ratio = 1;
+    scene.materials[0].young = 1e9;
+    scene.joints[0].friction_angle = 30;
+    scene.joints[0].dilation_angle = 8;
+    scene.joints[0].dilation_slip = 1;
+    scene.blocks[1].velocity = {1, 0};
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 8);
+    double normal = 0;
+    for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) normal += contact.normal;
+    EXPECT_NEAR(normal, 40e3 / less, 2e-3 * 40e3) << rigid;
+    run(*built.stepper, 30);
+    EXPECT_NEAR(travel(*built.stepper, 1).x(), way, 2e-3 * way) << rigid;
+    EXPECT_NEAR(travel(*built.stepper, 1).y(), rise * way, 5e-3 * rise * way) << rigid;
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9);
+  }
+}
