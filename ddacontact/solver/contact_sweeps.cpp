@@ -7,14 +7,12 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace ddacontact {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Index grain = 256;
 
 /// The n x n matrix of these values becomes its inverse, by elimination in place without exchanging rows: the
@@ -104,7 +102,9 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
   int n_entries = 0;
   std::size_t n_columns = 0;
   for (std::size_t c = 0; c < terms.size(); ++c) {
-    Row row{static_cast<int>(c), n_entries};
+    Row row;
+    row.contact = static_cast<int>(c);
+    row.first_entry = n_entries;
     std::array<int, AffineForm::capacity> seen;
     auto& [one, other] = row.sides;
     for (int u : terms[c].gap.unknowns()) {
@@ -227,63 +227,6 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
   }
 }
 
-void ContactSweeps::set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row) {
-  assert(law.joint && term.normal_stiffness > 0 && term.tension >= 0);
-  row.law = law;
-  row.acts = term.normal != ContactTerm::Normal::absent;
-  row.unilateral = term.normal == ContactTerm::Normal::unilateral;
-  row.slides = !std::isinf(term.bound);
-  row.friction = law.joint->friction;
-  row.cohesion = law.bonded ? law.joint->cohesion : 0;
-  row.tension = term.tension;
-  row.sheared = term.sheared && (term.bound > 0 || law.joint->has_friction());
-  row.normal_compliance = 1 / term.normal_stiffness;
-  row.tangential_compliance = 1 / term.tangential_stiffness;
-  row.gap = term.gap(d) - term.normal_multiplier * row.normal_compliance;
-  row.slip = term.sheared ? term.slip(d) : 0;
-}
-
-/// What friction bears.
-double ContactSweeps::bound_under(const Row& row, double normal) {
-  if (!row.slides) return infinity;
-  if (row.law.joint->friction_law) [[unlikely]]
-    return shear_bound(*row.law.joint, normal, row.law.bonded);
-  return std::max(0.0, normal) * row.friction + row.cohesion;
-}
-
-/// The force that the law demands while those of the other contacts stay.
-/// \param[in] gap, slip  without the contact's own forces
-ContactForce ContactSweeps::solve(const Row& row, double gap, double slip) {
-  const SweptLaw& law = row.law;
-  const double an = row.normal_compliance + row.normal, rn = -gap,
-               least = row.unilateral ? -row.tension : -infinity;
-  assert(an > 0);
-  const ContactForce closed{std::max(least, rn / an), 0};
-  if (!row.sheared) return closed;
-  const auto bound = [&](double normal) { return bound_under(row, normal); };
-  const double bound_before = bound(row.force.normal);
-  const double multiplier = law.sliding && row.slides ? std::copysign(bound_before, law.shear)
-                                                      : std::clamp(law.shear, -bound_before, bound_before);
-  const double at = row.tangential_compliance + row.shear, rt = multiplier * row.tangential_compliance - slip,
-               mixed = row.mixed;
-  const double determinant = an * at - mixed * mixed;
-  assert(at > 0 && determinant > 0);
-  const ContactForce stick{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
-  if (stick.normal > least && std::abs(stick.shear) <= bound(stick.normal)) return stick;
-  // Where friction that sticks would pull the contact open it slides under what presses without it; a bond
-  // that is pulled open bears shear.
-  const double near = stick.normal > least ? stick.normal : closed.normal;
-  if (near <= least || !row.slides) {
-    const double most = bound(least);
-    return {least, std::clamp((rt - mixed * least) / at, -most, most)};
-  }
-  // N with T = +- bound(N), the bound linear from there.
-  const double sense = stick.shear > 0 ? 1 : -1, most = bound(near),
-               rate = sense * friction_rate(*law.joint, near, law.bonded);
-  const double normal = std::max(least, (rn - mixed * (sense * most - rate * near)) / (an + rate * mixed));
-  return {normal, sense * bound(normal)};
-}
-
 /// What a contact's forces change of a block's displacements.
 void ContactSweeps::move(const Side& side, double normal, double shear) {
   const double* const columns = columns_.data() + side.columns;
@@ -312,8 +255,8 @@ double ContactSweeps::visit(Row& row, const Tolerance& tolerance) {
   const ContactForce before = row.force;
   if (row.unilateral && row.slides && !row.law.bonded && before.normal == 0 && before.shear == 0 && gap >= 0)
     return 0;
-  row.force = solve(row, gap - row.normal * before.normal - row.mixed * before.shear,
-                    slip - row.mixed * before.normal - row.shear * before.shear);
+  row.force = row.solve(gap - row.normal * before.normal - row.mixed * before.shear,
+                        slip - row.mixed * before.normal - row.shear * before.shear);
   const double normal = row.force.normal - before.normal, shear = row.force.shear - before.shear;
   if (normal == 0 && shear == 0) return 0;
   for (const Side& side : row.sides)
@@ -347,7 +290,7 @@ double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
 bool ContactSweeps::has_many_changes(const Stop& stop) const {
   int n_closed = 0, n_changed = 0;
   for (const Row& row : rows_) {
-    const int now = state_of(row.force, bound_under(row, row.force.normal));
+    const int now = state_of(row.force, row.bound_under(row.force.normal));
     if (now == 0 && row.state_before == 0) continue;
     ++n_closed;
     if (now != row.state_before) ++n_changed;
@@ -362,10 +305,9 @@ VectorXd ContactSweeps::forces() const {
   return all;
 }
 
-ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms,
-                                           const std::vector<SweptLaw>& laws, const VectorXd& residual,
-                                           const Stop& stop, VectorXd& d,
-                                           std::vector<ContactForce>& forces_of_all) {
+void ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
+                          const VectorXd& residual, const VectorXd& d,
+                          const std::vector<ContactForce>& forces_of_all) {
   change_.resize(static_cast<Index>(unknown_.size()));
   polyfem::for_ranges(static_cast<Index>(blocks_.size()), grain, [&](Index begin, Index end) {
     for (Index b = begin; b < end; ++b) {
@@ -382,12 +324,18 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
     for (Index r = begin; r < end; ++r) {
       Row& row = rows_[static_cast<std::size_t>(r)];
       const auto c = static_cast<std::size_t>(row.contact);
-      set_law(terms[c], laws[c], d, row);
+      row.set_law(terms[c], laws[c], d);
       row.force = forces_of_all[c];
-      row.state_before = state_of(row.force, bound_under(row, row.force.normal));
+      row.state_before = state_of(row.force, row.bound_under(row.force.normal));
     }
   });
+}
 
+ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms,
+                                           const std::vector<SweptLaw>& laws, const VectorXd& residual,
+                                           const Stop& stop, VectorXd& d,
+                                           std::vector<ContactForce>& forces_of_all) {
+  begin(terms, laws, residual, d, forces_of_all);
   Report report;
   VectorXd along_force, along;  // the direction of conjugate gradients
   for (double before = 0; report.sweeps < stop.most_sweeps;) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/solver/friction_problem.hpp>
-#include <ddacontact/solver/swept_law.hpp>
+#include <ddacontact/solver/swept_contact.hpp>
 
 #include <array>
 #include <vector>
@@ -67,27 +67,20 @@ class ContactSweeps {
     int block = -1, first = 0, n = 0;
     std::size_t columns = 0;
   };
-  /// A contact, with what its blocks answer to its own forces: G A^-1 G^T.
-  struct Row {
-    int contact, first_entry, n_entries = 0;
+  /// A contact, with its blocks.
+  struct Row : SweptContact {
+    int contact = 0, first_entry = 0, n_entries = 0;
     std::array<Side, 2> sides = {};  ///< of blocks that move, the earlier one first
-    bool acts = false, unilateral = true, slides = false, sheared = false;
-    double normal = 0, mixed = 0, shear = 0;
-    double normal_compliance = 0, tangential_compliance = 0;
-    double gap = 0, slip = 0;  ///< where the sweeps begin, the gap from where nothing presses
-    double friction = 0, cohesion = 0, tension = 0;
     int state_before = 0;
-    SweptLaw law = {};
-    ContactForce force = {};
   };
 
   bool take_blocks(FrictionProblem& problem);
   void take_contacts(const std::vector<ContactTerm>& terms);
   void order_rows();
   void set_entries(const ContactTerm& term, Row& row);
-  static void set_law(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, Row& row);
-  static double bound_under(const Row& row, double normal);
-  static ContactForce solve(const Row& row, double gap, double slip);
+  /// Where sweeps begin: displacements that balance this residual, and contacts with these forces.
+  void begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
+             const VectorXd& residual, const VectorXd& d, const std::vector<ContactForce>& forces_of_all);
   void move(const Side& side, double normal, double shear);
   double visit(Row& row, const Tolerance& tolerance);
   double visit_all(bool forth, const Tolerance& tolerance);

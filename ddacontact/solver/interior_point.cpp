@@ -1,11 +1,12 @@
 #include <ddacontact/solver/interior_point.hpp>
 
-#include <ddacontact/solver/spring_state.hpp>
+#include <ddacontact/solver/interior_contact.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace ddacontact {
@@ -16,11 +17,8 @@ constexpr int most_solutions = 60;
 /// Near: sqrt(mu) is this part of the largest sum of forces on a block, and what forces leave over on a block
 /// that part of their sum. The states are told there when a solution changes none, and at this part of both.
 constexpr double near_law = 1e-5, near_balance = 1e-2, nearer = 1e-4;
-/// From the bounds of friction at the start, of sqrt(mu).
-constexpr double least_distance = 1e-6;
-/// A solution is followed to this part of the way to the nearest bound, which this part of the contacts does
-/// not shorten for the others.
-constexpr double part_to_bound = 0.99, trimmed_part = 0.01;
+/// This part of the contacts does not shorten for the others how far a solution is followed.
+constexpr double trimmed_part = 0.01;
 /// Tolerance of friction.
 constexpr double friction_tolerance = 1e-3;
 /// mu falls to no less than the third power of this part of its mean.
@@ -39,57 +37,6 @@ constexpr int most_corrections = 4;
 constexpr int most_first_corrections = 60, most_path_starts = 5, most_path_solutions = 600;
 /// Of friction, in solutions along the path: it may turn where the equations are nearly singular.
 constexpr double path_tolerance = 1e-6;
-
-/// Two positive numbers whose product goes to mu.
-struct Pair {
-  double x = 1, s = 1;
-  double dx = 0, ds = 0;
-  double target = 0;  ///< of the product
-
-  void begin(double value, double mu) {
-    assert(value > 0 && mu >= 0);
-    x = value;
-    s = mu / x;
-  }
-  void aim(double mu, double second_order) { target = mu - second_order * dx * ds; }
-  void follow(double change) {
-    assert(x > 0);
-    dx = change;
-    ds = (target - x * s - s * dx) / x;
-  }
-};
-
-/// A contact inside its law. What it does when displacements change follows from its own equations:
-/// dN = w da + cN and dT = wt dq + mixed rate dN + cT.
-struct Inside {
-  bool acts = false;  ///< the vertex is on the edge, or has been
-  bool unilateral = true, sheared = false;
-  bool holds = false;     ///< shear has no bound
-  double tension = 0;     ///< of a bond; 0 where it is not unilateral
-  double p = 0, p_t = 0;  ///< its stiffnesses
-  double a = 0, q = 0;
-  Pair normal;  ///< N + tension and y; N alone where it is not unilateral
-  double T = 0, dT = 0;
-  Pair upper, lower;       ///< u and f, v and k
-  double b = 0, rate = 0;  ///< the bound of friction and its derivative by N
-  double sense = 0;        ///< of a multiplier that is at the bound, whatever that is
-  double w = 0, wt = 0, mixed = 0, cN = 0, cT = 0;
-
-  double N() const { return normal.x - tension; }
-  bool slides() const { return sheared && !holds; }
-  /// What u and v lack.
-  double upper_error() const { return upper.x - (b - T); }
-  double lower_error() const { return lower.x - (b + T); }
-
-  template <class Visit>
-  void for_pairs(Visit&& visit) {
-    if (!acts) return;
-    if (unilateral) visit(normal);
-    if (!slides()) return;
-    visit(upper);
-    visit(lower);
-  }
-};
 
 class InteriorPoint {
  public:
@@ -110,16 +57,7 @@ class InteriorPoint {
     return report_;
   }
 
-  unsigned char state(std::size_t c) const {
-    const Inside& i = inside_[c];
-    if (!i.acts) return open;
-    const bool is_open = i.unilateral && i.normal.x < i.normal.s;
-    if (is_open && !laws_[c].bonded) return open;
-    const unsigned char closed = is_open ? open : normal_acts;
-    if (!i.sheared) return closed;
-    if (i.holds) return closed | shear_acts;
-    return closed | (i.upper.s > i.upper.x ? at_upper : i.lower.s > i.lower.x ? at_lower : shear_acts);
-  }
+  unsigned char state(std::size_t c) const { return inside_[c].state(laws_[c]); }
 
  private:
   /// Mehrotra's method. False: mu does not fall far enough.
@@ -161,7 +99,7 @@ class InteriorPoint {
 
   /// A point of the path, with the direction in which it was reached.
   struct PathPoint {
-    std::vector<Inside> inside;
+    std::vector<InteriorContact> inside;
     VectorXd d;
     std::vector<double> direction;
   };
@@ -169,8 +107,8 @@ class InteriorPoint {
   /// Where the path leads from here: C to the point of it where mu is the mean of the products, and C + D to
   /// its end, by Newton's method. Both as parts of themselves by which the numbers change, mu the last one.
   struct PathStep {
-    std::vector<Inside> centred;  ///< with C
-    VectorXd correction;          ///< for it
+    std::vector<InteriorContact> centred;  ///< with C
+    VectorXd correction;                   ///< for it
     std::vector<double> C, D;
     double nearest = 0;   ///< C + nearest * D leads to the nearest point of the path
     double off = 0;       ///< the largest part of that
@@ -214,10 +152,7 @@ class InteriorPoint {
       if (on_path && !reached && (!(path.off <= far_from_path) || n_corrections == most_corrections)) {
         step *= step_cut;
         if (step < shortest_step) return;
-        inside_ = kept.inside;
-        d_ = kept.d;
-        look_();
-        evaluate_interior(mean_product(0));
+        return_to(kept);
         n_corrections = -1;
         continue;
       }
@@ -228,10 +163,7 @@ class InteriorPoint {
       double part = on_path ? path.nearest : 0;
       if (reached) {
         on_path = true;
-        double along = 0;
-        for (std::size_t k = 0; k < kept.direction.size(); ++k) along += kept.direction[k] * path.D[k];
-        const double sense = along < 0 ? -1 : 1;
-        for (double& change : path.D) change *= sense;
+        const double sense = keep_direction(kept.direction, path.D);
         if (n_corrections == 0) step = std::min(step * step_growth, longest_now);
         part = path.nearest + sense * step / std::max(1.0, path.steepest);
         kept = {inside_, d_, std::move(path.D)};
@@ -246,11 +178,26 @@ class InteriorPoint {
     }
   }
 
+  void return_to(const PathPoint& point) {
+    inside_ = point.inside;
+    d_ = point.d;
+    look_();
+    evaluate_interior(mean_product(0));
+  }
+
+  /// Turns a direction that leads back from where one came. Returns what it was multiplied by.
+  static double keep_direction(const std::vector<double>& before, std::vector<double>& direction) {
+    const double along = std::inner_product(before.begin(), before.end(), direction.begin(), 0.0),
+                 sense = along < 0 ? -1 : 1;
+    for (double& change : direction) change *= sense;
+    return sense;
+  }
+
   /// From the start of the step, with these products.
   void begin_all(double mu) {
     d_ = system_.prescribed();
     look_();
-    for (Inside& i : inside_) i = {};
+    for (InteriorContact& i : inside_) i = {};
     evaluate_interior(mu);
   }
 
@@ -279,11 +226,11 @@ class InteriorPoint {
   }
 
   /// Of the numbers of the pairs of each contact.
-  static std::vector<double> relative_changes(const std::vector<Inside>& inside) {
+  static std::vector<double> relative_changes(const std::vector<InteriorContact>& inside) {
     std::vector<double> changes;
     changes.reserve(6 * inside.size() + 1);
-    for (const Inside& i : inside) {
-      const auto append = [&](const Pair& pair, bool acts) {
+    for (const InteriorContact& i : inside) {
+      const auto append = [&](const InteriorPair& pair, bool acts) {
         changes.push_back(acts ? pair.dx / pair.x : 0);
         changes.push_back(acts ? pair.ds / pair.s : 0);
       };
@@ -298,9 +245,10 @@ class InteriorPoint {
   void combine(const PathStep& path, double part) {
     const auto between = [&](double centred, double& end) { end = centred + part * (end - centred); };
     for (std::size_t c = 0; c < inside_.size(); ++c) {
-      Inside& i = inside_[c];
-      const Inside& centred = path.centred[c];
-      for (Pair Inside::*pair : {&Inside::normal, &Inside::upper, &Inside::lower}) {
+      InteriorContact& i = inside_[c];
+      const InteriorContact& centred = path.centred[c];
+      for (InteriorPair InteriorContact::*pair :
+           {&InteriorContact::normal, &InteriorContact::upper, &InteriorContact::lower}) {
         between((centred.*pair).dx, (i.*pair).dx);
         between((centred.*pair).ds, (i.*pair).ds);
       }
@@ -309,53 +257,13 @@ class InteriorPoint {
     correction_ = path.correction + part * (correction_ - path.correction);
   }
 
-  /// What the contacts' own equations have of d. Contacts that begin to act begin with mu.
   void evaluate_interior(double mu) {
-    for (std::size_t c = 0; c < inside_.size(); ++c) {
-      Inside& i = inside_[c];
-      const ContactTerm& term = terms_[c];
-      const bool acted = i.acts;
-      i.acts = acted || term.normal != ContactTerm::Normal::absent;
-      i.p = term.normal_stiffness;
-      i.p_t = term.tangential_stiffness;
-      i.tension = term.normal == ContactTerm::Normal::unilateral ? term.tension : 0;
-      i.a = term.normal_multiplier + i.tension - i.p * term.gap(d_);
-      if (i.acts && !acted) begin(c, mu);
-      evaluate_friction(c);
-    }
-  }
-
-  void evaluate_friction(std::size_t c) {
-    Inside& i = inside_[c];
-    if (!i.acts || !i.sheared) return;
-    const SweptLaw& law = laws_[c];
-    i.b = shear_bound(*law.joint, i.N(), law.bonded);
-    i.rate = friction_rate(*law.joint, i.N(), law.bonded);
-    i.sense = !i.holds && (law.sliding || std::abs(law.shear) > i.b) ? std::copysign(1, law.shear) : 0;
-    i.q = (i.sense != 0 ? i.sense * i.b : law.shear) - i.p_t * terms_[c].slip(d_);
-  }
-
-  void begin(std::size_t c, double mu) {
-    Inside& i = inside_[c];
-    const ContactTerm& term = terms_[c];
-    i.unilateral = term.normal != ContactTerm::Normal::bilateral;
-    i.holds = std::isinf(term.bound);
-    i.sheared = term.sheared && (laws_[c].bonded || i.holds || laws_[c].joint->has_friction());
-    const double root = std::sqrt(i.a * i.a + 4 * mu);
-    i.normal.begin(i.a > 0 ? (i.a + root) / 2 : 2 * mu / (root - i.a), mu);
-    if (!i.unilateral) i.normal.x = i.a;
-    evaluate_friction(c);
-    if (i.holds) i.T = i.q;
-    if (!i.slides()) return;
-    const double size = std::abs(i.q) + i.b, least = least_distance * std::sqrt(mu);
-    i.T = i.b == 0 ? 0 : i.b * i.q / size;
-    i.upper.begin(std::max(i.b - i.T, least), mu);
-    i.lower.begin(std::max(i.b + i.T, least), mu);
+    for (std::size_t c = 0; c < inside_.size(); ++c) inside_[c].evaluate(terms_[c], laws_[c], d_, mu);
   }
 
   void balance() {
     for (std::size_t c = 0; c < inside_.size(); ++c) {
-      const Inside& i = inside_[c];
+      const InteriorContact& i = inside_[c];
       forces_[c] = i.acts ? ContactForce{i.N(), i.T} : ContactForce{};
     }
     system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
@@ -364,8 +272,8 @@ class InteriorPoint {
   double mean_product(double length) {
     double sum = 0;
     int n = 0;
-    for (Inside& i : inside_)
-      i.for_pairs([&](const Pair& pair) {
+    for (InteriorContact& i : inside_)
+      i.for_pairs([&](const InteriorPair& pair) {
         sum += (pair.x + length * pair.dx) * (pair.s + length * pair.ds);
         ++n;
       });
@@ -377,13 +285,10 @@ class InteriorPoint {
     system_.linearize(d_);
     couplings_.clear();
     for (std::size_t c = 0; c < inside_.size(); ++c) {
-      Inside& i = inside_[c];
+      InteriorContact& i = inside_[c];
       active_[c] = open;
       if (!i.acts) continue;
-      const double f = i.slides() ? i.upper.s / i.upper.x : 0, k = i.slides() ? i.lower.s / i.lower.x : 0;
-      i.w = i.unilateral ? i.normal.x / (i.normal.x + i.normal.s) : 1;
-      i.wt = i.sheared ? 1 / (1 + f + k) : 0;
-      i.mixed = i.slides() ? i.wt * (f - k + i.sense) : 0;
+      i.find_rates();
       terms_[c].normal_stiffness = i.w * i.p;
       terms_[c].tangential_stiffness = i.wt * i.p_t;
       active_[c] = i.sheared ? normal_acts | shear_acts : normal_acts;
@@ -406,17 +311,9 @@ class InteriorPoint {
   void solve_for(double mu, double second_order, double tolerance) {
     rhs_ = residual_.force;
     for (std::size_t c = 0; c < inside_.size(); ++c) {
-      Inside& i = inside_[c];
+      InteriorContact& i = inside_[c];
       if (!i.acts) continue;
-      i.for_pairs([&](Pair& pair) { pair.aim(mu, second_order); });
-      const double N = i.normal.x;
-      i.cN = i.w * (i.a - N + (i.unilateral ? i.normal.target / N : 0));
-      i.cT = i.q - i.T;
-      if (i.slides()) {
-        const Pair &u = i.upper, &v = i.lower;
-        i.cT += (v.target + v.s * i.lower_error()) / v.x - (u.target + u.s * i.upper_error()) / u.x;
-      }
-      i.cT *= i.wt;
+      i.aim(mu, second_order);
       terms_[c].gap.add_gradient(-i.cN, rhs_);
       if (i.sheared) terms_[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs_);
     }
@@ -427,36 +324,16 @@ class InteriorPoint {
       if (std::exchange(rough_, false)) solve_coupled(exact, exact, couplings_, rhs_, tolerance, correction_);
     }
     for (std::size_t c = 0; c < inside_.size(); ++c) {
-      Inside& i = inside_[c];
+      InteriorContact& i = inside_[c];
       if (!i.acts) continue;
-      const double da = i.p * terms_[c].gap.change(correction_), dN = i.w * da + i.cN;
-      i.normal.dx = dN;
-      if (i.unilateral) i.normal.follow(dN);
-      if (!i.sheared) continue;
-      const double dq = i.p_t * terms_[c].slip.change(correction_);
-      i.dT = i.wt * dq + i.mixed * i.rate * dN + i.cT;
-      if (i.holds) continue;
-      i.upper.follow(i.rate * dN - i.dT - i.upper_error());
-      i.lower.follow(i.rate * dN + i.dT - i.lower_error());
+      i.follow(terms_[c].gap.change(correction_), i.sheared ? terms_[c].slip.change(correction_) : 0);
     }
   }
 
-  /// How far a contact may follow the solution, 1: all the way.
-  static double longest(Inside& i) {
-    double length = 1;
-    const auto shorten = [&](double x, double dx) {
-      if (dx < 0) length = std::min(length, -part_to_bound * x / dx);
-    };
-    i.for_pairs([&](const Pair& pair) {
-      shorten(pair.x, pair.dx);
-      shorten(pair.s, pair.ds);
-    });
-    return length;
-  }
-  /// How far all but this part of them may.
+  /// How far all contacts but this part of them may follow the solution.
   double longest(double trimmed = 0) {
     std::vector<double> lengths{1};
-    for (Inside& i : inside_) lengths.push_back(longest(i));
+    for (InteriorContact& i : inside_) lengths.push_back(i.longest());
     const auto first = lengths.begin() + static_cast<Index>(trimmed * static_cast<double>(lengths.size()));
     std::nth_element(lengths.begin(), first, lengths.end());
     return *first;
@@ -464,16 +341,7 @@ class InteriorPoint {
 
   /// Each contact as far as it may: what that leaves over the next solution makes good.
   void advance(double longest_of_all) {
-    for (Inside& i : inside_) {
-      const double length = std::min(longest_of_all, longest(i));
-      i.for_pairs([&](Pair& pair) {
-        pair.x += length * pair.dx;
-        pair.s += length * pair.ds;
-      });
-      if (!i.acts) continue;
-      if (!i.unilateral) i.normal.x += length * i.normal.dx;
-      if (i.sheared) i.T += length * i.dT;
-    }
+    for (InteriorContact& i : inside_) i.advance(std::min(longest_of_all, i.longest()));
     system_.move(-longest_of_all * correction_, d_);
   }
 
@@ -483,7 +351,7 @@ class InteriorPoint {
   const std::function<void()>& look_;
   std::vector<ContactTerm>& terms_;
   VectorXd& d_;
-  std::vector<Inside> inside_;
+  std::vector<InteriorContact> inside_;
   std::vector<ContactForce> forces_;
   std::vector<unsigned char> active_;
   std::vector<Coupling> couplings_;

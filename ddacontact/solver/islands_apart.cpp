@@ -30,6 +30,76 @@ void add_to_prescribed(const Contact& contact, const Range& unknowns, const Vect
   }
 }
 
+/// Blocks of an island, some perhaps twice, and its contacts.
+struct Members {
+  std::vector<int> blocks, contacts;
+};
+
+/// Those that move by their first blocks, with what they may touch that rests.
+std::vector<Members> find_islands(const BlockSystem& blocks, const std::vector<Contact>& contacts) {
+  const int n_blocks = blocks.n_blocks();
+  std::vector<int> parent(n_blocks);
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<char> meets(n_blocks, 0);
+  const auto moves = [&](int b) { return b >= 0 && !blocks.is_unchanging(b); };
+  for (const Contact& contact : contacts) {
+    const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
+    meets[a] = meets[b] = 1;
+    if (moves(a) && moves(b)) parent[root(parent, a)] = root(parent, b);
+  }
+  std::vector<std::pair<const Bolt*, int>> bolts;  // with the first block of each that moves
+  for (const Bolt& bolt : blocks.bolts) {
+    if (!acts(bolt, blocks)) continue;
+    int first = -1;
+    for (const MaterialPoint& node : bolt.nodes) {
+      if (!moves(node.block)) continue;
+      meets[node.block] = 1;
+      if (first < 0) first = node.block;
+      parent[root(parent, first)] = root(parent, node.block);
+    }
+    if (first >= 0) bolts.emplace_back(&bolt, first);
+  }
+  std::vector<int> numbers(n_blocks + 1, -1);  // of islands by their roots; last of those that meet nothing
+  std::vector<Members> members;
+  const auto island_of = [&](int b) -> Members& {
+    int& number = numbers[meets[b] ? root(parent, b) : n_blocks];
+    if (number < 0) {
+      number = static_cast<int>(members.size());
+      members.emplace_back();
+    }
+    return members[number];
+  };
+  for (int b = 0; b < n_blocks; ++b)
+    if (moves(b)) island_of(b).blocks.push_back(b);
+  for (int c = 0; c < static_cast<int>(contacts.size()); ++c) {
+    const int a = contacts[c].pair.vertex_block, b = contacts[c].pair.edge_block;
+    Members& island = island_of(moves(a) ? a : b);
+    island.contacts.push_back(c);
+    for (int end : {a, b})
+      if (!moves(end)) island.blocks.push_back(end);
+  }
+  for (const auto& [bolt, first] : bolts)
+    for (const MaterialPoint& node : bolt->nodes)
+      if (node.block >= 0 && !moves(node.block)) island_of(first).blocks.push_back(node.block);
+  return members;
+}
+
+/// Forces on blocks at rest, where contacts of several islands act.
+void balance_at_rest(const BlockSystem& blocks, const std::vector<Contact>& contacts, const StepSystem& whole,
+                     Directions directions, const VectorXd& d, Residual& residual) {
+  const VectorXd own = whole.load_forces() + whole.gravity_forces() + whole.bolt_forces(d);
+  const auto for_resting = [&](auto&& work) {
+    for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
+      if (blocks.is_unchanging(blocks.block_of_point(prescribed.vertex))) work(prescribed.unknown);
+  };
+  for_resting([&](int u) { residual.external[u] = own[u]; });
+  for (const Contact& contact : contacts)
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+      if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
+        add_to_prescribed(contact, blocks.block(b).unknowns(), d, directions, residual.external);
+  for_resting([&](int u) { residual.force[u] = -residual.external[u]; });
+}
+
 }  // namespace
 
 struct IslandsApart::Island {
@@ -63,6 +133,29 @@ struct IslandsApart::Island {
     solved.motion = contact.motion;
     contact = std::move(solved);
   }
+
+  /// Adds how the contact solver ended in the part to what is reported of the whole.
+  void add_to(ContactSolverReport& report, const ContactSolverReport& of_own) const {
+    report.status = of_own.status;
+    report.worst_contact = of_own.worst_contact < 0 ? -1 : contacts[of_own.worst_contact];
+    report.iterations = std::max(report.iterations, of_own.iterations);
+    report.interior_point_solves += of_own.interior_point_solves;
+    report.augmentations = std::max(report.augmentations, of_own.augmentations);
+    report.sweeps += of_own.sweeps;
+    report.tolerance = std::max(report.tolerance, of_own.tolerance);
+    report.interior_solutions += of_own.interior_solutions;
+    report.tangent += of_own.tangent;
+    Residual& residual = report.residual;
+    const Residual& own = of_own.residual;
+    residual.force(part->unknowns()) = own.force;
+    residual.external(part->unknowns()) = own.external;
+    for (double Residual::*measure :
+         {&Residual::largest, &Residual::scale, &Residual::round_off, &Residual::over_round_off})
+      residual.*measure = std::max(residual.*measure, own.*measure);
+    if (!(own.block_relative > residual.block_relative)) return;
+    residual.block_relative = own.block_relative;
+    residual.worst_block = own.worst_block < 0 ? -1 : part->blocks()[own.worst_block];
+  }
 };
 
 IslandsApart::IslandsApart() = default;
@@ -73,71 +166,24 @@ void IslandsApart::clear() {
 }
 
 bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& contacts) {
-  const int n_blocks = blocks.n_blocks();
-  std::vector<int> parent(n_blocks);
-  std::iota(parent.begin(), parent.end(), 0);
-  std::vector<char> meets(n_blocks, 0);
-  for (const Contact& contact : contacts) {
-    const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
-    meets[a] = meets[b] = 1;
-    if (!blocks.is_unchanging(a) && !blocks.is_unchanging(b)) parent[root(parent, a)] = root(parent, b);
-  }
-  for (const Bolt& bolt : blocks.bolts) {
-    if (!acts(bolt, blocks)) continue;
-    int first = -1;
-    for (const MaterialPoint& node : bolt.nodes) {
-      if (node.block < 0 || blocks.is_unchanging(node.block)) continue;
-      meets[node.block] = 1;
-      if (first < 0) first = node.block;
-      parent[root(parent, first)] = root(parent, node.block);
-    }
-  }
-  std::vector<int> numbers(n_blocks + 1, -1);  // of islands by their roots; last of those that meet nothing
-  std::vector<std::vector<int>> members;
-  const auto island_of = [&](int b) {
-    int& number = numbers[meets[b] ? root(parent, b) : n_blocks];
-    if (number < 0) {
-      number = static_cast<int>(members.size());
-      members.emplace_back();
-    }
-    return number;
-  };
-  for (int b = 0; b < n_blocks; ++b)
-    if (!blocks.is_unchanging(b)) members[island_of(b)].push_back(b);
+  std::vector<Members> members = find_islands(blocks, contacts);
   if (members.size() < 2) return false;
-
-  std::vector<std::vector<int>> of_island(members.size());
-  for (int c = 0; c < static_cast<int>(contacts.size()); ++c) {
-    const int a = contacts[c].pair.vertex_block, b = contacts[c].pair.edge_block;
-    const int island = island_of(blocks.is_unchanging(a) ? b : a);
-    of_island[island].push_back(c);
-    for (int at_rest : {a, b})
-      if (blocks.is_unchanging(at_rest)) members[island].push_back(at_rest);
-  }
-  for (const Bolt& bolt : blocks.bolts)
-    if (acts(bolt, blocks)) {
-      int island = -1;
-      for (const MaterialPoint& node : bolt.nodes)
-        if (node.block >= 0 && !blocks.is_unchanging(node.block)) island = island_of(node.block);
-      for (const MaterialPoint& node : bolt.nodes)
-        if (node.block >= 0 && blocks.is_unchanging(node.block)) members[island].push_back(node.block);
-    }
   std::map<std::vector<int>, std::unique_ptr<Island>> before;
   for (std::unique_ptr<Island>& island : islands_) before.emplace(island->blocks, std::move(island));
   islands_.clear();
-  std::vector<char> resting(n_blocks);
-  for (int b = 0; b < n_blocks; ++b) resting[b] = blocks.is_unchanging(b);
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    std::ranges::sort(members[k]);
-    members[k].erase(std::unique(members[k].begin(), members[k].end()), members[k].end());
-    if (const auto same = before.find(members[k]); same != before.end()) {
+  std::vector<char> resting(blocks.n_blocks());
+  for (int b = 0; b < blocks.n_blocks(); ++b) resting[b] = blocks.is_unchanging(b);
+  for (auto& [of_island, its_contacts] : members) {
+    std::ranges::sort(of_island);
+    of_island.erase(std::unique(of_island.begin(), of_island.end()), of_island.end());
+    if (const auto same = before.find(of_island); same != before.end()) {
       islands_.push_back(std::move(same->second));
     } else {
       islands_.push_back(std::make_unique<Island>());
-      islands_.back()->blocks = members[k];
-      islands_.back()->part.emplace(blocks, members[k], resting);
+      islands_.back()->blocks = of_island;
+      islands_.back()->part.emplace(blocks, of_island, resting);
     }
-    islands_.back()->contacts = std::move(of_island[k]);
+    islands_.back()->contacts = std::move(its_contacts);
   }
   return true;
 }
@@ -165,52 +211,16 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
     std::vector<Contact> own;
     for (int c : island->contacts) own.push_back(island->to_part(blocks, contacts[c]));
     VectorXd own_d = island->of_part(start_d);
-    ContactSolverReport own_report = solve_contacts(system, options, own, own_d);
+    const ContactSolverReport of_own = solve_contacts(system, options, own, own_d);
     part.take_out(blocks, state);
     work_ += system.problem().cholesky().work().since(before);
     for (std::size_t c = 0; c < own.size(); ++c)
       island->to_whole(std::move(own[c]), contacts[island->contacts[c]]);
-    const Residual& of_own = own_report.residual;
     d(part.unknowns()) = own_d;
-    residual.force(part.unknowns()) = of_own.force;
-    residual.external(part.unknowns()) = of_own.external;
-    report.iterations = std::max(report.iterations, own_report.iterations);
-    report.interior_point_solves += own_report.interior_point_solves;
-    report.augmentations = std::max(report.augmentations, own_report.augmentations);
-    report.sweeps += own_report.sweeps;
-    report.tolerance = std::max(report.tolerance, own_report.tolerance);
-    report.interior_solutions += own_report.interior_solutions;
-    report.tangent += own_report.tangent;
-    for (double Residual::*measure :
-         {&Residual::largest, &Residual::scale, &Residual::round_off, &Residual::over_round_off})
-      residual.*measure = std::max(residual.*measure, of_own.*measure);
-    if (of_own.block_relative > residual.block_relative) {
-      residual.block_relative = of_own.block_relative;
-      residual.worst_block = of_own.worst_block < 0 ? -1 : part.blocks()[of_own.worst_block];
-    }
-    if (own_report.status == ContactSolverStatus::settled) continue;
-    report.status = own_report.status;
-    report.worst_contact = own_report.worst_contact < 0 ? -1 : island->contacts[own_report.worst_contact];
-    return report;
+    island->add_to(report, of_own);
+    if (report.status != ContactSolverStatus::settled) return report;
   }
-
-  // On blocks at rest contacts of several islands act.
-  for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
-    residual.external[prescribed.unknown] =
-        blocks.is_unchanging(blocks.block_of_point(prescribed.vertex))
-            ? whole.load_forces()[prescribed.unknown] + whole.gravity_forces()[prescribed.unknown]
-            : residual.external[prescribed.unknown];
-  const VectorXd of_bolts = whole.bolt_forces(d);
-  for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
-    if (blocks.is_unchanging(blocks.block_of_point(prescribed.vertex)))
-      residual.external[prescribed.unknown] += of_bolts[prescribed.unknown];
-  for (const Contact& contact : contacts)
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
-      if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
-        add_to_prescribed(contact, blocks.block(b).unknowns(), d, options.directions, residual.external);
-  for (const PrescribedDof& prescribed : blocks.prescribed_dofs())
-    if (blocks.is_unchanging(blocks.block_of_point(prescribed.vertex)))
-      residual.force[prescribed.unknown] = -residual.external[prescribed.unknown];
+  balance_at_rest(blocks, contacts, whole, options.directions, d, residual);
   return report;
 }
 

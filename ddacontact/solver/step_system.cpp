@@ -119,71 +119,76 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   residual.external = load_forces_ + gravity_forces_;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (forces[c].normal == 0 && forces[c].shear == 0) continue;
-    const Contact& contact = contacts[c];
     terms[c].gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
     terms[c].slip.add_gradient(forces[c].shear, residual.external);
     const double magnitude = std::hypot(forces[c].normal, forces[c].shear);
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
-      magnitude_[b] += magnitude;
-      stiffest_[b] = std::max(stiffest_[b], contact.law.normal_stiffness);
-    }
+    for (int b : {contacts[c].pair.vertex_block, contacts[c].pair.edge_block})
+      add_force_on(b, magnitude, contacts[c].law.normal_stiffness);
   }
-  for (const FixedPointSpring& spring : fixed_point_springs_) {
-    const double force = -fixed_point_stiffness_ * spring.form(d);
-    spring.form.add_gradient(force, residual.external);
-    const int b = blocks_.fixed_vertices[spring.fixed_vertex].block;
-    magnitude_[b] += std::abs(force);
-    stiffest_[b] = std::max(stiffest_[b], fixed_point_stiffness_);
-  }
-
-  if (!quiet_faces_.empty()) {
-    const VectorXd of_faces = quiet_forces(d);
-    residual.external += of_faces;
-    for (const StepQuietFace& face : quiet_faces_) {
-      const Range& u = blocks_.block(face.block()).unknowns();
-      magnitude_[face.block()] += of_faces.segment(u.first, u.count).lpNorm<Eigen::Infinity>();
-    }
-  }
-  for (const StepBolt& bolt : bolts_at(d)) {
-    bolt.add_forces(residual.external);
-    for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i)
-      if (const int b = bolt.bolt().nodes[i].block; b >= 0) {
-        magnitude_[b] += bolt.force_on(static_cast<int>(i)).norm();
-        stiffest_[b] = std::max(stiffest_[b], bolt.largest_stiffness());
-      }
-  }
-
+  add_fixtures(d, residual.external);
   find_own_forces(d);
   residual.force = -residual.external;
   sums_.assign(static_cast<std::size_t>(blocks_.n_blocks()), {0, std::numeric_limits<double>::infinity(), 0});
-  for_blocks(static_cast<int>(active_.size()), [&](int a) {
-    const int b = active_[a];
-    const Block& block = blocks_.block(b);
-    const Range& u = block.unknowns();
-    const auto lengths = unknown_lengths_.segment(u.first, u.count);
-    auto r = residual.force.segment(u.first, u.count);
-    r += own_forces_.segment(u.first, u.count);
-    const auto& [own, furthest] = own_sums_[a];
-    const double sum = magnitude_[b] + own;
-    // With half steps forces follow from deformations and from changes of gaps: of places round-off is left
-    // by one unit.
-    constexpr double of_gaps = 1. / 64;
-    const double length = (rule_.has_half_steps() ? of_gaps : 1) * block.size() + furthest;
-    const double round_off = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
-                                             rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
-    double largest = 0;
-    for (int k = 0; k < u.count; ++k) {
-      if (blocks_.equation()[u.first + k] < 0) continue;
-      const double size = std::abs(r[k]) / lengths[k];
-      if (!(size <= largest)) largest = size;  // lets a NaN through
+  for_blocks(static_cast<int>(active_.size()), [&](int a) { sums_[active_[a]] = sum_up(a, residual.force); });
+  measure(residual);
+}
+
+void StepSystem::add_force_on(int block, double magnitude, double stiffness) const {
+  magnitude_[block] += magnitude;
+  stiffest_[block] = std::max(stiffest_[block], stiffness);
+}
+
+void StepSystem::add_fixtures(const VectorXd& d, VectorXd& external) const {
+  for (const FixedPointSpring& spring : fixed_point_springs_) {
+    const double force = -fixed_point_stiffness_ * spring.form(d);
+    spring.form.add_gradient(force, external);
+    add_force_on(blocks_.fixed_vertices[spring.fixed_vertex].block, std::abs(force), fixed_point_stiffness_);
+  }
+  if (!quiet_faces_.empty()) {
+    const VectorXd of_faces = quiet_forces(d);
+    external += of_faces;
+    for (const StepQuietFace& face : quiet_faces_) {
+      const Range& u = blocks_.block(face.block()).unknowns();
+      add_force_on(face.block(), of_faces.segment(u.first, u.count).lpNorm<Eigen::Infinity>(), 0);
     }
-    sums_[b] = {largest, sum, round_off};
-  });
+  }
+  for (const StepBolt& bolt : bolts_at(d)) {
+    bolt.add_forces(external);
+    for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i)
+      if (const int b = bolt.bolt().nodes[i].block; b >= 0)
+        add_force_on(b, bolt.force_on(static_cast<int>(i)).norm(), bolt.largest_stiffness());
+  }
+}
+
+StepSystem::Sums StepSystem::sum_up(int a, VectorXd& force) const {
+  const int b = active_[a];
+  const Block& block = blocks_.block(b);
+  const Range& u = block.unknowns();
+  const auto lengths = unknown_lengths_.segment(u.first, u.count);
+  auto r = force.segment(u.first, u.count);
+  r += own_forces_.segment(u.first, u.count);
+  const auto& [own, furthest] = own_sums_[a];
+  // With half steps forces follow from deformations and from changes of gaps: of places round-off is left
+  // by one unit.
+  constexpr double of_gaps = 1. / 64;
+  const double length = (rule_.has_half_steps() ? of_gaps : 1) * block.size() + furthest;
+  const double round_off = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
+                                           rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
+  double largest = 0;
+  for (int k = 0; k < u.count; ++k) {
+    if (blocks_.equation()[u.first + k] < 0) continue;
+    const double size = std::abs(r[k]) / lengths[k];
+    if (!(size <= largest)) largest = size;  // lets a NaN through
+  }
+  return {largest, magnitude_[b] + own, round_off};
+}
+
+void StepSystem::measure(Residual& residual) const {
   residual.worst_block = -1;
   residual.largest = residual.scale = residual.round_off = residual.block_relative = residual.over_round_off =
       0;
-  for (std::size_t a = 0; a < active_.size(); ++a) {
-    const auto [largest, sum, round_off] = sums_[active_[a]];
+  for (const int b : active_) {
+    const auto [largest, sum, round_off] = sums_[b];
     residual.scale = std::max(residual.scale, sum);
     residual.round_off = std::max(residual.round_off, round_off);
     if (!(largest <= residual.largest)) residual.largest = largest;
@@ -192,7 +197,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
                                             : std::numeric_limits<double>::infinity();
     if (!(own <= residual.block_relative)) {
       residual.block_relative = own;
-      residual.worst_block = active_[a];
+      residual.worst_block = b;
     }
     residual.over_round_off = std::max(residual.over_round_off, largest / round_off);
   }

@@ -98,7 +98,19 @@ class StepSystem {
   double memory() const;
 
  private:
+  /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
+  struct Sums {
+    double largest, sum, round_off;
+  };
   double largest_relative_move(const VectorXd& change) const;
+  /// Counts a force on a block, and the stiffness it comes from.
+  void add_force_on(int block, double magnitude, double stiffness) const;
+  /// Adds the forces of holding springs, quiet faces and bolts.
+  void add_fixtures(const VectorXd& d, VectorXd& external) const;
+  /// Adds the own forces of the active block a, and sums up.
+  Sums sum_up(int a, VectorXd& force) const;
+  /// What is left over, from the sums of all blocks.
+  void measure(Residual& residual) const;
   /// Makes what follows from displacements alone, unless it is there.
   void find_own_forces(const VectorXd& d) const;
 
@@ -116,10 +128,6 @@ class StepSystem {
   double dt_ = 0;
   StepRule rule_;
   VectorXd prescribed_, load_forces_, gravity_forces_;
-  /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
-  struct Sums {
-    double largest, sum, round_off;
-  };
   mutable BlockForces forces_;
   mutable std::vector<Sums> sums_;  ///< of all blocks
   /// Of the active blocks: the sum of the magnitudes of all forces but those of contacts and holding springs,

@@ -18,6 +18,17 @@ constexpr double many_changes = 0.08;
 constexpr int few_changes = 10;
 constexpr double coarse_penetration = 10;
 
+/// Those of the problem that differs little, or of the step before.
+void take_first_forces(bool warm_start, AugmentedContacts& contacts) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts.contacts()[c];
+    if (warm_start)
+      contacts.forces()[c] = {contact.normal, contact.shear};
+    else if (contact.closed())
+      contacts.forces()[c] = {contact.history.normal, contact.history.shear};
+  }
+}
+
 /// Of vertices that d leads off their edges. False: there are none.
 bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
   bool any = false;
@@ -55,13 +66,7 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
                      VectorXd& d, ContactSolverReport& report) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<ContactForce>& forces = contacts.forces();
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = contacts.contacts()[c];
-    if (options.warm_start)
-      forces[c] = {contact.normal, contact.shear};
-    else if (contact.closed())
-      forces[c] = {contact.history.normal, contact.history.shear};
-  }
+  take_first_forces(options.warm_start, contacts);
   const auto compute_residual = [&] {
     system.compute_residual(d, contacts.contacts(), contacts.terms(), forces, report.residual);
   };

@@ -1,0 +1,82 @@
+/// \file A contact in the interior-point method: its numbers, and how they follow displacements.
+#pragma once
+
+#include <ddacontact/solver/contact_term.hpp>
+#include <ddacontact/solver/spring_state.hpp>
+#include <ddacontact/solver/swept_law.hpp>
+
+#include <cassert>
+
+namespace ddacontact {
+
+/// Two positive numbers whose product goes to mu.
+struct InteriorPair {
+  double x = 1, s = 1;
+  double dx = 0, ds = 0;
+  double target = 0;  ///< of the product
+
+  void begin(double value, double mu) {
+    assert(value > 0 && mu >= 0);
+    x = value;
+    s = mu / x;
+  }
+  void aim(double mu, double second_order) { target = mu - second_order * dx * ds; }
+  void follow(double change) {
+    assert(x > 0);
+    dx = change;
+    ds = (target - x * s - s * dx) / x;
+  }
+};
+
+/// A contact inside its law. What it does when displacements change follows from its own equations:
+/// dN = w da + cN and dT = wt dq + mixed rate dN + cT.
+struct InteriorContact {
+  bool acts = false;  ///< the vertex is on the edge, or has been
+  bool unilateral = true, sheared = false;
+  bool holds = false;     ///< shear has no bound
+  double tension = 0;     ///< of a bond; 0 where it is not unilateral
+  double p = 0, p_t = 0;  ///< its stiffnesses
+  double a = 0, q = 0, slip = 0;
+  InteriorPair normal;  ///< N + tension and y; N alone where it is not unilateral
+  double T = 0, dT = 0;
+  InteriorPair upper, lower;  ///< u and f, v and k
+  double b = 0, rate = 0;     ///< the bound of friction and its derivative by N
+  double sense = 0;           ///< of a multiplier that is at the bound, whatever that is
+  double w = 0, wt = 0, mixed = 0, cN = 0, cT = 0;
+
+  double N() const { return normal.x - tension; }
+  bool slides() const { return sheared && !holds; }
+  /// What u and v lack.
+  double upper_error() const { return upper.x - (b - T); }
+  double lower_error() const { return lower.x - (b + T); }
+
+  /// The state of the springs that is nearest.
+  unsigned char state(const SweptLaw& law) const;
+
+  /// What its equations have of d; with products mu where it begins to act.
+  void evaluate(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, double mu);
+  /// How its forces follow displacements.
+  void find_rates();
+  /// Where Newton's method is to lead the pairs.
+  void aim(double mu, double second_order);
+  /// The change of all numbers when displacements change the gap and the slip.
+  void follow(double gap_change, double slip_change);
+  /// How far it may follow that, 1: all the way.
+  double longest();
+  void advance(double length);
+
+  template <class Visit>
+  void for_pairs(Visit&& visit) {
+    if (!acts) return;
+    if (unilateral) visit(normal);
+    if (!slides()) return;
+    visit(upper);
+    visit(lower);
+  }
+
+ private:
+  void evaluate_friction(const SweptLaw& law);
+  void begin(const ContactTerm& term, const SweptLaw& law, double mu);
+};
+
+}  // namespace ddacontact
