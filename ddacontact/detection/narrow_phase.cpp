@@ -1,5 +1,6 @@
 #include <ddacontact/detection/narrow_phase.hpp>
 
+#include <ddacontact/detection/directed_edge.hpp>
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
@@ -12,29 +13,7 @@ namespace ddacontact {
 
 namespace {
 
-/// A vertex nearer to an end of an edge than this part of its length is at that end.
-constexpr double end_part = 1e-6;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Edge {
-  Vec2 start, tangent, normal;  // outward normal of a counter-clockwise polygon
-  double length;
-
-  Edge(const Vec2& from, const Side& side)
-      : start(from), tangent(side.tangent), normal(side.normal()), length(side.length) {}
-  Edge(const PointsRef& polygon, int edge) : start(polygon.col(edge)) {
-    const Vec2 along = polygon.col(next(edge, polygon)) - start;
-    length = along.norm();
-    tangent = along / length;
-    normal = Vec2(tangent.y(), -tangent.x());
-  }
-  double gap(const Vec2& x) const { return normal.dot(x - start); }
-  /// How far the projection of x lies beyond the nearer end; <= 0 within the edge.
-  double overshoot(const Vec2& x) const {
-    const double s = tangent.dot(x - start);
-    return std::max(-s, s - length);
-  }
-};
 
 /// A corner that may touch edges: its place and its two sides.
 struct VertexCorner {
@@ -76,7 +55,7 @@ struct Passage {
   double end_gap, end_overshoot;
 
   Passage(const Candidate& of, const Outline& vertex_outline, const Outline& edge_outline, double lip) {
-    const Edge edge(edge_outline.moved, of.contact.edge);
+    const DirectedEdge edge(edge_outline.moved, of.contact.edge);
     const Vec2 x = vertex_outline.moved.col(of.contact.vertex);
     end_gap = edge.gap(x) - of.offset;
     end_overshoot = edge.overshoot(x);
@@ -105,7 +84,7 @@ struct Order {
 
 struct NumberedEdge {
   int number;
-  Edge edge;
+  DirectedEdge edge;
 };
 
 /// Working arrays, kept between calls: pairs are many.
@@ -164,7 +143,8 @@ class Entrances {
     const Box near_a = widened(of_a_.box, margin_);
     for (int e = 0; e < b_.vertices.cols(); ++e) {
       const Vec2 p = b_.vertices.col(e), q = b_.vertices.col(next(e, b_.vertices));
-      if (touch({p.cwiseMin(q), p.cwiseMax(q)}, near_a)) edges_.push_back({e, Edge(p, of_b_.sides[e])});
+      if (touch({p.cwiseMin(q), p.cwiseMax(q)}, near_a))
+        edges_.push_back({e, DirectedEdge(p, of_b_.sides[e])});
     }
   }
 
@@ -209,7 +189,7 @@ class Entrances {
     if (!of_b_.concave) {
       const double least = by_passing ? -limits_.lip : limits_.coincidence;
       for (int e = 0; e < b_.vertices.cols(); ++e)
-        if (Edge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > least) return true;
+        if (DirectedEdge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > least) return true;
       return false;
     }
     const bool on_outline = std::any_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
@@ -386,28 +366,6 @@ void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b,
   for (const auto* candidates : {&in_b, &in_a})
     for (const Candidate& c : *candidates)
       if (!c.dropped) contacts.push_back(c.contact);
-}
-
-double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge,
-                      bool at_any_angle) {
-  const Vec2 x = vertex_polygon.col(vertex);
-  const auto length_towards = [&](int neighbour) {
-    const Vec2 y = vertex_polygon.col(neighbour);
-    Edge e(edge_polygon, edge);
-    if (!at_any_angle && std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) return 0.0;
-    // From an end of the edge it goes on along the next one, where that is collinear.
-    const double at = e.tangent.dot(x - e.start), onward = e.tangent.dot(y - x);
-    const int after = next(edge, edge_polygon), before = previous(edge, edge_polygon);
-    if (onward > 0 && at > (1 - end_part) * e.length && goes_straight_on(edge_polygon, edge, after))
-      e = Edge(edge_polygon, after);
-    else if (onward < 0 && at < end_part * e.length && goes_straight_on(edge_polygon, before, edge))
-      e = Edge(edge_polygon, before);
-    const double s = e.tangent.dot(x - e.start), t = e.tangent.dot(y - e.start);
-    return (std::min(std::max(s, t), e.length) - std::max(std::min(s, t), 0.0)) / 2;
-  };
-  const double forward = std::max(0.0, length_towards(next(vertex, vertex_polygon))),
-               back = std::max(0.0, length_towards(previous(vertex, vertex_polygon)));
-  return corner_at(vertex_polygon, vertex) == Corner::straight ? forward + back : std::max(forward, back);
 }
 
 }  // namespace ddacontact

@@ -81,11 +81,4 @@ void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b,
                    const PairLimits& limits, std::span<const EarlierContact> earlier,
                    std::vector<VertexEdge>& contacts, std::vector<Choice>& choices);
 
-/// The length over which a vertex contact stands for two touching edges: half the overlap of its edge with
-/// the neighbouring edge of its vertex that lies along it, of both where its vertex is on a straight line; 0
-/// for a vertex alone on an edge. \param[in] at_any_angle  neighbouring edges that do not lie along it count
-/// with their projections
-double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge,
-                      bool at_any_angle = false);
-
 }  // namespace ddacontact

@@ -1,4 +1,5 @@
 // Contacts of concave polygons with vertices on straight edges, against what moving polygons meet first.
+#include <ddacontact/detection/contact_length.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/separation.hpp>
 #include <tests/ddacontact/detection/polygon_pair.hpp>

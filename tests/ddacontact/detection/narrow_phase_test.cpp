@@ -1,3 +1,4 @@
+#include <ddacontact/detection/contact_length.hpp>
 #include <ddacontact/detection/separation.hpp>
 #include <tests/ddacontact/detection/polygon_pair.hpp>
 #include <tests/support/random_polygon.hpp>
