@@ -7,6 +7,24 @@ namespace ddacontact {
 
 SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting)
     : blocks_(std::move(blocks)) {
+  number_blocks(whole, resting);
+  take_starts(whole);
+  take_actions(whole);
+  take_bolts(whole);
+
+  state_.position.resize(2, system_.start_.position.cols());
+  state_.origin.resize(2, system_.start_.origin.cols());
+  state_.velocity.resize(system_.n_unknowns_);
+  state_.carried.resize(system_.n_unknowns_);
+  state_.rotation.resize(system_.start_.origin.cols());
+
+  system_.blocks_.resize(blocks_.size());
+  lend(whole, system_);
+  system_.number_equations();
+  give_back(system_, whole);
+}
+
+void SystemPart::number_blocks(const BlockSystem& whole, const std::vector<char>& resting) {
   Ranges next;
   for (int b : blocks_) {
     const Block& block = whole.block(b);
@@ -16,10 +34,13 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
                         {next.stress_points.first, block.n_stress_points()},
                         {next.coordinates.first, block.n_coordinates()}});
     for (int u = block.unknowns().first; u < block.unknowns().end(); ++u) unknowns_.push_back(u);
-    next.points.first = in_part_.back().points.end();
-    next.unknowns.first = in_part_.back().unknowns.end();
-    next.stress_points.first = in_part_.back().stress_points.end();
-    next.coordinates.first = in_part_.back().coordinates.end();
+    next = {{in_part_.back().points.end(), 0},
+            {in_part_.back().unknowns.end(), 0},
+            {in_part_.back().stress_points.end(), 0},
+            {in_part_.back().coordinates.end(), 0}};
+    const auto k = static_cast<int>(resting_.size());
+    system_.block_of_point_.insert(system_.block_of_point_.end(), block.n_points(), k);
+    system_.block_of_unknown_.insert(system_.block_of_unknown_.end(), block.n_unknowns(), k);
     resting_.push_back(resting[b] != 0);
     system_.names.push_back(whole.names[b]);
     if (whole.has_rounded_corners()) system_.rounded_.push_back(whole.rounded(b));
@@ -30,70 +51,53 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   system_.present_.assign(blocks_.size(), true);
   system_.resting_ = resting_;
   system_.computes_fixed_ = whole.computes_fixed_;
-  std::vector<std::pair<const BlockState*, BlockState*>> kept{{&whole.start_, &system_.start_}};
-  if (whole.zero_.position.size() > 0) kept.emplace_back(&whole.zero_, &system_.zero_);
-  for (const auto& [in, out] : kept) {
-    out->position.resize(2, next.points.first);
-    out->origin.resize(2, static_cast<Index>(blocks_.size()));
-  }
-  for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    const Range &from = in_whole_[k].points, &to = in_part_[k].points;
-    const auto column = static_cast<Index>(k);
-    system_.block_of_point_.insert(system_.block_of_point_.end(), to.count, static_cast<int>(k));
-    system_.block_of_unknown_.insert(system_.block_of_unknown_.end(), in_part_[k].unknowns.count,
-                                     static_cast<int>(k));
-    for (const auto& [in, out] : kept) {
-      out->position.middleCols(to.first, to.count) = in->position.middleCols(from.first, from.count);
-      out->origin.col(column) = in->origin.col(blocks_[k]);
-    }
-  }
+}
 
-  const auto taking_part = [&](int block) {
+void SystemPart::take_starts(const BlockSystem& whole) {
+  const auto take = [&](const BlockState& all, BlockState& own) {
+    own.position.resize(2, static_cast<Index>(system_.block_of_point_.size()));
+    own.origin = all.origin(Eigen::all, blocks_);
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      const Range &from = in_whole_[k].points, &to = in_part_[k].points;
+      own.position.middleCols(to.first, to.count) = all.position.middleCols(from.first, from.count);
+    }
+  };
+  take(whole.start_, system_.start_);
+  if (whole.zero_.position.size() > 0) take(whole.zero_, system_.zero_);
+}
+
+void SystemPart::take_actions(const BlockSystem& whole) {
+  const auto number_where_moving = [&](int block) {
     const int k = number_of(block);
     return k >= 0 && !resting_[k] ? k : -1;
   };
-  const auto take = [&](const auto& from, auto& to, const auto& block_of) {
-    for (auto thing : from)
-      if (const int k = taking_part(block_of(thing)); k >= 0) {
-        block_of(thing) = k;
-        to.push_back(std::move(thing));
+  const auto take = [&](const auto& all, auto& own, const auto& block_of) {
+    for (auto action : all)
+      if (const int k = number_where_moving(block_of(action)); k >= 0) {
+        block_of(action) = k;
+        own.push_back(std::move(action));
       }
   };
-  const auto block_of = [](auto& thing) -> int& { return thing.block; };
+  const auto block = [](auto& action) -> int& { return action.block; };
   take(whole.point_loads, system_.point_loads, [](PointLoad& load) -> int& { return load.point.block; });
-  take(whole.pressure_loads, system_.pressure_loads, block_of);
-  take(whole.body_loads, system_.body_loads, block_of);
+  take(whole.pressure_loads, system_.pressure_loads, block);
+  take(whole.body_loads, system_.body_loads, block);
+  take(whole.water.faces, system_.water.faces, block);
+  take(whole.quiet_faces, system_.quiet_faces, block);
+  take(whole.fixed_vertices, system_.fixed_vertices, block);
   system_.water.water = whole.water.water;
-  take(whole.water.faces, system_.water.faces, block_of);
-  take(whole.quiet_faces, system_.quiet_faces, block_of);
-  take(whole.fixed_vertices, system_.fixed_vertices, block_of);
   system_.ground = whole.ground;
   for (PrescribedDof held : whole.prescribed_dofs_)
-    if (const int k = taking_part(whole.block_of_point_[held.vertex]); k >= 0) {
+    if (const int k = number_where_moving(whole.block_of_point_[held.vertex]); k >= 0) {
       held.unknown += in_part_[k].unknowns.first - in_whole_[k].unknowns.first;
       held.vertex += in_part_[k].points.first - in_whole_[k].points.first;
       system_.prescribed_dofs_.push_back(std::move(held));
     }
-
-  if (whole.fading.forces.size() > 0) {
-    system_.fading = {VectorXd::Zero(next.unknowns.first), whole.fading.from, whole.fading.to};
-    for (std::size_t k = 0; k < blocks_.size(); ++k)
-      if (const Range& to = in_part_[k].unknowns, &from = in_whole_[k].unknowns; !resting_[k])
-        system_.fading.forces.segment(to.first, to.count) =
-            whole.fading.forces.segment(from.first, from.count);
-  }
-  take_bolts(whole);
-
-  state_.position.resize(2, next.points.first);
-  state_.origin.resize(2, static_cast<Index>(blocks_.size()));
-  state_.velocity.resize(next.unknowns.first);
-  state_.carried.resize(next.unknowns.first);
-  state_.rotation.resize(static_cast<Index>(blocks_.size()));
-
-  system_.blocks_.resize(blocks_.size());
-  lend(whole, system_);
-  system_.number_equations();
-  give_back(system_, whole);
+  if (whole.fading.forces.size() == 0) return;
+  system_.fading = {VectorXd::Zero(system_.n_unknowns_), whole.fading.from, whole.fading.to};
+  for (std::size_t k = 0; k < blocks_.size(); ++k)
+    if (const Range& to = in_part_[k].unknowns, &from = in_whole_[k].unknowns; !resting_[k])
+      system_.fading.forces.segment(to.first, to.count) = whole.fading.forces.segment(from.first, from.count);
 }
 
 void SystemPart::take_bolts(const BlockSystem& whole) {

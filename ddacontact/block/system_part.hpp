@@ -42,6 +42,10 @@ class SystemPart {
   void give_back(BlockSystem& part, BlockSystem& whole) const;
   void copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
             const std::vector<Ranges>& in_to, bool into_part) const;
+  void number_blocks(const BlockSystem& whole, const std::vector<char>& resting);
+  void take_starts(const BlockSystem& whole);
+  /// Loads, water, quiet faces and supports of the blocks that do not rest.
+  void take_actions(const BlockSystem& whole);
   void take_bolts(const BlockSystem& whole);
 
   std::vector<int> blocks_, unknowns_;
