@@ -1,17 +1,18 @@
 #include <ddacontact/contact/contact_builder.hpp>
 
-#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/contact/contact_positions.hpp>
+#include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/core/bytes_of.hpp>
+#include <ddacontact/detection/contact_length.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
-#include <ddacontact/detection/missed_penetrations.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace ddacontact {
 
@@ -19,79 +20,10 @@ namespace {
 
 /// Two positions nearer than this times the block size are one; a contact nearer than this touches.
 constexpr double coincidence = 1e-6;
-/// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
-constexpr double near_corner = 1e-2;
 /// Pairs of blocks are looked for so many search margins further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;
-
-/// The contacts of one pair of blocks stand together: ordered by the pair, then by contact.
-Pair block_pair(const VertexEdge& contact) {
-  return {std::min(contact.vertex_block, contact.edge_block),
-          std::max(contact.vertex_block, contact.edge_block)};
-}
-
-constexpr auto pair_of = [](const Contact& of) { return block_pair(of.pair); };
-
-/// What dilation may lift: the gap that counts as none may be so wide.
-double largest_rise(const JointTable& joints) {
-  double rise = 0;
-  for (const auto& [joint, between] : joints.entries())
-    rise = std::max(rise, joint.dilation * joint.dilation_slip);
-  return rise;
-}
-
-/// Of contacts ordered by their pairs, those of one.
-std::span<const Contact> of_pair(const Pair& pair, const std::vector<Contact>& contacts) {
-  return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
-          std::ranges::upper_bound(contacts, pair, {}, pair_of)};
-}
-std::span<const Contact> of_same_pair(const VertexEdge& contact, const std::vector<Contact>& contacts) {
-  return of_pair(block_pair(contact), contacts);
-}
-
-bool is_among(const VertexEdge& contact, const auto& contacts) {
-  return std::ranges::any_of(contacts, [&](const Contact& of) { return of.pair == contact; });
-}
-
-/// Of contacts ordered by their pairs, those of one pair after the other.
-class ContactsByPair {
- public:
-  /// Pairs from `first` on, in order.
-  ContactsByPair(const std::vector<ContactRecord>& contacts, const Pair& first)
-      : end_(contacts.data() + contacts.size()),
-        from_(std::lower_bound(
-            contacts.data(), end_, first,
-            [](const ContactRecord& contact, const Pair& pair) { return block_pair(contact.pair) < pair; })),
-        to_(from_) {}
-
-  std::span<const ContactRecord> of(const Pair& pair) {
-    if (from_ != to_ && block_pair(from_->pair) == pair) return {from_, to_};
-    for (from_ = to_; from_ != end_ && block_pair(from_->pair) < pair;) ++from_;
-    for (to_ = from_; to_ != end_ && block_pair(to_->pair) == pair;) ++to_;
-    return {from_, to_};
-  }
-
- private:
-  const ContactRecord *end_, *from_, *to_;
-};
-
-/// Whether two contacts of the same blocks are where a vertex of one meets a vertex of the other, no further
-/// than `near` away, each of them on an edge of the other.
-bool exchange_vertices(const BlockSystem& blocks, const BlockState& state, double near, const VertexEdge& old,
-                       const VertexEdge& pair) {
-  if (old.vertex_block != pair.edge_block || old.corner || pair.corner) return false;
-  const auto positions = [&](int block, int vertex) -> Vec2 {
-    const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
-    return state.position.col(blocks.block(block).vertices().first + vertex) + shift;
-  };
-  const auto ends = [&](int vertex, int edge, int block) {
-    return vertex == edge || vertex == (edge + 1) % blocks.block(block).n_vertices();
-  };
-  return ends(old.vertex, pair.edge, pair.edge_block) && ends(pair.vertex, old.edge, old.edge_block) &&
-         (positions(pair.vertex_block, pair.vertex) - positions(old.vertex_block, old.vertex)).norm() <= near;
-}
 
 /// Takes out of the contacts of a pair, from `first` on, all but one where vertex meets vertex: that which is
 /// closed, else the first. A joint's stiffness counts once there.
@@ -113,38 +45,6 @@ void keep_one_spring(const BlockSystem& blocks, const BlockState& state, double 
 }
 
 }  // namespace
-
-JointLaw ContactProperties::law(const ContactRecord& contact) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const JointStrength& joint = strength(contact.pair);
-  const bool glued = joint.glued && contact.closed();
-  const bool compliant = is_compliant(contact);
-  return {
-      .normal_stiffness = compliant ? joint.normal_stiffness * contact.history.length : normal_stiffness,
-      .tangential_stiffness =
-          compliant ? joint.shear_stiffness * contact.history.length : tangential_stiffness,
-      .friction = contact.history.bonded ? joint.friction : joint.residual_friction.value_or(joint.friction),
-      .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
-      .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
-      .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
-      .compliant = compliant,
-      .glued = glued,
-      .ductile = joint.ductile};
-}
-
-double ContactProperties::inset(const ContactRecord& contact) const {
-  const JointStrength& joint = strength(contact.pair);
-  if (!joint.crushes()) return 0;
-  return std::clamp(contact.history.normal / (2 * joint.compressive_strength), 0.0, contact.history.length);
-}
-
-void ContactProperties::add_forces(const BlockSystem& blocks, const BlockState& state,
-                                   const ContactRecord& contact, VectorXd& F) const {
-  const MovingVertexEdge motion = motion_of(blocks, state, contact.pair, inset(contact));
-  const GapAndSlip rates = motion.rates_at(motion.positions(), contact.history.lock);
-  motion.form(rates.by_gap).add_gradient(contact.normal, F);
-  motion.form(rates.by_slip).add_gradient(contact.shear, F);
-}
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
@@ -287,68 +187,6 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   first_found_.assign(1, 0);
   for (const auto& found : found_in_) first_found_.push_back(first_found_.back() + found.size());
   return first_found_.back();
-}
-
-std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force) {
-  const auto number_of = [&](const VertexEdge& pair) {
-    for (const Contact& contact : of_same_pair(pair, contacts))
-      if (contact.pair == pair) return static_cast<int>(&contact - contacts.data());
-    return -1;
-  };
-  doubtful_.clear();
-  for (const Choice& choice : choices_) {
-    const int chosen = number_of(choice.chosen);
-    if (choice.open && chosen >= 0 && contacts[chosen].normal > least_force)
-      doubtful_.insert(block_pair(choice.chosen));
-  }
-  std::set<int> numbers;
-  for (const Choice& choice : choices_) {
-    const int chosen = number_of(choice.chosen);
-    if (chosen >= 0 && doubtful_.contains(block_pair(choice.chosen))) numbers.insert(chosen);
-  }
-  return {numbers.begin(), numbers.end()};
-}
-
-bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motion,
-                                  const std::vector<ContactRecord>& previous,
-                                  std::vector<Contact>& contacts) {
-  std::set<Pair> pairs;
-  for (const Choice& choice : choices_) pairs.insert(block_pair(choice.chosen));
-  return choose_anew(pairs, state, motion, true, previous, contacts);
-}
-
-bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& without,
-                                     const std::vector<ContactRecord>& previous,
-                                     std::vector<Contact>& contacts) {
-  const bool changed = choose_anew(doubtful_, state, without, false, previous, contacts);
-  std::erase_if(choices_,
-                [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
-  return changed;
-}
-
-bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion,
-                                 bool ties, const std::vector<ContactRecord>& previous,
-                                 std::vector<Contact>& contacts) {
-  std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
-  bool changed = false;
-  std::vector<VertexEdge> found;
-  for (const Pair& pair : pairs) {
-    found.clear();
-    const std::span<const ContactRecord> old = ContactsByPair(previous, pair).of(pair);
-    find_contacts_of(pair, state, motion, old, ties, found, choices_);
-    const std::span<const Contact> before = of_pair(pair, contacts);
-    if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;
-    changed = true;
-    std::vector<Contact> chosen;
-    for (const VertexEdge& of : found) {
-      const auto same = std::ranges::find(before, of, &Contact::pair);
-      chosen.push_back(same != before.end() ? *same : carry_over(state, of, old));
-    }
-    const auto first = contacts.begin() + (before.data() - contacts.data());
-    const auto at = contacts.erase(first, first + static_cast<std::ptrdiff_t>(before.size()));
-    contacts.insert(at, chosen.begin(), chosen.end());
-  }
-  return changed;
 }
 
 double ContactBuilder::dashpot(const Contact& contact) const {
@@ -503,72 +341,6 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
       contacts[first_found_[begin] + k] = carry_over(state, found[k], old.of(block_pair(found[k])));
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
-}
-
-bool ContactBuilder::may_penetrate(int a, int b, const BlockState& end) const {
-  const Range& of_a = blocks_.block(a).vertices();
-  const Vec2 shift = end.origin.col(a) - end.origin.col(b),
-             depth = Vec2::Constant(properties_.lip / 2 * pair_size(a, b));
-  const Box within{boxes_[b].low + depth, boxes_[b].high - depth};
-  for (int v = of_a.first; v < of_a.end(); ++v) {
-    const Vec2 x = end.position.col(v) + shift;
-    if (touch({x, x}, within)) return true;
-  }
-  return false;
-}
-
-Points ContactBuilder::contact_outline(const BlockState& state, int block) const {
-  const Range& v = blocks_.block(block).vertices();
-  const PointsRef outline = state.position.middleCols(v.first, v.count);
-  if (!blocks_.has_rounded_corners()) return outline;
-  Points centres(2, v.count);
-  for (int k = 0; k < v.count; ++k)
-    centres.col(k) =
-        blocks_.rounded(block).corners[k].centre.at(outline.col(k), outline.col(next(k, outline)));
-  return centres;
-}
-
-bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
-                                 const std::vector<Contact>& contacts) {
-  missed_.clear();
-  for_blocks(blocks_.n_blocks(), [&](int b) {
-    const Range& v = blocks_.block(b).vertices();
-    boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
-  });
-  for (const auto& [a, b] : pairs_) {
-    if (!may_penetrate(a, b, end) && !may_penetrate(b, a, end)) continue;
-    const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {
-      const Vec2 shift = state.origin.col(block) - origin;
-      return Points(contact_outline(state, block).colwise() + shift);
-    };
-    const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
-                 start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
-    find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, properties_.lip * pair_size(a, b),
-                             missed_);
-  }
-  std::erase_if(missed_, [&](const VertexEdge& entry) {
-    const JointStrength& joint = properties_.strength(entry);
-    const double near = joint.is_compliant() || joint.crushes()
-                            ? near_corner * pair_size(entry.vertex_block, entry.edge_block)
-                            : -1;
-    return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {
-      return of.pair == entry || exchange_vertices(blocks_, start, near, of.pair, entry);
-    });
-  });
-  return !missed_.empty();
-}
-
-void ContactBuilder::add_missed(const BlockState& start, std::vector<Contact>& contacts) {
-  for (const VertexEdge& entry : missed_) {
-    if (is_among(entry, of_same_pair(entry, contacts))) continue;
-    contacts.insert(std::ranges::upper_bound(contacts, block_pair(entry), {}, pair_of),
-                    make_contact(start, entry));
-  }
-  // The path has told which line these corners pass: for the rest of the step it is not chosen again.
-  std::erase_if(choices_, [this](const Choice& choice) {
-    return std::ranges::any_of(
-        missed_, [&](const VertexEdge& entry) { return block_pair(entry) == block_pair(choice.chosen); });
-  });
 }
 
 double ContactBuilder::memory() const {

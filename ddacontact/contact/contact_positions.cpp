@@ -72,4 +72,18 @@ MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, c
   return motion;
 }
 
+bool exchange_vertices(const BlockSystem& blocks, const BlockState& state, double near, const VertexEdge& old,
+                       const VertexEdge& pair) {
+  if (old.vertex_block != pair.edge_block || old.corner || pair.corner) return false;
+  const auto positions = [&](int block, int vertex) -> Vec2 {
+    const Vec2 shift = state.origin.col(block) - state.origin.col(pair.edge_block);
+    return state.position.col(blocks.block(block).vertices().first + vertex) + shift;
+  };
+  const auto ends = [&](int vertex, int edge, int block) {
+    return vertex == edge || vertex == (edge + 1) % blocks.block(block).n_vertices();
+  };
+  return ends(old.vertex, pair.edge, pair.edge_block) && ends(pair.vertex, old.edge, old.edge_block) &&
+         (positions(pair.vertex_block, pair.vertex) - positions(old.vertex_block, old.vertex)).norm() <= near;
+}
+
 }  // namespace ddacontact

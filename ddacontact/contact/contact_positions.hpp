@@ -14,4 +14,11 @@ RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
                            double inset = 0);
 
+/// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
+inline constexpr double near_corner = 1e-2;
+/// Whether two contacts of the same blocks are where a vertex of one meets a vertex of the other, no further
+/// than `near` away, each of them on an edge of the other.
+bool exchange_vertices(const BlockSystem& blocks, const BlockState& state, double near, const VertexEdge& old,
+                       const VertexEdge& pair);
+
 }  // namespace ddacontact

@@ -1,0 +1,68 @@
+#include <ddacontact/contact/contact_builder.hpp>
+#include <ddacontact/contact/contacts_by_pair.hpp>
+
+namespace ddacontact {
+
+std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force) {
+  const auto number_of = [&](const VertexEdge& pair) {
+    for (const Contact& contact : of_same_pair(pair, contacts))
+      if (contact.pair == pair) return static_cast<int>(&contact - contacts.data());
+    return -1;
+  };
+  doubtful_.clear();
+  for (const Choice& choice : choices_) {
+    const int chosen = number_of(choice.chosen);
+    if (choice.open && chosen >= 0 && contacts[chosen].normal > least_force)
+      doubtful_.insert(block_pair(choice.chosen));
+  }
+  std::set<int> numbers;
+  for (const Choice& choice : choices_) {
+    const int chosen = number_of(choice.chosen);
+    if (chosen >= 0 && doubtful_.contains(block_pair(choice.chosen))) numbers.insert(chosen);
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motion,
+                                  const std::vector<ContactRecord>& previous,
+                                  std::vector<Contact>& contacts) {
+  std::set<Pair> pairs;
+  for (const Choice& choice : choices_) pairs.insert(block_pair(choice.chosen));
+  return choose_anew(pairs, state, motion, true, previous, contacts);
+}
+
+bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& without,
+                                     const std::vector<ContactRecord>& previous,
+                                     std::vector<Contact>& contacts) {
+  const bool changed = choose_anew(doubtful_, state, without, false, previous, contacts);
+  std::erase_if(choices_,
+                [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
+  return changed;
+}
+
+bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion,
+                                 bool ties, const std::vector<ContactRecord>& previous,
+                                 std::vector<Contact>& contacts) {
+  std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
+  bool changed = false;
+  std::vector<VertexEdge> found;
+  for (const Pair& pair : pairs) {
+    found.clear();
+    const std::span<const ContactRecord> old = ContactsByPair(previous, pair).of(pair);
+    find_contacts_of(pair, state, motion, old, ties, found, choices_);
+    const std::span<const Contact> before = of_pair(pair, contacts);
+    if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;
+    changed = true;
+    std::vector<Contact> chosen;
+    for (const VertexEdge& of : found) {
+      const auto same = std::ranges::find(before, of, &Contact::pair);
+      chosen.push_back(same != before.end() ? *same : carry_over(state, of, old));
+    }
+    const auto first = contacts.begin() + (before.data() - contacts.data());
+    const auto at = contacts.erase(first, first + static_cast<std::ptrdiff_t>(before.size()));
+    contacts.insert(at, chosen.begin(), chosen.end());
+  }
+  return changed;
+}
+
+}  // namespace ddacontact

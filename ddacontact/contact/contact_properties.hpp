@@ -1,0 +1,57 @@
+/// \file What contacts are made of, apart from geometry.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/contact.hpp>
+#include <ddacontact/contact/joint_table.hpp>
+#include <ddacontact/core/options.hpp>
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace ddacontact {
+
+/// Stiffnesses, joints and tolerances of all contacts.
+struct ContactProperties {
+  double normal_stiffness = 0;      ///< p, N/m per m
+  double tangential_stiffness = 0;  ///< p bar, N/m per m
+  JointTable joints;
+  std::vector<int> materials;  ///< of each block
+  ContactMethod method = ContactMethod::classic;
+  double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
+  /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
+  /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
+  double lip = default_lip;
+  std::optional<double> tolerance = {};  ///< of the forces on each block; none: see ContactSolverOptions
+  /// The joint of each edge of each block's outline, an entry of `joints`; -1: that of the materials. Empty:
+  /// no edge has one.
+  std::vector<std::vector<int>> edge_joints = {};
+  static constexpr double default_lip = 1e-4, lip_of_paper = std::numeric_limits<double>::infinity();
+
+  /// Whether forces of contacts are multipliers: their springs store no energy.
+  bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }
+  /// The entry of `joints` that a contact follows: that of its edge, else of the two materials.
+  int joint_of(const VertexEdge& pair) const {
+    const int of_edge = edge_joints.empty() ? -1 : edge_joints[pair.edge_block][pair.edge];
+    return of_edge >= 0 ? of_edge
+                        : joints.number_between(materials[pair.vertex_block], materials[pair.edge_block]);
+  }
+  const JointStrength& strength(const VertexEdge& pair) const {
+    return joints.entries()[joint_of(pair)].strength;
+  }
+  /// Whether a joint's own stiffness makes its forces.
+  bool is_compliant(const ContactRecord& contact) const {
+    return strength(contact.pair).is_compliant() && contact.history.length > 0;
+  }
+  /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
+  /// contact of a glued joint that strength is infinite.
+  JointLaw law(const ContactRecord& contact) const;
+  /// How far from the vertex the forces of a contact act: what meets there is crushed over twice that length.
+  double inset(const ContactRecord& contact) const;
+  /// F += what a contact's forces do to the unknowns of its blocks.
+  void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
+                  VectorXd& F) const;
+};
+
+}  // namespace ddacontact
