@@ -91,7 +91,7 @@ void declare_run_and_check(CLI::App& app, Call& call) {
 }
 
 /// What is wrong with the verb or the word after it; empty: nothing that the parser does not tell better.
-std::string problem_of_words(std::string_view verb, std::string_view next) {
+std::string problem_of_words(std::string_view verb, const std::string& next) {
   if (verb.empty() || verb.front() == '-' || is_known(verb))
     return verb == "make" ? dda::problem_of_kind(next) : "";
   const std::vector<std::string_view> known(known_verbs.begin(), known_verbs.end());

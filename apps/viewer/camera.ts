@@ -33,4 +33,9 @@ export class Camera {
     this.x -= dx / this.scale;
     this.y += dy / this.scale;
   }
+  /** Gives a canvas the pixels that it shows. */
+  sizeCanvas(canvas: HTMLCanvasElement, ratio: number): void {
+    canvas.width = Math.max(1, Math.round(this.width * ratio));
+    canvas.height = Math.max(1, Math.round(this.height * ratio));
+  }
 }

@@ -27,6 +27,14 @@ export class Chart {
     canvas.addEventListener("pointermove", (event) => event.buttons & 1 && go(event));
   }
 
+  /** Lets a group of the histories be chosen; first that of what moves most. */
+  offer(histories: History[], choice: HTMLSelectElement): void {
+    const groups = [...new Set(histories.map((curve) => curve.group))];
+    for (const group of groups) choice.append(new Option(group));
+    choice.onchange = () => this.show(histories.filter((curve) => curve.group === choice.value));
+    choice.value = mostMoving(histories) ?? groups[groups.length - 1];
+    this.show(histories.filter((curve) => curve.group === choice.value));
+  }
   show(curves: History[]): void {
     this.curves = curves;
     const values = curves.flatMap((curve) => curve.values);
@@ -100,4 +108,14 @@ export class Chart {
   private y(value: number, height: number): number {
     return TOP + (1 - (value - this.low) / (this.high - this.low)) * (height - TOP - BOTTOM);
   }
+}
+
+/** The displacements of monitors that change most. */
+function mostMoving(histories: History[]): string | null {
+  let most = 0, group: string | null = null;
+  for (const curve of histories)
+    if (/^monitors: u/.test(curve.group))
+      for (const value of curve.values)
+        if (Math.abs(value) > most) [most, group] = [Math.abs(value), curve.group];
+  return group;
 }

@@ -52,3 +52,13 @@ export async function filmOf(layers: HTMLCanvasElement[], nFrames: number, frame
   await ended;
   return new Blob(parts, { type: "video/webm" });
 }
+
+/** The button offers to stop as long as a film is recorded. */
+export async function recordedBy(button: HTMLElement, film: Promise<Blob>): Promise<Blob> {
+  const say = (isRecording: boolean, text: string) => {
+    button.setAttribute("aria-pressed", String(isRecording));
+    button.textContent = text;
+  };
+  say(true, "Stop recording");
+  return film.finally(() => say(false, "Record film"));
+}

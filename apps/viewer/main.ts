@@ -3,28 +3,18 @@
 import { Camera } from "./camera";
 import { Chart } from "./chart";
 import { channels, RangeChoice, Scale } from "./colours";
-import { filmOf, pictureOf, save } from "./exports";
+import { complain, element, input, select, showHeading, showTip, tableOf } from "./elements";
+import { filmOf, pictureOf, recordedBy, save } from "./exports";
 import { Field, fieldsOf, Mode, rangeOfFrame, rangeOfRun, valueOf } from "./fields";
+import { followKeys, followPointer } from "./gestures";
 import { blockRows, contactRows, pointRows, Row } from "./inspector";
 import { plain, quantity, scaledUnit } from "./numbers";
-import { Overlay, OverlayContents, ROOM } from "./overlay";
+import { markBlock, Overlay, OverlayContents, ROOM } from "./overlay";
 import { cornerNumbersOf, nearestContact, pick } from "./pick";
 import { Layout } from "./picture";
 import { Lines, Renderer } from "./renderer";
-import { History, Moment, Run } from "./run";
-
-function element<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
-const input = (id: string) => element<HTMLInputElement>(id);
-const select = (id: string) => element<HTMLSelectElement>(id);
-
-function complain(error: unknown): void {
-  const message = element("message");
-  message.hidden = false;
-  message.textContent = String(error instanceof Error ? error.message : error);
-  console.error(error);
-}
+import { Moment, Run } from "./run";
+import { Sizes } from "./sizes";
 
 /** Edges of outlines that are drawn as boxes, with soft borders; more of them are plain lines. */
 const MOST_FINE_EDGES = 15000;
@@ -128,11 +118,7 @@ class Viewer {
   private hurry(isHurried: boolean): void {
     if (isHurried === this.isHurried) return;
     this.isHurried = isHurried;
-    this.sizeCanvas(this.renderer.canvas, isHurried ? this.ratio / 2 : this.ratio);
-  }
-  private sizeCanvas(canvas: HTMLCanvasElement, ratio: number): void {
-    canvas.width = Math.max(1, Math.round(this.camera.width * ratio));
-    canvas.height = Math.max(1, Math.round(this.camera.height * ratio));
+    this.camera.sizeCanvas(this.renderer.canvas, isHurried ? this.ratio / 2 : this.ratio);
   }
 
   // --- what is drawn
@@ -142,6 +128,14 @@ class Viewer {
   }
   private get magnification(): number {
     return Number(input("magnify-number").value.replace(",", ".")) || 1;
+  }
+
+  /** Factor of the lengths of arrows and crosses. */
+  private get arrows(): number {
+    return 10 ** Number(input("arrows").value);
+  }
+  private get sizes(): Sizes {
+    return new Sizes(this.layout!, this.run.head, this.camera.scale);
   }
 
   private updateColours(): void {
@@ -186,42 +180,14 @@ class Viewer {
       if (isShown) make(this.lines);
       this.renderer.setLines(name, this.lines);
     };
-    const forces = select("forces").value, crosses = select("crosses").value;
+    const forces = select("forces").value, crosses = select("crosses").value, arrows = this.arrows;
     fill("cells", input("cells").checked, (lines) => layout.cells(lines));
     fill("outlines", input("outlines").checked && !this.hasManyEdges, (lines) => layout.outlines(lines));
     fill("reference", input("reference").checked, (lines) => layout.reference(lines, this.camera.scale));
     fill("states", input("states").checked, (lines) => layout.states(lines));
-    fill("crosses", crosses !== "", (lines) => layout.crosses(lines, this.metresOfStress, crosses === "cell"));
-    fill("forces", forces !== "", (lines) => layout.forces(lines, this.metresOfForce, this.camera.scale, forces !== "contact"));
+    fill("crosses", crosses !== "", (lines) => layout.crosses(lines, this.sizes.metresOfStress(crosses === "cell", arrows), crosses === "cell"));
+    fill("forces", forces !== "", (lines) => layout.forces(lines, this.sizes.metresOfForce(arrows), this.camera.scale, forces !== "contact"));
     fill("thrust", forces === "thrust", (lines) => layout.thrust(lines));
-  }
-
-  /** How long the arrow of 1 N/m is: the 99th percentile of all forces takes 46 px. */
-  private get metresOfForce(): number {
-    const { force } = this.run.head;
-    return force > 0 ? (46 * 10 ** Number(input("arrows").value)) / force / this.camera.scale : 0;
-  }
-  private get metresOfStress(): number {
-    const { s1, s2 } = this.run.head.ranges;
-    if (!s1) return 0;
-    const most = Math.max(Math.abs(s1[2]), Math.abs(s1[3]), Math.abs(s2[2]), Math.abs(s2[3]));
-    return most > 0 ? (this.pixelsOfPart * 10 ** Number(input("arrows").value)) / most / this.camera.scale : 0;
-  }
-  /** About as large as a block, or a cell, is drawn. */
-  private get pixelsOfPart(): number {
-    const layout = this.layout!, { shape } = layout.moment, { low, high } = this.box;
-    const n = select("crosses").value === "cell" ? shape.blockOfCell.length : shape.nBlocks;
-    return Math.min(60, Math.max(5, 0.8 * this.camera.scale * Math.sqrt(((high[0] - low[0]) * (high[1] - low[1])) / n)));
-  }
-  private get box(): { low: [number, number]; high: [number, number] } {
-    return this.layout!.box;
-  }
-
-  /** Outlines of blocks that are drawn small must not hide the colours. */
-  private get outlineAlpha(): number {
-    const { shape } = this.layout!.moment, { low, high } = this.box;
-    const size = this.camera.scale * Math.sqrt(((high[0] - low[0]) * (high[1] - low[1])) / Math.max(1, shape.nBlocks));
-    return Math.max(0.1, Math.min(0.8, (size - 4) / 22));
   }
 
   draw(): void {
@@ -233,7 +199,8 @@ class Viewer {
     this.isDrawingDue = false;
     const { layout, moment } = this;
     if (!layout || !moment) return;
-    const forces = select("forces").value, alpha = this.outlineAlpha;
+    const forces = select("forces").value, alpha = this.sizes.outlineAlpha;
+    const force = forces === "" ? 0 : this.sizes.metresOfForce(this.arrows);
     const edgeAlpha = this.hasManyEdges && !this.isHurried && input("outlines").checked ? alpha : 0;
     this.renderer.draw(this.camera, this.ratio, edgeAlpha, [["reference", 1], ["cells", alpha], ["outlines", alpha], ["states", 1],
       ["crosses", 1], ["thrust", 1], ["forces", 1]]);
@@ -246,30 +213,16 @@ class Viewer {
       showStates: input("states").checked,
       showCrosses: select("crosses").value !== "",
       showThrust: forces === "thrust",
-      forceOfPixels: forces !== "" && this.metresOfForce > 0 ? 1 / (this.metresOfForce * this.camera.scale) : null,
+      forceOfPixels: force > 0 ? 1 / (force * this.camera.scale) : null,
       stressOfPixels: null,
     };
-    this.overlay.draw(this.camera, this.ratio, contents, this.chosenBlock < 0 ? null : (context) => this.markBlock(context, layout));
+    this.overlay.draw(this.camera, this.ratio, contents, this.chosenBlock < 0 ? null : (context) => markBlock(context, layout, this.chosenBlock, this.camera));
     ++this.framesDrawn;
     if (this.pointer && !this.isPlaying) this.tip(...this.pointer);
   }
-  private markBlock(context: CanvasRenderingContext2D, layout: Layout): void {
-    const { shape } = layout.moment, block = this.chosenBlock;
-    if (block < 0 || !layout.isPresent(block)) return;
-    context.beginPath();
-    for (let p = shape.firstPlace[block]; p < shape.firstPlace[block] + shape.nVertices[block]; ++p)
-      context.lineTo(...this.camera.toScreen(layout.position[2 * p], layout.position[2 * p + 1]));
-    context.closePath();
-    for (const [width, colour] of [[5.5, "#fff"], [2.5, "#000"]] as const) {
-      context.lineWidth = width;
-      context.strokeStyle = colour;
-      context.stroke();
-    }
-  }
-
   fit(): void {
     if (!this.layout) return;
-    const { low, high } = this.box;
+    const { low, high } = this.layout.box;
     this.camera.fit(low, high, ROOM.right, ROOM.bottom, ROOM.top);
     this.viewChanged();
   }
@@ -282,8 +235,8 @@ class Viewer {
     this.ratio = Math.min(2, window.devicePixelRatio || 1);
     this.camera.width = stage.clientWidth;
     this.camera.height = stage.clientHeight;
-    this.sizeCanvas(this.renderer.canvas, this.isHurried ? this.ratio / 2 : this.ratio);
-    this.sizeCanvas(this.overlay.canvas, this.ratio);
+    this.camera.sizeCanvas(this.renderer.canvas, this.isHurried ? this.ratio / 2 : this.ratio);
+    this.camera.sizeCanvas(this.overlay.canvas, this.ratio);
     this.chart?.drawStill();
     if (!isFirst && this.layout) this.drawNow();
   }
@@ -292,9 +245,8 @@ class Viewer {
 
   /** The rows of what lies at a point of the picture, or null. */
   valuesAt(px: number, py: number): { name: string; rows: Row[] } | null {
-    const { layout } = this;
-    if (!layout) return null;
-    const [x, y] = this.camera.toWorld(px, py), picked = pick(layout, x, y);
+    if (!this.layout) return null;
+    const { layout } = this, [x, y] = this.camera.toWorld(px, py), picked = pick(layout, x, y);
     const contact = nearestContact(layout, x, y, 7 / this.camera.scale);
     if (!picked && contact === null) return null;
     const rows = picked ? pointRows(this.run, layout, picked, input("smooth").checked) : [];
@@ -302,21 +254,11 @@ class Viewer {
     return { name: picked ? "block " + this.run.blockName(picked.block) : "", rows };
   }
   private tip(px: number, py: number): void {
-    const tip = element("tip"), values = this.valuesAt(px, py);
-    tip.hidden = !values;
-    if (!values) return;
-    tip.innerHTML = "";
-    const name = document.createElement("b");
-    name.textContent = values.name;
-    tip.append(name, tableOf(values.rows));
-    const { width, height } = this.camera;
-    tip.style.left = Math.max(4, Math.min(px + 16, width - tip.offsetWidth - 6)) + "px";
-    tip.style.top = Math.max(4, py + 16 + tip.offsetHeight > height ? py - tip.offsetHeight - 12 : py + 16) + "px";
+    const values = this.valuesAt(px, py);
+    showTip(values?.name ?? "", values?.rows ?? null, [px, py], [this.camera.width, this.camera.height]);
   }
   chooseAt(px: number, py: number): void {
-    const { layout } = this;
-    if (!layout) return;
-    const picked = pick(layout, ...this.camera.toWorld(px, py));
+    const picked = this.layout && pick(this.layout, ...this.camera.toWorld(px, py));
     this.chosenBlock = picked ? picked.block : -1;
     this.updateBlock();
     this.draw();
@@ -338,61 +280,32 @@ class Viewer {
     this.pause();
     this.drawNow();
     this.isRecording = true;
-    element("film").setAttribute("aria-pressed", "true");
-    element("film").textContent = "Stop recording";
-    try {
-      return await filmOf([this.renderer.canvas, this.overlay.canvas], this.run.nFrames, Number(select("speed").value),
-        async (frame) => {
-          await this.show(frame);
-          this.drawNow();
-        }, () => !this.isRecording);
-    } finally {
-      this.isRecording = false;
-      element("film").setAttribute("aria-pressed", "false");
-      element("film").textContent = "Record film";
-    }
+    return recordedBy(element("film"), filmOf([this.renderer.canvas, this.overlay.canvas], this.run.nFrames,
+      Number(select("speed").value), async (frame) => {
+        await this.show(frame);
+        this.drawNow();
+      }, () => !this.isRecording)).finally(() => (this.isRecording = false));
   }
 
   // --- controls
 
   private setUpHistories(): Chart | null {
-    const { histories, colours } = this.run.head, groups = [...new Set(histories.map((curve) => curve.group))];
-    if (groups.length === 0) {
+    const { histories, colours } = this.run.head;
+    if (histories.length === 0) {
       element("chart").style.display = element("history-label").style.display = "none";
       return null;
     }
     const chart = new Chart(element("chart"), colours.lines, (time) => {
       this.pause();
-      this.show(this.frameNear(time)).catch(complain);
+      this.show(this.run.frameNear(time)).catch(complain);
     });
-    for (const group of groups) select("history").append(new Option(group));
-    const choose = () => chart.show(histories.filter((curve) => curve.group === select("history").value));
-    select("history").onchange = choose;
-    select("history").value = mostMoving(histories) ?? groups[groups.length - 1];
-    choose();
+    chart.offer(histories, select("history"));
     return chart;
-  }
-  private frameNear(time: number): number {
-    const { frames } = this.run.head;
-    let nearest = 0;
-    frames.forEach(([, t], k) => {
-      if (Math.abs(t - time) < Math.abs(frames[nearest][1] - time)) nearest = k;
-    });
-    return nearest;
   }
 
   private setUpPage(): void {
     const { head } = this.run;
-    document.title = head.title + " – " + head.program;
-    element("title").textContent = head.title;
-    for (const line of head.verdict) {
-      const chip = document.createElement("span");
-      chip.textContent = chip.title = line.length > 70 ? line.slice(0, 69) + "…" : line;
-      chip.title = line;
-      if (line === "at rest") chip.className = "good";
-      if (/^(not at rest|warning|stopped|interrupted)/.test(line)) chip.className = "bad";
-      element("verdict").append(chip);
-    }
+    showHeading(head.title, head.program, head.verdict);
     for (const field of this.fields) select("field").append(new Option(field.label.replace("  ", " – "), field.name));
     if (this.fields.some((field) => field.name === "s2")) select("field").value = "s2";
     input("slider").max = String(this.run.nFrames - 1);
@@ -445,14 +358,8 @@ class Viewer {
       if (this.isRecording) this.isRecording = false;
       else this.film().then((blob) => save(blob, this.fileName("webm"))).catch(complain);
     };
-    document.addEventListener("keydown", (event) => {
-      if ((event.target as HTMLElement).matches("input:not([type=range]):not([type=checkbox]), select")) return;
-      const action = { " ": toggle, ArrowLeft: () => go(this.wanted - 1), ArrowRight: () => go(this.wanted + 1), Home: () => go(0),
-                       End: () => go(this.run.nFrames - 1), f: () => this.fit() }[event.key];
-      if (!action || event.ctrlKey || event.metaKey) return;
-      event.preventDefault();
-      action();
-    });
+    followKeys({ " ": toggle, ArrowLeft: () => go(this.wanted - 1), ArrowRight: () => go(this.wanted + 1), Home: () => go(0),
+                 End: () => go(this.run.nFrames - 1), f: () => this.fit() });
     new ResizeObserver(() => this.resize()).observe(element("stage"));
     this.resize();
   }
@@ -462,63 +369,26 @@ class Viewer {
   }
 
   private setUpPointer(): void {
-    const stage = element("stage");
-    let last: [number, number] | null = null, moved = 0;
-    const at = (event: MouseEvent): [number, number] => {
-      const box = stage.getBoundingClientRect();
-      return [event.clientX - box.left, event.clientY - box.top];
-    };
-    stage.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      this.camera.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), ...at(event));
-      this.viewChanged();
-    }, { passive: false });
-    stage.addEventListener("pointerdown", (event) => {
-      last = at(event);
-      moved = 0;
-      stage.setPointerCapture(event.pointerId);
-    });
-    stage.addEventListener("pointermove", (event) => {
-      const now = at(event);
-      this.pointer = now;
-      if (last) {
-        moved += Math.hypot(now[0] - last[0], now[1] - last[1]);
-        this.camera.pan(now[0] - last[0], now[1] - last[1]);
-        last = now;
+    followPointer(element("stage"), {
+      zoom: (factor, x, y) => {
+        this.camera.zoom(factor, x, y);
+        this.viewChanged();
+      },
+      pan: (dx, dy) => {
+        this.camera.pan(dx, dy);
         element("tip").hidden = true;
         this.draw();
-      } else this.tip(...now);
+      },
+      move: (x, y) => (this.pointer = [x, y]),
+      hover: (x, y) => this.tip(x, y),
+      choose: (x, y) => this.chooseAt(x, y),
+      leave: () => {
+        this.pointer = null;
+        element("tip").hidden = true;
+      },
+      fit: () => this.fit(),
     });
-    stage.addEventListener("pointerup", (event) => {
-      if (last && moved < 4) this.chooseAt(...at(event));
-      last = null;
-    });
-    stage.addEventListener("pointerleave", () => {
-      this.pointer = null;
-      element("tip").hidden = true;
-    });
-    stage.addEventListener("dblclick", () => this.fit());
   }
-}
-
-/** The displacements of monitors that change most. */
-function mostMoving(histories: History[]): string | null {
-  let most = 0, group: string | null = null;
-  for (const curve of histories)
-    if (/^monitors: u/.test(curve.group))
-      for (const value of curve.values)
-        if (Math.abs(value) > most) [most, group] = [Math.abs(value), curve.group];
-  return group;
-}
-
-function tableOf(rows: Row[]): HTMLTableElement {
-  const table = document.createElement("table");
-  for (const [name, value] of rows) {
-    const row = table.insertRow();
-    row.insertCell().textContent = name;
-    row.insertCell().textContent = value;
-  }
-  return table;
 }
 
 try {

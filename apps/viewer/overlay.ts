@@ -4,6 +4,7 @@ import { Camera } from "./camera";
 import { COMPRESSION, FORCE, Scale, STATE_COLOURS, TENSION, THRUST } from "./colours";
 import { Mode } from "./fields";
 import { plain, quantity, roundStep, scaledUnit, ticks } from "./numbers";
+import { Layout } from "./picture";
 
 const FONT = "system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', Roboto, sans-serif";
 const INK = "#1c242c", SOFT = "#5b6875";
@@ -147,4 +148,19 @@ export class Overlay {
 
 function lengthText(metres: number): string {
   return metres >= 0.1 ? plain(metres) + "\u202fm" : metres >= 1e-3 ? plain(metres * 1000) + "\u202fmm" : quantity(metres, "m");
+}
+
+/** The outline of a block that was chosen. */
+export function markBlock(context: CanvasRenderingContext2D, layout: Layout, block: number, camera: Camera): void {
+  const { shape } = layout.moment;
+  if (!layout.isPresent(block)) return;
+  context.beginPath();
+  for (let p = shape.firstPlace[block]; p < shape.firstPlace[block] + shape.nVertices[block]; ++p)
+    context.lineTo(...camera.toScreen(layout.position[2 * p], layout.position[2 * p + 1]));
+  context.closePath();
+  for (const [width, colour] of [[5.5, "#fff"], [2.5, "#000"]] as const) {
+    context.lineWidth = width;
+    context.strokeStyle = colour;
+    context.stroke();
+  }
 }

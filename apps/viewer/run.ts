@@ -219,6 +219,15 @@ export class Run {
   get nFrames(): number {
     return this.head.frames.length;
   }
+  /** The frame nearest to a time. */
+  frameNear(time: number): number {
+    const { frames } = this.head;
+    let nearest = 0;
+    frames.forEach(([, t], k) => {
+      if (Math.abs(t - time) < Math.abs(frames[nearest][1] - time)) nearest = k;
+    });
+    return nearest;
+  }
   blockName(block: number): string {
     return this.head.blockNames[block] ?? String(block);
   }

@@ -25,6 +25,14 @@ constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 
+/// What dilation may lift: the gap that counts as none may be so wide.
+double largest_rise(const JointTable& joints) {
+  double rise = 0;
+  for (const auto& [joint, between] : joints.entries())
+    rise = std::max(rise, joint.dilation * joint.dilation_slip);
+  return rise;
+}
+
 /// Takes out of the contacts of a pair, from `first` on, all but one where vertex meets vertex: that which is
 /// closed, else the first. A joint's stiffness counts once there.
 void keep_one_spring(const BlockSystem& blocks, const BlockState& state, double near,

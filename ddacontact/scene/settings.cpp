@@ -42,7 +42,7 @@ std::optional<toml::table> parse_value(const std::string& value, const std::stri
   ProblemList ignored("");
   std::optional<toml::table> table = parse_toml("v = " + value, source, ignored);
   if (table && table->size() == 1) return table;
-  return parse_toml("v = " + quoted(value), source, problems);
+  return parse_toml("v = " + scene_format::quoted(value), source, problems);
 }
 
 std::optional<std::size_t> index_of(const std::string& text) {

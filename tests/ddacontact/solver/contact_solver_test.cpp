@@ -50,7 +50,7 @@ TEST(ContactSolver, ABlockStaysOnASlopeBelowItsFrictionAngleAndSlidesAboveIt) {
 }
 
 TEST(ContactSolver, EndsWhereDisplacementsAreNotFiniteBeforeContactsAreEvaluatedThere) {
-  const BuiltScene built = build(resting(1e9, 0, 30));
+  BuiltScene built = build(resting(1e9, 0, 30));
   const BlockState& state = built.stepper->state();
   StepSystem system(blocks_of(built));
   std::vector<Contact> contacts = built.stepper->contacts_to_begin_with();
