@@ -97,7 +97,6 @@ double AugmentedContacts::kept(double length, double size) const {
 }
 
 void AugmentedContacts::evaluate(VectorXd& d) {
-  if (!d.allFinite()) return;  // the residual there is not finite either
   const VectorXd displaced = system_.displacement(d);
   for_contacts(size(),
                [&](std::size_t c) { evaluate(contacts_[c], displaced, d, multipliers_[c], terms_[c]); });

@@ -50,6 +50,7 @@ class ContactSolver {
         acceleration_(anderson_depth) {}
 
   ContactSolverReport solve() {
+    if (!d_.allFinite()) return end(ContactSolverStatus::not_finite);
     system_.linearize(d_);
     contacts_.begin();
     for (std::size_t c = 0; c < states_.size(); ++c) {
@@ -232,11 +233,11 @@ class ContactSolver {
       acceleration_.advance(-correction_, system_.unknown_lengths(), next);
     else
       next -= correction_;
+    if (!next.allFinite()) return leave_active_set();
     system_.move(next - d_, d_);
     ++report_.iterations;
     ++solutions_of_states_;
     look();
-    if (!std::isfinite(report_.residual.largest)) return leave_active_set();
     return true;
   }
 

@@ -342,7 +342,7 @@ class InteriorPoint {
   /// Each contact as far as it may: what that leaves over the next solution makes good.
   void advance(double longest_of_all) {
     for (InteriorContact& i : inside_) i.advance(std::min(longest_of_all, i.longest()));
-    system_.move(-longest_of_all * correction_, d_);
+    if (correction_.allFinite()) system_.move(-longest_of_all * correction_, d_);
   }
 
   StepSystem& system_;

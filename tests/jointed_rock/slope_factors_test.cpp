@@ -31,16 +31,6 @@ TEST_P(SlopeFactors, NoSlopeRestsWhereNoAdmissibleForcesExist) {
 /// Planes, several planes, blocks whose corners interlock.
 INSTANTIATE_TEST_SUITE_P(Seeds, SlopeFactors, testing::Values(3, 5, 12, 23, 37, 43, 44));
 
-/// Corners are wedged between the lines that they would meet: no forces hold them there.
-class SlopesWithWedgedCorners : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(SlopesWithWedgedCorners, HaveAFactor) {
-  const SlopeFactor factor = factor_of(slope_of(GetParam()), 0.01);
-  EXPECT_FALSE(factor.found.stopped) << factor.found.low << " .. " << factor.found.high;
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, SlopesWithWedgedCorners, testing::Values(1, 19, 29));
-
 TEST(SlopeFactors, CornersThatInterlockHoldMore) {
   const SlopeFactor factor = factor_of(slope_of(44), 0.01);
   EXPECT_GT(factor.interlocked, 1.1);

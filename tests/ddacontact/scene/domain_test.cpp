@@ -206,9 +206,8 @@ TEST(Domain, BadTablesAreRefusedWithPlaceAndCure) {
 /// Oblique slivers 3 m long: their boxes overlap by the thousand, and it is those pairs that take memory.
 TEST(Domain, JointsThatCutMoreThanMemoryHoldsAreRefusedBeforeAnythingIsCut) {
   const auto begin = std::chrono::steady_clock::now();
-  expect_problem(
-      "[[domain.joint_set]]\nangle = 45\nspacing = 1e-5\n",
-      "scene.toml:25:11: error: the domain would be cut into about 3.464e+05 blocks");
+  expect_problem("[[domain.joint_set]]\nangle = 45\nspacing = 1e-5\n",
+                 "scene.toml:25:11: error: the domain would be cut into about 3.464e+05 blocks");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
