@@ -122,7 +122,7 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
     if (!attempt([&] { checkpoints.write(stepper, results); })) throw std::bad_alloc();
     attempt([&] { results.write_last_frame(stepper); });
   }
-  summary.warnings = warnings_of(stepper);
+  summary.warnings = warnings_of(stepper, results.labels().block_reasons);
   summary.scheme = scheme_word(stepper);
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);

@@ -120,7 +120,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   }
   checkpoints.write(stepper, results);
   results.write_last_frame(stepper);
-  summary.warnings = warnings_of(stepper);
+  summary.warnings = warnings_of(stepper, results.labels().block_reasons);
   summary.scheme = dda::scheme_word(stepper);
   total.reset();
   results.finish(stepper, summary);

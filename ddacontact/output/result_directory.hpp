@@ -54,6 +54,7 @@ class ResultDirectory {
   void finish(const Stepper& stepper, const RunSummary& summary);
 
   const std::filesystem::path& path() const { return directory_; }
+  const Labels& labels() const { return labels_; }
 
  private:
   void write_monitors(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);

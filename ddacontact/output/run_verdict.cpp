@@ -119,9 +119,11 @@ void add_crushed(const Stepper& stepper, const std::map<Pair, Pressing>& pressin
 
 /// Contact patches with too few nodes for a pressure that varies over them.
 void add_coarse_patches(const Stepper& stepper, const std::map<Pair, Pressing>& pressing,
-                        std::vector<std::string>& warnings) {
+                        const std::vector<std::string>& reasons, std::vector<std::string>& warnings) {
   constexpr int least_nodes = 4;
-  const auto is_meshed = [&](int b) { return stepper.blocks().block(b).n_cells() > 1; };
+  const auto is_meshed = [&](int b) {
+    return stepper.blocks().block(b).n_cells() > 1 && (reasons.empty() || reasons[b].empty());
+  };
   int n_coarse = 0;
   double largest = 0;
   Pair worst{};
@@ -142,7 +144,7 @@ void add_coarse_patches(const Stepper& stepper, const std::map<Pair, Pressing>& 
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const Stepper& stepper) {
+std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<std::string>& reasons) {
   std::vector<std::string> warnings;
   for (const StageEnd& end : stepper.stage_ends()) add_unmet_until(stepper, end, warnings);
   const StageEnd last = stepper.stage_end();
@@ -163,7 +165,7 @@ std::vector<std::string> warnings_of(const Stepper& stepper) {
   }
   const std::map<Pair, Pressing> pressing = find_pressing(stepper);
   add_crushed(stepper, pressing, warnings);
-  add_coarse_patches(stepper, pressing, warnings);
+  add_coarse_patches(stepper, pressing, reasons, warnings);
   for (std::string& text :
        stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy()))
     warnings.push_back(std::move(text));

@@ -10,6 +10,8 @@ namespace ddacontact {
 
 /// Warnings, a line each with its cure: stages whose `until` never came true, a last stage that is static and
 /// ends out of balance, and what was seen on the way (RunWarnings).
-std::vector<std::string> warnings_of(const Stepper& stepper);
+/// \param[in] reasons  why each block has its model, empty where the scene says so; none: all say so. Whoever
+///   asks for a mesh is told where it is too coarse.
+std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<std::string>& reasons = {});
 
 }  // namespace ddacontact
