@@ -133,3 +133,18 @@ TEST(RunWarnings, ContactsThatChangeInMostStepsAreTold) {
   for (Vec3& entry : scene.supports[0].displacement.history) entry[1] = 0;
   expect_none(scene);
 }
+
+/// A block of four cells on a floor: two corners press. Where `auto` has chosen the mesh nothing is said.
+TEST(RunWarnings, PatchesOfFewNodesAreToldToWhoAsksForAMesh) {
+  Scene scene = stone_scene(35e9, 0.1, 3, 30);
+  scene.analysis.mode = Mode::statics;
+  scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, 0, 1, 1))};
+  scene.blocks[1].model = BlockModel::mesh;
+  scene.blocks[1].mesh.kind = CellKind::voronoi;
+  scene.blocks[1].mesh.edge_nodes = false;
+  scene.blocks[1].mesh.cells = 4;
+  expect_warning(scene, {"fewer than four nodes: 1", "at_contact"});
+  EXPECT_TRUE(warnings_of(*run(scene).stepper, {"held", "bends"}).empty());
+  scene.blocks[1].mesh = {.cells = 64};
+  expect_none(scene);
+}
