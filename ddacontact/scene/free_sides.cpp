@@ -108,8 +108,8 @@ void warn_of_free_sides(const Document& document, const Scene& scene, const Bloc
     problems.warning(document.domain->locations.of("boundary"),
                      "the " + std::string(side.name) + " side of the domain is not held between " + from +
                          " and " + to + ": blocks slide out of it if the rock goes on there",
-                     "hold it: [[support]] with 'on' = [" + from + ", " + to +
-                         "], or a [[domain.region]] along it with 'fixed' and 'cut'");
+                     "hold it: [[support]] of a selector as 'block' with 'vertices' = { on = [" + from +
+                         ", " + to + "] }, or a [[domain.region]] along it with 'fixed' and 'cut'");
   }
 }
 

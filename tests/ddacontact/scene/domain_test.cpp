@@ -239,7 +239,7 @@ TEST(FreeSides, OfASlopeThatIsHeldBelowAloneAreWarnedOf) {
                              "[4, 1] and [4, 3]"),
             std::string::npos)
       << warnings[0];
-  EXPECT_NE(warnings[0].find("[[support]] with 'on' = [[4, 1], [4, 3]]"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("'vertices' = { on = [[4, 1], [4, 3]] }"), std::string::npos) << warnings[0];
 }
 
 TEST(FreeSides, BelowAreWarnedOfToo) {
