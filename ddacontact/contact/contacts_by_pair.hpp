@@ -16,6 +16,7 @@ inline Pair block_pair(const VertexEdge& contact) {
           std::max(contact.vertex_block, contact.edge_block)};
 }
 
+/// The pair of a contact's blocks.
 inline constexpr auto pair_of = [](const Contact& of) { return block_pair(of.pair); };
 
 /// Of contacts ordered by their pairs, those of one.

@@ -42,6 +42,7 @@ struct ExpectedCut {
   double box_pairs = 0;
   int densest_set = -1;  ///< that of the most traces; -1: there is none
 };
+/// Without cutting it.
 ExpectedCut expected_cut(const Domain& domain);
 
 /// There would be more blocks or traces than `most_blocks`.

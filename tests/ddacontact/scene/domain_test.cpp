@@ -284,7 +284,7 @@ TEST(FreeSides, AreNotInTheExamples) {
     EXPECT_EQ(all_text(result.problems).find("side of the domain"), std::string::npos) << entry.path();
     n_domains += result.scene->domain.has_value();
   }
-  EXPECT_EQ(n_domains, 3);
+  EXPECT_EQ(n_domains, 4);
 }
 
 TEST(FreeSides, AreNotInScenesThatAreMade) {
