@@ -24,6 +24,7 @@ inline std::span<const Contact> of_pair(const Pair& pair, const std::vector<Cont
   return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
           std::ranges::upper_bound(contacts, pair, {}, pair_of)};
 }
+/// Those of the pair of a contact.
 inline std::span<const Contact> of_same_pair(const VertexEdge& contact,
                                              const std::vector<Contact>& contacts) {
   return of_pair(block_pair(contact), contacts);
