@@ -48,6 +48,11 @@ export async function filmOf(layers: HTMLCanvasElement[], nFrames: number, frame
     await new Promise((resolve) => setTimeout(resolve, Math.max(0, due - performance.now())));
   }
   await new Promise((resolve) => setTimeout(resolve, 300)); // the last frame is to be seen
+  for (let tries = 0; tries < 50 && parts.every((part) => part.size === 0); ++tries) { // the encoder has not begun yet
+    compose(canvas, layers);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    recorder.requestData();
+  }
   recorder.stop();
   await ended;
   return new Blob(parts, { type: "video/webm" });

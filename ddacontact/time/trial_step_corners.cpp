@@ -78,15 +78,8 @@ TrialSolution TrialStep::solve(double dt) {
     }
     keep_start();
     solution.forces = forces_still_there(solved, contacts_);
-    TrialSolution again = solve_with_impacts(dt, &solution);
+    solution = solve_with_impacts(dt, &solution);
     ++counts_.corner_solutions;
-    // A corner may be wedged between the new lines, where no forces hold it; those of before are in balance.
-    if (!again.rejection.empty() && !again.impact.changes() && !solution.impact.changes()) {
-      ++counts_.unsettled_corners;
-      contacts_ = solved;
-      break;
-    }
-    solution = std::move(again);
   }
   return solution;
 }

@@ -258,12 +258,4 @@ TEST(StrengthReduction, TellsThatItDidNotSettle) {
   EXPECT_NE(StrengthReduction(scene, {0}).unsettled(), "");
 }
 
-/// Between the bedding and the vertical outline of the base a corner is wedged, see trial_step_corners.cpp.
-TEST(StrengthReduction, ASlopeWithAWedgedCornerRestsWithTheFrictionThatItHas) {
-  const SceneReading reading = read_scene_text(made_scene(MadeSlope{.spacing = 2.6}), "slope.toml");
-  ASSERT_TRUE(reading.scene);
-  const StrengthReduction reduction(*reading.scene, {0, 1});
-  EXPECT_EQ(reduction.try_factor(1).verdict, Verdict::rests);
-}
-
 }  // namespace
