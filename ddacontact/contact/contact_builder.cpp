@@ -25,14 +25,6 @@ constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 
-/// What dilation may lift: the gap that counts as none may be so wide.
-double largest_rise(const JointTable& joints) {
-  double rise = 0;
-  for (const auto& [joint, between] : joints.entries())
-    rise = std::max(rise, joint.dilation * joint.dilation_slip);
-  return rise;
-}
-
 /// Takes out of the contacts of a pair, from `first` on, all but one where vertex meets vertex: that which is
 /// closed, else the first. A joint's stiffness counts once there.
 void keep_one_spring(const BlockSystem& blocks, const BlockState& state, double near,
@@ -74,9 +66,8 @@ double ContactBuilder::pair_size(int a, int b) const {
   return std::min(size_[a], size_[b]);
 }
 
-void ContactBuilder::find_pairs(const BlockState& state, const std::vector<double>& search_margin) {
+void ContactBuilder::find_pairs(const BlockState& state) {
   const Index n = blocks_.n_blocks();
-  const double rise = largest_rise(properties_.joints);
   boxes_.resize(n);
   margins_.resize(keeps_pairs_ ? n : 0);
   const auto check_blocks = [&](Index begin, Index end) {
@@ -84,9 +75,9 @@ void ContactBuilder::find_pairs(const BlockState& state, const std::vector<doubl
       const Range& v = blocks_.block(b).vertices();
       outlines_.set(b, state.position.middleCols(v.first, v.count));
       const Box& box = outlines_[b].box;
-      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(search_margin[b] + rise);
+      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(search_margin_[b]);
       boxes_[b] = {box.low - margin + origin, box.high + margin + origin};
-      if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin[b];
+      if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin_[b];
     }
   };
   polyfem::for_ranges(n, blocks_of_range, std::ref(check_blocks));
@@ -105,20 +96,19 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
   const double size = pair_size(a, b);
-  const PairLimits limits{
-      .search_margin = search_margin_[a] + search_margin_[b] + largest_rise(properties_.joints),
-      .max_depth = std::min(half_width_[a], half_width_[b]),
-      .coincidence = coincidence * size,
-      .lip = properties_.lip * size};
+  const PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
+                          .max_depth = std::min(half_width_[a], half_width_[b]),
+                          .coincidence = coincidence * size,
+                          .lip = properties_.lip * size};
   earlier.clear();
-  const bool any_compliant = properties_.joints.any_compliant();
+  const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant),
+             any_shifted = properties_.joints.any(&JointStrength::shifts);
   for (const ContactRecord& contact : previous) {
     double offset = contact.lasts() ? contact.history.gap_offset : 0;
     // A joint that has closed by its stiffness is flush.
     if (any_compliant && contact.closed() && properties_.is_compliant(contact)) offset += contact.end_gap;
     // So is one that was crushed, or is to rise to where dilation lifts it.
-    const JointStrength& joint = properties_.strength(contact.pair);
-    if (contact.closed() && (joint.crushes() || joint.dilation > 0))
+    if (any_shifted && contact.closed() && properties_.strength(contact.pair).shifts())
       offset = std::min(offset, gap(positions_of(blocks_, state, contact.pair)));
     earlier.push_back({contact.pair, offset, ties && contact.closed(), ties});
   }
@@ -175,8 +165,10 @@ bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair)
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
                                    const std::vector<double>& search_margin,
                                    const std::vector<ContactRecord>& previous, bool ties) {
-  find_pairs(state, search_margin);
   search_margin_ = search_margin;
+  const double rise = properties_.joints.largest_rise();
+  for (double& margin : search_margin_) margin += rise / 2;
+  find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
   choices_in_.resize(found_in_.size());

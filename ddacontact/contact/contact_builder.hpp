@@ -79,7 +79,7 @@ class ContactBuilder {
                      const std::vector<double>& search_margin, const std::vector<ContactRecord>& previous,
                      bool ties);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
-  void find_pairs(const BlockState& state, const std::vector<double>& search_margin);
+  void find_pairs(const BlockState& state);
   /// Appends the contacts of a pair, and where they were preferred to others.
   /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
@@ -122,8 +122,8 @@ class ContactBuilder {
   NearbyPairs nearby_;
   std::vector<Box> boxes_;
   std::vector<double> margins_;
-  std::vector<Pair> pairs_;                        ///< of blocks that may meet
-  std::vector<double> search_margin_;              ///< that contacts were looked for within
+  std::vector<Pair> pairs_;            ///< of blocks that may meet
+  std::vector<double> search_margin_;  ///< that contacts were looked for within, with what dilation lifts
   std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<std::vector<Choice>> choices_in_;    ///< likewise
   std::vector<Choice> choices_;                    ///< of all

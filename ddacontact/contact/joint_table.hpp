@@ -32,6 +32,8 @@ struct JointStrength {
 
   bool is_compliant() const { return normal_stiffness > 0; }
   bool crushes() const { return compressive_strength > 0; }
+  /// Whether its contacts act elsewhere than at the corner, or close at another gap than none.
+  bool shifts() const { return crushes() || dilation > 0; }
 };
 
 /// The strengths of the joint between any two materials.
@@ -47,9 +49,15 @@ class JointTable {
   explicit JointTable(JointStrength everywhere) : entries_{{std::move(everywhere), std::nullopt}} {}
 
   const std::vector<Entry>& entries() const { return entries_; }
-  /// Whether some joint has a stiffness of its own.
-  bool any_compliant() const {
-    return std::ranges::any_of(entries_, [](const Entry& e) { return e.strength.is_compliant(); });
+  /// Whether some joint is so: any(&JointStrength::shifts).
+  bool any(bool (JointStrength::*is)() const) const {
+    return std::ranges::any_of(entries_, [is](const Entry& e) { return (e.strength.*is)(); });
+  }
+  /// What dilation may lift, m: the gap that counts as none may be so wide.
+  double largest_rise() const {
+    double rise = 0;
+    for (const Entry& e : entries_) rise = std::max(rise, e.strength.dilation * e.strength.dilation_slip);
+    return rise;
   }
   const JointStrength& between(int material_a, int material_b) const {
     return entries_[number_between(material_a, material_b)].strength;

@@ -153,14 +153,13 @@ class DomainReader {
 };
 
 /// Where the number of blocks is stated: at the spacing of the set with the most traces.
-const SourceLocation& place_of_size(const Domain& domain, const DomainRecord& record) {
-  const int densest = expected_cut(domain).densest_set;
+const SourceLocation& place_of_size(const ExpectedCut& expected, const DomainRecord& record) {
+  const int densest = expected.densest_set;
   return densest < 0 ? record.locations.of("boundary") : record.joint_sets[densest].locations.of("spacing");
 }
 
 /// Whether the blocks fit into memory, told before they are cut.
-bool fits_into_memory(const Domain& domain, const SourceLocation& location, ProblemList& problems) {
-  const ExpectedCut expected = expected_cut(domain);
+bool fits_into_memory(const ExpectedCut& expected, const SourceLocation& location, ProblemList& problems) {
   const double needed = least_memory(expected.blocks, expected.box_pairs);
   const std::optional<double> available = available_memory();
   if (!available || expected.blocks > most_blocks || needed <= *available) return true;
@@ -258,8 +257,9 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
   const std::size_t n_problems = problems.size();
   const DomainReader reader(document, problems);
   if (problems.size() != n_problems) return true;
-  const SourceLocation& size = place_of_size(reader.domain(), *document.domain);
-  if (!fits_into_memory(reader.domain(), size, problems)) return true;
+  const ExpectedCut expected = expected_cut(reader.domain());
+  const SourceLocation& size = place_of_size(expected, *document.domain);
+  if (!fits_into_memory(expected, size, problems)) return true;
   try {
     const CutDomain cut = cut_domain(reader.domain());
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)

@@ -118,8 +118,8 @@ void describe(ContactRecord& r, Visit&& visit) {
             .default_text = method.c_str()},
         r.method);
   visit(Key{.name = "normal_stiffness",
-            .what = "Stiffness of the normal contact springs, per metre of thickness. Results of \"staged\" "
-                    "do not depend on it.",
+            .what = "Stiffness of the normal contact springs, per metre of thickness. Of \"staged\" it only "
+                    "scales a `dashpot`.",
             .unit = "N/m2",
             .other_unit = "N/m",
             .bounds = positive,

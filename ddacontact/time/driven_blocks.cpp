@@ -1,6 +1,7 @@
 #include <ddacontact/time/driven_blocks.hpp>
 
 #include <ddacontact/core/deepest_overlap.hpp>
+#include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/separation.hpp>
 
 #include <algorithm>
@@ -38,15 +39,19 @@ std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockSt
 
 std::optional<Pair> find_overlap(const BlockSystem& blocks, const BlockState& state,
                                  const std::vector<int>& coming, const std::vector<int>& leaving) {
-  for (int a : coming) {
-    const Box box = bounding_box(blocks.outline_from(state, a, a));
-    for (int b = 0; b < blocks.n_blocks(); ++b) {
-      const bool is_there = blocks.is_present(b) && std::ranges::count(leaving, b) == 0;
-      if (is_there && touch(box, bounding_box(blocks.outline_from(state, b, a))) &&
-          depth(blocks, state, a, b) >
-              deepest_overlap * std::min(blocks.block(a).size(), blocks.block(b).size()))
-        return Pair{a, b};
-    }
+  if (coming.empty()) return {};
+  std::vector<int> there = coming;
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    if (blocks.is_present(b) && std::ranges::count(leaving, b) == 0) there.push_back(b);
+  std::vector<Box> boxes;
+  for (int b : there) boxes.push_back(bounding_box(blocks.outline_from(state, b, coming.front())));
+  const auto n_coming = static_cast<int>(coming.size());
+  for (const auto& [p, q] : overlapping_pairs(boxes)) {
+    if (p >= n_coming || q < n_coming) continue;
+    const int a = there[p], b = there[q];
+    if (depth(blocks, state, a, b) >
+        deepest_overlap * std::min(blocks.block(a).size(), blocks.block(b).size()))
+      return Pair{a, b};
   }
   return {};
 }

@@ -64,7 +64,7 @@ double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
 
 double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties) {
   double energy = 0;
-  const bool any_compliant = properties.joints.any_compliant();
+  const bool any_compliant = properties.joints.any(&JointStrength::is_compliant);
   for (const ContactRecord& contact : contacts)
     energy += any_compliant && properties.is_compliant(contact)
                   ? energy_of_joint(properties, contact)

@@ -118,6 +118,7 @@ TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm
 
 std::vector<ContactForce> TrialStep::forces() const {
   std::vector<ContactForce> forces;
+  forces.reserve(contacts_.size());
   for (const Contact& contact : contacts_) forces.push_back({contact.normal, contact.shear});
   return forces;
 }

@@ -2,8 +2,6 @@
 // that topples off its bond.
 #include "../simple_scenes.hpp"
 
-#include <ddacontact/scene/made_scenes.hpp>
-#include <ddacontact/scene/reader.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
 
 namespace {
