@@ -166,6 +166,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
                                    const std::vector<double>& search_margin,
                                    const std::vector<ContactRecord>& previous, bool ties) {
   search_margin_ = search_margin;
+  ties_ = ties;
   const double rise = properties_.joints.largest_rise();
   for (double& margin : search_margin_) margin += rise / 2;
   find_pairs(state);

@@ -39,7 +39,8 @@ class ContactBuilder {
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
   bool choose_again(const BlockState& state, const VectorXd& motion,
                     const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
-  /// Chooses those in doubt by the motion without them, for the rest of the step. False: they are the same.
+  /// Chooses those in doubt by the motion without them, for the rest of the step. A corner that was closed on
+  /// a line before stays there as it did when contacts were built. False: they are the same.
   bool decide_doubtful(const BlockState& state, const VectorXd& without,
                        const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Restores a contact to what it was before a trial step.
@@ -128,6 +129,7 @@ class ContactBuilder {
   std::vector<std::vector<Choice>> choices_in_;    ///< likewise
   std::vector<Choice> choices_;                    ///< of all
   std::set<Pair> doubtful_;
+  bool ties_ = false;                     ///< earlier contacts won ties when the contacts were built
   std::vector<std::size_t> first_found_;  ///< of each range, among all
   std::vector<VertexEdge> missed_;
 };

@@ -4,22 +4,16 @@
 namespace ddacontact {
 
 std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force) {
-  const auto number_of = [&](const VertexEdge& pair) {
-    for (const Contact& contact : of_same_pair(pair, contacts))
-      if (contact.pair == pair) return static_cast<int>(&contact - contacts.data());
-    return -1;
-  };
   doubtful_.clear();
-  for (const Choice& choice : choices_) {
-    const int chosen = number_of(choice.chosen);
-    if (choice.open && chosen >= 0 && contacts[chosen].normal > least_force)
-      doubtful_.insert(block_pair(choice.chosen));
-  }
+  for (const Choice& choice : choices_)
+    for (const Contact& contact : of_same_pair(choice.chosen, contacts))
+      if (choice.open && contact.pair == choice.chosen && contact.normal > least_force)
+        doubtful_.insert(pair_of(contact));
   std::set<int> numbers;
-  for (const Choice& choice : choices_) {
-    const int chosen = number_of(choice.chosen);
-    if (chosen >= 0 && doubtful_.contains(block_pair(choice.chosen))) numbers.insert(chosen);
-  }
+  for (const Choice& choice : choices_)
+    for (const Contact& contact : of_same_pair(choice.chosen, contacts))
+      if (contact.pair == choice.chosen && doubtful_.contains(pair_of(contact)))
+        numbers.insert(static_cast<int>(&contact - contacts.data()));
   return {numbers.begin(), numbers.end()};
 }
 
@@ -34,7 +28,7 @@ bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motio
 bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& without,
                                      const std::vector<ContactRecord>& previous,
                                      std::vector<Contact>& contacts) {
-  const bool changed = choose_anew(doubtful_, state, without, false, previous, contacts);
+  const bool changed = choose_anew(doubtful_, state, without, ties_, previous, contacts);
   std::erase_if(choices_,
                 [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
   return changed;
