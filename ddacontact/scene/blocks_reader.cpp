@@ -23,7 +23,11 @@ using scene_format::MaterialRecord;
 using scene_format::ProblemList;
 
 MaterialRecord rock(const std::string& name) {
-  MaterialRecord material{name, 2500.0, std::nullopt, 5e9, 0.25, {}};
+  MaterialRecord material;
+  material.name = name;
+  material.density = 2500.0;
+  material.young = 5e9;
+  material.poisson = 0.25;
   for (const char* key : {"name", "density"}) material.locations.add(key, {}, true);
   return material;
 }

@@ -55,6 +55,15 @@ ContactRecord record_of(const ContactOptions& contact) {
   return record;
 }
 
+MaterialRecord record_of(const Material& material, const Scene&) {
+  MaterialRecord record;
+  record.name = material.name;
+  record.density = material.density;
+  record.young = material.young;
+  record.poisson = material.poisson;
+  return record;
+}
+
 JointRecord record_of(const Joint& joint, const Scene& scene) {
   JointRecord record;
   record.name = optional_name(joint.name);
@@ -255,9 +264,7 @@ Document document_of(const Scene& scene) {
   document.analysis = record_of(scene.analysis);
   document.analysis.options.steps = scene.n_steps();
   document.contact = record_of(scene.contact);
-  for (const Material& material : scene.materials)
-    document.materials.push_back(
-        {material.name, material.density, std::nullopt, material.young, material.poisson, {}});
+  fill(document.materials, scene.materials, scene);
   fill(document.joints, scene.joints, scene);
   fill(document.blocks, scene.blocks, scene);
   fill(document.supports, scene.supports, scene);

@@ -8,9 +8,9 @@
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace ddacontact::scene_format {
 
@@ -23,9 +23,9 @@ struct Side {
   double at;
 };
 
-/// The part of a side along which edges are not held.
+/// A part of a side along which edges are not held.
 struct FreePart {
-  double from = std::numeric_limits<double>::infinity(), to = -from;
+  double from, to;
 };
 
 class DomainSides {
@@ -44,8 +44,24 @@ class DomainSides {
     return std::ranges::any_of(inside_, [&](int b) { return blocks_.holds.holds_any(b); });
   }
 
-  FreePart free_part(const Side& side) const {
-    FreePart part;
+  /// In ascending order, as long as they go on without a held edge between them.
+  std::vector<FreePart> free_parts(const Side& side) const {
+    std::vector<FreePart> edges = free_edges(side), parts;
+    std::ranges::sort(edges, {}, &FreePart::from);
+    for (const FreePart& edge : edges) {
+      const bool goes_on =
+          !parts.empty() && edge.from - parts.back().to <= on_line * (edges.back().to - edges.front().from);
+      if (goes_on)
+        parts.back().to = std::max(parts.back().to, edge.to);
+      else
+        parts.push_back(edge);
+    }
+    return parts;
+  }
+
+ private:
+  std::vector<FreePart> free_edges(const Side& side) const {
+    std::vector<FreePart> edges;
     for (const int b : inside_) {
       const Points& outline = scene_.blocks[b].vertices;
       const double tolerance = on_line * blocks_.outlines[b].outline.size;
@@ -57,13 +73,12 @@ class DomainSides {
         if (!is_on_side(k) || !is_on_side(next) || is_held(b, static_cast<int>(k), static_cast<int>(next)))
           continue;
         const auto [low, high] = std::minmax(outline(1 - side.across, k), outline(1 - side.across, next));
-        part = {std::min(part.from, low), std::max(part.to, high)};
+        edges.push_back({low, high});
       }
     }
-    return part;
+    return edges;
   }
 
- private:
   bool is_held(int b, int edge, int next) const {
     if (blocks_.holds.holds_vertex(b, edge) || blocks_.holds.holds_vertex(b, next)) return true;
     if (loaded_.contains({b, edge})) return true;
@@ -102,14 +117,14 @@ void warn_of_free_sides(const Document& document, const Scene& scene, const Bloc
   if (is_specimen(*document.domain, high - low) || !sides.holds_any()) return;
   for (const Side& side :
        {Side{"left", 0, low.x()}, Side{"right", 0, high.x()}, Side{"bottom", 1, low.y()}}) {
-    const FreePart part = sides.free_part(side);
-    if (!(part.from < part.to)) continue;
-    const std::string from = point_text(side, part.from), to = point_text(side, part.to);
-    problems.warning(document.domain->locations.of("boundary"),
-                     "the " + std::string(side.name) + " side of the domain is not held between " + from +
-                         " and " + to + ": blocks slide out of it if the rock goes on there",
-                     "hold it: [[support]] of a selector as 'block' with 'vertices' = { on = [" + from +
-                         ", " + to + "] }, or a [[domain.region]] along it with 'fixed' and 'cut'");
+    for (const FreePart& part : sides.free_parts(side)) {
+      const std::string from = point_text(side, part.from), to = point_text(side, part.to);
+      problems.warning(document.domain->locations.of("boundary"),
+                       "the " + std::string(side.name) + " side of the domain is not held between " + from +
+                           " and " + to + ": blocks slide out of it if the rock goes on there",
+                       "hold it: [[support]] of a selector as 'block' with 'vertices' = { on = [" + from +
+                           ", " + to + "] }, or a [[domain.region]] along it with 'fixed' and 'cut'");
+    }
   }
 }
 

@@ -124,6 +124,36 @@ void warn_of_soft_materials(const Document& document, const Scene& scene, Proble
   }
 }
 
+/// From cork to lead: what blocks are made of, kg/m3.
+constexpr Bounds usual_density{.low = 100, .high = 12000};
+
+/// Warns of densities that no usual material has: as a rule a number meant in another unit.
+void warn_of_unusual_densities(const Document& document, const Scene& scene, ProblemList& problems) {
+  const double g = scene.analysis.gravity.norm();
+  if (!(g > 0)) return;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    const MaterialRecord& record = document.materials[m];
+    const char* key = record.unit_weight ? "unit_weight" : "density";
+    if (!record.locations.good(key) || (record.density && record.unit_weight) || !(material.density > 0) ||
+        usual_density.contain(material.density))
+      continue;
+    const double value = record.unit_weight ? *record.unit_weight : material.density;
+    const std::string number = short_number(value);
+    std::string cure = "is it right? 'density' is in kg/m3, 'unit_weight' in N/m3";
+    if (usual_density.contain(1000 * value))
+      cure += "; if it is in t/m3, write density = \"" + number + " t/m3\"";
+    else if (usual_density.contain(1000 * value / g))
+      cure += "; if it is in kN/m3, write unit_weight = \"" + number + " kN/m3\"";
+    else if (usual_density.contain(value / g))
+      cure += "; if it is in N/m3, write unit_weight = " + number;
+    problems.warning(record.locations.of(key),
+                     "material \"" + material.name + "\" has a density of " + rounded(material.density) +
+                         " kg/m3, unusually " + (material.density < usual_density.low ? "light" : "heavy"),
+                     cure);
+  }
+}
+
 }  // namespace
 
 Scene resolve(const Document& document, ProblemList& problems) {
@@ -165,6 +195,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   }
 
   warn_of_soft_materials(document, scene, problems);
+  warn_of_unusual_densities(document, scene, problems);
   scene.output = document.output.options;
   scene.domain = document.domain_counts;
   if (problems.has_errors()) return scene;

@@ -238,4 +238,25 @@ TEST(Reading, AStillSupportMayHoldWhatIsFixed) {
   EXPECT_EQ(scene_of(text + "[[support]]\nblock = 0\nvertices = [0]\n").supports.size(), 1u);
 }
 
+/// A density in t/m3, kN/m3 or N/m3 is a number that is not written with its unit.
+TEST(Reading, DensitiesOfNoUsualMaterialAreWarnedOf) {
+  const auto text_of = [](const char* density, std::vector<std::string> settings = {}) {
+    return all_text(read(replaced(minimal, "density = 2500", density), settings).problems);
+  };
+  for (const auto& [density, cure] : {std::pair{"density = 2.5", "write density = \"2.5 t/m3\""},
+                                      std::pair{"density = 25", "write unit_weight = \"25 kN/m3\""},
+                                      std::pair{"density = 25000", "write unit_weight = 25000"},
+                                      std::pair{"unit_weight = 25", "write unit_weight = \"25 kN/m3\""},
+                                      std::pair{"density = 0.1", "'density' is in kg/m3"}}) {
+    const std::string text = text_of(density);
+    EXPECT_NE(text.find("6:"), std::string::npos) << text;
+    EXPECT_NE(text.find("warning: material \"rock\" has a density of "), std::string::npos) << text;
+    EXPECT_NE(text.find(cure), std::string::npos) << text;
+  }
+  for (const char* usual :
+       {"density = 100", "density = 11340", "density = \"2.5 t/m3\"", "unit_weight = \"25 kN/m3\""})
+    EXPECT_EQ(text_of(usual), "") << usual;
+  EXPECT_EQ(text_of("density = 2.5", {"analysis.gravity=[0, 0]"}), "");
+}
+
 }  // namespace

@@ -254,6 +254,21 @@ TEST(FreeSides, BelowAreWarnedOfToo) {
       << warnings[1];
 }
 
+TEST(FreeSides, ThatAreHeldInTheMiddleAreWarnedOfOnBothSidesOfIt) {
+  const std::vector<std::string> warnings =
+      free_sides(slope(base + std::string("[[3, 1], [4, 1], [4, 2], [3, 2]]\n")));
+  ASSERT_EQ(warnings.size(), 4u);
+  EXPECT_NE(warnings[1].find("right side of the domain is not held between [4, 0] and [4, 1]"),
+            std::string::npos)
+      << warnings[1];
+  EXPECT_NE(warnings[2].find("right side of the domain is not held between [4, 2] and [4, 3]"),
+            std::string::npos)
+      << warnings[2];
+  EXPECT_NE(warnings[3].find("bottom side of the domain is not held between [0, 0] and [4, 0]"),
+            std::string::npos)
+      << warnings[3];
+}
+
 TEST(FreeSides, AreNoneWhereSupportsPressuresBlocksOrQuietBoundariesHoldThem) {
   const std::string below = base + std::string("[[0, 0], [4, 0], [4, 1], [0, 1]]\n");
   for (const std::string holder :
