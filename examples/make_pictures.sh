@@ -1,10 +1,11 @@
 #!/bin/sh
 # Pictures of the gallery from the examples.
-#   examples/make_pictures.sh DDA   the program, with its path
+#   examples/make_pictures.sh DDA [DIRECTORY]   the program, with its path; where they go, by default doc/
 set -e
 dda=$1
 here=$(cd "$(dirname "$0")" && pwd)
-doc=$here/../doc
+doc=${2:-$here/../doc}
+mkdir -p "$doc"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 for name in plane_failure two_wedges slope_two_sets; do
@@ -29,3 +30,6 @@ cp "$scratch/retaining/safety_moved.svg" "$doc/example_retaining_wall.svg"
 "$dda" plot "$scratch/bridge" --frame 80 --field s2 --forces -o "$doc/example_arch_bridge.svg"
 "$dda" run "$here/jointed_column.toml" -o "$scratch/column" --quiet
 "$dda" plot "$scratch/column" --frame 160 --field s2 -o "$doc/example_jointed_column.svg"
+for picture in $(grep -o 'example_[a-z_]*\.svg' "$here/../doc/gallery.md"); do
+  test -s "$doc/$picture" || { echo "$picture of the gallery is not made here" >&2; exit 1; }
+done
