@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace polyfem {
@@ -155,27 +157,164 @@ void evaluate_packet(std::span<const Corner<Edge>> corners, const LaneVector& x,
                    select(near_last_edge, (part - 1) * inner_sum - exchanged, N_last * terms[last].left));
 }
 
-template <class Edge>
-void evaluate_all(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) {
-  const std::span<const Corner<Edge>> corners = corners_of<Edge>(polygon);
+void evaluate_any_shape(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) {
+  const std::span<const Corner<PreciseEdge>> corners = corners_of<PreciseEdge>(polygon);
   thread_local std::vector<Term> terms;
   terms.resize(corners.size());
   for_each_packet(points, table, [&](const LaneVector& x, Index row, ShapeTable& to) {
-    evaluate_packet<Edge>(corners, x, terms, rows_from(row, to));
+    evaluate_packet<PreciseEdge>(corners, x, terms, rows_from(row, to));
   });
 }
 
-/// Whether at each corner b_i, over the square of the longer edge, is at least 0.05: then plain areas give
-/// the shape functions to 4e-15, and to about 2e-16 over the least such ratio otherwise.
-bool is_well_shaped(const PointsRef& polygon) {
-  const Index n = polygon.cols();
-  Vec2 in = polygon.col(0) - polygon.col(n - 1);
-  for (Index i = 0; i < n; ++i) {
-    const Vec2 out = polygon.col(i + 1 == n ? 0 : i + 1) - polygon.col(i);
-    if (!(cross(in, out) >= 0.05 * std::max(in.squaredNorm(), out.squaredNorm()))) return false;
-    in = out;
+/// Of the size of a polygon: the distance from an edge that is far. Gradients err by a few eps over it.
+constexpr double far = 1. / 32;
+
+/// What holds for some of the lanes.
+using Mask = decltype(Lanes{} < Lanes{});
+bool holds_for_all(const Mask& mask) {
+  bool all = true;
+  for (Index lane = 0; lane < n_lanes; ++lane) all = all && mask[lane];
+  return all;
+}
+
+/// A number that is the same for all points: in all lanes where spreading it takes an operation, else as it
+/// is.
+using Same = std::conditional_t<n_lanes == 2, Lanes, double>;
+inline Same same(double a) {
+  return a - Same{};
+}
+
+/// Corner i and edge i of a well-shaped polygon. Edges and b_i are scaled to a size of about 1, which cancels
+/// in all that is made of them.
+struct PlainCorner {
+  Same from_x, from_y, edge_x, edge_y;
+  Same b;           ///< b_i
+  Same least_area;  ///< a_i of points that are far enough from edge i
+
+  Lanes area(const LaneVector& x) const { return (from_x - x.x) * edge_y - (from_y - x.y) * edge_x; }
+};
+
+/// What the points of a packet have at vertex i.
+struct PlainTerm {
+  Lanes w;
+  LaneVector log;  ///< -r_i, turned right
+};
+
+/// N and grad N = N (r_i - sum_j N_j r_j) of points that are far from all edges: nothing large cancels there,
+/// and it takes half of the operations. Returns the lanes with such points.
+Mask evaluate_far_from_edges(std::span<const PlainCorner> corners, const LaneVector& x,
+                             std::span<PlainTerm> terms, const Destination& out) {
+  struct Edge {
+    Lanes inverse_area;
+    LaneVector log;
+  };
+  Mask is_far = Lanes{} == Lanes{};
+  const auto edge_of = [&](const PlainCorner& corner) {
+    const Lanes area = corner.area(x), inverse = 1 / area;
+    is_far &= area > corner.least_area;
+    return Edge{inverse, {inverse * corner.edge_x, inverse * corner.edge_y}};
+  };
+  Edge before = edge_of(corners.back());
+  const Edge last = before;
+  Lanes sum{};
+  LaneVector mean{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Edge edge = i + 1 == corners.size() ? last : edge_of(corners[i]);
+    PlainTerm& term = terms[i];
+    term.w = (before.inverse_area * edge.inverse_area) * corners[i].b;
+    term.log = before.log + edge.log;
+    sum += term.w;
+    mean += term.w * term.log;
+    before = edge;
   }
-  return true;
+  const Lanes inverse_sum = 1 / sum;
+  mean = inverse_sum * mean;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Lanes N = terms[i].w * inverse_sum;
+    const Index at = static_cast<Index>(i) * out.stride;
+    store(N, out.values + at);
+    store(N * (terms[i].log.y - mean.y), out.dx + at);
+    store(N * (mean.x - terms[i].log.x), out.dy + at);
+  }
+  return is_far;
+}
+
+/// The products of two areas, over those of the corners: on quadrilaterals nothing large cancels at any
+/// point.
+void evaluate_quadrilateral(std::span<const PlainCorner, 4> corners, const LaneVector& x,
+                            const Destination& out) {
+  Lanes a[4], w[4], dx[4], dy[4];
+  for (int k = 0; k < 4; ++k) a[k] = corners[k].area(x);
+  Lanes sum{}, sum_dx{}, sum_dy{};
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4, k = (i + 2) % 4;
+    const Lanes with_j = a[k] * corners[i].b, with_k = a[j] * corners[i].b;
+    w[i] = a[j] * with_j;
+    dx[i] = with_j * corners[j].edge_y + with_k * corners[k].edge_y;  // of -w
+    dy[i] = with_j * corners[j].edge_x + with_k * corners[k].edge_x;
+    sum += w[i];
+    sum_dx += dx[i];
+    sum_dy += dy[i];
+  }
+  const Lanes inverse_sum = 1 / sum;
+  for (int i = 0; i < 4; ++i) {
+    const Lanes N = w[i] * inverse_sum;
+    store(N, out.values + i * out.stride);
+    store((N * sum_dx - dx[i]) * inverse_sum, out.dx + i * out.stride);
+    store((dy[i] - N * sum_dy) * inverse_sum, out.dy + i * out.stride);
+  }
+}
+
+/// Corners of a polygon whose every b_i, over the square of the longer edge, is at least 0.05: then plain
+/// areas give the shape functions to 5e-15, and to about 2e-16 over the least such ratio otherwise. Empty for
+/// other polygons.
+std::span<const PlainCorner> plain_corners_of(const PointsRef& polygon) {
+  thread_local std::vector<PlainCorner> corners;
+  const Index n = polygon.cols();
+  corners.resize(static_cast<std::size_t>(n));
+  const double size = (polygon.rowwise().maxCoeff() - polygon.rowwise().minCoeff()).maxCoeff();
+  const double scale = std::scalbn(1., -2 * std::ilogb(size));  // rounds nothing
+  Vec2 in = polygon.col(0) - polygon.col(n - 1);
+  double in_square = in.squaredNorm();
+  for (Index i = 0; i < n; ++i) {
+    const Vec2 from = polygon.col(i), out = polygon.col(i + 1 == n ? 0 : i + 1) - from;
+    const double out_square = out.squaredNorm(), b = cross(in, out);
+    if (!(b >= 0.05 * std::max(in_square, out_square))) return {};
+    corners[static_cast<std::size_t>(i)] = {
+        same(from.x()),        same(from.y()),  same(scale * out.x()),
+        same(scale * out.y()), same(scale * b), same(far * size * scale * std::sqrt(out_square))};
+    in = out;
+    in_square = out_square;
+  }
+  return corners;
+}
+
+/// Points near an edge among those of a packet get what the formulas of the header give.
+void evaluate_well_shaped(const PointsRef& polygon, std::span<const PlainCorner> corners,
+                          const PointsRef& points, ShapeTable& table) {
+  thread_local std::vector<PlainTerm> plain_terms;
+  thread_local std::vector<Term> terms;
+  thread_local ShapeTable near;
+  plain_terms.resize(corners.size());
+  std::span<const Corner<PlainEdge>> all_corners;
+  for_each_packet(points, table, [&](const LaneVector& x, Index row, ShapeTable& to) {
+    if (corners.size() == 4) {
+      evaluate_quadrilateral(corners.first<4>(), x, rows_from(row, to));
+      return;
+    }
+    const Mask is_far = evaluate_far_from_edges(corners, x, plain_terms, rows_from(row, to));
+    if (holds_for_all(is_far)) return;
+    if (all_corners.empty()) all_corners = corners_of<PlainEdge>(polygon);
+    terms.resize(corners.size());
+    resize(near, n_lanes, polygon.cols());
+    evaluate_packet<PlainEdge>(all_corners, x, terms, rows_from(0, near));
+    for (Index lane = 0; lane < n_lanes; ++lane) {
+      if (is_far[lane]) continue;
+      to.values.row(row + lane) = near.values.row(lane);
+      to.dx.row(row + lane) = near.dx.row(lane);
+      to.dy.row(row + lane) = near.dy.row(lane);
+    }
+  });
 }
 
 }  // namespace
@@ -189,11 +328,12 @@ std::optional<Rejection> Wachspress::find_rejection(const PointsRef& polygon) co
 void Wachspress::evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const {
   assert(polygon.cols() >= 3);
   resize(table, points.cols(), polygon.cols());
-  if (is_well_shaped(polygon)) {  // so convex
-    evaluate_all<PlainEdge>(polygon, points, table);
+  if (const std::span<const PlainCorner> corners = plain_corners_of(polygon);
+      !corners.empty()) {  // so convex
+    evaluate_well_shaped(polygon, corners, points, table);
   } else {
     require_suitable(*this, polygon);
-    evaluate_all<PreciseEdge>(polygon, points, table);
+    evaluate_any_shape(polygon, points, table);
   }
 }
 
