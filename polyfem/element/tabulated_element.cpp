@@ -4,13 +4,27 @@
 namespace polyfem {
 namespace {
 
+/// Adds to a slope what makes its integral exact.
+void correct_slope(const double* weight, double exact, double per_area, double* slope, Index n_points) {
+  using Two = Eigen::Array2d;
+  Two sums = Two::Zero();
+  Index q = 0;
+  for (; q + 1 < n_points; q += 2)
+    sums += Eigen::Map<const Two>(weight + q) * Eigen::Map<const Two>(slope + q);
+  double sum = sums.sum();
+  if (q < n_points) sum += weight[q] * slope[q];
+  const double shift = per_area * (exact - sum);
+  for (q = 0; q + 1 < n_points; q += 2) Eigen::Map<Two>(slope + q) += shift;
+  if (q < n_points) slope[q] += shift;
+}
+
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
   const double per_area = 1 / element.area;
+  const double* const weight = element.rule.weights.data();
   for (Index i = 0; i < polygon.cols(); ++i) {
     const Vec2 exact = boundary_integral(polygon, i);
-    auto dx = element.dx.col(i), dy = element.dy.col(i);
-    dx.array() += per_area * (exact.x() - dx.dot(element.rule.weights));
-    dy.array() += per_area * (exact.y() - dy.dot(element.rule.weights));
+    correct_slope(weight, exact.x(), per_area, element.dx.col(i).data(), element.n_points());
+    correct_slope(weight, exact.y(), per_area, element.dy.col(i).data(), element.n_points());
   }
 }
 
