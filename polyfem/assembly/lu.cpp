@@ -51,7 +51,7 @@ bool Lu::factorize(SparseMatrix A) {
   f.require(umfpack_di_symbolic(n, n, columns, rows, values, &f.symbolic, f.control.data(), f.info.data()));
   f.require(
       umfpack_di_numeric(columns, rows, values, f.symbolic, &f.numeric, f.control.data(), f.info.data()));
-  return f.info[UMFPACK_RCOND] > std::numeric_limits<double>::epsilon();
+  return f.info[UMFPACK_RCOND] > n * std::numeric_limits<double>::epsilon();  // round-off grows with n
 }
 
 void Lu::solve(const VectorXd& b, VectorXd& x) const {
