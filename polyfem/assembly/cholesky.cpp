@@ -1,5 +1,6 @@
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/assembly/cholesky.hpp>
+#include <polyfem/assembly/single_precision_factor.hpp>
 #include <polyfem/assembly/supernodal_solution.hpp>
 #include <polyfem/core/error.hpp>
 #include <polyfem/core/out_of_memory.hpp>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,7 +23,7 @@ struct Cholesky::Factor {
   cholmod_factor* L = nullptr;
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;  // kept from solve to solve
   SupernodalSolution solution_of_groups;
-  std::vector<float> rounded;  ///< entries of L; empty: not yet
+  std::optional<SinglePrecisionFactor> rough;  ///< nothing: not yet
 
   Factor() {
     cholmod_start(&common);
@@ -55,6 +57,9 @@ struct Cholesky::Factor {
 };
 
 namespace {
+
+/// Operations an entry of L, from which on single precision gains more than the refinement takes.
+constexpr double much_work = 100;
 
 /// CHOLMOD asks OpenMP for threads of its own, whose waiting costs more than they bring: while this lives
 /// they are not given.
@@ -109,6 +114,7 @@ void Cholesky::analyze(const SparseMatrix& lower) {
   ++work_.n_analyses;
   const Stopwatch watch(work_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
+  factor_->rough.reset();
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
   factor_->L = cholmod_analyze(&A, &factor_->common);
@@ -130,6 +136,7 @@ void Cholesky::analyze(const SparseMatrix& lower, int ordering, const int* order
   ++work_.n_analyses;
   const Stopwatch watch(work_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
+  factor_->rough.reset();
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
   const int n_methods = std::exchange(factor_->common.nmethods, 1);
@@ -147,12 +154,29 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
   const NoThreads no_threads;
   if (lower.rows() == 0) return true;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
-  factor_->rounded.clear();
+  factor_->rough.reset();
   if (factor_->L->is_super) expect_room_for_blas(sizeof(double) * (factor_->L->xsize + factor_->L->maxcsize));
   cholmod_sparse A = view_of_lower(lower);
   cholmod_factorize(&A, factor_->L, &factor_->common);
   factor_->check("factorize", lower.rows());
   return factor_->L->minor == factor_->L->n;
+}
+
+bool Cholesky::factorize_roughly(const SparseMatrix& lower) {
+  assert(factor_->L || lower.rows() == 0);
+  if (lower.rows() == 0 || !factor_->L->is_super || factor_->common.fl < much_work * factor_->common.lnz)
+    return false;
+  const Stopwatch watch(work_.factorization);
+  expect_room_for_blas(sizeof(float) * (factor_->L->xsize + factor_->L->maxcsize));
+  factor_->rough.reset();
+  try {
+    factor_->rough = single_precision_factor(*factor_->L, lower);
+  } catch (const std::bad_alloc&) {
+    factor_->common.status = CHOLMOD_OUT_OF_MEMORY;
+    factor_->check("factorize", lower.rows());
+  }
+  if (factor_->rough) ++work_.n_factorizations;
+  return factor_->rough.has_value();
 }
 
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
@@ -180,8 +204,12 @@ void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
   }
   ++work_.n_solves;
   const Stopwatch watch(work_.solution);
-  if (factor_->rounded.empty()) factor_->rounded = single_precision_entries(*factor_->L);
-  factor_->solution_of_groups.solve(*factor_->L, factor_->rounded, b, x);
+  std::optional<SinglePrecisionFactor>& rough = factor_->rough;
+  if (!rough) rough = {VectorXd(), single_precision_entries(*factor_->L)};
+  const bool scaled = rough->scale.size() > 0;
+  const VectorXd scaled_b = scaled ? VectorXd(b.cwiseProduct(rough->scale)) : b;
+  factor_->solution_of_groups.solve(*factor_->L, rough->entries, scaled_b, x);
+  if (scaled) x.array() *= rough->scale.array();
 }
 
 int Cholesky::failed_row() const {
@@ -190,8 +218,7 @@ int Cholesky::failed_row() const {
 }
 
 double Cholesky::memory() const {
-  return static_cast<double>(factor_->common.memory_inuse) +
-         static_cast<double>(factor_->rounded.capacity() * sizeof(float)) +
+  return static_cast<double>(factor_->common.memory_inuse) + (factor_->rough ? factor_->rough->memory() : 0) +
          factor_->solution_of_groups.memory();
 }
 
@@ -199,7 +226,8 @@ double Cholesky::n_factor_entries() const {
   return factor_->L ? factor_->common.lnz : 0;
 }
 
-std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row) {
+std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row,
+                                      std::span<const int> group) {
   std::vector<int> order(first.size() - 1);
   if (order.empty()) return order;
   cholmod_sparse pattern{};
@@ -215,7 +243,9 @@ std::vector<int> minimum_degree_order(std::span<const int> first, std::span<cons
   cholmod_common common;
   cholmod_start(&common);
   common.print = 0;
-  const bool done = cholmod_amd(&pattern, nullptr, 0, order.data(), &common) != 0;
+  const bool done = (group.empty() ? cholmod_amd(&pattern, nullptr, 0, order.data(), &common)
+                                   : cholmod_camd(&pattern, nullptr, 0, const_cast<int*>(group.data()),
+                                                  order.data(), &common)) != 0;
   cholmod_finish(&common);
   if (!done) throw Error("CHOLMOD could not order a matrix of " + std::to_string(order.size()) + " rows");
   return order;

@@ -54,10 +54,14 @@ class Cholesky {
   void analyze(const SparseMatrix& lower, std::span<const int> order);
   /// Computes L for the analyzed pattern; false when K is not positive definite (nothing to solve with then).
   [[nodiscard]] bool factorize(const SparseMatrix& lower);
+  /// The same in single precision alone, of half the memory: then there are rough solutions only, see
+  /// `refined_solution`. False, and nothing is made, where it gains no time (small matrices), or where pivots
+  /// lose half of the digits: whether K is positive definite is not said by this.
+  [[nodiscard]] bool factorize_roughly(const SparseMatrix& lower);
   /// x = K^-1 b with the last factor.
   void solve(const VectorXd& b, VectorXd& x);
-  /// The same in single precision where L is supernodal: of large factors half as much is read, of a copy
-  /// that the first such solution makes.
+  /// The same in single precision where L is supernodal: of large factors half as much is read, of the rough
+  /// factor or of a copy that the first such solution makes.
   void solve_roughly(const VectorXd& b, VectorXd& x);
 
   /// The row whose pivot was not positive in the last factorization; -1 when all were.
@@ -85,6 +89,9 @@ class Cholesky {
 ///
 /// \param[in] first, row  the lower triangle with its diagonal: column c has the rows row[first[c]] ..
 ///                        row[first[c + 1] - 1], ascending
-std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row);
+/// \param[in] group       of each row: those of a lower group are eliminated before (CAMD); empty: all are of
+///                        one group
+std::vector<int> minimum_degree_order(std::span<const int> first, std::span<const int> row,
+                                      std::span<const int> group = {});
 
 }  // namespace polyfem

@@ -1,6 +1,8 @@
 #include <polyfem/assembly/field_problem.hpp>
 
+#include <polyfem/assembly/elimination_order.hpp>
 #include <polyfem/assembly/free_motion.hpp>
+#include <polyfem/assembly/refined_solution.hpp>
 #include <polyfem/core/error.hpp>
 
 #include <algorithm>
@@ -241,7 +243,10 @@ const VectorXd& FieldProblem::solve() {
   }
   VectorXd f = loads;
   prescribed_.move_to_right_hand_side(f);
-  cholesky_.solve(f, u_);
+  if (!rough_ || !refined_solution(matrix_.lower(), cholesky_, f, u_)) {
+    if (rough_) factorize_in_double_precision();
+    cholesky_.solve(f, u_);
+  }
   prescribed_.set_values(u_);
   reactions_ = prescribed_.forces(u_);
   for (int k = 0; k < n_unknowns(); ++k)
@@ -314,9 +319,16 @@ void FieldProblem::factorize() {
   if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), prescribed_, tied_))
     throw Error(words(*motion, *mesh_));
   if (cholesky_.n_analyses() == 0) {
-    const std::vector<int> order = minimum_degree_order(matrix_.first_neighbours(), matrix_.neighbours());
+    const std::vector<int> order =
+        elimination_order(*mesh_, cells_at_, matrix_.first_neighbours(), matrix_.neighbours());
     cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));
   }
+  factorized_ = rough_ = roughly_ && cholesky_.factorize_roughly(matrix_.lower());
+  if (!rough_) factorize_in_double_precision();
+}
+
+void FieldProblem::factorize_in_double_precision() {
+  rough_ = roughly_ = false;
   factorized_ = cholesky_.factorize(matrix_.lower());
   if (!factorized_) refuse_indefinite(cholesky_.failed_row());
 }

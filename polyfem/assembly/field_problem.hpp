@@ -36,6 +36,10 @@ struct Followed {
 /// of freedom, cost a substitution. With ties, or without symmetry, another value at a prescribed degree of
 /// freedom costs a factor as well.
 ///
+/// Large systems are factorized in single precision, of half the memory and time, and their solutions refined
+/// to the last digits of double precision (see `refined_solution`); where that fails, as in ill-conditioned
+/// systems, a factor in double precision takes its place.
+///
 /// Factors are made by the BLAS in use: `pin_blas_to_one_thread` first, if the last bits must not depend on
 /// the number of its threads (small problems are faster, too).
 class FieldProblem {
@@ -128,6 +132,7 @@ class FieldProblem {
   void add_loads_on(std::span<const std::array<int, n>> edges, const EdgeLoad& load);
   void factorize();
   void factorize_reduced();
+  void factorize_in_double_precision();
   [[noreturn]] void refuse_indefinite(int unknown) const;
 
   const PolygonMesh* mesh_;
@@ -141,6 +146,8 @@ class FieldProblem {
   Cholesky cholesky_;
   ReducedSystem reduced_;  ///< with ties or without symmetry
   bool assembled_ = false, factorized_ = false;
+  bool rough_ = false;   ///< the factor is in single precision: solutions are refined
+  bool roughly_ = true;  ///< factors in single precision are tried: none has been too little
   int first_negative_cell_ = -1, n_negative_cells_ = 0;  ///< cells whose matrices have a negative energy
 };
 

@@ -199,7 +199,7 @@ void SupernodalSolution::solve(const cholmod_factor_struct& L, const VectorXd& b
   solve(L, static_cast<const double*>(L.x), b, work_, x);
 }
 
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const std::vector<float>& entries,
+void SupernodalSolution::solve(const cholmod_factor_struct& L, const LargeVector<float>& entries,
                                const VectorXd& b, VectorXd& x) {
   const double largest = b.lpNorm<Eigen::Infinity>(), scale = largest > 0 ? largest : 1;
   solve(L, entries.data(), b / scale, rough_work_, x);
@@ -213,7 +213,7 @@ double SupernodalSolution::memory() const {
                              sizeof(float) * static_cast<std::size_t>(rough_work_.size()));
 }
 
-std::vector<float> single_precision_entries(const cholmod_factor_struct& L) {
+LargeVector<float> single_precision_entries(const cholmod_factor_struct& L) {
   const double* const x = static_cast<const double*>(L.x);
   return {x, x + L.xsize};
 }

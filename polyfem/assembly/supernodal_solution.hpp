@@ -1,6 +1,7 @@
 /// \file Solutions with a Cholesky factor whose columns are stored in dense groups.
 #pragma once
 
+#include <polyfem/core/large_vector.hpp>
 #include <polyfem/core/types.hpp>
 
 #include <vector>
@@ -23,7 +24,7 @@ class SupernodalSolution {
   /// The same in single precision.
   ///
   /// \param[in] entries  see single_precision_entries
-  void solve(const cholmod_factor_struct& L, const std::vector<float>& entries, const VectorXd& b,
+  void solve(const cholmod_factor_struct& L, const LargeVector<float>& entries, const VectorXd& b,
              VectorXd& x);
 
   /// Bytes that it holds.
@@ -53,6 +54,6 @@ class SupernodalSolution {
 };
 
 /// The entries of L, rounded.
-std::vector<float> single_precision_entries(const cholmod_factor_struct& L);
+LargeVector<float> single_precision_entries(const cholmod_factor_struct& L);
 
 }  // namespace polyfem

@@ -1,6 +1,7 @@
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/core/out_of_memory.hpp>
 #include <polyfem/core/parallel.hpp>
+#include <tests/support/grid_laplacian.hpp>
 
 #include <gtest/gtest.h>
 
@@ -12,23 +13,9 @@
 #include <vector>
 
 using namespace polyfem;
+using support::grid_laplacian;
 
 namespace {
-
-/// The lower triangle of the five-point Laplacian on a square grid plus a multiple of the identity.
-SparseMatrix grid_laplacian(int side, double shift) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const int k = y * side + x;
-      entries.emplace_back(k, k, 4 + shift);
-      if (x + 1 < side) entries.emplace_back(k + 1, k, -1);
-      if (y + 1 < side) entries.emplace_back(k + side, k, -1);
-    }
-  SparseMatrix lower(side * side, side * side);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
-}
 
 VectorXd random_vector(Index n) {
   std::mt19937 random(static_cast<unsigned>(n));
