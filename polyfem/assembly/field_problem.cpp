@@ -32,6 +32,9 @@ constexpr double largest_asymmetry = 1e-8;
 /// Energies above minus this, over the largest entry of a cell's matrix, may be those of rigid motions.
 constexpr double rigid_energy = 1e-10;
 
+/// By one factor: refinements of so many have taken as long as a factor in double precision does.
+constexpr int many_solutions = 8;
+
 /// The reason and the cure, or nothing when K is symmetric.
 std::string asymmetry(const MatrixXd& K, double largest) {
   const auto difference = K - K.transpose();
@@ -243,8 +246,12 @@ const VectorXd& FieldProblem::solve() {
   }
   VectorXd f = loads;
   prescribed_.move_to_right_hand_side(f);
+  if (rough_ && n_refined_++ == many_solutions) factorize_in_double_precision();
   if (!rough_ || !refined_solution(matrix_.lower(), cholesky_, f, u_)) {
-    if (rough_) factorize_in_double_precision();
+    if (rough_) {
+      roughly_ = false;
+      factorize_in_double_precision();
+    }
     cholesky_.solve(f, u_);
   }
   prescribed_.set_values(u_);
@@ -323,12 +330,13 @@ void FieldProblem::factorize() {
         elimination_order(*mesh_, cells_at_, matrix_.first_neighbours(), matrix_.neighbours());
     cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));
   }
-  factorized_ = rough_ = roughly_ && cholesky_.factorize_roughly(matrix_.lower());
+  factorized_ = rough_ = roughly_ = roughly_ && cholesky_.factorize_roughly(matrix_.lower());
+  n_refined_ = 0;
   if (!rough_) factorize_in_double_precision();
 }
 
 void FieldProblem::factorize_in_double_precision() {
-  rough_ = roughly_ = false;
+  rough_ = false;
   factorized_ = cholesky_.factorize(matrix_.lower());
   if (!factorized_) refuse_indefinite(cholesky_.failed_row());
 }

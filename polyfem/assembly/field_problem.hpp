@@ -37,8 +37,8 @@ struct Followed {
 /// freedom costs a factor as well.
 ///
 /// Large systems are factorized in single precision, of half the memory and time, and their solutions refined
-/// to the last digits of double precision (see `refined_solution`); where that fails, as in ill-conditioned
-/// systems, a factor in double precision takes its place.
+/// to the last digits of double precision (see `refined_solution`). Where that fails, as in ill-conditioned
+/// systems, a factor in double precision takes its place, and so it does for the ninth right hand side.
 ///
 /// Factors are made by the BLAS in use: `pin_blas_to_one_thread` first, if the last bits must not depend on
 /// the number of its threads (small problems are faster, too).
@@ -148,6 +148,7 @@ class FieldProblem {
   bool assembled_ = false, factorized_ = false;
   bool rough_ = false;   ///< the factor is in single precision: solutions are refined
   bool roughly_ = true;  ///< factors in single precision are tried: none has been too little
+  int n_refined_ = 0;    ///< solutions by the factor in single precision
   int first_negative_cell_ = -1, n_negative_cells_ = 0;  ///< cells whose matrices have a negative energy
 };
 

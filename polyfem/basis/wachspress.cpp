@@ -272,17 +272,18 @@ std::span<const PlainCorner> plain_corners_of(const PointsRef& polygon) {
   thread_local std::vector<PlainCorner> corners;
   const Index n = polygon.cols();
   corners.resize(static_cast<std::size_t>(n));
-  const double size = (polygon.rowwise().maxCoeff() - polygon.rowwise().minCoeff()).maxCoeff();
-  const double scale = std::scalbn(1., -2 * std::ilogb(size));  // rounds nothing
   Vec2 in = polygon.col(0) - polygon.col(n - 1);
   double in_square = in.squaredNorm();
+  const double scale = std::ldexp(1., -std::ilogb(in_square));  // rounds nothing
+  const double far_from =
+      n == 4 ? 0 : far * scale * (polygon.rowwise().maxCoeff() - polygon.rowwise().minCoeff()).maxCoeff();
   for (Index i = 0; i < n; ++i) {
     const Vec2 from = polygon.col(i), out = polygon.col(i + 1 == n ? 0 : i + 1) - from;
     const double out_square = out.squaredNorm(), b = cross(in, out);
     if (!(b >= 0.05 * std::max(in_square, out_square))) return {};
-    corners[static_cast<std::size_t>(i)] = {
-        same(from.x()),        same(from.y()),  same(scale * out.x()),
-        same(scale * out.y()), same(scale * b), same(far * size * scale * std::sqrt(out_square))};
+    corners[static_cast<std::size_t>(i)] = {same(from.x()),        same(from.y()),
+                                            same(scale * out.x()), same(scale * out.y()),
+                                            same(scale * b),       same(far_from * std::sqrt(out_square))};
     in = out;
     in_square = out_square;
   }

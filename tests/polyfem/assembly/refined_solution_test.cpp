@@ -66,6 +66,15 @@ TEST(RefinedSolution, IsThatOfDoublePrecision) {
   EXPECT_LT(relative_difference(u, beam.solution_in_double_precision()), 1e-12);
 }
 
+TEST(RefinedSolution, GivesWayToDoublePrecisionForManyRightHandSides) {
+  Beam beam(2, 8000);
+  const VectorXd first = beam.problem.solve();
+  EXPECT_EQ(beam.problem.n_factorizations(), 1);
+  for (int k = 0; k < 10; ++k) EXPECT_LT(relative_difference(beam.problem.solve(), first), 1e-12);
+  EXPECT_EQ(beam.problem.n_factorizations(), 2);
+  EXPECT_EQ(beam.problem.n_analyses(), 1);
+}
+
 TEST(RefinedSolution, OfASlenderBeamIsLeftToDoublePrecision) {
   Beam beam(60, 8000);
   const VectorXd u = beam.problem.solve();
