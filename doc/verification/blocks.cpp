@@ -8,7 +8,7 @@ constexpr const char* front = R"(# Blocks of any shape, against known answers
 
 Made by `bash doc/verification/make.sh`; every number, picture and yes or no below is computed by it. Blocks, contacts and time
 scheme are those of `preset = "default"`. Plane strain, thickness 1 m, tension positive. Errors are relative unless they have a
-unit. Of {} statements {} are seen.
+unit. Of {} checks {} pass.
 )";
 
 constexpr verification::Chapter chapters[] = {{"bending", verification::bending},

@@ -19,6 +19,6 @@ struct Chapter {
 /// status. \param[in] front      how the page begins; its two {} are the numbers of claims and of those seen
 /// \param[in] claims_of  the header of what is said
 int make_page(int argc, char** argv, const std::string& page, const char* front,
-              std::span<const Chapter> chapters, const char* claims_of = "asked");
+              std::span<const Chapter> chapters, const char* claims_of = "requirement");
 
 }  // namespace verification

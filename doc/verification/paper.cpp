@@ -10,7 +10,7 @@ Made by `bash doc/verification/make.sh`; every number, picture and yes or no bel
 [examples/paper](../../examples/paper), with `preset = "paper"`: Wachspress blocks as in Jiang et al. (2018), and the
 original DDA (`block_model = "affine"`). The text says what the paper says of its figures and whether it is seen here. The paper does
 not print the dimensions of its blocks, the contact stiffness, or its Voronoi cells, so shapes, signs and ratios are
-compared, not single values. Of {} statements {} are seen.
+compared, not single values. Of {} checks {} pass.
 )";
 
 constexpr verification::Chapter chapters[] = {{"sliding", verification::sliding_block},

@@ -34,7 +34,7 @@ void Report::picture(const std::string& name, const std::string& svg, const std:
 }
 
 void Report::claims(const std::vector<Claim>& claims) {
-  std::vector<std::vector<std::string>> rows{{claims_of_, "seen", "here"}};
+  std::vector<std::vector<std::string>> rows{{claims_of_, "pass", "value"}};
   for (const Claim& claim : claims) {
     rows.push_back({claim.said, claim.seen ? "yes" : "**no**", claim.here});
     ++n_claims_;

@@ -9,7 +9,7 @@ constexpr const char* front = R"(# Jointed rock
 
 Made by `bash doc/verification/make.sh`; every number and yes or no below is computed by it. Rock of 2500 kg/m3 and 35 GPa, joints
 closed at the start. The references are limit analyses of rigid blocks, `tests/support/limit_analysis`, in code of
-the tests' own. Of {} statements {} are seen.
+the tests' own. Of {} checks {} pass.
 )";
 
 constexpr verification::Chapter chapters[] = {{"flush_joints", jointed_rock::flush_joints},

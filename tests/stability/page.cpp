@@ -57,7 +57,7 @@ Claim Page::recorded(const std::string& said, const std::string& name) const {
 }
 
 void Page::write(const std::string& front) const {
-  std::string table = "| test | passes when | seen |\n|---|---|---|\n";
+  std::string table = "| test | passes when | value |\n|---|---|---|\n";
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Summary& summary = rows_[k];
     table += fmt::format("| {}. {} | {} | {} |\n", k + 1, summary.row.test, summary.row.passes_when,

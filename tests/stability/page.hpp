@@ -29,7 +29,7 @@ LongRecord read_long_record(const std::string& path);
 class Page {
  public:
   Page(const std::string& directory, LongRecord recorded)
-      : report_(directory, "asked"), recorded_(std::move(recorded)) {}
+      : report_(directory, "requirement"), recorded_(std::move(recorded)) {}
 
   /// Begins a row: a heading, when it passes, where else it is tested. Returns what to add to.
   Report& begin(const Row& row);

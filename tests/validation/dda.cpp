@@ -9,7 +9,7 @@ constexpr const char* front = R"(# Scenes with known answers
 
 Made by `bash doc/verification/make.sh`; every number, picture and yes or no below is computed by it. Scenes have
 `preset = "default"` unless said otherwise. Errors are relative unless they have a unit. Run times are processor times of one run
-on one core, and rough. Of {} statements {} are seen.
+on one core, and rough. Of {} checks {} pass.
 )";
 
 constexpr verification::Chapter chapters[] = {{"sliding", validation::sliding},

@@ -141,7 +141,7 @@ bool never_behind(const std::string& quantity, const std::vector<Measurement>& a
 }  // namespace
 
 void write_page(const std::filesystem::path& directory, const std::vector<Measurement>& all) {
-  verification::Report report(directory, "asked");
+  verification::Report report(directory, "requirement");
   std::vector<std::vector<std::string>> methods{{"method", "what it is"}};
   for (const Method& method : all_methods()) methods.push_back({method.name, method.description});
   report.table(methods);

@@ -45,7 +45,7 @@ class Bars {
   const Table& table() const { return table_; }
 
  private:
-  Table table_{{"aim", "seen", "reached"}};
+  Table table_{{"aim", "value", "reached"}};
 };
 
 std::string three_digits(double value) {
