@@ -64,7 +64,8 @@ struct Passage {
 };
 
 /// By what the line that is passed last is found: the time; of those that are not passed an earlier contact
-/// comes last, then the one that the motion violates least, beyond what it was violated before.
+/// comes last, then the one that the motion violates least, beyond what it was violated before; one that a
+/// vertex behind it moves away from is not what stops it and counts with all of its violation.
 struct Order {
   double time;
   bool kept;
@@ -73,7 +74,7 @@ struct Order {
   Order(const Candidate& of, const Passage& passage)
       : time(passage.time),
         kept(of.kept),
-        violation(std::min(passage.end_gap - std::min(of.gap, 0.0), 0.0)),
+        violation(std::min(passage.end_gap - (passage.end_gap > of.gap ? 0 : std::min(of.gap, 0.0)), 0.0)),
         end_gap(passage.end_gap) {}
   auto operator<=>(const Order&) const = default;
   /// Whether only round-off orders the two.
