@@ -55,6 +55,7 @@ struct Shown {
   Frame frame;
   Frame drawn;  ///< with displacements magnified
   std::vector<BoltLine> bolts;
+  Water water;
 };
 
 std::vector<Shown> read_frames(const PlotArguments& arguments) {
@@ -67,14 +68,16 @@ std::vector<Shown> read_frames(const PlotArguments& arguments) {
     const FrameSeries series = read_series(directory);
     const std::vector<std::string> names =
         arguments.names ? block_names(directory) : std::vector<std::string>();
+    const std::optional<Scene> scene = scene_of(directory);
     for (const std::string& word : words) {
       Frame frame = read_frame(frame_of(series, word, directory));
       if (arguments.magnify != 1) expect_field(frame, Field::displacement, directory);
       Frame drawn = arguments.magnify != 1 ? magnified(frame, arguments.magnify) : frame;
+      const Water water = scene ? water_at(directory, *scene, frame.step) : Water{};
       // Where bolts are is known at the end of the run, as it is.
       const bool has_bolts = arguments.magnify == 1 && frame.step == series.back().step;
       all.push_back({static_cast<int>(i), directory, name_of(directory), names, std::move(frame),
-                     std::move(drawn), has_bolts ? bolts_of(directory) : std::vector<BoltLine>()});
+                     std::move(drawn), has_bolts ? bolts_of(directory) : std::vector<BoltLine>(), water});
     }
   }
   return all;
@@ -117,6 +120,7 @@ PictureOptions picture_options(const PlotArguments& arguments, const std::vector
   }
   options.reference = arguments.reference;
   options.names = arguments.names;
+  options.thrust = arguments.thrust;
   options.vectors = vectors_to_show(arguments);
   options.sharing = arguments.own_range ? RangeSharing::none : RangeSharing::all;
   if (!arguments.range.empty()) options.range = colour_range(arguments.range, fields);
@@ -142,7 +146,7 @@ std::string blocks_picture(const PlotArguments& arguments) {
     for (const Field field : fields) {
       expect_field(shown.frame, field, shown.directory);
       panels.push_back({&shown.drawn, field, caption(arguments, shown), shown.block_names, shown.scene,
-                        &shown.frame, shown.bolts});
+                        &shown.frame, shown.bolts, shown.water});
     }
   }
   return draw(panels, options);
@@ -152,9 +156,9 @@ void check_call(const PlotArguments& arguments) {
   expect_picture_name(arguments.output);
   const bool curves = arguments.has_curves();
   const bool blocks = !arguments.fields.empty() || !arguments.frames.empty() || arguments.reference ||
-                      arguments.forces || arguments.crosses || arguments.names || arguments.magnify != 1 ||
-                      arguments.own_range || !arguments.vectors.empty() || !arguments.range.empty() ||
-                      !arguments.window.empty();
+                      arguments.forces || arguments.crosses || arguments.thrust || arguments.names ||
+                      arguments.magnify != 1 || arguments.own_range || !arguments.vectors.empty() ||
+                      !arguments.range.empty() || !arguments.window.empty();
   if (curves && blocks)
     throw CallError(
         "--history, --energy and --unbalanced draw curves; what belongs to pictures of blocks cannot be "
@@ -164,9 +168,9 @@ void check_call(const PlotArguments& arguments) {
 }
 
 bool are_of_scenes(const PlotArguments& a) {
-  return a.fields.empty() && a.frames.empty() && !a.reference && !a.forces && !a.crosses && !a.own_range &&
-         a.magnify == 1 && a.vectors.empty() && a.range.empty() && a.window.empty() && a.monitors.empty() &&
-         !a.has_curves();
+  return a.fields.empty() && a.frames.empty() && !a.reference && !a.forces && !a.crosses && !a.thrust &&
+         !a.own_range && a.magnify == 1 && a.vectors.empty() && a.range.empty() && a.window.empty() &&
+         a.monitors.empty() && !a.has_curves();
 }
 
 /// A scene has no results: options of these are refused.

@@ -10,7 +10,7 @@ struct PlotArguments {
   std::vector<std::string> directories;
   std::vector<std::string> fields, frames;  ///< empty: the usual one
   std::string output;
-  bool reference = false, forces = false, crosses = false, names = false, own_range = false;
+  bool reference = false, forces = false, crosses = false, thrust = false, names = false, own_range = false;
   bool numbers = false;               ///< of vertices and edges, in a scene
   std::vector<std::string> settings;  ///< PATH=VALUE of a scene
   std::string vectors;                ///< "displacement", "velocity" or empty

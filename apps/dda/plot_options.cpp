@@ -36,6 +36,8 @@ void declare_blocks(CLI::App& plot, PlotArguments& call) {
       ->check(CLI::IsMember({"displacement", "velocity"}))
       ->group(blocks);
   flag("--crosses", call.crosses, "Mean principal stresses of each block, as lines along their directions");
+  flag("--thrust", call.thrust,
+       "The line of thrust of masonry: through each block that two others load, from joint to joint");
   flag("--names", call.names, "Names of the blocks");
   flag("--numbers", call.numbers, "Of a scene: numbers of vertices and edges");
   plot.add_option("--magnify", call.magnify,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <ddacontact/output/csv_table.hpp>
+#include <ddacontact/output/summary_reader.hpp>
 #include <ddacontact/scene/reader.hpp>
 
 #include <algorithm>
@@ -66,6 +67,20 @@ std::vector<BoltLine> bolts_of(const fs::path& directory) {
   for (std::size_t k = 0; k < table.n_rows(); ++k)
     bolts.push_back({{xa[k], ya[k]}, {xb[k], yb[k]}, force[k], state[k]});
   return bolts;
+}
+
+Water water_at(const fs::path& directory, const Scene& scene, long step) {
+  if (scene.stages.empty()) return scene.water;
+  std::error_code error;
+  const fs::path path = directory / "summary.json";
+  const SummaryTable summary = fs::exists(path, error) ? read_summary(path) : SummaryTable{};
+  double end = 0;
+  for (std::size_t k = 0; k < scene.stages.size(); ++k) {
+    // A stage may end before its steps are made.
+    end += summary.number(fmt::format("stages.{}.steps", k)).value_or(scene.stages[k].analysis.steps);
+    if (static_cast<double>(step) <= end) return scene.stages[k].water;
+  }
+  return scene.stages.back().water;
 }
 
 std::string steps_text(const FrameSeries& series) {

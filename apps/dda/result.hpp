@@ -31,6 +31,9 @@ std::vector<std::string> block_names(const std::filesystem::path& directory);
 /// The bolts at the end of the run; nothing when it has none.
 std::vector<ddacontact::BoltLine> bolts_of(const std::filesystem::path& directory);
 
+/// The water at the end of a step: that of the stage which made it.
+ddacontact::Water water_at(const std::filesystem::path& directory, const ddacontact::Scene& scene, long step);
+
 /// The frame of `--frame WORD`: the number of a step, or "last". Throws CallError that lists what is there.
 const ddacontact::FrameFile& frame_of(const ddacontact::FrameSeries& series, const std::string& word,
                                       const std::filesystem::path& directory);

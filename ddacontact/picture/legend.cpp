@@ -61,6 +61,12 @@ LegendItem swatch(const Colour& colour, const std::string& text) {
   });
 }
 
+LegendItem line_sample(const std::string& style, const std::string& text) {
+  constexpr double length = 26;
+  return item(length, text,
+              [=](SvgPage& page, const Vec2& left) { page.line(left, left + Vec2(length, 0), style); });
+}
+
 LegendItem arrow_sample(VectorKind kind, Arrow::Look look, double longest, double pixels_per_unit,
                         const std::string& text) {
   const double value = round_below(longest), pixels = value * pixels_per_unit;

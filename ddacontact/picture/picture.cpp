@@ -5,6 +5,8 @@
 #include <ddacontact/picture/grid.hpp>
 #include <ddacontact/picture/panel_boxes.hpp>
 #include <ddacontact/picture/panel_contents.hpp>
+#include <ddacontact/picture/thrust_layer.hpp>
+#include <ddacontact/picture/water_layer.hpp>
 
 #include <algorithm>
 
@@ -61,7 +63,8 @@ class Picture {
 
   Window with_reference(const Panel& panel) const {
     const Window box = bounding_box(*panel.frame, false);
-    return options_.reference ? united(box, bounding_box(panel.shown_values(), true)) : box;
+    return with_water(options_.reference ? united(box, bounding_box(panel.shown_values(), true)) : box,
+                      panel.water);
   }
 
   void fit_panels() {
@@ -127,6 +130,7 @@ class Picture {
     if (!options_.window) include_arrows();
     for (int pass = 0; pass < 2; ++pass) {  // the legend takes room, and its samples are to scale
       legend_ = explanations(panels_, contents_, vectors_);
+      explain_overlays();
       if (fit_.same_scale) legend_.insert(legend_.begin(), scale_bar_of(0));
       needs_.below = legend_lines(legend_, legend_width()) * legend_line_height;
       if (pass == 0) grid_ = arrange(needs_);
@@ -136,6 +140,13 @@ class Picture {
       least_width_ = std::max(least_width_, 2 * page_margin + text_width(line, bold_factor * title_size));
     for (const LegendItem& item : legend_)
       least_width_ = std::max(least_width_, 2 * page_margin + item.width);
+  }
+
+  void explain_overlays() {
+    std::vector<Water> waters;
+    for (const Panel& panel : panels_) waters.push_back(panel.water);
+    for (LegendItem& item : water_explanations(waters, fit_.boxes)) legend_.push_back(std::move(item));
+    if (options_.thrust) legend_.push_back(thrust_explanation());
   }
 
   double legend_width() const { return std::max(grid_.width, 300.) - 2 * page_margin; }
@@ -180,6 +191,8 @@ class Picture {
     if (options_.reference) draw_reference(page_, view, panel.shown_values());
     draw_cell_edges(page_, view, frame);
     draw_outlines(page_, view, frame);
+    draw_water(page_, view, panel.water);
+    if (options_.thrust) draw_thrust(page_, view, frame);
     draw_bolts(page_, view, panel.bolts, largest_bolt_force(panels_));
     for (std::size_t k = 0; k < vectors_.size(); ++k)
       draw_arrows(page_, view, content.arrows[k], vectors_[k].kind, vectors_[k].pixels_per_unit);

@@ -4,6 +4,7 @@
 ///     std::string svg = draw({{.frame = &frame, .field = Field::s1, .caption = "after 300 steps"}}, {});
 #pragma once
 
+#include <ddacontact/core/water.hpp>
 #include <ddacontact/picture/arrows.hpp>
 #include <ddacontact/picture/bolt_layer.hpp>
 #include <ddacontact/picture/colour_scale.hpp>
@@ -25,6 +26,7 @@ struct Panel {
   const Frame* values =
       nullptr;  ///< whose fields are shown, where `frame` is this one magnified; null: `frame`
   std::vector<BoltLine> bolts{};
+  Water water{};  ///< at that moment
 
   const Frame& shown_values() const { return values ? *values : *frame; }
 };
@@ -43,6 +45,7 @@ struct PictureOptions {
   std::optional<Window> window{};     ///< the part of the scene to show; left out: all of every panel
   bool reference = false;             ///< where the blocks were at the start, dashed
   bool names = false;                 ///< of the blocks, at their centroids
+  bool thrust = false;                ///< the line of thrust, from joint to joint
   std::vector<VectorKind> vectors{};  ///< drawn on top, one after the other
 };
 

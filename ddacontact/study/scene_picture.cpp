@@ -5,6 +5,7 @@
 #include <ddacontact/picture/legend.hpp>
 #include <ddacontact/picture/svg.hpp>
 #include <ddacontact/picture/view.hpp>
+#include <ddacontact/picture/water_layer.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
@@ -20,8 +21,7 @@ constexpr double symbol = 9, arrow = 34;  // px
 constexpr double caption_height = 34, border = 12;
 constexpr double smallest_text = 5, number_size = 8, name_size = 12;
 
-const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110}, blue{20, 90, 200},
-    purple{120, 30, 140};
+const Colour red{190, 30, 45}, green{0, 110, 80}, grey{110, 110, 110}, purple{120, 30, 140};
 
 double size_of(const Points& polygon) {
   return std::sqrt(std::abs(polyfem::signed_area(polygon)));
@@ -64,7 +64,7 @@ class ScenePicture {
       box.low = box.low.cwiseMin(block.vertices.rowwise().minCoeff());
       box.high = box.high.cwiseMax(block.vertices.rowwise().maxCoeff());
     }
-    view_.box = padded(box, margin);
+    view_.box = padded(with_water(box, scene.water), margin);
     view_.corner = Vec2(border, scene.title.empty() ? border : caption_height);
     view_.scale = (options.width - 2 * border) / view_.box.width();
   }
@@ -77,8 +77,7 @@ class ScenePicture {
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) draw_fixed(static_cast<int>(b));
     for (const RockBolt& bolt : scene_.bolts) draw_bolt(bolt);
     for (const Load& load : scene_.loads) draw_load(load);
-    draw_table(scene_.water.table, "");
-    if (scene_.water.tells_joints()) draw_table(scene_.water.joint_table, " stroke-dasharray=\"6 4\"");
+    draw_water(page_, view_, scene_.water);
     if (options_.numbers)
       for (const BlockDescription& block : scene_.blocks) draw_numbers(block);
     if (options_.names)
@@ -182,22 +181,6 @@ class ScenePicture {
       arrow_to(load.kind == Load::Kind::point ? load.at : centroid(load.block), direction);
   }
 
-  /// A water table within the picture, level beyond its ends.
-  void draw_table(const Points& table, const std::string& dashes) {
-    if (table.cols() == 0) return;
-    std::vector<Vec2> points{{view_.box.low.x(), table(1, 0)}};
-    for (Index k = 0; k < table.cols(); ++k) points.emplace_back(table.col(k));
-    points.emplace_back(view_.box.high.x(), table(1, table.cols() - 1));
-    for (std::size_t k = 1; k < points.size(); ++k) {
-      Vec2 from = points[k - 1], to = points[k];
-      const Vec2 along = to - from;
-      if (from.x() < view_.box.low.x()) from += (view_.box.low.x() - from.x()) / along.x() * along;
-      if (to.x() > view_.box.high.x()) to -= (to.x() - view_.box.high.x()) / along.x() * along;
-      if (from.x() < to.x())
-        page_.line(view_(from), view_(to), "stroke=\"" + hex(blue) + "\" stroke-width=\"1.5\"" + dashes);
-    }
-  }
-
   /// A plate at each end of an anchored one.
   void draw_bolt(const RockBolt& bolt) {
     const Vec2 from = view_(bolt.from), to = view_(bolt.to), along = (to - from).normalized();
@@ -258,7 +241,7 @@ class ScenePicture {
     if (any_prescribed_) items.push_back(swatch(green, "held"));
     if (any_moving_) items.push_back(swatch(red, "moved"));
     if (any_load_) items.push_back(swatch(red, "load"));
-    if (scene_.water.any()) items.push_back(swatch(blue, "water table"));
+    for (LegendItem& item : water_explanations({scene_.water}, {view_.box})) items.push_back(std::move(item));
     if (!scene_.bolts.empty()) items.push_back(swatch(purple, "bolt"));
     if (!scene_.monitors.empty()) items.push_back(swatch({34, 34, 34}, "monitor"));
     return items;

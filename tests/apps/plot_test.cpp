@@ -185,4 +185,17 @@ TEST_F(Program, PlotNamesTheBlocksThatAreLeft) {
     EXPECT_EQ(picture.find(removed), std::string::npos) << removed;
 }
 
+/// The first stage of the dam has its water far below, the second one full.
+TEST_F(Program, PlotDrawsTheWaterOfTheStage) {
+  const std::string scene = "'" POLYDDA_EXAMPLES "/dam.toml'";
+  ASSERT_EQ(dda("run " + scene + " -o result --quiet --set output.every=20"), 0) << err_;
+  ASSERT_EQ(dda("plot result --frame 20 -o empty.svg"), 0) << err_;
+  EXPECT_EQ(read_file(directory_ / "empty.svg").find("water table"), std::string::npos);
+  ASSERT_EQ(dda("plot result --frame 40 --thrust -o full.svg"), 0) << err_;
+  const std::string full = read_file(directory_ / "full.svg");
+  for (const char* words : {">water table<", ">water table of joints<", ">line of thrust<"})
+    EXPECT_NE(full.find(words), std::string::npos) << words;
+  EXPECT_EQ(dda("plot " + scene + " --thrust -o scene.svg"), 2);
+}
+
 }  // namespace
