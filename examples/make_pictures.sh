@@ -13,7 +13,7 @@ for name in plane_failure two_wedges slope_two_sets; do
   cp "$scratch/$name/safety_moved.svg" "$doc/example_$name.svg"
 done
 "$dda" run "$here/arch_quarter_load.toml" --set parameters.load=-80e3 -o "$scratch/arch" --quiet
-"$dda" plot "$scratch/arch" --field s2 --forces -o "$doc/example_arch_quarter_load.svg"
+"$dda" plot "$scratch/arch" --field s2 --forces --thrust -o "$doc/example_arch_quarter_load.svg"
 "$dda" run "$here/wall_door.toml" --set parameters.push=9.5e3 -o "$scratch/wall" --quiet
 "$dda" plot "$scratch/wall" --field s2 --forces -o "$doc/example_wall_door.svg"
 "$dda" plot "$here/dam.toml" --names -o "$doc/example_dam.svg"

@@ -156,7 +156,7 @@ WaterRecord record_of(const Water& water) {
   if (water.table.cols() > 0) record.table = Outline{water.table, {}};
   record.density = water.density;
   record.joints = water.joint_table.cols() > 0;
-  if (*record.joints && water.tells_joints()) record.joint_table = Outline{water.joint_table, {}};
+  if (*record.joints) record.joint_table = Outline{water.joint_table, {}};
   return record;
 }
 
