@@ -4,6 +4,8 @@
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <utility>
 #include <vector>
@@ -21,23 +23,25 @@ struct LargePages {
   LargePages(const LargePages<U>&) {}
 
   T* allocate(std::size_t n) {
-    void* const memory =
-        mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::bad_alloc();
+    void* const memory = std::calloc(n, sizeof(T));
+    if (!memory) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-    madvise(memory, n * sizeof(T), MADV_HUGEPAGE);
+    constexpr std::uintptr_t page = 1 << 21;
+    const auto at = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t begin = (at + page - 1) / page * page, end = (at + n * sizeof(T)) / page * page;
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
     return static_cast<T*>(memory);
   }
-  /// Numbers that are given no value are the zeros of fresh pages, which need no memory until they are
-  /// touched: a vector of these is made in its size and does not grow again.
+  /// Numbers that are given no value are zeros, whose pages need no memory until they are touched: a vector
+  /// of these is made in its size and does not grow again.
   void construct(T*) {}
   template <class... Arguments>
   void construct(T* at, Arguments&&... arguments) {
     new (at) T(std::forward<Arguments>(arguments)...);
   }
-  void deallocate(T* memory, std::size_t n) {
-    munmap(memory, n * sizeof(T));
+  void deallocate(T* memory, std::size_t) {
+    std::free(memory);
   }
 
   template <class U>
@@ -46,7 +50,7 @@ struct LargePages {
   }
 };
 
-/// For arrays of megabytes; small ones waste most of a page.
+/// Of any size; pages of two megabytes are those inside it.
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
 
