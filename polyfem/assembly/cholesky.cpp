@@ -23,7 +23,8 @@ struct Cholesky::Factor {
   cholmod_factor* L = nullptr;
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;  // kept from solve to solve
   SupernodalSolution solution_of_groups;
-  std::optional<SinglePrecisionFactor> rough;  ///< nothing: not yet
+  SinglePrecisionFactor rough;  ///< made so, or of rounded entries without a scale
+  bool has_rough = false;       ///< `rough` is of the present matrix
 
   Factor() {
     cholmod_start(&common);
@@ -38,6 +39,15 @@ struct Cholesky::Factor {
     cholmod_free_dense(&solution, &common);
     cholmod_free_factor(&L, &common);
     cholmod_finish(&common);
+  }
+  /// Of another matrix. The memory of a rounded copy serves the next one.
+  void outdate_rough() {
+    if (rough.scale.size() > 0) rough = {};
+    has_rough = false;
+  }
+  void forget_rough() {
+    rough = {};
+    has_rough = false;
   }
   Factor(const Factor&) = delete;
   Factor& operator=(const Factor&) = delete;
@@ -114,7 +124,7 @@ void Cholesky::analyze(const SparseMatrix& lower) {
   ++work_.n_analyses;
   const Stopwatch watch(work_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
-  factor_->rough.reset();
+  factor_->forget_rough();
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
   factor_->L = cholmod_analyze(&A, &factor_->common);
@@ -136,7 +146,7 @@ void Cholesky::analyze(const SparseMatrix& lower, int ordering, const int* order
   ++work_.n_analyses;
   const Stopwatch watch(work_.analysis);
   cholmod_free_factor(&factor_->L, &factor_->common);
-  factor_->rough.reset();
+  factor_->forget_rough();
   if (lower.rows() == 0) return;
   cholmod_sparse A = view_of_lower(lower);
   const int n_methods = std::exchange(factor_->common.nmethods, 1);
@@ -154,7 +164,7 @@ bool Cholesky::factorize(const SparseMatrix& lower) {
   const NoThreads no_threads;
   if (lower.rows() == 0) return true;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == lower.rows());
-  factor_->rough.reset();
+  factor_->outdate_rough();
   if (factor_->L->is_super) expect_room_for_blas(sizeof(double) * (factor_->L->xsize + factor_->L->maxcsize));
   cholmod_sparse A = view_of_lower(lower);
   cholmod_factorize(&A, factor_->L, &factor_->common);
@@ -168,15 +178,18 @@ bool Cholesky::factorize_roughly(const SparseMatrix& lower) {
     return false;
   const Stopwatch watch(work_.factorization);
   expect_room_for_blas(sizeof(float) * (factor_->L->xsize + factor_->L->maxcsize));
-  factor_->rough.reset();
+  factor_->forget_rough();
   try {
-    factor_->rough = single_precision_factor(*factor_->L, lower);
+    if (std::optional<SinglePrecisionFactor> made = single_precision_factor(*factor_->L, lower)) {
+      factor_->rough = std::move(*made);
+      factor_->has_rough = true;
+      ++work_.n_factorizations;
+    }
   } catch (const std::bad_alloc&) {
     factor_->common.status = CHOLMOD_OUT_OF_MEMORY;
     factor_->check("factorize", lower.rows());
   }
-  if (factor_->rough) ++work_.n_factorizations;
-  return factor_->rough.has_value();
+  return factor_->has_rough;
 }
 
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
@@ -204,12 +217,18 @@ void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
   }
   ++work_.n_solves;
   const Stopwatch watch(work_.solution);
-  std::optional<SinglePrecisionFactor>& rough = factor_->rough;
-  if (!rough) rough = {VectorXd(), single_precision_entries(*factor_->L)};
-  const bool scaled = rough->scale.size() > 0;
-  const VectorXd scaled_b = scaled ? VectorXd(b.cwiseProduct(rough->scale)) : b;
-  factor_->solution_of_groups.solve(*factor_->L, rough->entries, scaled_b, x);
-  if (scaled) x.array() *= rough->scale.array();
+  SinglePrecisionFactor& rough = factor_->rough;
+  if (!factor_->has_rough) {
+    rough.scale.resize(0);
+    round_entries(*factor_->L, rough.entries);
+    factor_->has_rough = true;
+  }
+  if (rough.scale.size() == 0) {
+    factor_->solution_of_groups.solve(*factor_->L, rough.entries, b, x);
+    return;
+  }
+  factor_->solution_of_groups.solve(*factor_->L, rough.entries, b.cwiseProduct(rough.scale), x);
+  x.array() *= rough.scale.array();
 }
 
 int Cholesky::failed_row() const {
@@ -218,7 +237,7 @@ int Cholesky::failed_row() const {
 }
 
 double Cholesky::memory() const {
-  return static_cast<double>(factor_->common.memory_inuse) + (factor_->rough ? factor_->rough->memory() : 0) +
+  return static_cast<double>(factor_->common.memory_inuse) + factor_->rough.memory() +
          factor_->solution_of_groups.memory();
 }
 

@@ -213,9 +213,9 @@ double SupernodalSolution::memory() const {
                              sizeof(float) * static_cast<std::size_t>(rough_work_.size()));
 }
 
-LargeVector<float> single_precision_entries(const cholmod_factor_struct& L) {
+void round_entries(const cholmod_factor_struct& L, LargeVector<float>& entries) {
   const double* const x = static_cast<const double*>(L.x);
-  return {x, x + L.xsize};
+  entries.assign(x, x + L.xsize);
 }
 
 }  // namespace polyfem

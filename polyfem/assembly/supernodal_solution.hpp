@@ -23,7 +23,7 @@ class SupernodalSolution {
   void solve(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& x);
   /// The same in single precision.
   ///
-  /// \param[in] entries  see single_precision_entries
+  /// \param[in] entries  see round_entries
   void solve(const cholmod_factor_struct& L, const LargeVector<float>& entries, const VectorXd& b,
              VectorXd& x);
 
@@ -53,7 +53,7 @@ class SupernodalSolution {
   Eigen::VectorXf rough_work_;
 };
 
-/// The entries of L, rounded.
-LargeVector<float> single_precision_entries(const cholmod_factor_struct& L);
+/// The entries of L, rounded. Memory is taken where `entries` has too little.
+void round_entries(const cholmod_factor_struct& L, LargeVector<float>& entries);
 
 }  // namespace polyfem
