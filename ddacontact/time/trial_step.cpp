@@ -17,6 +17,9 @@ namespace {
 constexpr const char* cure_of_unsettled =
     " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it a "
     "smaller friction_angle)";
+constexpr const char* cure_of_penetrating =
+    " (corners that catch pass with contact.corner_rounding = 0.003; affine blocks with glued joints need "
+    "another block_model)";
 /// A step is solved again at most so often for contacts that closed fast and were not predicted.
 constexpr int most_impact_rounds = 4;
 
@@ -248,7 +251,8 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolut
           "contact forces did not come into balance" + between(report.worst_contact) + cure_of_unsettled;
       return;
     case ContactSolverStatus::penetrating:
-      solution.rejection = "penetration did not fall below its tolerance" + between(report.worst_contact);
+      solution.rejection = "penetration did not fall below its tolerance" + between(report.worst_contact) +
+                           cure_of_penetrating;
       return;
     case ContactSolverStatus::not_positive_definite:
       solution.rejection = "the equations are not positive definite";
