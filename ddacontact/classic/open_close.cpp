@@ -163,7 +163,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
 
   for (int pass = 0; pass < options.max_passes && report.iterations < options.max_iterations; ++pass) {
     if (!system.problem().factorize(terms, springs_in_states(contacts))) {
-      report.status = OpenCloseStatus::not_positive_definite;
+      report.status = SolutionStatus::not_positive_definite;
       return report;
     }
     const bool friction_to_find = has_friction_to_find(contacts);
@@ -175,7 +175,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
       ++report.iterations;
       compute_residual();
       if (!std::isfinite(r.largest)) {
-        report.status = OpenCloseStatus::not_finite;
+        report.status = SolutionStatus::not_finite;
         return report;
       }
     } while (friction_to_find && !r.balanced(options.residual_tolerance) &&
@@ -183,15 +183,15 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
 
     std::vector<Disagreement> disagreements = find_disagreements(d, contacts, terms);
     if (disagreements.empty() && r.balanced(options.residual_tolerance)) {
-      report.status = OpenCloseStatus::settled;
+      report.status = SolutionStatus::settled;
       return report;
     }
     const auto opening =
         std::find_if(disagreements.begin(), disagreements.end(), [&](const Disagreement& of) {
           return opens_or_closes(contacts[of.contact].history.state, of.state);
         });
-    report.status =
-        opening != disagreements.end() ? OpenCloseStatus::unsettled : OpenCloseStatus::friction_unsettled;
+    report.status = opening != disagreements.end() ? SolutionStatus::states_unsettled
+                                                   : SolutionStatus::friction_unsettled;
     report.disagreeing = opening != disagreements.end() ? static_cast<int>(opening->contact)
                          : disagreements.empty()        ? -1
                                                         : static_cast<int>(disagreements.front().contact);

@@ -1,6 +1,7 @@
 /// \file Open-close iteration: contact states that agree with the displacements they lead to.
 #pragma once
 
+#include <ddacontact/solver/solution_status.hpp>
 #include <ddacontact/solver/step_system.hpp>
 
 namespace ddacontact {
@@ -13,18 +14,9 @@ struct OpenCloseOptions {
   double residual_tolerance = 1e-8;  ///< of the residual's scale
 };
 
-/// Whether the states may be accepted; if not, the step is cut.
-enum class OpenCloseStatus {
-  settled,             ///< every state agrees and the residual passes
-  friction_unsettled,  ///< open and closed agree; stick and slip, or the size of friction, do not
-  unsettled,           ///< some contact is open that should be closed, or closed that should be open
-  not_positive_definite,
-  not_finite
-};
-
 /// How the iteration ended.
 struct OpenCloseReport {
-  OpenCloseStatus status = OpenCloseStatus::unsettled;
+  SolutionStatus status = SolutionStatus::states_unsettled;
   int iterations = 0;    ///< solutions of (13)
   Residual residual;     ///< at the end, for the states the contacts are left with
   int disagreeing = -1;  ///< a contact whose state did not agree in the last pass, -1: none

@@ -50,7 +50,7 @@ class ContactSolver {
         acceleration_(anderson_depth) {}
 
   ContactSolverReport solve() {
-    if (!d_.allFinite()) return end(ContactSolverStatus::not_finite);
+    if (!d_.allFinite()) return end(SolutionStatus::not_finite);
     system_.linearize(d_);
     contacts_.begin();
     for (std::size_t c = 0; c < states_.size(); ++c) {
@@ -68,7 +68,7 @@ class ContactSolver {
     system_.problem().contacts_changed();
     while (true) {
       if (!std::isfinite(report_.residual.block_relative) || !std::isfinite(report_.residual.largest))
-        return end(ContactSolverStatus::not_finite);
+        return end(SolutionStatus::not_finite);
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
         if (contacts_.are_close(d_, 1, report_.worst_contact)) {
           if (options_.is_static && release_bonds()) continue;
@@ -76,7 +76,7 @@ class ContactSolver {
           return settle();
         }
         if (report_.augmentations - before_front_ == options_.max_augmentations)
-          return end(ContactSolverStatus::penetrating);
+          return end(SolutionStatus::penetrating);
         contacts_.raise_multipliers(d_);
         ++report_.augmentations;
         restart();
@@ -271,7 +271,7 @@ class ContactSolver {
     best_ = infinity;
     since_best_ = 0;
     look();
-    if (!found.found) failure_ = ContactSolverStatus::not_positive_definite;
+    if (!found.found) failure_ = SolutionStatus::not_positive_definite;
     return found.found;
   }
 
@@ -287,7 +287,7 @@ class ContactSolver {
   ContactSolverReport settle() {
     contacts_.settle(negligible());
     contacts_.break_bonds(d_);
-    return end(ContactSolverStatus::settled);
+    return end(SolutionStatus::settled);
   }
 
   /// The contact with the largest force on the block that is furthest from balance; -1: it touches nothing.
@@ -306,9 +306,9 @@ class ContactSolver {
     return worst;
   }
 
-  ContactSolverReport end(ContactSolverStatus status) {
+  ContactSolverReport end(SolutionStatus status) {
     contacts_.end(d_);
-    if (status == ContactSolverStatus::unsettled) report_.worst_contact = find_unbalanced();
+    if (status == SolutionStatus::forces_unsettled) report_.worst_contact = find_unbalanced();
     report_.status = status;
     report_.tangent += tangent_.counts();
     return std::move(report_);
@@ -325,7 +325,7 @@ class ContactSolver {
   double best_ = infinity;
   int since_best_ = 0;
 
-  ContactSolverStatus failure_ = ContactSolverStatus::unsettled;  ///< how to end when nothing is left to try
+  SolutionStatus failure_ = SolutionStatus::forces_unsettled;  ///< how to end when nothing is left to try
   std::set<std::vector<unsigned char>> seen_;
   int changes_ = 0, solutions_of_states_ = 0;
   int first_disagreeing_ = 0;         ///< contacts, before the first change

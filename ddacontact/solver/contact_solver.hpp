@@ -2,6 +2,7 @@
 /// an interior-point method or sweeps. A step is solved to its residual, or reported as not solved.
 #pragma once
 
+#include <ddacontact/solver/solution_status.hpp>
 #include <ddacontact/solver/step_system.hpp>
 #include <ddacontact/solver/tangent_solver.hpp>
 
@@ -43,18 +44,9 @@ struct ContactSolverOptions {
   Skips skip = {};
 };
 
-/// Whether the step may be accepted; if not, it is cut.
-enum class ContactSolverStatus {
-  settled,      ///< the residual passes, and penetration is below its tolerance
-  unsettled,    ///< the residual does not pass
-  penetrating,  ///< the residual passes, penetration stays above its tolerance
-  not_positive_definite,
-  not_finite
-};
-
 /// How the contact solver ended, with what it took.
 struct ContactSolverReport {
-  ContactSolverStatus status = ContactSolverStatus::unsettled;
+  SolutionStatus status = SolutionStatus::forces_unsettled;
   int iterations = 0;  ///< solutions of (13)
   int augmentations = 0;
   int sweeps = 0;                 ///< over the contacts

@@ -193,7 +193,7 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
                                         std::vector<Contact>& contacts, VectorXd& d) {
   work_ = {};
   ContactSolverReport report;
-  report.status = ContactSolverStatus::settled;
+  report.status = SolutionStatus::settled;
   Residual& residual = report.residual;
   residual.external = whole.load_forces() + whole.gravity_forces();
   residual.force = -residual.external;
@@ -218,7 +218,7 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
       island->to_whole(std::move(own[c]), contacts[island->contacts[c]]);
     d(part.unknowns()) = own_d;
     island->add_to(report, of_own);
-    if (report.status != ContactSolverStatus::settled) return report;
+    if (report.status != SolutionStatus::settled) return report;
   }
   balance_at_rest(blocks, contacts, whole, options.directions, d, residual);
   return report;

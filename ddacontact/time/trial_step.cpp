@@ -13,13 +13,35 @@ namespace ddacontact {
 
 namespace {
 
-/// What a scene can do where no forces of contacts are found.
-constexpr const char* cure_of_unsettled =
-    " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it a "
-    "smaller friction_angle)";
-constexpr const char* cure_of_penetrating =
-    " (corners that catch pass with contact.corner_rounding = 0.003; affine blocks with glued joints need "
-    "another block_model)";
+/// Why a solution is rejected, and what a scene can do about it; empty: it is not.
+///
+/// \param[in] between  names two blocks
+std::string why_rejected(SolutionStatus status, const std::string& between) {
+  static constexpr const char* cure_of_unsettled =
+      " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it "
+      "a "
+      "smaller friction_angle)";
+  switch (status) {
+    case SolutionStatus::settled:
+      return "";
+    case SolutionStatus::friction_unsettled:
+      return "stick and slip did not settle" + between;
+    case SolutionStatus::states_unsettled:
+      return "open and closed contacts did not settle" + between + cure_of_unsettled;
+    case SolutionStatus::forces_unsettled:
+      return "contact forces did not come into balance" + between + cure_of_unsettled;
+    case SolutionStatus::penetrating:
+      return "penetration did not fall below its tolerance" + between +
+             " (corners that catch pass with contact.corner_rounding = 0.003; affine blocks with glued "
+             "joints need another block_model)";
+    case SolutionStatus::not_positive_definite:
+      return "the equations are not positive definite";
+    case SolutionStatus::not_finite:
+      break;
+  }
+  return "the solution is not finite";
+}
+
 /// A step is solved again at most so often for contacts that closed fast and were not predicted.
 constexpr int most_impact_rounds = 4;
 
@@ -195,23 +217,8 @@ void TrialStep::solve_by_open_close(TrialSolution& solution) {
   OpenCloseReport report = iterate_open_close(*system_, open_close_, contacts_, solution.d);
   counts_.open_close_iterations += report.iterations;
   solution.residual = std::move(report.residual);
-  switch (report.status) {
-    case OpenCloseStatus::settled:
-      return;
-    case OpenCloseStatus::friction_unsettled:
-      solution.friction_unsettled = true;
-      solution.rejection = "stick and slip did not settle" + between(report.disagreeing);
-      return;
-    case OpenCloseStatus::unsettled:
-      solution.rejection =
-          "open and closed contacts did not settle" + between(report.disagreeing) + cure_of_unsettled;
-      return;
-    case OpenCloseStatus::not_positive_definite:
-      solution.rejection = "the equations are not positive definite";
-      return;
-    case OpenCloseStatus::not_finite:
-      solution.rejection = "the solution is not finite";
-  }
+  solution.friction_unsettled = report.status == SolutionStatus::friction_unsettled;
+  solution.rejection = why_rejected(report.status, between(report.disagreeing));
 }
 
 void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolution* warm_start,
@@ -243,23 +250,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolut
   counts_.solver_fallbacks += report.tangent.fallbacks;
   solution.tolerance = report.tolerance;
   solution.residual = std::move(report.residual);
-  switch (report.status) {
-    case ContactSolverStatus::settled:
-      return;
-    case ContactSolverStatus::unsettled:
-      solution.rejection =
-          "contact forces did not come into balance" + between(report.worst_contact) + cure_of_unsettled;
-      return;
-    case ContactSolverStatus::penetrating:
-      solution.rejection = "penetration did not fall below its tolerance" + between(report.worst_contact) +
-                           cure_of_penetrating;
-      return;
-    case ContactSolverStatus::not_positive_definite:
-      solution.rejection = "the equations are not positive definite";
-      return;
-    case ContactSolverStatus::not_finite:
-      solution.rejection = "the solution is not finite";
-  }
+  solution.rejection = why_rejected(report.status, between(report.worst_contact));
 }
 
 std::string TrialStep::between(int contact) const {

@@ -45,7 +45,7 @@ struct OneStep {
 
 TEST(OpenClose, ABlockAtRestSticksAndItsResidualPasses) {
   const OneStep trial({0, 0});
-  EXPECT_EQ(trial.report.status, OpenCloseStatus::settled);
+  EXPECT_EQ(trial.report.status, SolutionStatus::settled);
   EXPECT_TRUE(trial.report.residual.balanced(1e-8));
   trial.expect_states(stick);
   for (const Contact& c : trial.contacts) EXPECT_TRUE(c.history.bonded && c.was_closed);
@@ -54,7 +54,7 @@ TEST(OpenClose, ABlockAtRestSticksAndItsResidualPasses) {
 TEST(OpenClose, ABlockPushedBeyondFrictionSlidesInTheSenseOfThePush) {
   for (double push : {-30e3, 30e3}) {
     const OneStep trial({push, 0});
-    EXPECT_EQ(trial.report.status, OpenCloseStatus::settled);
+    EXPECT_EQ(trial.report.status, SolutionStatus::settled);
     EXPECT_TRUE(trial.report.residual.balanced(1e-8));
     ASSERT_EQ(trial.contacts.size(), 2u);
     double friction = 0;
@@ -77,7 +77,7 @@ TEST(OpenClose, ABlockPushedBeyondFrictionSlidesInTheSenseOfThePush) {
 
 TEST(OpenClose, ABlockPulledHarderThanItsWeightLiftsOff) {
   const OneStep trial({5e3, 41e3});
-  EXPECT_EQ(trial.report.status, OpenCloseStatus::settled);
+  EXPECT_EQ(trial.report.status, SolutionStatus::settled);
   trial.expect_states(open);
   for (const Contact& c : trial.contacts) {
     EXPECT_TRUE(c.was_closed);
@@ -89,7 +89,7 @@ TEST(OpenClose, SettledStatesAgreeWithTheirSolution) {
   for (const Vec2& force :
        {Vec2(0, 0), Vec2(15e3, 0), Vec2(25e3, -10e3), Vec2(-30e3, 20e3), Vec2(35e3, 30e3)}) {
     const OneStep trial(force);
-    ASSERT_EQ(trial.report.status, OpenCloseStatus::settled);
+    ASSERT_EQ(trial.report.status, SolutionStatus::settled);
     for (const Contact& c : trial.contacts) {
       const Trial seen{.gap = c.gap - c.history.gap_offset,
                        .slip = c.end_slip,
@@ -110,7 +110,7 @@ TEST(OpenClose, WithoutContactsOneSolutionIsEnough) {
   VectorXd d;
   system.set_step(built.stepper->state(), step_start(built.stepper->state(), 0.1), 1e9);
   const OpenCloseReport report = iterate_open_close(system, {}, none, d);
-  EXPECT_EQ(report.status, OpenCloseStatus::settled);
+  EXPECT_EQ(report.status, SolutionStatus::settled);
   EXPECT_EQ(report.iterations, 1);
   EXPECT_EQ(report.disagreeing, -1);
 }

@@ -57,5 +57,5 @@ TEST(ContactSolver, EndsWhereDisplacementsAreNotFiniteBeforeContactsAreEvaluated
   system.set_step(state, step_start(state, 0.05), 1e9);
   VectorXd d = system.prescribed();
   d.setConstant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(solve_contacts(system, {}, contacts, d).status, ContactSolverStatus::not_finite);
+  EXPECT_EQ(solve_contacts(system, {}, contacts, d).status, SolutionStatus::not_finite);
 }
