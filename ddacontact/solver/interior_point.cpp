@@ -298,9 +298,11 @@ class InteriorPoint {
     return system_.problem().factorize(terms_, active_);
   }
 
-  /// As far as it looks that mu may fall, with what is known of the second order then. Returns mu.
+  /// As far as it looks that mu may fall, with what is known of the second order then. Returns mu; where no
+  /// contact acts yet, that of the start.
   double find_direction(double mean) {
     solve_for(0, 0, friction_tolerance);
+    if (mean == 0) return scale_ * scale_;
     const double length = longest(), part = std::max(mean_product(length) / mean, least_part),
                  mu = mean * part * part * part;
     solve_for(mu, length, friction_tolerance);

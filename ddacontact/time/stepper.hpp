@@ -141,8 +141,6 @@ class Stepper {
   /// middle of the last one and of this. Closes the accounts of the last one.
   void look_ahead(double dt);
   void forget_ahead();
-  /// Blocks that an impact of the next substep makes jump have the velocity before it at the present time.
-  void before_impact(const VectorXd& jump);
   bool is_interrupted();
   /// Discards all trials since the last accepted substep.
   void discard_trials();

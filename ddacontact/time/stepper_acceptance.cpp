@@ -89,7 +89,7 @@ void Stepper::look_ahead(double dt) {
       state_.velocity = (dt * state_.carried + before * (solution.straight / dt)) / (dt + before);
       // Central differences keep the energy less (v - v_before) M (v - v_before) / 8.
       if (stable_) tolerated_work_ += kinetic_energy(blocks_, solution.straight / dt - state_.carried) / 4;
-      if (solution.impact.changes()) before_impact(solution.impact.jump);
+      if (solution.impact.changes()) state_.velocity -= before / (dt + before) * solution.impact.jump;
       book_kinetic(kinetic_energy(blocks_, state_.velocity), energy_.now);
     } else {
       accepted_.counts.unknown_velocities = ++counts_.unknown_velocities;
@@ -97,21 +97,6 @@ void Stepper::look_ahead(double dt) {
     }
   }
   energy_.close_step(tolerated_work_);
-}
-
-void Stepper::before_impact(const VectorXd& jump) {
-  std::vector<char> touches(static_cast<std::size_t>(blocks_.n_blocks()), 0);
-  for (const ContactRecord& contact : contacts_)
-    if (contact.closed()) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    const Block& block = blocks_.block(b);
-    const Range& u = block.unknowns();
-    if (jump.segment(u.first, u.count).isZero(0)) continue;
-    auto velocity = state_.velocity.segment(u.first, u.count);
-    velocity = state_.carried.segment(u.first, u.count);
-    if (!touches[b] && blocks_.is_free(b))
-      velocity += state_.carried_dt / 2 * block.translations() * blocks_.gravity;
-  }
 }
 
 void Stepper::assess(double dt, const TrialSolution& solution, const BlockState& next) {

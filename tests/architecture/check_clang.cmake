@@ -13,6 +13,7 @@ function(check line source)
   string(JSON command GET "{${line}}" command)
   separate_arguments(flags UNIX_COMMAND "${command}")
   list(POP_FRONT flags compiler)
+  list(FILTER flags EXCLUDE REGEX "^(--param=|-Wno-subobject-linkage)")  # what GCC alone knows
   foreach(flag -o -c -include)  # go with the file named behind; the last names headers that GCC has precompiled
     list(FIND flags ${flag} place)
     if(NOT place EQUAL -1)

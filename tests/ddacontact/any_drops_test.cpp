@@ -44,3 +44,14 @@ TEST(AnyDrops, AnUWithStraightCornersMoves) {
   const AnyDrop drop = run_any_drop(47);
   EXPECT_EQ(drop.stopped_by, "");
 }
+
+/// Each of these has a step at whose end an impact of a block that touches another is yet to come. Its
+/// velocity was that of the middle of the step then, and its energy fell and came back by up to 2e-3.
+TEST(AnyDrops, ImpactsToComeLeaveTheVelocityAsItIs) {
+  for (const std::uint64_t seed : {59, 73, 237, 268, 304}) EXPECT_EQ(run_any_drop(seed).rises, 0) << seed;
+}
+
+/// An interior-point iteration that starts where no contact acts.
+TEST(AnyDrops, ContactsMayBeginToActOnTheWayToASolution) {
+  EXPECT_EQ(run_any_drop(1846).stopped_by, "");
+}
