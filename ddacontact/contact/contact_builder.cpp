@@ -254,28 +254,40 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
   return contacts;
 }
 
-const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, const VertexEdge& pair,
-                                                      std::span<const ContactRecord> previous) const {
-  for (const ContactRecord& old : previous)
-    if (old.lasts() && old.pair == pair) return &old;
+ContactBuilder::Kinship ContactBuilder::kinship(const BlockState& state, const VertexEdge& old,
+                                                const VertexEdge& pair) const {
+  if (old == pair) return Kinship::same;
   const Range& of_edge = blocks_.block(pair.edge_block).vertices();
   const auto edge_outline = state.position.middleCols(of_edge.first, of_edge.count);
+  if (old.vertex_block == pair.vertex_block && old.vertex == pair.vertex && !old.corner && !pair.corner &&
+      (goes_straight_on(edge_outline, old.edge, pair.edge) ||
+       goes_straight_on(edge_outline, pair.edge, old.edge)))
+    return Kinship::straight_on;
+  const double size = pair_size(pair.vertex_block, pair.edge_block);
+  return exchange_vertices(blocks_, state, near_corner * size, old, pair) ? Kinship::exchanged
+                                                                          : Kinship::none;
+}
+
+const ContactRecord* ContactBuilder::find_predecessor(const BlockState& state, const VertexEdge& pair,
+                                                      std::span<const VertexEdge> found,
+                                                      std::span<const ContactRecord> previous) const {
+  const ContactRecord* predecessor = nullptr;
+  Kinship nearest = Kinship::none;
   for (const ContactRecord& old : previous) {
-    const bool same_vertex = old.pair.vertex_block == pair.vertex_block && old.pair.vertex == pair.vertex;
-    if (old.lasts() && same_vertex && !old.pair.corner && !pair.corner &&
-        (goes_straight_on(edge_outline, old.pair.edge, pair.edge) ||
-         goes_straight_on(edge_outline, pair.edge, old.pair.edge)))
-      return &old;
+    const auto order = [&](const VertexEdge& of) { return std::pair(kinship(state, old.pair, of), &of); };
+    const auto of_pair = order(pair);
+    const auto comes_first = [&](const VertexEdge& other) { return order(other) < of_pair; };
+    if (!old.lasts() || of_pair.first >= nearest || std::ranges::any_of(found, comes_first)) continue;
+    predecessor = &old;
+    nearest = of_pair.first;
   }
-  const double near = near_corner * pair_size(pair.vertex_block, pair.edge_block);
-  for (const ContactRecord& old : previous)
-    if (old.lasts() && exchange_vertices(blocks_, state, near, old.pair, pair)) return &old;
-  return nullptr;
+  return predecessor;
 }
 
 Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pair,
+                                   std::span<const VertexEdge> found,
                                    std::span<const ContactRecord> previous) const {
-  const ContactRecord* old = find_predecessor(state, pair, previous);
+  const ContactRecord* old = find_predecessor(state, pair, found, previous);
   Contact contact = make_contact(state, pair, old ? old->history.normal : 0);
   const double fraction = contact.history.lock;
   if (old && !old->closed()) {
@@ -338,8 +350,11 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
     const std::vector<VertexEdge>& found = found_in_[begin];
     if (found.empty()) return;
     ContactsByPair old(previous, block_pair(found.front()));
-    for (std::size_t k = 0; k < found.size(); ++k)
-      contacts[first_found_[begin] + k] = carry_over(state, found[k], old.of(block_pair(found[k])));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const std::span of_blocks = std::ranges::equal_range(found, block_pair(found[k]), {}, block_pair);
+      contacts[first_found_[begin] + k] =
+          carry_over(state, found[k], of_blocks, old.of(block_pair(found[k])));
+    }
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
 }

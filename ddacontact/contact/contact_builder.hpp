@@ -92,13 +92,21 @@ class ContactBuilder {
   bool can_change(const BlockState& state, const VertexEdge& pair) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
-  /// The contact of `pair` with the history of its predecessor among `previous`, those of its blocks.
-  Contact carry_over(const BlockState& state, const VertexEdge& pair,
+  /// What a contact is of one of the step before: the same; of its vertex, with an edge that is collinear
+  /// with its own; where vertex meets vertex, of the other vertex with this one's edge. The first is the
+  /// nearest.
+  enum class Kinship { same, straight_on, exchanged, none };
+  Kinship kinship(const BlockState& state, const VertexEdge& old, const VertexEdge& pair) const;
+  /// The contact of `pair` with the history of its predecessor.
+  ///
+  /// \param[in] found     the contacts of its blocks, this one among them
+  /// \param[in] previous  those of the step before
+  Contact carry_over(const BlockState& state, const VertexEdge& pair, std::span<const VertexEdge> found,
                      std::span<const ContactRecord> previous) const;
-  /// The closed contact of the step before whose history this one carries on: the same, or that of the same
-  /// vertex with an edge that is collinear with this one, or, where vertex meets vertex, the one that the
-  /// other vertex made with this vertex's edge.
+  /// The closed contact of the step before whose history this one carries on: one has one successor, the
+  /// nearest and of those the first, so that no bond holds twice.
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
+                                        std::span<const VertexEdge> found,
                                         std::span<const ContactRecord> previous) const;
   /// \param[in] normal  its force at the end of the last step
   Contact make_contact(const BlockState& state, const VertexEdge& pair, double normal = 0) const;

@@ -50,7 +50,7 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
     std::vector<Contact> chosen;
     for (const VertexEdge& of : found) {
       const auto same = std::ranges::find(before, of, &Contact::pair);
-      chosen.push_back(same != before.end() ? *same : carry_over(state, of, old));
+      chosen.push_back(same != before.end() ? *same : carry_over(state, of, found, old));
     }
     const auto first = contacts.begin() + (before.data() - contacts.data());
     const auto at = contacts.erase(first, first + static_cast<std::ptrdiff_t>(before.size()));

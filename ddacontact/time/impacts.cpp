@@ -1,5 +1,6 @@
 #include <ddacontact/time/impacts.hpp>
 
+#include <ddacontact/block/motion_shape.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/time/islands.hpp>
@@ -74,6 +75,19 @@ void turn_about_centre(const Block& block, const Mat2& turn, VectorXd& velocity)
 }
 
 }  // namespace
+
+VectorXd without_impact(const BlockSystem& blocks, const BlockState& state, const StepImpact& impact,
+                        VectorXd velocity) {
+  if (!impact.changes()) return velocity;
+  velocity -= impact.jump;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (!blocks.is_free(b)) continue;
+    const Index at = blocks.block(b).coordinates().first + 2;
+    const double angle = state.coordinates[at] - impact.start.coordinates[at];
+    if (angle != 0) turn_about_centre(blocks.block(b), turned_by(angle), velocity);
+  }
+  return velocity;
+}
 
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt) {
   return std::max(0.1 * blocks.gravity.norm() * dt, 1e-9 * contact.size / dt);

@@ -47,6 +47,11 @@ StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const Co
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,
                           const std::vector<char>& forced);
 
+/// The velocity of a step as if its impacts were yet to come: less their jumps, in the frames of the blocks
+/// at the start of the step.
+VectorXd without_impact(const BlockSystem& blocks, const BlockState& state, const StepImpact& impact,
+                        VectorXd velocity);
+
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);
 

@@ -84,12 +84,10 @@ void Stepper::look_ahead(double dt) {
     counts_ = accepted_.counts;
     if (ahead_ && (ahead_->solution.rejection.empty() || ahead_->solution.friction_unsettled)) {
       const TrialSolution& solution = ahead_->solution;
-      // An impact is yet to come.
-      const double before = state_.carried_dt;
-      state_.velocity = (dt * state_.carried + before * (solution.straight / dt)) / (dt + before);
+      const VectorXd next = without_impact(blocks_, state_, solution.impact, solution.straight / dt);
+      state_.velocity = (dt * state_.carried + state_.carried_dt * next) / (dt + state_.carried_dt);
       // Central differences keep the energy less (v - v_before) M (v - v_before) / 8.
       if (stable_) tolerated_work_ += kinetic_energy(blocks_, solution.straight / dt - state_.carried) / 4;
-      if (solution.impact.changes()) state_.velocity -= before / (dt + before) * solution.impact.jump;
       book_kinetic(kinetic_energy(blocks_, state_.velocity), energy_.now);
     } else {
       accepted_.counts.unknown_velocities = ++counts_.unknown_velocities;

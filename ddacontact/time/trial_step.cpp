@@ -7,6 +7,8 @@
 #include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 namespace ddacontact {
@@ -17,29 +19,18 @@ namespace {
 ///
 /// \param[in] between  names two blocks
 std::string why_rejected(SolutionStatus status, const std::string& between) {
-  static constexpr const char* cure_of_unsettled =
-      " (glue the joint while blocks settle: joints = { NAME = { glued = true } } in a [[stage]]; or give it "
-      "a "
-      "smaller friction_angle)";
-  switch (status) {
-    case SolutionStatus::settled:
-      return "";
-    case SolutionStatus::friction_unsettled:
-      return "stick and slip did not settle" + between;
-    case SolutionStatus::states_unsettled:
-      return "open and closed contacts did not settle" + between + cure_of_unsettled;
-    case SolutionStatus::forces_unsettled:
-      return "contact forces did not come into balance" + between + cure_of_unsettled;
-    case SolutionStatus::penetrating:
-      return "penetration did not fall below its tolerance" + between +
-             " (corners that catch pass with contact.corner_rounding = 0.003; affine blocks with glued "
-             "joints need another block_model)";
-    case SolutionStatus::not_positive_definite:
-      return "the equations are not positive definite";
-    case SolutionStatus::not_finite:
-      break;
-  }
-  return "the solution is not finite";
+  static constexpr const char* of_unsettled =
+      " (smaller time_step or friction_angle; in a settling [[stage]]: joints = { NAME = { glued = true } })";
+  static const std::map<SolutionStatus, std::array<const char*, 2>> whys{
+      {SolutionStatus::friction_unsettled, {"stick and slip did not settle", ""}},
+      {SolutionStatus::states_unsettled, {"open and closed contacts did not settle", of_unsettled}},
+      {SolutionStatus::forces_unsettled, {"contact forces did not come into balance", of_unsettled}},
+      {SolutionStatus::penetrating,
+       {"penetration did not fall below its tolerance",
+        " (smaller time_step; contact.corner_rounding = 0.003; glued affine blocks: other block_model)"}},
+      {SolutionStatus::not_positive_definite, {"the equations are not positive definite", ""}},
+      {SolutionStatus::not_finite, {"the solution is not finite", ""}}};
+  return status == SolutionStatus::settled ? "" : whys.at(status)[0] + between + whys.at(status)[1];
 }
 
 /// A step is solved again at most so often for contacts that closed fast and were not predicted.
