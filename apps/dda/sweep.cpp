@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <ddacontact/output/csv_file.hpp>
@@ -20,6 +20,9 @@
 #include <ddacontact/study/sweep_results.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -207,16 +210,16 @@ class Sweep {
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_of(k).c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0644);
-    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    pid_t child = 0;
-    const int failure = posix_spawn(&child, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0) throw OutputError(fmt::format("cannot start a case: {}", std::strerror(failure)));
-    return child;
+    const std::string log = log_of(k).string();
+    const pid_t sweep = getpid(), child = fork();
+    if (child < 0) throw OutputError(fmt::format("cannot start a case: {}", std::strerror(errno)));
+    if (child > 0) return child;
+    // However the sweep ends, its cases end with it, and leave a checkpoint.
+    prctl(PR_SET_PDEATHSIG, SIGINT);
+    const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (getppid() == sweep && file >= 0 && dup2(file, STDERR_FILENO) >= 0 && dup2(file, STDOUT_FILENO) >= 0)
+      execv("/proc/self/exe", argv.data());
+    _exit(file_error);
   }
 
   void tell(int k) const {

@@ -109,6 +109,12 @@ Vec2 TimeFunction::at(double time, double end_time) const {
   }
 }
 
+double TimeFunction::last_change(double end_time) const {
+  const double risen = rise > 0 ? start + rise : 0;
+  if (kind == Kind::ramp) return std::max(risen, end_time);
+  return is_history() ? std::max(risen, history.back()[0]) : risen;
+}
+
 TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries) {
   TimeFunction function{kind, Vec2::Zero(), std::move(entries)};
   if (kind == TimeFunction::Kind::smooth_history) function.curve = spline(function.history);

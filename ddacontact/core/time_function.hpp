@@ -30,6 +30,8 @@ struct TimeFunction {
   bool is_history() const { return kind >= Kind::history; }
   /// `end_time` is the length the scene itself states: steps times time_step, of all stages.
   Vec2 at(double time, double end_time) const;
+  /// When it stops changing, s; 0 where it never changes or goes on at its rate for ever.
+  double last_change(double end_time) const;
 };
 
 /// Of entries in the sense of the kind, one of the histories.

@@ -168,6 +168,7 @@ CutBlock block_of(const polyfem::CutCells& cells, const polyfem::CutCell& cell, 
 
 /// By pairs: added one after the other, blocks of one size would all be rounded to the same side.
 double total_area(std::span<const CutBlock> blocks) {
+  if (blocks.empty()) return 0;
   if (blocks.size() == 1) return polyfem::signed_area(blocks.front().outline);
   const std::size_t half = blocks.size() / 2;
   return total_area(blocks.first(half)) + total_area(blocks.subspan(half));

@@ -4,6 +4,16 @@
 
 namespace ddacontact {
 
+namespace {
+
+/// A force that yields is at its bound up to round-off.
+bool reaches(double force, double bound) {
+  constexpr double round_off = 1e-12;
+  return std::abs(force) >= (1 - round_off) * bound;
+}
+
+}  // namespace
+
 BoltView::BoltView(const Bolt& bolt, const BlockSystem& blocks, const BlockState& state)
     : bolt_(bolt), bears_(bolt.installed) {
   if (!bears_) return;
@@ -19,13 +29,13 @@ double BoltView::elongation(int segment) const {
 }
 
 bool BoltView::slips(int node) const {
-  return bolt_.is_grouted() && std::abs(forces_.bond[node]) >= bolt_.bond_strength * bolt_.bonded[node];
+  return bolt_.is_grouted() && reaches(forces_.bond[node], bolt_.bond_strength * bolt_.bonded[node]);
 }
 
 const char* BoltView::state(int segment) const {
   if (!bears_) return "absent";
   if (numbers_[Bolt::torn(segment)] != 0) return "torn";
-  if (std::abs(forces_.axial[segment]) >= bolt_.yield) return "yield";
+  if (reaches(forces_.axial[segment], bolt_.yield)) return "yield";
   return slips(segment) || slips(segment + 1) ? "slip" : "elastic";
 }
 

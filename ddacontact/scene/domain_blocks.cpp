@@ -264,6 +264,9 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
     const CutDomain cut = cut_domain(reader.domain());
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
       if (auto block = reader.block(cut.blocks[b], b)) document.blocks.push_back(std::move(*block));
+    if (document.blocks.empty())
+      problems.error(document.domain->locations.of("boundary"), "nothing of the domain is left",
+                     "smaller openings, or a smaller 'snap' and 'sliver'");
     document.domain_counts = cut.counts;
     document.has_all_blocks = all;
   } catch (const TooManyBlocks& error) {

@@ -16,6 +16,7 @@ void snap_blocks(Document& document, ProblemList& problems) {
       return;  // that is told elsewhere
     outlines.push_back(block.vertices.points);
   }
+  if (outlines.empty()) return;
   const polyfem::Snapping snapping = polyfem::snap_outlines(outlines, *document.snap);
   if (snapping.collapsed) {
     const BlockRecord& block = document.blocks[*snapping.collapsed];

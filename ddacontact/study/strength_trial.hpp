@@ -10,7 +10,8 @@ namespace ddacontact {
 
 /// When a trial ends, and how.
 ///
-/// It rests after `steps_at_rest` steps in a row at whose end all forces are in balance and no vertex moves
+/// It rests after `steps_at_rest` steps in a row, all of them after the last change of a load, a support or
+/// the ground, at whose end all forces are in balance and no vertex moves
 /// faster than `rest_speed`, unless a vertex is then further than `slip` from where it was at the start: it
 /// has failed and found another place, where water, loads or joints may bear less on it. It moves when a
 /// vertex is further than `displacement` and forces are not in balance, or when some vertex has been further

@@ -195,6 +195,40 @@ TEST_F(Resume, ASignalLeavesACheckpoint) {
   }
 }
 
+TEST_F(Resume, CasesEndWithTheirSweepAndLeaveCheckpoints) {
+  write("long.toml", R"(format = 1
+[analysis]
+time_step = 0.001
+steps = 100000000
+[[material]]
+name = "rock"
+density = 2500
+young = "35 GPa"
+poisson = 0.3
+[[joint]]
+name = "interface"
+friction_angle = 20
+[[block]]
+material = "rock"
+vertices = [[-10, -1], [10, -1], [10, 0], [-10, 0]]
+fixed = true
+[[block]]
+material = "rock"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[output]
+every = 0
+)");
+  run_and_signal({"sweep", "long.toml", "--vary", "joint.interface.friction_angle=20,30", "-o", "swept",
+                  "--jobs", "1", "--quiet"},
+                 1000, SIGKILL);
+  const fs::path written = directory_ / "swept" / "case-1" / "summary.json";
+  for (int k = 0; k < 100 && !fs::exists(written); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ASSERT_TRUE(fs::exists(written));
+  EXPECT_EQ(summary("swept/case-1")["status"], "interrupted");
+  EXPECT_TRUE(fs::exists(directory_ / "swept" / "case-1" / "checkpoint.bin"));
+}
+
 TEST_F(Resume, AFullDiskKeepsTheLastCheckpoint) {
   write("staged.toml", staged_scene);
   const std::string settings = " --quiet --set output.checkpoint_every=5 --set output.every=0";

@@ -52,6 +52,46 @@ TEST(StrengthReduction, PlaneFailureHasTheFactorOfItsFormula) {
   }
 }
 
+/// Ten steps of balance before a load acts say nothing of it.
+TEST(StrengthReduction, WaitsForLoadsThatAreYetToCome) {
+  const double friction = 35, weight = 3 * density * gravity, push = weight * std::tan(radians(friction)) / 2;
+  Scene scene = rock({"floor", friction, 0, 0, std::nullopt});
+  add(scene, rectangle(-5, -1, 15, 1), true);
+  add(scene, rectangle(0, 0, 3, 1));
+  Load load;
+  load.block = 1;
+  load.at = {0, 0.2};
+  load.force = history_function(TimeFunction::Kind::history, {{0, 0, 0}, {0.5, 0, 0}, {1, push, 0}});
+  scene.loads = {load};
+  const FactorBracket bracket = factor_of(scene);
+  EXPECT_NEAR(bracket.low, 2, 0.02);
+  EXPECT_NEAR(bracket.high, 2, 0.02);
+}
+
+/// Straight vertices of the base at the toe of a block and ahead of it meet its face as it slips, and have no
+/// part in the cohesion, which counted up to three times.
+TEST(StrengthReduction, StraightVerticesAheadAddNoCohesion) {
+  const double slope = 30, length = 4, weight = length * density * gravity, cohesion = 20e3;
+  const double exact = std::tan(radians(20)) / std::tan(radians(slope)) +
+                       cohesion * length / (weight * std::sin(radians(slope)));
+  for (const std::vector<double>& straight :
+       {std::vector<double>{4.}, {3.99}, {3.97, 3.98, 3.99}, {4., 8.}}) {
+    Scene scene = rock({"plane", 20, cohesion, 0, std::nullopt});
+    std::vector<Vec2> top{{14, 0}};
+    for (auto x = straight.rbegin(); x != straight.rend(); ++x) top.emplace_back(*x, 0);
+    top.emplace_back(0, 0);
+    Points base(2, static_cast<Index>(top.size()) + 2);
+    base.col(0) = Vec2(0, -1);
+    base.col(1) = Vec2(14, -1);
+    for (std::size_t k = 0; k < top.size(); ++k) base.col(static_cast<Index>(k) + 2) = top[k];
+    add(scene, turned(base, radians(slope)), true);
+    add(scene, turned(rectangle(4, 0, length, 1), radians(slope)));
+    const FactorBracket bracket = factor_of(scene);
+    EXPECT_NEAR(bracket.low, exact, 0.01 * exact) << straight.front() << ' ' << straight.size();
+    EXPECT_NEAR(bracket.high, exact, 0.01 * exact);
+  }
+}
+
 /// A wedge of rock with a level top on a plane of 40 degrees and 14 m, 35 degrees of friction, 20 kPa of
 /// cohesion.
 struct WedgeOnPlane {
