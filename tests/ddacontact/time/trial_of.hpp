@@ -1,0 +1,70 @@
+/// \file The trial of a step, on its own: what a stepper makes of a scene, before its first step or after
+/// some.
+#pragma once
+
+#include <ddacontact/time/trial_step.hpp>
+#include <tests/ddacontact/simple_scenes.hpp>
+
+namespace support {
+
+/// Rock on which blocks step as by default, by that scheme.
+inline Scene default_mechanics(double time_step, Scheme scheme = Scheme::decaying) {
+  Scene scene = rock_scene(time_step, 1);
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = scheme;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  scene.materials[0].young = 1e11;
+  return scene;
+}
+
+/// A trial of the step that begins where a stepper stands.
+struct TrialOf {
+  BuiltScene built;
+  BlockSystem& blocks;
+  BlockState state;
+  std::vector<ContactRecord> contacts;
+  AnalysisOptions analysis;
+  ContactProperties properties;
+  StepCounts counts;
+  TrialStep trial;
+
+  explicit TrialOf(const Scene& scene, int steps_before = 0)
+      : built(build(scene)),
+        blocks(blocks_of(built)),
+        state((run(*built.stepper, steps_before), built.stepper->state())),
+        contacts(built.stepper->contacts()),
+        analysis(built.stepper->stages()[0].analysis),
+        properties(built.stepper->contact_properties()),
+        trial(blocks, state, contacts, analysis, properties, counts) {
+    trial.make_system();
+  }
+  TrialOf(const TrialOf&) = delete;
+  TrialOf& operator=(const TrialOf&) = delete;
+
+  double dt() const { return analysis.time_step; }
+  /// Contacts that go on with those of the stepper.
+  void detect(double margin = 0.05) {
+    trial.detect(dt(), std::vector<double>(static_cast<std::size_t>(blocks.n_blocks()), margin), true);
+  }
+  TrialSolution solve(double margin = 0.05) {
+    detect(margin);
+    return trial.solve(dt());
+  }
+  /// The mean over the vertices of a block.
+  Vec2 mean_motion(const VectorXd& d, int b) const {
+    Vec2 sum = Vec2::Zero();
+    for (int k = 0; k < blocks.block(b).n_vertices(); ++k) sum += blocks.block(b).vertex_map(k)(d);
+    return sum / blocks.block(b).n_vertices();
+  }
+  Vec2 velocity(const BlockState& of, int b) const {
+    return rigid_velocity(blocks.block(b), of.going_on()).linear;
+  }
+  double normal_force() const {
+    double sum = 0;
+    for (const Contact& contact : trial.contacts()) sum += contact.normal;
+    return sum;
+  }
+};
+
+}  // namespace support
