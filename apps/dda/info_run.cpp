@@ -38,6 +38,9 @@ void tell_rest(Answer& answer, const SummaryTable& summary) {
   if (*fastest > 0)
     answer.line(fmt::format("block {} moves fastest, {}", summary.text("fastest_block"),
                             quantity_text(*fastest, "m/s")));
+  if (const auto furthest = summary.number("furthest"); furthest && *furthest > 0)
+    answer.line(fmt::format("block {} has moved furthest, by {} of its size",
+                            summary.text("furthest_block"), number_text(*furthest, 2)));
   for (int k = 0; summary.number(fmt::format("stages.{}.steps", k + 1)); ++k) {
     const std::string stage = fmt::format("stages.{}.", k);
     const std::string name = summary.text(stage + "name");

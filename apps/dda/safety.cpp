@@ -101,6 +101,17 @@ std::string note_of_small_part(const SafetyFiles& files, const Scene& scene) {
          "remove these blocks to find it)\n";
 }
 
+/// What a search that ended without an answer knows, and how to go on.
+std::string without_answer(const FactorBracket& bracket, const StrengthTrial& last) {
+  const std::string rests = bracket.low > 0 ? fmt::format("; it rests at {:.5g}", bracket.low) : "",
+                    moves =
+                        std::isfinite(bracket.high) ? fmt::format("; it moves at {:.5g}", bracket.high) : "";
+  return fmt::format(
+      "no factor of safety: the trial at F = {:.5g} stopped without a verdict: {}{}{} (try a smaller "
+      "analysis.time_step, or --range beside this factor; all trials are in safety.csv)",
+      last.factor, last.reason, rests, moves);
+}
+
 /// In a line, for stdout.
 std::string answer(const FactorBracket& bracket, const SafetyFiles& files, const Scene& scene) {
   const StrengthTrial* first = files.first_to_move();
@@ -135,7 +146,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   files.finish(bracket, arguments.tolerance, reduction.unsettled(), wall.count());
   if (bracket.stopped) {
-    print_error("the last trial stopped without a verdict, see safety.csv");
+    print_error(without_answer(bracket, files.last()));
     return analysis_stopped;
   }
   fmt::print("{}\n", answer(bracket, files, scene));

@@ -1,5 +1,6 @@
 #include "sweep.hpp"
 
+#include "call_error.hpp"
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
 #include "messages.hpp"
@@ -116,23 +117,44 @@ class Sweep {
         waiting, n_jobs(), [&](int k) { running[start(k)] = k; }, wait_one);
   }
 
+  /// Of sweep.csv.
+  std::vector<std::string> columns() const {
+    std::vector<std::string> names{"case"};
+    names.insert(names.end(), cases_.paths.begin(), cases_.paths.end());
+    names.insert(names.end(),
+                 {"status", "steps_completed", "time", "max_displacement", "kinetic", "wall_seconds"});
+    for (const Outcome& outcome : outcomes_) names.push_back(outcome.name);
+    names.emplace_back("reason");
+    return names;
+  }
+
+  /// Throws Error where it is no column of sweep.csv.
+  void check_column(const std::string& name) const {
+    const std::vector<std::string> names = columns();
+    if (std::ranges::count(names, name) == 0)
+      throw Error(fmt::format("sweep.csv will have no column \"{}\" ({})", name,
+                              choice_among(name, {names.begin(), names.end()})));
+  }
+
   /// Whether any case has a result.
   /// \param[out] reason  why the first case that failed did so
   bool write_table(std::string& reason) const {
-    std::string header = "case";
-    for (const std::string& path : cases_.paths) header += ',' + path;
-    header += ",status,steps_completed,time,max_displacement,kinetic,wall_seconds";
-    for (const Outcome& outcome : outcomes_) header += ',' + outcome.name;
-    CsvFile csv((directory_ / "sweep.csv").string(), header + ",reason");
+    CsvFile csv((directory_ / "sweep.csv").string(), fmt::format("{}", fmt::join(columns(), ",")));
     bool any = false;
+    std::vector<bool> known(outcomes_.size());
     for (int k = 1; k <= n_cases(); ++k) {
       const CaseResult r = read_case(path_of(k), outcomes_, log_of(k));
       any = any || r.status != "failed";
       if (r.status == "failed" && reason.empty()) reason = r.reason;
       csv.row(k, cases_.rows[k - 1], r.status, r.steps_completed, r.time, r.max_displacement, r.kinetic,
               r.wall_seconds, r.outcomes, r.reason);
+      for (std::size_t i = 0; i < known.size(); ++i) known[i] = known[i] || !r.outcomes[i].empty();
     }
     csv.close();
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (any && !known[i])
+        fmt::print(stderr, "dda: warning: outcome \"{}\" is empty: no result has \"{}\"\n", outcomes_[i].name,
+                   outcomes_[i].path);
     return any;
   }
 
@@ -256,6 +278,10 @@ int sweep_all(const SweepArguments& arguments) {
   std::optional<MapColumns> map;
   if (!arguments.map.empty()) map = parse_map(arguments.map);
   Sweep sweep(arguments);
+  if (curve)
+    for (const std::string& column : {curve->first, curve->second}) sweep.check_column(column);
+  if (map)
+    for (const std::string& column : {map->x, map->y, map->value}) sweep.check_column(column);
   if (arguments.slurm) {
     sweep.write_slurm();
     if (!arguments.quiet)

@@ -3,6 +3,7 @@
 #include <ddacontact/output/block_summary.hpp>
 #include <ddacontact/output/bolt_view.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/run_verdict.hpp>
 #include <polyfem/basis/mean_value.hpp>
 
 #include <nlohmann/json.hpp>
@@ -323,6 +324,7 @@ void ResultDirectory::write_supports(const Stepper& stepper) {
 void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& summary) {
   const StepCounts& counts = stepper.counts();
   const Equilibrium& rest = stepper.equilibrium();
+  const FurthestMove furthest = furthest_move(stepper);
   const NameOfBlock name_of = [&](int block) {
     return block < 0 ? std::string() : labels_.block_names[block];
   };
@@ -367,6 +369,8 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"at_rest", stepper.is_at_rest()},
                                        {"fastest", rest.fastest},
                                        {"fastest_block", name_of(rest.fastest_block)},
+                                       {"furthest", furthest.of_size},
+                                       {"furthest_block", name_of(furthest.block)},
                                        {"stages", stages_of(stepper, name_of)},
                                        {"warnings", summary.warnings},
                                        {"analyses", stepper.times().analyses},

@@ -8,9 +8,9 @@ namespace ddacontact {
 
 namespace {
 
-std::string figure(double value) {
+std::string figure(double value, int digits = 2) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 
@@ -63,22 +63,21 @@ void add_other_shape(const Stepper& stepper, std::vector<std::string>& warnings)
   if (std::ranges::any_of(blocks.prescribed_dofs(), moves) ||
       std::ranges::any_of(blocks.fixed_vertices, moves))
     return;
-  const Points moved = blocks.displacements(stepper.state());
-  double furthest = another_shape;
-  int furthest_block = -1;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const Range& v = blocks.block(b).vertices();
-    if (!blocks.is_present(b)) continue;
-    const double largest =
-        moved.middleCols(v.first, v.count).colwise().norm().maxCoeff() / blocks.block(b).size();
-    if (largest <= furthest) continue;
-    furthest = largest;
-    furthest_block = b;
-  }
-  if (furthest_block >= 0)
+  const FurthestMove furthest = furthest_move(stepper);
+  if (furthest.of_size > another_shape)
     warnings.push_back("the static steps found an equilibrium, but of another shape: " +
-                       quoted_block(stepper, furthest_block) + " has moved by " + figure(furthest) +
+                       quoted_block(stepper, furthest.block) + " has moved by " + figure(furthest.of_size) +
                        " of its size (the scene as it is drawn has no equilibrium, or only one far from it)");
+}
+
+/// A last stage that came to rest before all that acts on it.
+void add_changes_to_come(const Stepper& stepper, const StageEnd& last, std::vector<std::string>& warnings) {
+  const double change = stepper.blocks().last_change();
+  if (last.came_to_rest && last.time < change)
+    warnings.push_back("'until' ended the last stage at t = " + figure(last.time, 6) +
+                       " s, but loads, supports or shaking change until t = " + figure(change, 6) +
+                       " s: what they do is not in the results (put what comes to rest before them into a "
+                       "stage of its own, or leave 'until' out)");
 }
 
 /// What two blocks press each other with at the end, over all their contacts.
@@ -144,11 +143,26 @@ void add_coarse_patches(const Stepper& stepper, const std::map<Pair, Pressing>& 
 
 }  // namespace
 
+FurthestMove furthest_move(const Stepper& stepper) {
+  const BlockSystem& blocks = stepper.blocks();
+  const Points moved = blocks.displacements(stepper.state());
+  FurthestMove furthest;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const Range& v = blocks.block(b).vertices();
+    if (!blocks.is_present(b)) continue;
+    const double of_size =
+        moved.middleCols(v.first, v.count).colwise().norm().maxCoeff() / blocks.block(b).size();
+    if (of_size > furthest.of_size) furthest = {b, of_size};
+  }
+  return furthest;
+}
+
 std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<std::string>& reasons) {
   std::vector<std::string> warnings;
   for (const StageEnd& end : stepper.stage_ends()) add_unmet_until(stepper, end, warnings);
   const StageEnd last = stepper.stage_end();
   add_unmet_until(stepper, last, warnings);
+  add_changes_to_come(stepper, last, warnings);
   const Equilibrium& e = last.equilibrium;
   const bool is_static = stepper.stages()[last.stage].analysis.mode == Mode::statics;
   if (is_static && e.in_balance()) add_other_shape(stepper, warnings);

@@ -8,6 +8,14 @@
 
 namespace ddacontact {
 
+/// Which block a vertex of has gone furthest from where it was drawn or put back, and how far in sizes of the
+/// block; -1 and 0: none has moved.
+struct FurthestMove {
+  int block = -1;
+  double of_size = 0;
+};
+FurthestMove furthest_move(const Stepper& stepper);
+
 /// Warnings, a line each with its cure: stages whose `until` never came true, a last stage that is static and
 /// ends out of balance, and what was seen on the way (RunWarnings).
 /// \param[in] reasons  why each block has its model, empty where the scene says so; none: all say so. Whoever

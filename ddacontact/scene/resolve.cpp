@@ -1,5 +1,6 @@
 #include <ddacontact/scene/resolve.hpp>
 
+#include <ddacontact/scene/edge_joint_check.hpp>
 #include <ddacontact/scene/free_sides.hpp>
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/overlap_check.hpp>
@@ -189,6 +190,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   }
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
   scene.joints = std::move(joints.joints);
+  if (apart && !problems.has_errors()) warn_of_two_joints_on_a_face(scene, blocks, problems);
   if (apart && holds_are_known(document, blocks, scene)) {
     check_statics(blocks, static_parts(scene), bolts.blocks, problems);
     warn_of_free_sides(document, scene, blocks, problems);

@@ -43,6 +43,7 @@ class SafetyFiles {
               double wall_seconds);
   /// The trial that moved at the lowest factor; null: none moved.
   const StrengthTrial* first_to_move() const;
+  const StrengthTrial& last() const { return trials_.back(); }
 
  private:
   void write_json(const FactorBracket& bracket, double tolerance, const std::string& unsettled,

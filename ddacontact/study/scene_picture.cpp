@@ -27,22 +27,14 @@ double size_of(const Points& polygon) {
   return std::sqrt(std::abs(polyfem::signed_area(polygon)));
 }
 
-/// That an edge of one of the blocks names, else by materials, else the first without any.
-int joint_between(const Scene& scene, int a, Index edge_a, int b, Index edge_b) {
-  for (const auto& [block, edge] : {std::pair{a, edge_a}, std::pair{b, edge_b}}) {
+/// That an edge of one of the blocks names, else that of the materials.
+int joint_of_face(const Scene& scene, int a, Index edge_a, int b, Index edge_b) {
+  const auto names_one = [&](int block, Index edge) {
     const std::vector<int>& joints = scene.blocks[block].edge_joints;
-    if (!joints.empty() && joints[edge] >= 0) return joints[edge];
-  }
-  const int p = scene.blocks[a].material, q = scene.blocks[b].material;
-  int general = 0;
-  for (int j = static_cast<int>(scene.joints.size()) - 1; j >= 0; --j)
-    if (!scene.joints[j].between) general = j;
-  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    const auto& between = scene.joints[j].between;
-    if (between && ((*between == std::array{p, q}) || (*between == std::array{q, p})))
-      return static_cast<int>(j);
-  }
-  return general;
+    return !joints.empty() && joints[edge] >= 0;
+  };
+  return names_one(b, edge_b) && !names_one(a, edge_a) ? scene.joint_of_edge(b, static_cast<int>(edge_b), a)
+                                                       : scene.joint_of_edge(a, static_cast<int>(edge_a), b);
 }
 
 void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces) {
@@ -51,7 +43,7 @@ void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces)
        touching_edges(p, q, edges_touch * std::min(size_of(p), size_of(q)))) {
     const Vec2 start = p.col(edge), along = p.col((edge + 1) % p.cols()) - start;
     faces.push_back(
-        {a, b, joint_between(scene, a, edge, b, other), start + from * along, start + to * along});
+        {a, b, joint_of_face(scene, a, edge, b, other), start + from * along, start + to * along});
   }
 }
 

@@ -68,22 +68,6 @@ void describe_end(const Stepper& stepper, const Way& way, double start_time, Str
       trial.moved_blocks.push_back(b);
 }
 
-/// When the last load, support or shaking stops changing, s.
-double last_change(const BlockSystem& blocks) {
-  double last = blocks.fading.to;
-  const auto include = [&](const TimeFunction& function) {
-    last = std::max(last, function.last_change(blocks.end_time));
-  };
-  for (const PointLoad& load : blocks.point_loads) include(load.force);
-  for (const PressureLoad& load : blocks.pressure_loads) include(load.pressure);
-  for (const BodyLoad& load : blocks.body_loads) include(load.force);
-  for (const QuietFace& face : blocks.quiet_faces) include(face.incoming);
-  for (const TimeFunction& acceleration : blocks.ground) include(acceleration);
-  for (const PrescribedDof& held : blocks.prescribed_dofs()) include(held.motion);
-  for (const FixedVertex& held : blocks.fixed_vertices) include(held.motion);
-  return last;
-}
-
 }  // namespace
 
 StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
@@ -100,7 +84,7 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
              most_steps = limits.time_factor * stage_steps;
   double first_half = 0, second_half = 0;
   int at_rest = 0, slipped = 0;
-  const auto changes = [&] { return stepper.state().time < last_change(stepper.blocks()); };
+  const auto changes = [&] { return stepper.state().time < stepper.blocks().last_change(); };
   while (trial.steps < most_steps || changes()) {
     if (!stepper.step()) return decide(Verdict::stopped, stepper.stop_reason());
     ++trial.steps;

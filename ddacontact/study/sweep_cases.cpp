@@ -42,6 +42,11 @@ std::vector<std::string> split(std::string_view text, char separator) {
               " (write PATH=a,b,c or PATH=from:to:count or PATH=1..100)");
 }
 
+bool are_numbers(const std::vector<std::string>& parts) {
+  return std::ranges::all_of(parts,
+                             [](const std::string& part) { return number_of<double>(part).has_value(); });
+}
+
 /// "1..100"; nothing when it is not of that form.
 std::vector<std::string> whole_numbers(std::string_view text, std::string_view of) {
   const std::size_t dots = text.find("..");
@@ -55,14 +60,15 @@ std::vector<std::string> whole_numbers(std::string_view text, std::string_view o
   return values;
 }
 
-/// "from:to:count"; nothing when it is not of that form.
+/// "from:to:count"; nothing when it is not numbers with colons.
 std::vector<std::string> even_numbers(std::string_view text, std::string_view of) {
   const std::vector<std::string> parts = split(text, ':');
-  if (parts.size() != 3) return {};
+  if (parts.size() < 2 || !are_numbers(parts)) return {};
+  if (parts.size() != 3) refuse(of, "has colons, but not from:to:count");
   const auto from = number_of<double>(parts[0]), to = number_of<double>(parts[1]);
   const auto count = number_of<long>(parts[2]);
-  if (!from || !to || !count) return {};
-  if (*count < 2 || *count > static_cast<long>(most_cases) || !std::isfinite(*from) || !std::isfinite(*to))
+  if (!count || *count < 2 || *count > static_cast<long>(most_cases) || !std::isfinite(*from) ||
+      !std::isfinite(*to))
     refuse(of, "is no range of at least two numbers");
   std::vector<std::string> values;
   for (long k = 0; k < *count; ++k) {
@@ -77,10 +83,13 @@ std::vector<std::string> even_numbers(std::string_view text, std::string_view of
 Variation parse_variation(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string_view::npos) refuse(text, "varies nothing");
-  const std::string_view values = text.substr(equals + 1);
-  Variation variation{std::string(text.substr(0, equals)), whole_numbers(values, text)};
-  if (variation.values.empty()) variation.values = even_numbers(values, text);
-  if (variation.values.empty()) variation.values = split(values, ',');
+  Variation variation{std::string(text.substr(0, equals)), {}};
+  for (const std::string& part : split(text.substr(equals + 1), ',')) {
+    std::vector<std::string> values = whole_numbers(part, text);
+    if (values.empty()) values = even_numbers(part, text);
+    if (values.empty()) values = {part};
+    variation.values.insert(variation.values.end(), values.begin(), values.end());
+  }
   if (std::ranges::count(variation.values, "") > 0) refuse(text, "has an empty value");
   return variation;
 }

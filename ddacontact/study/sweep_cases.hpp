@@ -15,8 +15,8 @@ struct Variation {
   std::vector<std::string> values;
 };
 
-/// PATH=VALUES with VALUES "a,b,c", "from:to:count" (both ends) or "1..100" (whole numbers, both ends).
-/// Throws Error that says what is wrong.
+/// PATH=VALUES with VALUES "a,b,c", "from:to:count" (both ends), "1..100" (whole numbers, both ends), or
+/// these between commas. Throws Error that says what is wrong.
 Variation parse_variation(std::string_view text);
 
 /// A sweep has at most so many cases.

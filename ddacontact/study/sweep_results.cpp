@@ -10,7 +10,8 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <numeric>
+#include <limits>
+#include <map>
 #include <optional>
 
 namespace ddacontact {
@@ -48,6 +49,19 @@ std::filesystem::path summary_file(const std::filesystem::path& directory) {
   for (const char* name : {"summary.json", "safety.json"})
     if (std::filesystem::exists(directory / name, error)) return directory / name;
   return {};
+}
+
+/// Of each row what was set besides two columns, "friction=20, seed=3".
+std::vector<std::string> other_settings(const CsvTable& rows, const std::string& x, const std::string& y) {
+  std::vector<std::string> texts(rows.n_rows());
+  const std::vector<std::string>& header = rows.header();
+  for (auto path = header.begin() + 1; path != header.end() && *path != "status"; ++path) {
+    if (*path == x || *path == y) continue;
+    const std::vector<std::string> values = rows.texts(*path);
+    for (std::size_t k = 0; k < texts.size(); ++k)
+      texts[k] += (texts[k].empty() ? "" : ", ") + *path + "=" + values[k];
+  }
+  return texts;
 }
 
 double largest_displacement(const std::filesystem::path& directory) {
@@ -110,21 +124,30 @@ CaseResult read_case(const std::filesystem::path& directory, const std::vector<O
 }
 
 std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y) {
+  constexpr std::size_t most_lines = 12;  // of colours that are told apart
   const CsvTable rows(table);
-  const std::vector<std::string> xs = rows.texts(x), ys = rows.texts(y), status = rows.texts("status");
-  std::vector<std::pair<double, double>> points;
+  const std::vector<std::string> xs = rows.texts(x), ys = rows.texts(y), status = rows.texts("status"),
+                                 others = other_settings(rows, x, y);
+  std::map<std::string, std::vector<std::pair<double, double>>> lines;
   for (std::size_t k = 0; k < xs.size(); ++k)
     if (const auto at = number_of(xs[k]), value = number_of(ys[k]); at && value && status[k] != "failed")
-      points.emplace_back(*at, *value);
-  if (points.empty()) throw Error("no case has numbers in both columns \"" + x + "\" and \"" + y + "\"");
-  std::ranges::sort(points);
-  Series curve{.name = y, .x = {}, .y = {}, .dots = true};
-  for (const auto& [at, value] : points) {
-    curve.x.push_back(at);
-    curve.y.push_back(value);
+      lines[others[k]].emplace_back(*at, *value);
+  if (lines.empty()) throw Error("no case has numbers in both columns \"" + x + "\" and \"" + y + "\"");
+  const bool dots_alone = lines.size() > most_lines;
+  std::vector<Series> series;
+  for (auto& [name, points] : lines) {
+    std::ranges::sort(points);
+    if (series.empty() || !dots_alone) series.push_back({.name = name, .x = {}, .y = {}, .dots = true});
+    for (const auto& [at, value] : points) {
+      series.back().x.push_back(at);
+      series.back().y.push_back(value);
+      if (!dots_alone) continue;
+      series.back().x.push_back(at);
+      series.back().y.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
   }
   const Chart chart{
-      .x_symbol = {x, "", ""}, .y_symbol = {y, "", ""}, .x_unit = "", .y_unit = "", .series = {curve}};
+      .x_symbol = {x, "", ""}, .y_symbol = {y, "", ""}, .x_unit = "", .y_unit = "", .series = series};
   return draw({chart}, {});
 }
 

@@ -40,8 +40,9 @@ std::string case_status(const std::filesystem::path& directory);
 /// The finite number that a cell of sweep.csv is.
 std::optional<double> number_of(const std::string& text);
 
-/// Two columns of a table as a curve, SVG; rows of failed cases and without both numbers are left out. Throws
-/// Error when a column is not there or no row has both.
+/// Two columns of a table as curves, SVG: one for each combination of the other settings, dots alone where
+/// these are many. Rows of failed cases and without both numbers are left out. Throws Error when a column is
+/// not there or no row has both.
 std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y);
 
 }  // namespace ddacontact

@@ -43,8 +43,24 @@ TEST_F(Program, SweepDrawsAMapOfTwoSettings) {
   for (const char* text : {">0.04<", ">0.08<", ">20<", ">30<", ">joint.0.friction_angle<"})
     EXPECT_NE(map.find(text), std::string::npos) << text;
   EXPECT_EQ(map.find(">95<"), std::string::npos);  // it failed
-  EXPECT_EQ(dda(call + "no_such"), 2);
-  EXPECT_NE(err_.find("no_such"), std::string::npos) << err_;
+}
+
+TEST_F(Program, SweepDrawsACurveForEachOfTheOtherSettings) {
+  ASSERT_EQ(dda("sweep " + slope +
+                " --vary joint.0.friction_angle=10,20 --vary analysis.steps=2,4 --quiet -o result"
+                " --curve joint.0.friction_angle,max_displacement"),
+            0)
+      << err_;
+  const std::string curves = read_file(directory_ / "result/sweep.svg");
+  for (const char* text : {">analysis.steps=2<", ">analysis.steps=4<"})
+    EXPECT_NE(curves.find(text), std::string::npos) << text;
+}
+
+TEST_F(Program, SweepWarnsOfAnOutcomeThatNoResultHas) {
+  ASSERT_EQ(dda("sweep " + slope + " --vary analysis.steps=2 --quiet -o result --outcome u=monitor.none.ux"),
+            0);
+  EXPECT_NE(err_.find("outcome \"u\" is empty: no result has \"monitor.none.ux\""), std::string::npos)
+      << err_;
 }
 
 TEST_F(Program, SweepGoesOnWhenACaseFailsAndSaysWhy) {
@@ -139,7 +155,10 @@ TEST_F(Program, SweepRefusesWrongCalls) {
         std::pair{"--vary a=1,2 --vary a=3", "twice"},
         std::pair{"--vary a=1,2 --case 3", "there are 2 cases"},
         std::pair{"--vary a=1 --outcome b", "NAME=PATH"}, std::pair{"--vary a=1 --curve b", "X,Y"},
-        std::pair{"--vary a=1 --map a,b", "X,Y,VALUE"}, std::pair{"--vary a=1 --range 1:2", "--safety"},
+        std::pair{"--vary a=1 --map a,b", "X,Y,VALUE"},
+        std::pair{"--vary a=1 --map a,time,kinetik", "no column \"kinetik\" (did you mean \"kinetic\"?"},
+        std::pair{"--vary a=1 --curve b,time", "no column \"b\""},
+        std::pair{"--vary a=1 --range 1:2", "--safety"},
         std::pair{"--vary no.such=1 --quiet", "no case could be run"}}) {
     EXPECT_EQ(dda("sweep " + slope + " -o result " + arguments), 2) << arguments;
     EXPECT_NE(err_.find(word), std::string::npos) << err_;

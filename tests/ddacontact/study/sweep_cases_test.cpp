@@ -15,6 +15,8 @@ TEST(Variation, ReadsListsRangesAndWholeNumbers) {
   EXPECT_EQ(parse_variation("a=0:1:5").values, (Values{"0", "0.25", "0.5", "0.75", "1"}));
   EXPECT_EQ(parse_variation("a=30:20:3").values, (Values{"30", "25", "20"}));
   EXPECT_EQ(parse_variation("seed=3..6").values, (Values{"3", "4", "5", "6"}));
+  EXPECT_EQ(parse_variation("seed=1..3,9").values, (Values{"1", "2", "3", "9"}));
+  EXPECT_EQ(parse_variation("a=0:1:2,\"1:2\"").values, (Values{"0", "1", "\"1:2\""}));
   EXPECT_EQ(parse_variation("a=7").values, Values{"7"});
   EXPECT_EQ(parse_variation("gravity=[0, -9.8],[1, -9.8]").values, (Values{"[0, -9.8]", "[1, -9.8]"}));
 }
@@ -26,7 +28,8 @@ TEST(Variation, BothEndsOfARangeAreExact) {
 }
 
 TEST(Variation, RefusesWhatVariesNothing) {
-  for (const char* text : {"", "a", "=1", "a=", "a=1,,2", "a=6..3", "a=0:1:1", "a=0:1:0"})
+  for (const char* text :
+       {"", "a", "=1", "a=", "a=1,,2", "a=6..3", "a=0:1:1", "a=0:1:0", "a=1:2", "a=0:1:2.5"})
     EXPECT_THROW(parse_variation(text), Error) << text;
 }
 
