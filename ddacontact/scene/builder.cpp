@@ -4,6 +4,7 @@
 #include <ddacontact/scene/bolt_path.hpp>
 #include <ddacontact/scene/joint_strengths.hpp>
 #include <ddacontact/scene/model_choice.hpp>
+#include <ddacontact/scene/record_notes.hpp>
 
 #include <map>
 #include <set>
@@ -52,6 +53,7 @@ class Builder {
     BlockSystem system = make_system();
     note_idle_velocities(system);
     note_domain();
+    for (std::string& note : scene_format::notes_on_records(scene_)) built_.notes.push_back(std::move(note));
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));

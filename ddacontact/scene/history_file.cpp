@@ -5,6 +5,7 @@
 #include <ddacontact/scene/text.hpp>
 #include <ddacontact/scene/units.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -66,6 +67,7 @@ class HistoryReader {
     if (problems_.size() == before && history_.entries.empty())
       problems_.error({source_, 1, 1}, "the file has no entries",
                       "give it rows of numbers below a header 't,x,y'");
+    if (problems_.size() == before) warn_of_missing_rows();
   }
 
  private:
@@ -127,12 +129,37 @@ class HistoryReader {
           "the time " + short_number(entry[0]) + " s is not later than that of the row before",
           "times must increase");
     history_.entries.push_back(entry);
+    lines_.push_back(line);
+  }
+
+  /// A record at even times with a few rows less: what is missing would pass as a straight line.
+  void warn_of_missing_rows() {
+    constexpr double same = 1e-3, of_even = 0.9;
+    const std::vector<Vec3>& entries = history_.entries;
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < entries.size(); ++k) steps.push_back(entries[k][0] - entries[k - 1][0]);
+    if (steps.empty()) return;
+    std::vector<double> sorted = steps;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    const double step = *middle;
+    const auto is_even = [&](double of) { return std::abs(of - step) <= same * step; };
+    const auto is_gap = [&](double of) { return of >= (2 - same) * step; };
+    const auto n_even = std::ranges::count_if(steps, is_even), n_gaps = std::ranges::count_if(steps, is_gap);
+    if (n_gaps == 0 || static_cast<double>(n_even) < of_even * static_cast<double>(steps.size())) return;
+    const std::size_t first = static_cast<std::size_t>(std::ranges::find_if(steps, is_gap) - steps.begin());
+    problems_.warning({source_, lines_[first + 1], 1},
+                      "rows may be missing: this one comes " + rounded(steps[first]) +
+                          " s after the one before, most come after " + rounded(step) + " s" +
+                          (n_gaps > 1 ? " (" + std::to_string(n_gaps) + " such gaps in all)" : ""),
+                      "add the rows; between two rows the record is a straight line");
   }
 
   std::shared_ptr<const std::string> source_;
   History& history_;
   ProblemList& problems_;
   std::vector<Column> columns_;
+  std::vector<int> lines_;  ///< of the entries
 };
 
 }  // namespace

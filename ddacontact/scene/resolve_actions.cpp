@@ -164,8 +164,11 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
     check_columns(record.velocity_history, "velocity_history", 3, locations, problems);
     check_columns(record.acceleration_history, "acceleration_history", 3, locations, problems);
     support.displacement = displacement_of(record);
-    if (support.displacement.kind == TimeFunction::Kind::smooth_history)
-      warn_of_sampling(record.history->entries, "history", locations, problems);
+    for (const auto& [history, key] : {std::pair{&record.history, "history"},
+                                       {&record.velocity_history, "velocity_history"},
+                                       {&record.acceleration_history, "acceleration_history"}})
+      if (locations.good(key) && support.displacement.kind != TimeFunction::Kind::history)
+        warn_of_sampling((*history)->entries, key, locations, problems);
     if (locations.written("interpolation") && !locations.written("history"))
       problems.error(locations.of("interpolation"), "'interpolation' without 'history'", "leave it out");
     const int n = n_vertices(support.block, document, blocks);
@@ -208,8 +211,11 @@ std::vector<Load> resolve_loads(const Document& document, const BlockTable& bloc
                                                            : record.force.value_or(Vec2::Zero());
     check_columns(record.history, "history", record.type == Load::Kind::pressure ? 2 : 3, locations,
                   problems);
-    if (locations.good("history"))
+    if (locations.good("history")) {
       load.force = history_function(TimeFunction::Kind::history, record.history->entries);
+      if (!record.history->file.empty())
+        warn_of_sampling(record.history->entries, "history", locations, problems);
+    }
     load.force.rise = record.ramp.value_or(0);
     loads.push_back(std::move(load));
   }

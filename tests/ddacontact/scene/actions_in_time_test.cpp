@@ -1,6 +1,7 @@
 /// \file Histories from tables and files, shaking of the ground, and water: read, refused, and written again.
 #include "geometry_scenes.hpp"
 
+#include <ddacontact/scene/record_notes.hpp>
 #include <ddacontact/scene/writer.hpp>
 
 #include <sstream>
@@ -115,6 +116,40 @@ TEST_F(ActionsInTime, CoarseRecordsAreWarnedOf) {
   write("record.csv", coarse.str());
   const std::string problem = problem_of(quake);
   EXPECT_NE(problem.find("warning: 'acceleration' is sampled coarsely"), std::string::npos) << problem;
+  for (const std::string key : {"velocity_history", "acceleration_history"}) {
+    const std::string of_support = problem_of(support + key + " = \"record.csv\"\n");
+    EXPECT_NE(of_support.find("'" + key + "' is sampled coarsely"), std::string::npos) << of_support;
+  }
+}
+
+TEST_F(ActionsInTime, MissingRowsAreWarnedOf) {
+  std::ostringstream record;
+  record << "t,ax\n";
+  for (int k = 0; k < 60; ++k)
+    if (k != 20 && k != 21 && k != 40) record << 0.01 * k << ',' << std::sin(0.3 * k) << '\n';
+  write("record.csv", record.str());
+  const std::string problem = problem_of(quake);
+  EXPECT_NE(problem.find("record.csv:22:1: warning: rows may be missing: this one comes 0.03 s after the one "
+                         "before, most come after 0.01 s (2 such gaps in all)"),
+            std::string::npos)
+      << problem;
+  write("record.csv", "t,ax\n0,0\n0.1,1\n0.2,0\n5,0\n");
+  EXPECT_TRUE(read_scene(quake).problems.empty());
+}
+
+TEST_F(ActionsInTime, RecordsAreNotedWithTheirPeakAndTheEndsOfTheirIntegrals) {
+  const std::string entries = "[[0, 0, 0], [1, 2, 0], [2, 2, 0], [3, 2, 0], [4, 0, 0]]\n";
+  for (const std::string& record :
+       {"[[quake]]\nacceleration = " + entries, support + ("acceleration_history = " + entries)}) {
+    const auto notes = ddacontact::scene_format::notes_on_records(scene_with_more(record));
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(
+        notes[0].find(": 5 entries from t = 0 to 4 s, the largest acceleration (2, 0) m/s2 at t = 1 s; taken "
+                      "as it is, without a correction of its baseline, it ends with the velocity (6, 0) m/s "
+                      "and the displacement (12, 0) m"),
+        std::string::npos)
+        << notes[0];
+  }
 }
 
 TEST_F(ActionsInTime, WaterIsReadAndWritten) {
