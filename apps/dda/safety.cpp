@@ -66,15 +66,18 @@ std::vector<int> joints_called(const std::vector<std::string>& wanted, const Sce
 /// A part of the blocks so small is worth a look before its factor is taken for that of all.
 constexpr double small_share = 0.05;
 
-/// Those of a joint with a residual friction angle go contact by contact, not all at once.
-void warn_of_brittle_bonds(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
-  for (const int joint : joints)
-    if (bonds_of(scene, {joint}) == "brittle")
-      fmt::print(stderr,
-                 "{}: warning: joint \"{}\" has a residual friction angle and loses its cohesion where it "
-                 "slips, and so fails from its ends: limit equilibrium, where all cohesion acts at once, "
-                 "gives a larger factor\n",
-                 file, name_of(scene, joint));
+/// A joint that weakens where it slips does so contact by contact, not all at once.
+void warn_of_brittle_joints(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
+  for (const int j : joints)
+    if (const Joint& joint = scene.stages.back().joints[j];
+        joint.residual_friction_angle &&
+        (bonds_of(scene, {j}) == "brittle" || *joint.residual_friction_angle < joint.friction_angle))
+      fmt::print(
+          stderr,
+          "{}: warning: joint \"{}\" has a residual friction angle and loses its peak strength where it "
+          "slips, and so fails from its ends: limit equilibrium, where all of the peak strength acts at "
+          "once, gives a larger factor\n",
+          file, name_of(scene, j));
 }
 
 void tell(const StrengthTrial& trial, const Scene& scene) {
@@ -130,7 +133,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   if (!reduction.unsettled().empty())
     fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
                arguments.scene, reduction.unsettled());
-  warn_of_brittle_bonds(reduction.scene(), joints, arguments.scene);
+  warn_of_brittle_joints(reduction.scene(), joints, arguments.scene);
   SafetyFiles files(arguments.directory, reduction.scene(), joints);
   const int at_once =
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());

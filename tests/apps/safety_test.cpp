@@ -84,14 +84,16 @@ TEST_F(Program, SafetySaysWhatBecomesOfCohesion) {
   };
   ASSERT_EQ(dda(coarsely), 0) << err_;
   EXPECT_EQ(cohesion(), "none");
+  ASSERT_EQ(dda(coarsely + " --set joint.0.residual_friction_angle=20"), 0) << err_;
+  EXPECT_NE(err_.find("loses its peak strength"), std::string::npos) << err_;
   ASSERT_EQ(dda(coarsely + " --set 'joint.0.cohesion=1 kPa'"), 0) << err_;
   EXPECT_EQ(cohesion(), "ductile");
-  EXPECT_EQ(err_.find("loses its cohesion"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("loses its peak strength"), std::string::npos) << err_;
   EXPECT_NE(out_.find("outlast slip"), std::string::npos) << out_;
   ASSERT_EQ(dda(coarsely + " --set 'joint.0.cohesion=1 kPa' --set joint.0.residual_friction_angle=30"), 0)
       << err_;
   EXPECT_EQ(cohesion(), "brittle");
-  EXPECT_NE(err_.find("joint \"interface\" has a residual friction angle and loses its cohesion"),
+  EXPECT_NE(err_.find("joint \"interface\" has a residual friction angle and loses its peak strength"),
             std::string::npos)
       << err_;
 }
