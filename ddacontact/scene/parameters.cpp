@@ -85,7 +85,7 @@ class Substitution {
     problems_.error(
         location_of(text, problems_), "unknown parameter '" + excerpt(written) + "'",
         known.empty() ? "write it in [parameters]" : suggestion(written.substr(1), "parameter", known));
-    text = std::string(written) + std::string(assigned) + "0";
+    text = std::string(written) + std::string(assigned);
   }
 
   const Values& values_;
@@ -102,6 +102,11 @@ void put_parameters(toml::table& root, ProblemList& problems) {
 
 bool is_parameter(std::string_view text) {
   return text.starts_with('$') && text.find(assigned) != std::string_view::npos;
+}
+
+bool is_unknown_parameter(const toml::node& node) {
+  const auto* text = node.as_string();
+  return text && is_parameter(text->get()) && text->get().ends_with(assigned);
 }
 
 QuantityReading read_parameter(std::string_view text, std::string_view unit, std::string_view other_unit) {

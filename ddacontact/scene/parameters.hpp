@@ -1,6 +1,7 @@
 /// \file [parameters]: numbers that a scene calls "$name" wherever a number stands.
 ///
-/// A value "$name" becomes "$name = VALUE", with the place that it had; readers of numbers take VALUE.
+/// A value "$name" becomes "$name = VALUE", with the place that it had; readers of numbers take VALUE. Of an
+/// unknown name it is "$name = ", which no reader takes.
 #pragma once
 
 #include <ddacontact/scene/toml_file.hpp>
@@ -18,6 +19,8 @@ void put_parameters(toml::table& root, ProblemList& problems);
 
 /// Whether a string stands for a parameter with its value.
 bool is_parameter(std::string_view text);
+/// Whether it stands for a parameter that has none: that is a problem already.
+bool is_unknown_parameter(const toml::node& node);
 /// The VALUE of such a string, see read_quantity; it may be without a unit.
 QuantityReading read_parameter(std::string_view text, std::string_view unit, std::string_view other_unit);
 

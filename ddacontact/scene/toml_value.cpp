@@ -24,13 +24,15 @@ std::string ValueReader::element_name(int row, int column) const {
 
 bool ValueReader::wrong_type(const toml::node& node, const std::string& name,
                              const std::string& expected) const {
-  problems_.error(location_of(node, problems_), "'" + name + "' is " + description_of(node),
-                  "expected " + expected);
+  if (!is_unknown_parameter(node))
+    problems_.error(location_of(node, problems_), "'" + name + "' is " + description_of(node),
+                    "expected " + expected);
   return false;
 }
 
 bool ValueReader::unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const {
   const std::string& word = node.as_string()->get();
+  if (is_unknown_parameter(node)) return false;
   problems_.error(location_of(node, problems_),
                   "'" + std::string(key_.name) + "' = '" + excerpt(word) + "' is not known",
                   suggestion(word, "word", known));
@@ -39,6 +41,7 @@ bool ValueReader::unknown_word(const toml::node& node, const std::vector<std::st
 
 bool ValueReader::read_number(const toml::node& node, const Key& key, double& value, int row,
                               int column) const {
+  if (is_unknown_parameter(node)) return false;
   QuantityReading reading;
   if (const auto* real = node.as_floating_point())
     reading.value = real->get();

@@ -56,6 +56,8 @@ struct Wrong {
 TEST(Parameters, WrongOnesAreToldAtTheirPlace) {
   const Wrong cases[] = {
       {"\"$phi\"", "\"$phy\"", "", 15, 18, {"'$phy'", "did you mean 'phi'?"}},
+      {"steps = \"$n\"", "steps = \"$m\"", "", 7, 9, {"'$m'", "unknown parameter"}},
+      {"young = ", "young = \"$e\" #", "", 12, 9, {"'$e'", "unknown parameter"}},
       {"30", "true", "", 4, 7, {"'phi'", "a number"}},
       {"30", "\"thirty\"", "", 4, 7, {"'phi'", "a number"}},
       {"30", "95", "", 15, 18, {"'$phi = 95'", "out of range"}},
