@@ -105,6 +105,7 @@ std::vector<Chart> history_charts(const PlotArguments& arguments) {
     const HistoryColumn& column = column_called(name);
     charts.push_back(empty_chart(column.symbol, column.unit));
   }
+  if (charts.empty()) return charts;
   for (const std::string& name : arguments.directories) {
     expect_result_directory(name);
     const CsvTable table(fs::path(name) / "monitors.csv");

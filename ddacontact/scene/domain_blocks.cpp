@@ -11,7 +11,10 @@
 #include <ddacontact/scene/text.hpp>
 
 #include <polyfem/core/error.hpp>
+#include <polyfem/geometry/predicates.hpp>
+#include <polyfem/geometry/validity.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -245,6 +248,42 @@ bool read_boundary(const std::filesystem::path& directory, Document& document, b
   return true;
 }
 
+bool meets(const Points& polygon, const Points& line) {
+  for (Index k = 0; k < line.cols(); ++k)
+    if (polyfem::contains(polygon, line.col(k))) return true;
+  for (Index k = 0; k + 1 < line.cols(); ++k)
+    for (Index e = 0; e < polygon.cols(); ++e)
+      if (polyfem::segments_intersect(line.col(k), line.col(k + 1), polygon.col(e),
+                                      polygon.col((e + 1) % polygon.cols())))
+        return true;
+  return false;
+}
+
+/// Openings and regions without a block, and traces outside.
+void warn_of_what_is_outside(const Domain& domain, const DomainRecord& record,
+                             const std::vector<CutBlock>& blocks, ProblemList& problems) {
+  const auto warn = [&](const KeyLocations& locations, const std::string& what) {
+    problems.warning(locations.table, what + ": it has no effect",
+                     "compare its coordinates with the boundary's: the same unit, the same origin?");
+  };
+  const auto none_in = [&](std::vector<int> CutBlock::*members, std::size_t number) {
+    return std::ranges::none_of(blocks, [&](const CutBlock& block) {
+      return std::ranges::count(block.*members, static_cast<int>(number)) > 0;
+    });
+  };
+  for (std::size_t o = 0; o < record.openings.size(); ++o)
+    if (none_in(&CutBlock::openings, o))
+      warn(record.openings[o].locations,
+           "no block of the domain is in the opening '" + excerpt(record.openings[o].name) + "'");
+  for (std::size_t r = 0; r < record.regions.size(); ++r)
+    if (none_in(&CutBlock::regions, r))
+      warn(record.regions[r].locations,
+           "no block of the domain has its centroid in the region '" + excerpt(record.regions[r].name) + "'");
+  for (std::size_t t = 0; t < record.traces.size(); ++t)
+    if (!meets(domain.boundary, domain.traces[t].points))
+      warn(record.traces[t].locations, "the trace lies outside the domain");
+}
+
 }  // namespace
 
 bool add_domain(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
@@ -264,6 +303,7 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
     const CutDomain cut = cut_domain(reader.domain());
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
       if (auto block = reader.block(cut.blocks[b], b)) document.blocks.push_back(std::move(*block));
+    warn_of_what_is_outside(reader.domain(), *document.domain, cut.blocks, problems);
     if (document.blocks.empty())
       problems.error(document.domain->locations.of("boundary"), "nothing of the domain is left",
                      "smaller openings, or a smaller 'snap' and 'sliver'");

@@ -307,6 +307,26 @@ TEST(FreeSides, AreNotInScenesThatAreMade) {
     EXPECT_TRUE(free_sides(text).empty());
 }
 
+TEST(Domain, WhatLiesOutsideIsWarnedOf) {
+  const auto warnings = [](const std::string& more) {
+    std::string text;
+    for (const Problem& problem : reading(std::string(squares) + more).problems)
+      if (problem.text().find("no effect") != std::string::npos) text += problem.text() + '\n';
+    return text;
+  };
+  const std::string opening = "[[domain.opening]]\nname = \"adit\"\nexcavated = true\ncircle = { centre = [",
+                    region = "[[domain.region]]\nname = \"dyke\"\npolygon = [[";
+  EXPECT_EQ(warnings(opening + "2, 1.5], radius = 0.4 }\n"), "");
+  EXPECT_NE(
+      warnings(opening + "2000, 1500], radius = 400 }\n").find("in the opening 'adit': it has no effect"),
+      std::string::npos);
+  EXPECT_EQ(warnings(region + "0, 0], [2, 0], [0, 2]]\n"), "");
+  EXPECT_NE(warnings(region + "10, 0], [12, 0], [10, 2]]\n").find("in the region 'dyke'"), std::string::npos);
+  EXPECT_EQ(warnings("[[domain.trace]]\npoints = [[-1, 1.5], [5, 1.6]]\n"), "");
+  EXPECT_NE(warnings("[[domain.trace]]\npoints = [[-1, 5], [5, 5]]\n").find("trace lies outside"),
+            std::string::npos);
+}
+
 TEST(Domain, EdgeJointsOfABlockAreOnePerEdge) {
   const std::string block =
       "[[block]]\nmaterial = \"rock\"\nvertices = [[9, 0], [10, 0], [9, 1]]\nedge_joints = ";
