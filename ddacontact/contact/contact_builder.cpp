@@ -25,23 +25,12 @@ constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 
-/// Takes out of the contacts of a pair, from `first` on, all but one where vertex meets vertex: that which is
-/// closed, else the first. A joint's stiffness counts once there.
-void keep_one_spring(const BlockSystem& blocks, const BlockState& state, double near,
-                     std::span<const ContactRecord> previous, std::size_t first,
-                     std::vector<VertexEdge>& found) {
-  const auto is_closed = [&](const VertexEdge& pair) {
-    return std::ranges::any_of(previous,
-                               [&](const ContactRecord& old) { return old.closed() && old.pair == pair; });
-  };
-  const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
-  std::stable_partition(begin, found.end(), is_closed);
-  for (auto at = begin; at != found.end();) {
-    const bool beside = !is_closed(*at) && std::any_of(begin, at, [&](const VertexEdge& other) {
-      return exchange_vertices(blocks, state, near, other, *at);
-    });
-    at = beside ? found.erase(at) : at + 1;
-  }
+/// What a joint's springs bear is a stress: it stays where neighbours take over a part of the length, or leave
+/// it.
+void take_length(ContactHistory& history, double length) {
+  history.normal *= length / history.length;
+  history.shear *= length / history.length;
+  history.length = length;
 }
 
 }  // namespace
@@ -142,10 +131,6 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
         std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), between_prescribed),
         found.end());
   }
-  const auto is_compliant = [&](const VertexEdge& of) { return properties_.strength(of).is_compliant(); };
-  if (any_compliant && !blocks_.has_rounded_corners() &&
-      std::any_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), is_compliant))
-    keep_one_spring(blocks_, state, near_corner * size, previous, first, found);
 }
 
 bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair) const {
@@ -293,7 +278,9 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   if (old && !old->closed()) {
     contact.history.gap_offset = old->history.gap_offset;
   } else if (old) {
+    const double length = contact.history.length;
     contact.history = old->history;
+    if (properties_.is_compliant(*old) && length > 0) take_length(contact.history, length);
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks. Of a rounded corner another point touches now.
@@ -302,8 +289,11 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
-      contact.is_on_edge(contact.first_slip().constant))
+      contact.is_on_edge(contact.first_slip().constant)) {
     contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
+    if (contact.law.compliant)
+      contact.history.normal = contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap);
+  }
   if (properties_.strength(pair).glued) glue(contact);
   return contact;
 }

@@ -71,7 +71,41 @@ TEST(Practice, ABlockThatSlidesOutOfItsUpliftHasFailed) {
   constexpr double weight = 12 * 2500 * 9.8, uplift = 1000 * 9.8 * 6, push = 1000 * 9.8 * 4.5;
   const double exact = (weight - uplift) * std::tan(std::numbers::pi / 6) / push;
   EXPECT_LE(bracket.low, 1.005 * exact);
-  EXPECT_GE(bracket.high, 0.99 * exact);
+  EXPECT_GE(bracket.high, 0.995 * exact);
+}
+
+/// 4 x 1 m of rock on a plane of 30 degrees with as much friction, pressed on it by a bolt that yields at its
+/// pretension P: F = (W cos a + P) tan(phi) / (W sin a).
+TEST(Practice, ABoltedBlockHasTheFactorOfItsPretension) {
+  constexpr double angle = std::numbers::pi / 6, weight = 4 * 2500 * 9.81, pull = 50e3;
+  const auto at = [&](double along, double above) {
+    std::ostringstream text;
+    text << '[' << along * std::cos(angle) - above * std::sin(angle) << ", "
+         << along * std::sin(angle) + above * std::cos(angle) << ']';
+    return text.str();
+  };
+  const auto box = [&](double x, double y, double width, double height) {
+    return "[" + at(x, y) + ", " + at(x + width, y) + ", " + at(x + width, y + height) + ", " +
+           at(x, y + height) + "]\n";
+  };
+  const SceneReading reading = read_scene_text(
+      "[analysis]\nsteps = 100\ntime_step = 0.01\ngravity = [0, -9.81]\n"
+      "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = \"20 GPa\"\npoisson = 0.2\n"
+      "[[joint]]\nfriction_angle = 30\n"
+      "[[block]]\nmaterial = \"rock\"\nfixed = true\nvertices = " +
+          box(-5, -6, 15, 6) + "[[block]]\nmaterial = \"rock\"\nvertices = " + box(0, 0, 4, 1) +
+          "[[bolt]]\npoints = [" + at(2, -5) + ", " + at(2, 0.5) +
+          "]\narea = \"5 cm2\"\nyoung = \"200 GPa\"\npretension = \"50 kN\"\nyield_force = \"50 kN\"\n",
+      "bolted.toml");
+  ASSERT_TRUE(reading.scene) << reading.problems.front().text();
+  const StrengthReduction reduction(*reading.scene, {0});
+  const FactorBracket bracket =
+      bracket_factor([&](double f) { return reduction.try_factor(f).verdict; }, std::nullopt, 0.004);
+  const double exact =
+      (weight * std::cos(angle) + pull) * std::tan(std::numbers::pi / 6) / (weight * std::sin(angle));
+  EXPECT_NEAR(exact, 1.589, 1e-3);
+  EXPECT_NEAR(bracket.low, exact, 0.01 * exact);
+  EXPECT_NEAR(bracket.high, exact, 0.01 * exact);
 }
 
 /// The factor of limit equilibrium in the scene's first lines.

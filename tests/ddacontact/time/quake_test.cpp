@@ -108,3 +108,58 @@ TEST(Quake, WakesWhatSleeps) {
   const double exact = newmark_block();
   EXPECT_NEAR(travel(*built.stepper, 1).x(), exact, 0.02 * std::abs(exact));
 }
+
+namespace {
+
+constexpr double width = 0.5, height = 2;  // of a slender block, m
+
+/// Whether a rigid block that rocks about its corner passes its balance under a push of the ground (Housner
+/// 1963), by the classical Runge-Kutta method.
+bool overturns_by_theory(double acceleration, double duration) {
+  const double slenderness = std::atan(width / height), radius = std::hypot(width, height) / 2, dt = 1e-4;
+  const auto rate = [&](double t, const Vec2& y) -> Vec2 {
+    const double to_balance = slenderness - y[0], push = t < duration ? acceleration : 0;
+    return {y[1], 3 / (4 * radius) * (push * std::cos(to_balance) - fall * std::sin(to_balance))};
+  };
+  Vec2 y = Vec2::Zero();
+  for (double t = 0; t < 20; t += dt) {
+    const Vec2 a = rate(t, y), b = rate(t + dt / 2, y + dt / 2 * a), c = rate(t + dt / 2, y + dt / 2 * b),
+               d = rate(t + dt, y + dt * c);
+    y += dt / 6 * (a + 2 * b + 2 * c + d);
+    if (y[0] >= slenderness) return true;
+    if (y[0] < 0) return false;
+  }
+  return false;
+}
+
+double threshold(double duration) {
+  double low = 1, high = 20;
+  while (high - low > 1e-4) {
+    const double middle = (low + high) / 2;
+    (overturns_by_theory(middle, duration) ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+bool overturns(double acceleration, double duration) {
+  Scene scene = block_on_ground(0.0025);
+  scene.analysis.steps = 1200;
+  scene.joints[0].friction_angle = 45;
+  scene.blocks[1] = block(rectangle(0, 0, width, height));
+  scene.quakes = {{ddacontact::history_function(TimeFunction::Kind::history,
+                                                {{0, -acceleration, 0}, {duration, -acceleration, 0}})}};
+  const BuiltScene built = run(scene);
+  return std::abs(built.stepper->state().rotation[1]) > std::atan(width / height);
+}
+
+}  // namespace
+
+/// West's limit for a push that lasts, and those of pulses (.3 s: 4.51 m/s2, .6 s: 3.12).
+TEST(Quake, OverturnsASlenderBlockAtTheKnownAccelerations) {
+  EXPECT_NEAR(threshold(10), fall * width / height, 1e-3);
+  for (const double duration : {0.3, 0.6, 3.0}) {
+    const double known = threshold(duration);
+    EXPECT_FALSE(overturns(0.99 * known, duration)) << duration;
+    EXPECT_TRUE(overturns(1.01 * known, duration)) << duration;
+  }
+}
