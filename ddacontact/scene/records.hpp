@@ -63,12 +63,16 @@ struct Reference {
   std::optional<std::int64_t> index;
 };
 
-/// Which blocks: one of these is set.
-struct BlockSelector {
+/// A place: one of these is set, or none.
+struct Place {
+  std::optional<Points> inside;              ///< a polygon around it
+  std::optional<Vec2> at;                    ///< a point
+  std::optional<std::array<double, 4>> box;  ///< x0, y0, x1, y1 around it
+};
+
+/// Which blocks: one of its parts is set. Of a place it holds the centroids, or the point is in the block.
+struct BlockSelector : Place {
   std::optional<std::string> group;
-  std::optional<Points> inside;              ///< a polygon around their centroids
-  std::optional<Vec2> at;                    ///< a point of theirs
-  std::optional<std::array<double, 4>> box;  ///< x0, y0, x1, y1 around their centroids
 };
 
 /// One block, or those that a selector finds.
@@ -84,16 +88,21 @@ struct LineSegment {
   Vec2 from{0, 0}, to{0, 0};
 };
 
-/// Vertices of a block by their indices, or those on a line.
-struct VertexSelection {
-  std::vector<int> some;
+/// Which vertices or edges of a block: one of its parts is set.
+struct PartSelector : Place {
   std::optional<LineSegment> on;
 };
 
-/// An edge of a block by its index, or those on a line.
+/// Vertices of a block by their indices, or those that a selector finds.
+struct VertexSelection {
+  std::vector<int> some;
+  std::optional<PartSelector> selector;
+};
+
+/// An edge of a block by its index, or those that a selector finds.
 struct EdgeSelection {
   int edge = 0;
-  std::optional<LineSegment> on{};
+  std::optional<PartSelector> selector{};
 };
 
 /// One name, or a list.

@@ -173,7 +173,7 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
       problems.error(locations.of("interpolation"), "'interpolation' without 'history'", "leave it out");
     const int n = n_vertices(support.block, document, blocks);
     if (locations.good("vertices")) {
-      if (record.vertices.some.empty() && !record.vertices.on)
+      if (record.vertices.some.empty() && !record.vertices.selector)
         problems.error(locations.of("vertices"), "'vertices' is empty", "name the vertices to be held");
       if (n > 0)
         support.vertices = check_vertex_indices(record.vertices.some, n, blocks.names.title(support.block),

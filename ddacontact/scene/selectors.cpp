@@ -38,24 +38,62 @@ std::string name_of(const BlockRecord& block, int index) {
   return block.name && !block.name->empty() ? *block.name : std::to_string(index);
 }
 
-double distance_to(const LineSegment& line, const Vec2& x) {
-  return distance_to_edge(x, line.from, line.to);
+/// A place as a point, a line or a polygon, by its number of columns.
+Points shape_of(const Place& place) {
+  if (place.at) return *place.at;
+  if (place.inside) return *place.inside;
+  const auto& [x0, y0, x1, y1] = *place.box;
+  Points corners(2, 4);
+  corners << x0, x1, x1, x0, y0, y0, y1, y1;
+  return corners;
 }
 
-std::vector<int> vertices_on(const LineSegment& line, const BlockRecord& block) {
+Points shape_of(const LineSegment& line) {
+  Points ends(2, line.from == line.to ? 1 : 2);
+  ends.col(0) = line.from;
+  if (ends.cols() > 1) ends.col(1) = line.to;
+  return ends;
+}
+
+Points shape_of(const PartSelector& selector) {
+  return selector.on ? shape_of(*selector.on) : shape_of(static_cast<const Place&>(selector));
+}
+
+/// 0 in a polygon.
+double distance_to(const Points& shape, const Vec2& x) {
+  return shape.cols() == 1   ? (x - shape.col(0)).norm()
+         : shape.cols() == 2 ? distance_to_edge(x, shape.col(0), shape.col(1))
+                             : polyfem::distance_outside(shape, x);
+}
+
+std::string text_of(const Points& shape) {
+  return shape.cols() == 1 ? "at " + point_text(shape.col(0))
+         : shape.cols() == 2
+             ? "on the line from " + point_text(shape.col(0)) + " to " + point_text(shape.col(1))
+             : "in the polygon around " + point_text(shape.rowwise().mean());
+}
+
+std::vector<int> vertices_in(const Points& shape, const BlockRecord& block) {
   std::vector<int> found;
   const Points& points = block.vertices.points;
   for (int k = 0; k < points.cols(); ++k)
-    if (distance_to(line, points.col(k)) <= on_line * size_of(block)) found.push_back(k);
+    if (distance_to(shape, points.col(k)) <= on_line * size_of(block)) found.push_back(k);
   return found;
 }
 
-std::vector<int> edges_on(const LineSegment& line, const BlockRecord& block) {
-  const std::vector<int> vertices = vertices_on(line, block);
-  const int n = static_cast<int>(block.vertices.points.cols());
+/// Edges with both ends there; of a point those that it lies on.
+std::vector<int> edges_in(const Points& shape, const BlockRecord& block) {
+  const std::vector<int> vertices = vertices_in(shape, block);
+  const Points& points = block.vertices.points;
+  const int n = static_cast<int>(points.cols());
   std::vector<int> edges;
-  for (const int k : vertices)
-    if (std::ranges::count(vertices, (k + 1) % n) > 0) edges.push_back(k);
+  for (int k = 0; k < n; ++k) {
+    const int end = (k + 1) % n;
+    if (shape.cols() == 1
+            ? distance_to_edge(shape.col(0), points.col(k), points.col(end)) <= on_line * size_of(block)
+            : std::ranges::count(vertices, k) > 0 && std::ranges::count(vertices, end) > 0)
+      edges.push_back(k);
+  }
   return edges;
 }
 
@@ -63,19 +101,7 @@ bool catches(const BlockSelector& selector, const BlockRecord& block) {
   if (selector.group) return std::ranges::count(block.groups, *selector.group) > 0;
   if (!has_outline(block)) return false;
   if (selector.at) return polyfem::contains(block.vertices.points, *selector.at);
-  const Vec2 x = centroid(block);
-  if (selector.inside) return polyfem::contains(*selector.inside, x);
-  const auto& [x0, y0, x1, y1] = *selector.box;
-  return x.x() >= std::min(x0, x1) && x.x() <= std::max(x0, x1) && x.y() >= std::min(y0, y1) &&
-         x.y() <= std::max(y0, y1);
-}
-
-/// What the place of a selector is measured from to say what is near.
-Vec2 middle(const BlockSelector& selector) {
-  if (selector.at) return *selector.at;
-  if (selector.inside) return selector.inside->rowwise().mean();
-  const auto& [x0, y0, x1, y1] = *selector.box;
-  return {(x0 + x1) / 2, (y0 + y1) / 2};
+  return distance_to(shape_of(selector), centroid(block)) == 0;
 }
 
 void complain_of_group(const std::string& group, const Document& document, const SourceLocation& location,
@@ -89,7 +115,7 @@ void complain_of_group(const std::string& group, const Document& document, const
 
 void complain_of_location(const BlockSelector& selector, const Document& document,
                           const SourceLocation& location, ProblemList& problems) {
-  const Vec2 x = middle(selector);
+  const Vec2 x = shape_of(selector).rowwise().mean();
   int nearest_block = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < document.blocks.size(); ++b) {
@@ -111,15 +137,15 @@ void complain_of_location(const BlockSelector& selector, const Document& documen
                            "' with its centroid at " + point_text(centroid(document.blocks[nearest_block])));
 }
 
-/// Nothing on a line: which vertex of these blocks is nearest to it.
-void complain_of_line(const LineSegment& line, const std::vector<int>& blocks, const char* what,
+/// Nothing there: which vertex of these blocks is nearest.
+void complain_of_part(const Points& shape, const std::vector<int>& blocks, const char* what,
                       const Document& document, const SourceLocation& location, ProblemList& problems) {
   std::string cure = "none of these blocks has vertices";
   double least = std::numeric_limits<double>::infinity();
   for (const int b : blocks) {
     const Points& points = document.blocks[b].vertices.points;
     for (int k = 0; k < points.cols(); ++k) {
-      const double distance = distance_to(line, points.col(k));
+      const double distance = distance_to(shape, points.col(k));
       if (distance >= least) continue;
       least = distance;
       cure = "the nearest vertex is " + std::to_string(k) + " of block '" +
@@ -127,10 +153,7 @@ void complain_of_line(const LineSegment& line, const std::vector<int>& blocks, c
              rounded(distance) + " m away";
     }
   }
-  problems.error(location,
-                 std::string("no ") + what + " lies on the line from " + point_text(line.from) + " to " +
-                     point_text(line.to),
-                 cure);
+  problems.error(location, std::string("no ") + what + " lies " + text_of(shape), cure);
 }
 
 class Expansion {
@@ -142,51 +165,62 @@ class Expansion {
     std::vector<Record> all;
     for (const Record& record : records) {
       const std::vector<int> blocks = blocks_of(record.block, record.locations);
-      if (!record.block.selector && !has_line(record))
+      if (record.block.selector && blocks.empty()) {
         all.push_back(record);
-      else
+        all.back().locations.add("block", record.locations.of("block"), false);
+      } else if (!record.block.selector && !selects_parts(record)) {
+        all.push_back(record);
+      } else {
         expand(record, blocks, all);
+      }
     }
     return all;
   }
 
   void support(const SupportRecord& record, const std::vector<int>& blocks, std::vector<SupportRecord>& all) {
+    if (!selects_parts(record)) {
+      for (const int b : blocks) all.push_back(with_block(record, b));
+      return;
+    }
+    const Points shape = shape_of(*record.vertices.selector);
     const std::size_t before = all.size();
     for (const int b : blocks) {
       SupportRecord one = with_block(record, b);
-      if (record.vertices.on) one.vertices.some = vertices_on(*record.vertices.on, document_.blocks[b]);
-      if (!record.vertices.on || !one.vertices.some.empty()) all.push_back(std::move(one));
+      one.vertices.some = vertices_in(shape, document_.blocks[b]);
+      if (!one.vertices.some.empty()) all.push_back(std::move(one));
     }
-    if (record.vertices.on && !blocks.empty() && all.size() == before)
-      complain_of_line(*record.vertices.on, blocks, "vertex", document_, record.locations.of("vertices"),
-                       problems_);
+    if (blocks.empty() || all.size() > before) return;
+    complain_of_part(shape, blocks, "vertex", document_, record.locations.of("vertices"), problems_);
+    all.push_back(with_block(record, blocks.front()));  // what is held is not known
   }
 
   void load(const LoadRecord& record, const std::vector<int>& blocks, std::vector<LoadRecord>& all) {
-    const bool on = has_line(record);
+    if (!selects_parts(record)) {
+      for (const int b : blocks) all.push_back(with_block(record, b));
+      return;
+    }
+    const Points shape = shape_of(*record.edge->selector);
     const std::size_t before = all.size();
-    for (const int b : blocks) {
-      if (!on) all.push_back(with_block(record, b));
-      if (!on) continue;
-      for (const int edge : edges_on(*record.edge->on, document_.blocks[b])) {
+    for (const int b : blocks)
+      for (const int edge : edges_in(shape, document_.blocks[b])) {
         all.push_back(with_block(record, b));
         all.back().edge = EdgeSelection{edge};
       }
-    }
-    if (on && !blocks.empty() && all.size() == before)
-      complain_of_line(*record.edge->on, blocks, "edge", document_, record.locations.of("edge"), problems_);
+    if (!blocks.empty() && all.size() == before)
+      complain_of_part(shape, blocks, "edge", document_, record.locations.of("edge"), problems_);
   }
 
   void quiet_boundary(QuietRecord& record) const {
     if (!record.locations.good("on")) return;
+    const Points line = shape_of(record.on);
     std::vector<int> blocks;
     for (int b = 0; b < static_cast<int>(document_.blocks.size()); ++b) {
       if (!has_outline(document_.blocks[b])) continue;
       blocks.push_back(b);
-      for (const int edge : edges_on(record.on, document_.blocks[b])) record.faces.push_back({b, edge});
+      for (const int edge : edges_in(line, document_.blocks[b])) record.faces.push_back({b, edge});
     }
     if (record.faces.empty() && document_.has_all_blocks)
-      complain_of_line(record.on, blocks, "edge", document_, record.locations.of("on"), problems_);
+      complain_of_part(line, blocks, "edge", document_, record.locations.of("on"), problems_);
   }
 
   void monitor(const MonitorRecord& record, const std::vector<int>& blocks, std::vector<MonitorRecord>& all) {
@@ -218,9 +252,13 @@ class Expansion {
   }
 
  private:
-  static bool has_line(const SupportRecord& record) { return record.vertices.on.has_value(); }
-  static bool has_line(const LoadRecord& record) { return record.edge && record.edge->on; }
-  static bool has_line(const MonitorRecord&) { return false; }
+  static bool selects_parts(const SupportRecord& record) {
+    return record.vertices.selector && record.locations.good("vertices");
+  }
+  static bool selects_parts(const LoadRecord& record) {
+    return record.edge && record.edge->selector && record.locations.good("edge");
+  }
+  static bool selects_parts(const MonitorRecord&) { return false; }
 
   template <class Record>
   static Record with_block(const Record& record, int block) {

@@ -83,30 +83,45 @@ bool ValueReader::operator()(const toml::node& node, GridRecord& value) const {
                     });
 }
 
-bool ValueReader::operator()(const toml::node& node, BlockSelector& value) const {
-  const toml::table& table = *node.as_table();
+std::optional<bool> ValueReader::read_place(std::string_view name, const toml::node& part,
+                                            Place& value) const {
   const Key metres{.name = key_.name, .what = "", .unit = "m"};
   const ValueReader read(metres, problems_);
-  const bool good =
-      read_parts(table, {"group", "inside", "at", "box"},
-                 [&](std::string_view name, const toml::node& part) -> std::optional<bool> {
-                   if (name == "group") return read(part, value.group.emplace());
-                   if (name == "at") return read(part, value.at.emplace());
-                   if (name == "box")
-                     return read.read_numbers(part, value.box.emplace().data(), 4, "[x0, y0, x1, y1] in m");
-                   if (name != "inside") return std::nullopt;
-                   Outline polygon;
-                   if (!read(part, polygon)) return false;
-                   if (polygon.points.cols() < 3)
-                     return wrong_type(part, key_.name, "three corners at least");
-                   value.inside = polygon.points;
-                   return true;
-                 });
-  if (!good || table.size() == 1) return good;
+  if (name == "at") return read(part, value.at.emplace());
+  if (name == "box") return read.read_numbers(part, value.box.emplace().data(), 4, "[x0, y0, x1, y1] in m");
+  if (name != "inside") return std::nullopt;
+  Outline polygon;
+  if (!read(part, polygon)) return false;
+  if (polygon.points.cols() < 3) return wrong_type(part, key_.name, "three corners at least");
+  value.inside = polygon.points;
+  return true;
+}
+
+bool ValueReader::require_one_part(const toml::node& node, const std::string& known) const {
+  const std::size_t n = node.as_table()->size();
+  if (n == 1) return true;
   problems_.error(location_of(node, problems_),
-                  "'" + std::string(key_.name) + "' selects by " + std::to_string(table.size()) + " keys",
-                  "write one of { group }, { inside }, { at } and { box }");
+                  "'" + std::string(key_.name) + "' selects by " + std::to_string(n) + " keys",
+                  "write one of " + known);
   return false;
+}
+
+bool ValueReader::operator()(const toml::node& node, BlockSelector& value) const {
+  return read_parts(*node.as_table(), {"group", "inside", "at", "box"},
+                    [&](std::string_view name, const toml::node& part) -> std::optional<bool> {
+                      if (name == "group") return (*this)(part, value.group.emplace());
+                      return read_place(name, part, value);
+                    }) &&
+         require_one_part(node, "{ group }, { inside }, { at } and { box }");
+}
+
+bool ValueReader::operator()(const toml::node& node, PartSelector& value) const {
+  return read_parts(*node.as_table(), {"on", "inside", "at", "box"},
+                    [&](std::string_view name, const toml::node& part) -> std::optional<bool> {
+                      if (name == "on") return (*this)(part, value.on.emplace());
+                      return read_place(name, part, value);
+                    }) &&
+         require_one_part(node, "{ on }, { inside }, { at } and { box }");
 }
 
 bool ValueReader::operator()(const toml::node& node, BlockReference& value) const {
@@ -124,24 +139,14 @@ bool ValueReader::operator()(const toml::node& node, LineSegment& value) const {
   return from && to;
 }
 
-bool ValueReader::read_on(const toml::node& node, LineSegment& value) const {
-  const toml::table& table = *node.as_table();
-  const bool good =
-      read_parts(table, {"on"}, [&](std::string_view name, const toml::node& part) -> std::optional<bool> {
-        if (name != "on") return std::nullopt;
-        return (*this)(part, value);
-      });
-  return table.empty() ? wrong_type(node, key_.name, "{ on = [[x, y], [x, y]] } in m") : good;
-}
-
 bool ValueReader::operator()(const toml::node& node, VertexSelection& value) const {
-  return node.is_table()   ? read_on(node, value.on.emplace())
+  return node.is_table()   ? (*this)(node, value.selector.emplace())
          : node.is_array() ? (*this)(node, value.some)
                            : wrong_type(node, key_.name, expected_text(key_, value));
 }
 
 bool ValueReader::operator()(const toml::node& node, EdgeSelection& value) const {
-  return node.is_table() ? read_on(node, value.on.emplace()) : (*this)(node, value.edge);
+  return node.is_table() ? (*this)(node, value.selector.emplace()) : (*this)(node, value.edge);
 }
 
 }  // namespace ddacontact::scene_format

@@ -77,8 +77,11 @@ class ValueReader {
   std::string element_name(int row, int column) const;
 
   bool operator()(const toml::node& node, BlockSelector& value) const;
-  /// { on = LINE }
-  bool read_on(const toml::node& node, LineSegment& value) const;
+  bool operator()(const toml::node& node, PartSelector& value) const;
+  /// { inside }, { at } or { box }; nothing for other names.
+  std::optional<bool> read_place(std::string_view name, const toml::node& part, Place& value) const;
+  /// One of the parts of a selector.
+  bool require_one_part(const toml::node& node, const std::string& known) const;
   /// An inner table of this key: read_part(name, node) says whether the value is good, or nothing for a name
   /// that is not among `known`.
   template <class ReadPart>

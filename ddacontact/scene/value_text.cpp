@@ -243,10 +243,10 @@ std::string type_text(const BlockReference&) {
   return "a name, an index or a selector";
 }
 std::string type_text(const VertexSelection&) {
-  return "a list of vertex indices or { on = [[x, y], [x, y]] }";
+  return "a list of vertex indices or a selector";
 }
 std::string type_text(const EdgeSelection&) {
-  return "an index or { on = [[x, y], [x, y]] }";
+  return "an index or a selector";
 }
 std::string type_text(const LineSegment&) {
   return "[[x, y], [x, y]]";

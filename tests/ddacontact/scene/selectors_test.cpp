@@ -94,6 +94,24 @@ TEST(Selectors, FindVerticesOnALine) {
   EXPECT_EQ(scene.supports[1].vertices, std::vector<int>{0});
 }
 
+TEST(Selectors, FindVerticesAndEdgesInABoxAPolygonAndAtAPoint) {
+  const auto held = [](const std::string& place) {
+    return scene_of(wall + "[[support]]\nblock = \"base\"\nvertices = " + place + "\n").supports[0].vertices;
+  };
+  EXPECT_EQ(held("{ box = [4, 0, -2, -2] }"), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(held("{ box = [3, 0.5, 5, -1] }"), (std::vector<int>{1, 2}));
+  EXPECT_EQ(held("{ inside = [[-2, -2], [-2, 1], [0, 1]] }"), std::vector<int>{3});
+  EXPECT_EQ(held("{ at = [4, -1] }"), std::vector<int>{1});
+  EXPECT_EQ(held("{ on = [[4, -1], [4, -1]] }"), std::vector<int>{1});
+  const auto loaded = [](const std::string& place) {
+    const Scene scene =
+        scene_of(wall + "[[load]]\ntype = \"pressure\"\nblock = \"base\"\nvalue = 1\nedge = " + place + "\n");
+    return scene.loads.size() == 1 ? scene.loads[0].edge : -1;
+  };
+  EXPECT_EQ(loaded("{ at = [4, -0.3] }"), 1);
+  EXPECT_EQ(loaded("{ box = [-2, -0.5, 5, 0.5] }"), 2);
+}
+
 TEST(Selectors, FindEdgesOnALine) {
   const Scene scene = scene_of(wall +
                                "[[load]]\ntype = \"pressure\"\nblock = { group = \"wall\" }\n"
@@ -143,6 +161,16 @@ TEST(Selectors, SayWhatIsNearWhenTheyFindNothing) {
     EXPECT_EQ(reading.problems[0].line, 24);
     for (const char* word : words)
       EXPECT_NE(reading.problems[0].text().find(word), std::string::npos) << reading.problems[0].text();
+  }
+  for (const char* place : {"{ box = [9, 9, 10, 10] }", "{ at = [4, 0.1] }", "{ boks = [9, 9, 10, 10] }",
+                            "{ on = [[9, 9], [9, 9]] }"}) {
+    // What is held is not known then: nothing is said of what is not held.
+    std::string statically = wall + "[[support]]\nblock = \"base\"\nvertices = " + place + "\n";
+    statically.replace(statically.find("fixed = true"), 12, "");
+    statically.insert(statically.find("gravity"), "mode = \"static\"\n");
+    const SceneReading reading = read(statically);
+    ASSERT_EQ(reading.problems.size(), 1u) << place << reading.problems[1].text();
+    EXPECT_EQ(reading.problems[0].text().find("nan"), std::string::npos) << reading.problems[0].text();
   }
   const SceneReading line =
       read(wall + "[[support]]\nblock = \"base\"\nvertices = { on = [[0, 0.1], [3, 0.1]] }\n");
