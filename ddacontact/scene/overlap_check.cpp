@@ -11,6 +11,8 @@ namespace ddacontact::scene_format {
 namespace {
 
 constexpr int most_overlaps = 1000;
+/// Overlaps up to this part of the size may come from rounded coordinates.
+constexpr double rounding = 0.05;
 
 }  // namespace
 
@@ -51,7 +53,10 @@ bool check_overlaps(const std::vector<PositionedOutline>& blocks, const NameTabl
       problems.error(
           q.location,
           names.title(index[b]) + " overlaps " + names.title(index[a]) + " by " + rounded(depth) + " m",
-          "move them apart; up to " + rounded(limit) + " m, 1e-3 of the size, is accepted");
+          "move them apart; up to " + rounded(limit) + " m, 1e-3 of the size, is accepted" +
+              (depth <= rounding * size_of_pair(p, q)
+                   ? "; 'snap' at the top of the file mends rounded coordinates"
+                   : ""));
     }
     done = next;
   }

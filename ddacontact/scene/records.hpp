@@ -25,6 +25,10 @@ class KeyLocations {
   void add(const char* key, SourceLocation location, bool good) {
     values_.push_back({key, std::move(location), good});
   }
+  /// Makes a value that is written no good: that has been said.
+  void spoil(std::string_view key) {
+    for (Value& value : values_) value.good = value.good && value.key != key;
+  }
   /// Written, good or not.
   bool written(std::string_view key) const { return find(key) != nullptr; }
   /// Written and of the right type, unit and range.

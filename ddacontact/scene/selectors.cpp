@@ -167,7 +167,7 @@ class Expansion {
       const std::vector<int> blocks = blocks_of(record.block, record.locations);
       if (record.block.selector && blocks.empty()) {
         all.push_back(record);
-        all.back().locations.add("block", record.locations.of("block"), false);
+        all.back().locations.spoil("block");
       } else if (!record.block.selector && !selects_parts(record)) {
         all.push_back(record);
       } else {
