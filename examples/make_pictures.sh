@@ -18,7 +18,7 @@ done
 "$dda" plot "$scratch/wall" --field s2 --forces -o "$doc/example_wall_door.svg"
 "$dda" plot "$here/dam.toml" --names -o "$doc/example_dam.svg"
 "$dda" run "$here/rockfall.toml" -o "$scratch/rockfall" --quiet
-"$dda" plot "$scratch/rockfall" --frame 400 -o "$doc/example_rockfall.svg"
+"$dda" plot "$scratch/rockfall" --field displacement --reference -o "$doc/example_rockfall.svg"
 "$dda" run "$here/drums.toml" --set output.every=5 -o "$scratch/drums" --quiet
 "$dda" plot "$scratch/drums" --frame 805 -o "$doc/example_drums.svg"
 "$dda" safety "$here/retaining_wall.toml" -o "$scratch/retaining" --quiet

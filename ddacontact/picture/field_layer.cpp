@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ddacontact {
 
@@ -51,6 +52,27 @@ std::vector<bool> cells_of_divided_blocks(const Frame& frame) {
   return divided;
 }
 
+/// At corners and where contacts press.
+bool has_stress_peaks(Field field) {
+  return field != Field::displacement && field != Field::velocity;
+}
+
+struct WeighedValue {
+  double value, area;
+};
+
+ValueRange percentiles_of(std::vector<WeighedValue> values) {
+  std::ranges::sort(values, {}, &WeighedValue::value);
+  double total = 0;
+  for (const WeighedValue& of : values) total += of.area;
+  const auto value_at = [&](double area) {
+    for (const auto& [value, weight] : values)
+      if ((area -= weight) <= 0) return value;
+    return values.empty() ? 0 : values.back().value;
+  };
+  return {value_at(tail * total), value_at((1 - tail) * total)};
+}
+
 Vec2 centre_of(const Points& outline) {
   const Vec2 centroid = polyfem::area_moments(outline).centroid;
   return centroid.allFinite() ? centroid : Vec2(outline.rowwise().mean());
@@ -86,32 +108,34 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       widen(telling_range_, piece.values.head(FanMesh(mesh.n_corners(), rings).n_nodes()), first);
     }
   }
+  if (!has_stress_peaks(field)) return;
   const ValueRange most = percentiles(is_divided);
   has_peaks_ = telling_range_.high - telling_range_.low > worth_cutting * (most.high - most.low);
   if (has_peaks_) telling_range_ = most;
 }
 
-/// Nodes stand for equal parts of their piece's area.
+/// Nodes stand for equal parts of their piece's area. Where nearly all of the area has one value, as that of
+/// a slope that stones fall down, the percentiles are those of each block.
 ValueRange FieldSamples::percentiles(const std::vector<bool>& is_divided) const {
-  std::vector<std::pair<double, double>> weighed;  // value and area
-  double total = 0;
+  std::vector<WeighedValue> all;
+  std::map<int, std::vector<WeighedValue>> of_blocks;
   for (const Piece& piece : pieces_) {
     const bool inner = is_divided[static_cast<std::size_t>(piece.cell)];
     const int rings = inner ? (piece.mesh.rings() + 1) / 2 : piece.mesh.rings();
     const Index n = FanMesh(piece.mesh.n_corners(), rings).n_nodes();
     const Points outline = piece.nodes.rightCols(piece.mesh.n_outline_nodes());
     const double area = std::abs(polyfem::signed_area(outline)) / static_cast<double>(n);
-    for (Index i = 0; i < n; ++i) weighed.emplace_back(piece.values[i], area);
-    total += area * static_cast<double>(n);
+    std::vector<WeighedValue>& of_block = of_blocks[frame_.cells[static_cast<std::size_t>(piece.cell)].block];
+    for (Index i = 0; i < n; ++i) of_block.push_back({piece.values[i], area});
   }
-  if (!(total > 0)) return range_;
-  std::sort(weighed.begin(), weighed.end());
-  const auto value_at = [&](double area) {
-    for (const auto& [value, weight] : weighed)
-      if ((area -= weight) <= 0) return value;
-    return weighed.back().first;
-  };
-  return {value_at(tail * total), value_at((1 - tail) * total)};
+  for (const auto& [block, values] : of_blocks) all.insert(all.end(), values.begin(), values.end());
+  ValueRange range = percentiles_of(std::move(all));
+  if (!is_one_value(range)) return range;
+  for (auto& [block, values] : of_blocks) {
+    const ValueRange of_block = percentiles_of(std::move(values));
+    range = {std::min(range.low, of_block.low), std::max(range.high, of_block.high)};
+  }
+  return range;
 }
 
 /// The lowest band of each piece and its neighbours: painted under all of them, it closes the seams between

@@ -20,8 +20,8 @@ class FieldSamples {
   /// Of all nodes; {0, 0} when there are none.
   const ValueRange& range() const { return range_; }
   /// What colours should tell apart: of divided blocks without the outer halves of the cells, whose functions
-  /// have steep gradients at short edges and nearly straight corners that mean nothing; where peaks take more
-  /// than half as much again, from the 1st to the 99th percentile by area.
+  /// have steep gradients at short edges and nearly straight corners that mean nothing; where peaks of
+  /// stress take more than half as much again, from the 1st to the 99th percentile by area.
   const ValueRange& telling_range() const { return telling_range_; }
   /// Whether it is that of the percentiles.
   bool has_peaks() const { return has_peaks_; }

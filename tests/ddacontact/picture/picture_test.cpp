@@ -178,6 +178,19 @@ TEST(Picture, APeakDoesNotTakeTheColours) {
     EXPECT_NE(said.find(words), std::string::npos) << said;
 }
 
+/// A stone on a slope, less than a hundredth of the area.
+TEST(Picture, ASmallBlockKeepsItsColoursBesideALargeOneAtRest) {
+  Frame frame = empty_frame();
+  add_block(frame, box(0, 0, 20, 20), Mat2::Zero());
+  add_block(frame, box(20, 20, 0.5, 0.5), stretch_x);
+  for (const Field field : {Field::displacement, Field::velocity, Field::s1}) {
+    const FieldSamples samples(frame, field, 20);
+    EXPECT_EQ(samples.telling_range(), samples.range()) << description(field).name;
+    const std::string said = texts(parsed(draw({{.frame = &frame, .field = field}}, {})));
+    EXPECT_EQ(said.find("everywhere"), std::string::npos) << said;
+  }
+}
+
 TEST(Picture, ConcaveCellsHaveTheirOwnFunctions) {
   const Frame frame = random_cell_frame(4);
   const int u_shape = 2;
