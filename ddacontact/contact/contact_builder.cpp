@@ -25,8 +25,8 @@ constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 
-/// What a joint's springs bear is a stress: it stays where neighbours take over a part of the length, or leave
-/// it.
+/// What a joint's springs bear is a stress: it stays where neighbours take over a part of the length as
+/// blocks slide, or leave it.
 void take_length(ContactHistory& history, double length) {
   history.normal *= length / history.length;
   history.shear *= length / history.length;
@@ -280,7 +280,8 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   } else if (old) {
     const double length = contact.history.length;
     contact.history = old->history;
-    if (properties_.is_compliant(*old) && length > 0) take_length(contact.history, length);
+    if (properties_.is_compliant(*old) && is_slipping(old->history.state) && length > 0)
+      take_length(contact.history, length);
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks. Of a rounded corner another point touches now.

@@ -1,6 +1,5 @@
 #include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
-#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/missed_penetrations.hpp>
@@ -51,13 +50,7 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
                              missed_);
   }
   std::erase_if(missed_, [&](const VertexEdge& entry) {
-    const JointStrength& joint = properties_.strength(entry);
-    const double near = joint.is_compliant() || joint.crushes()
-                            ? near_corner * pair_size(entry.vertex_block, entry.edge_block)
-                            : -1;
-    return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {
-      return of.pair == entry || exchange_vertices(blocks_, start, near, of.pair, entry);
-    });
+    return std::ranges::count(of_same_pair(entry, contacts), entry, &Contact::pair) > 0;
   });
   return !missed_.empty();
 }

@@ -8,12 +8,13 @@
 
 namespace ddacontact {
 
-/// Which block a vertex of has gone furthest from where it was drawn or put back, and how far in sizes of the
-/// block; -1 and 0: none has moved.
+/// A block of which a vertex has gone furthest, and how far in sizes of the block; -1 and 0: none has moved.
 struct FurthestMove {
   int block = -1;
   double of_size = 0;
 };
+
+/// From where the blocks were drawn, or stood when displacements were reset.
 FurthestMove furthest_move(const Stepper& stepper);
 
 /// Warnings, a line each with its cure: stages whose `until` never came true, a last stage that is static and

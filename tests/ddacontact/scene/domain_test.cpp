@@ -336,17 +336,16 @@ TEST(Domain, EdgeJointsOfABlockAreOnePerEdge) {
 }
 
 TEST(EdgeJoints, OfOneSideAloneAreWarnedOf) {
-  const std::string
-      two =
-          "analysis = { steps = 1, time_step = 1e-2 }\njoint = [{ name = \"usual\" }, { name = "
-          "\"weak\" }]\n[[material]]\nname = \"rock\"\nyoung = 1e9\npoisson = 0.2\ndensity = "
-          "2500\n",
-      lower =
-          "[[block]]\nmaterial = \"rock\"\nfixed = \"all\"\nvertices = [[0, 0], [3, 0], [3, 1], "
-          "[0, 1]]\n",
-      upper =
-          "[[block]]\nmaterial = \"rock\"\nvertices = [[1, 1], [2, 1], [2, 2], [1, 2]]\n"
-          "edge_joints = [\"weak\", \"\", \"\", \"\"]\n";
+  const std::string two =
+                        "analysis = { steps = 1, time_step = 1e-2 }\njoint = [{ name = \"usual\" }, { name = "
+                        "\"weak\" }]\n[[material]]\nname = \"rock\"\nyoung = 1e9\npoisson = 0.2\ndensity = "
+                        "2500\n",
+                    lower =
+                        "[[block]]\nmaterial = \"rock\"\nfixed = true\nvertices = [[0, 0], [3, 0], [3, 1], "
+                        "[0, 1]]\n",
+                    upper =
+                        "[[block]]\nmaterial = \"rock\"\nvertices = [[1, 1], [2, 1], [2, 2], [1, 2]]\n"
+                        "edge_joints = [\"weak\", \"\", \"\", \"\"]\n";
   const std::string text = all_text(read_scene_text(two + lower + upper, "scene.toml").problems);
   EXPECT_NE(text.find("edge 2 of block 0 follows joint \"usual\", edge 0 of block 1, which it touches, joint "
                       "\"weak\": each contact follows the edge"),
