@@ -25,14 +25,6 @@ constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 
-/// What a joint's springs bear is a stress: it stays where neighbours take over a part of the length as
-/// blocks slide, or leave it.
-void take_length(ContactHistory& history, double length) {
-  history.normal *= length / history.length;
-  history.shear *= length / history.length;
-  history.length = length;
-}
-
 }  // namespace
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
@@ -189,8 +181,10 @@ double ContactBuilder::dashpot(const Contact& contact) const {
 
 double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair) const {
   const int origin = pair.edge_block;
+  const Block& block = blocks_.block(pair.vertex_block);
   return contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
                         blocks_.outline_from(state, pair.edge_block, origin), pair.edge,
+                        block.reference().leftCols(block.n_vertices()),
                         properties_.strength(pair).is_compliant() || properties_.strength(pair).crushes());
 }
 
@@ -280,8 +274,12 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   } else if (old) {
     const double length = contact.history.length;
     contact.history = old->history;
-    if (properties_.is_compliant(*old) && is_slipping(old->history.state) && length > 0)
-      take_length(contact.history, length);
+    if (properties_.is_compliant(*old) && is_slipping(old->history.state) && length > 0) {
+      // What a joint's springs bear is a stress: it stays where neighbours take over a part of the length.
+      for (double* force : {&contact.history.normal, &contact.history.shear})
+        *force *= length / old->history.length;
+      contact.history.length = length;
+    }
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks. Of a rounded corner another point touches now.

@@ -15,7 +15,7 @@ constexpr double end_part = 1e-6;
 }  // namespace
 
 double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge,
-                      bool at_any_angle) {
+                      const PointsRef& unstrained, bool at_any_angle) {
   const Vec2 x = vertex_polygon.col(vertex);
   const auto length_towards = [&](int neighbour) {
     const Vec2 y = vertex_polygon.col(neighbour);
@@ -29,7 +29,8 @@ double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsR
     else if (onward < 0 && at < end_part * e.length && goes_straight_on(edge_polygon, before, edge))
       e = DirectedEdge(edge_polygon, before);
     const double s = e.tangent.dot(x - e.start), t = e.tangent.dot(y - e.start);
-    return (std::min(std::max(s, t), e.length) - std::max(std::min(s, t), 0.0)) / 2;
+    const double length = (unstrained.col(neighbour) - unstrained.col(vertex)).norm();
+    return (std::min(std::max(s, t), e.length) - std::max(std::min(s, t), 0.0)) / 2 * length / (y - x).norm();
   };
   const double forward = std::max(0.0, length_towards(next(vertex, vertex_polygon))),
                back = std::max(0.0, length_towards(previous(vertex, vertex_polygon)));

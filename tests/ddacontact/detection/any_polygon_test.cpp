@@ -304,7 +304,8 @@ TEST(AnyPolygon, NodesAlongSidesMeetOneEdgeEach) {
       if (!is_over(pair, c)) continue;
       EXPECT_GE(pair.inset(c), -1e-12) << "not the edge that it is over";
       EXPECT_TRUE(vertices.insert({c.vertex_block, c.vertex}).second) << "a node on two edges";
-      length += contact_length(pair.of(c.vertex_block), c.vertex, pair.of(c.edge_block), c.edge);
+      length += contact_length(pair.of(c.vertex_block), c.vertex, pair.of(c.edge_block), c.edge,
+                               pair.of(c.vertex_block));
     }
     EXPECT_NEAR(length, 2 - std::abs(shift), 1e-9) << "trial " << trial << " nodes " << n << ", " << m;
     if (trial % 3 == 0) {
