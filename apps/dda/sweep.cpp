@@ -93,6 +93,9 @@ class Sweep {
       throw Error(fmt::format("--case {}: there are {} cases", arguments.only, n_cases()));
     scene_text_ = text_of(arguments.scene);
     scene_text_ += files_named_by(quoted_words(scene_text_));
+  }
+
+  void make_directory() const {
     std::error_code error;
     fs::create_directories(directory_, error);
     if (error) throw OutputError(fmt::format("cannot make \"{}\": {}", directory_.string(), error.message()));
@@ -148,7 +151,8 @@ class Sweep {
       if (r.status == "failed" && reason.empty()) reason = r.reason;
       csv.row(k, cases_.rows[k - 1], r.status, r.steps_completed, r.time, r.max_displacement, r.kinetic,
               r.wall_seconds, r.outcomes, r.reason);
-      for (std::size_t i = 0; i < known.size(); ++i) known[i] = known[i] || !r.outcomes[i].empty();
+      for (std::size_t i = 0; i < known.size(); ++i)
+        known[i] = known[i] || !r.outcomes[i].empty() || has_outcome(path_of(k), outcomes_[i]);
     }
     csv.close();
     for (std::size_t i = 0; i < known.size(); ++i)
@@ -282,6 +286,7 @@ int sweep_all(const SweepArguments& arguments) {
     for (const std::string& column : {curve->first, curve->second}) sweep.check_column(column);
   if (map)
     for (const std::string& column : {map->x, map->y, map->value}) sweep.check_column(column);
+  sweep.make_directory();
   if (arguments.slurm) {
     sweep.write_slurm();
     if (!arguments.quiet)
@@ -325,7 +330,8 @@ void add_sweep(CLI::App& app, SweepArguments& arguments) {
   sweep->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
   sweep->add_option("-o,--output", arguments.directory, "Directory of sweep.csv and of the cases")
       ->required();
-  list("--vary", arguments.vary, "PATH=a,b,c or PATH=from:to:count or PATH=1..100; may be repeated");
+  list("--vary", arguments.vary,
+       "PATH=a,b,c or PATH=from:to:count or PATH=1..100 or a list of these; may be repeated");
   sweep->add_option("--table", arguments.table, "CSV file whose header names paths and whose rows are cases")
       ->check(CLI::ExistingFile);
   list("--outcome", arguments.outcomes,

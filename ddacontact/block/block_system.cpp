@@ -281,21 +281,6 @@ Points BlockSystem::positions(const BlockState& state) const {
   return x;
 }
 
-double BlockSystem::last_change() const {
-  double last = fading.to;
-  const auto include = [&](const TimeFunction& function) {
-    last = std::max(last, function.last_change(end_time));
-  };
-  for (const PointLoad& load : point_loads) include(load.force);
-  for (const PressureLoad& load : pressure_loads) include(load.pressure);
-  for (const BodyLoad& load : body_loads) include(load.force);
-  for (const QuietFace& face : quiet_faces) include(face.incoming);
-  for (const TimeFunction& acceleration : ground) include(acceleration);
-  for (const PrescribedDof& held : prescribed_dofs_) include(held.motion);
-  for (const FixedVertex& held : fixed_vertices) include(held.motion);
-  return last;
-}
-
 Points BlockSystem::displacements(const BlockState& state) const {
   const BlockState& zero = displacement_zero();
   Points u = state.position - zero.position;

@@ -155,8 +155,6 @@ class BlockSystem {
 
   /// F += gravity, Eq. (23).
   void add_gravity(VectorXd& F) const;
-  /// When the last load, support or shaking stops changing, s.
-  double last_change() const;
   /// The acceleration of what the blocks are seen from, m/s2.
   Vec2 ground_acceleration(double time) const;
   /// Force by velocity at either end of a quiet face, N s/m per m.

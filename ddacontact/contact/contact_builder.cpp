@@ -117,11 +117,16 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   else
     find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
                   {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
-  if (!blocks_.is_free(a) && !blocks_.is_free(b)) {
-    const auto between_prescribed = [&](const VertexEdge& of) { return !can_change(state, of); };
-    found.erase(
-        std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), between_prescribed),
-        found.end());
+  const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
+  const bool stiff = any_compliant && !blocks_.has_rounded_corners();
+  const auto is_idle = [&](const VertexEdge& of) {
+    // A corner that is yet to come over an edge has no part of the length of a joint with a stiffness.
+    return (held && !can_change(state, of)) ||
+           (stiff && properties_.strength(of).is_compliant() && length_of(state, of) == 0);
+  };
+  if (held || stiff) {
+    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
+    found.erase(std::remove_if(begin, found.end(), is_idle), found.end());
   }
 }
 

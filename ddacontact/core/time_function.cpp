@@ -111,7 +111,7 @@ Vec2 TimeFunction::at(double time, double end_time) const {
 
 double TimeFunction::last_change(double end_time) const {
   const double risen = rise > 0 ? start + rise : 0;
-  if (kind == Kind::ramp) return std::max(risen, end_time);
+  if (kind == Kind::ramp && !value.isZero(0)) return std::max(risen, end_time);
   return is_history() ? std::max(risen, history.back()[0]) : risen;
 }
 

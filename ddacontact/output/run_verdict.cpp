@@ -72,7 +72,7 @@ void add_other_shape(const Stepper& stepper, std::vector<std::string>& warnings)
 
 /// A last stage that came to rest before all that acts on it.
 void add_changes_to_come(const Stepper& stepper, const StageEnd& last, std::vector<std::string>& warnings) {
-  const double change = stepper.blocks().last_change();
+  const double change = last_change(stepper.blocks());
   if (last.came_to_rest && last.time < change)
     warnings.push_back("'until' ended the last stage at t = " + figure(last.time, 6) +
                        " s, but loads, supports or shaking change until t = " + figure(change, 6) +
@@ -142,6 +142,21 @@ void add_coarse_patches(const Stepper& stepper, const std::map<Pair, Pressing>& 
 }
 
 }  // namespace
+
+double last_change(const BlockSystem& blocks) {
+  double last = blocks.fading.to;
+  const auto include = [&](const TimeFunction& function) {
+    last = std::max(last, function.last_change(blocks.end_time));
+  };
+  for (const PointLoad& load : blocks.point_loads) include(load.force);
+  for (const PressureLoad& load : blocks.pressure_loads) include(load.pressure);
+  for (const BodyLoad& load : blocks.body_loads) include(load.force);
+  for (const QuietFace& face : blocks.quiet_faces) include(face.incoming);
+  for (const TimeFunction& acceleration : blocks.ground) include(acceleration);
+  for (const PrescribedDof& held : blocks.prescribed_dofs()) include(held.motion);
+  for (const FixedVertex& held : blocks.fixed_vertices) include(held.motion);
+  return last;
+}
 
 FurthestMove furthest_move(const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();

@@ -8,6 +8,9 @@
 
 namespace ddacontact {
 
+/// When the last load, support or shaking stops changing, s.
+double last_change(const BlockSystem& blocks);
+
 /// A block of which a vertex has gone furthest, and how far in sizes of the block; -1 and 0: none has moved.
 struct FurthestMove {
   int block = -1;

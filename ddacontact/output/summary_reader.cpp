@@ -12,6 +12,7 @@ namespace {
 
 void collect(const nlohmann::json& object, const std::string& prefix, SummaryTable& summary) {
   for (const auto& [key, value] : object.items()) {
+    summary.keys.insert(prefix + key);
     if (value.is_structured())
       collect(value, prefix + key + ".", summary);
     else if (value.is_number())

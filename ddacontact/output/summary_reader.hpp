@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace ddacontact {
@@ -13,6 +14,7 @@ namespace ddacontact {
 struct SummaryTable {
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> texts;
+  std::set<std::string> keys;  ///< all, those of what is left out too
 
   std::optional<double> number(const std::string& key) const;
   /// Empty when there is none.

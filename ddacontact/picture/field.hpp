@@ -37,6 +37,11 @@ const FieldDescription& description(Field field);
 /// The field of this name, or nothing.
 std::optional<Field> field_named(std::string_view name);
 
+/// Whether it may have peaks at corners that mean nothing, as stresses do.
+inline bool has_peaks_at_corners(Field field) {
+  return field != Field::displacement && field != Field::velocity;
+}
+
 /// Whether the frame holds what the field is computed from.
 bool holds(const Frame& frame, Field field);
 

@@ -52,11 +52,6 @@ std::vector<bool> cells_of_divided_blocks(const Frame& frame) {
   return divided;
 }
 
-/// At corners and where contacts press.
-bool has_stress_peaks(Field field) {
-  return field != Field::displacement && field != Field::velocity;
-}
-
 struct WeighedValue {
   double value, area;
 };
@@ -108,7 +103,7 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       widen(telling_range_, piece.values.head(FanMesh(mesh.n_corners(), rings).n_nodes()), first);
     }
   }
-  if (!has_stress_peaks(field)) return;
+  if (!has_peaks_at_corners(field)) return;
   const ValueRange most = percentiles(is_divided);
   has_peaks_ = telling_range_.high - telling_range_.low > worth_cutting * (most.high - most.low);
   if (has_peaks_) telling_range_ = most;

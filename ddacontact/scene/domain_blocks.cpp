@@ -259,29 +259,35 @@ bool meets(const Points& polygon, const Points& line) {
   return false;
 }
 
-/// Openings and regions without a block, and traces outside.
-void warn_of_what_is_outside(const Domain& domain, const DomainRecord& record,
-                             const std::vector<CutBlock>& blocks, ProblemList& problems) {
+/// Two polygons.
+bool overlap(const Points& a, const Points& b) {
+  Points ring(2, b.cols() + 1);
+  ring << b, b.col(0);
+  return meets(a, ring) || polyfem::contains(b, a.col(0));
+}
+
+/// Openings, regions and traces.
+void warn_of_what_is_outside(const Domain& domain, const DomainRecord& record, ProblemList& problems) {
   const auto warn = [&](const KeyLocations& locations, const std::string& what) {
-    problems.warning(locations.table, what + ": it has no effect",
+    problems.warning(locations.table, what + " outside the domain and has no effect",
                      "compare its coordinates with the boundary's: the same unit, the same origin?");
   };
-  const auto none_in = [&](std::vector<int> CutBlock::*members, std::size_t number) {
-    return std::ranges::none_of(blocks, [&](const CutBlock& block) {
-      return std::ranges::count(block.*members, static_cast<int>(number)) > 0;
-    });
-  };
   for (std::size_t o = 0; o < record.openings.size(); ++o)
-    if (none_in(&CutBlock::openings, o))
-      warn(record.openings[o].locations,
-           "no block of the domain is in the opening '" + excerpt(record.openings[o].name) + "'");
+    if (!overlap(domain.boundary, domain.openings[o].outline))
+      warn(record.openings[o].locations, "the opening '" + excerpt(record.openings[o].name) + "' lies");
   for (std::size_t r = 0; r < record.regions.size(); ++r)
-    if (none_in(&CutBlock::regions, r))
-      warn(record.regions[r].locations,
-           "no block of the domain has its centroid in the region '" + excerpt(record.regions[r].name) + "'");
-  for (std::size_t t = 0; t < record.traces.size(); ++t)
-    if (!meets(domain.boundary, domain.traces[t].points))
-      warn(record.traces[t].locations, "the trace lies outside the domain");
+    if (!overlap(domain.boundary, domain.regions[r].polygon))
+      warn(record.regions[r].locations, "the region '" + excerpt(record.regions[r].name) + "' lies");
+  const TraceRecord* first = nullptr;
+  int n_traces = 0;
+  for (std::size_t t = 0; t < record.traces.size(); ++t) {
+    if (meets(domain.boundary, domain.traces[t].points)) continue;
+    if (n_traces++ == 0) first = &record.traces[t];
+  }
+  if (n_traces == 1) warn(first->locations, "the trace lies");
+  if (n_traces > 1)
+    warn(first->locations, "the trace, with " + std::to_string(n_traces - 1) +
+                               (n_traces > 2 ? " others," : " other,") + " lies");
 }
 
 }  // namespace
@@ -303,7 +309,7 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
     const CutDomain cut = cut_domain(reader.domain());
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
       if (auto block = reader.block(cut.blocks[b], b)) document.blocks.push_back(std::move(*block));
-    warn_of_what_is_outside(reader.domain(), *document.domain, cut.blocks, problems);
+    warn_of_what_is_outside(reader.domain(), *document.domain, problems);
     if (document.blocks.empty())
       problems.error(document.domain->locations.of("boundary"), "nothing of the domain is left",
                      "smaller openings, or a smaller 'snap' and 'sliver'");

@@ -134,10 +134,11 @@ class HistoryReader {
 
   /// A record at even times with a few rows less: what is missing would pass as a straight line.
   void warn_of_missing_rows() {
-    constexpr double same = 1e-3, of_even = 0.9;
+    constexpr double same = 0.15, of_even = 0.9;  // times may be rounded
     const std::vector<Vec3>& entries = history_.entries;
     std::vector<double> steps;
-    for (std::size_t k = 1; k < entries.size(); ++k) steps.push_back(entries[k][0] - entries[k - 1][0]);
+    for (std::size_t k = 1; k + 1 < entries.size(); ++k)  // the last may close the record
+      steps.push_back(entries[k][0] - entries[k - 1][0]);
     if (steps.empty()) return;
     std::vector<double> sorted = steps;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);

@@ -36,4 +36,10 @@ JointTable joint_table(const std::vector<Joint>& joints) {
   return JointTable(std::move(entries));
 }
 
+int joint_of_edge(const Scene& scene, const JointTable& joints, int block, int edge, int other) {
+  const std::vector<int>& of_edges = scene.blocks[block].edge_joints;
+  if (!of_edges.empty() && of_edges[edge] >= 0) return of_edges[edge];
+  return joints.number_between(scene.blocks[block].material, scene.blocks[other].material);
+}
+
 }  // namespace ddacontact

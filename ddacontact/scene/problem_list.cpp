@@ -1,6 +1,7 @@
 #include <ddacontact/scene/problem_list.hpp>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace ddacontact::scene_format {
@@ -30,6 +31,8 @@ void ProblemList::add(Problem::Severity severity, const SourceLocation& location
 }
 
 std::vector<Problem> ProblemList::sorted() && {
+  std::set<std::string> said;
+  std::erase_if(problems_, [&](const Problem& problem) { return !said.insert(problem.text()).second; });
   const std::string main = on_one_line(file_);
   std::stable_sort(problems_.begin(), problems_.end(), [&](const Problem& a, const Problem& b) {
     return std::make_tuple(a.file != main, a.line, a.column) <

@@ -29,7 +29,7 @@ class ProblemList {
 
   /// Those of the scene file by line and column, then those of settings as they were given, then those of a
   /// geometry file by line and column. Control characters and line ends inside a message are shown as spaces:
-  /// one problem is one line.
+  /// one problem is one line, and what is found twice stands once.
   std::vector<Problem> sorted() &&;
 
  private:

@@ -2,6 +2,8 @@
 
 #include <ddacontact/scene/text.hpp>
 
+#include <algorithm>
+
 namespace ddacontact::scene_format {
 
 namespace {
@@ -19,25 +21,24 @@ void add_note(const std::string& title, const std::vector<Vec3>& entries, std::v
     if (entry.tail<2>().squaredNorm() > largest->tail<2>().squaredNorm()) largest = &entry;
   const auto [displacement, velocity] =
       history_function(TimeFunction::Kind::acceleration_history, entries).curve.back();
-  notes.push_back(title + ": " + std::to_string(entries.size()) +
-                  " entries from t = " + rounded(entries.front()[0]) + " to " + rounded(entries.back()[0]) +
-                  " s, the largest acceleration " + vector_text(largest->tail<2>()) +
-                  " m/s2 at t = " + rounded((*largest)[0]) +
-                  " s; taken as it is, without a correction of its baseline, it ends "
-                  "with the velocity " +
-                  vector_text(velocity) + " m/s and the displacement " + vector_text(displacement) + " m");
+  const std::string note =
+      title + ": " + std::to_string(entries.size()) + " entries from t = " + rounded(entries.front()[0]) +
+      " to " + rounded(entries.back()[0]) + " s, the largest acceleration " +
+      vector_text(largest->tail<2>()) + " m/s2 at t = " + rounded((*largest)[0]) +
+      " s; its baseline is not corrected: it ends with the velocity " + vector_text(velocity) +
+      " m/s and the displacement " + vector_text(displacement) + " m";
+  if (std::ranges::count(notes, note) == 0) notes.push_back(note);
 }
 
 }  // namespace
 
 std::vector<std::string> notes_on_records(const Scene& scene) {
   std::vector<std::string> notes;
-  for (std::size_t k = 0; k < scene.quakes.size(); ++k)
-    add_note("[[quake]] " + std::to_string(k), scene.quakes[k].acceleration.history, notes);
-  for (std::size_t k = 0; k < scene.supports.size(); ++k)
-    if (const TimeFunction& motion = scene.supports[k].displacement;
-        motion.kind == TimeFunction::Kind::acceleration_history)
-      add_note("[[support]] " + std::to_string(k), motion.history, notes);
+  for (const Quake& quake : scene.quakes)
+    add_note("record of a [[quake]]", quake.acceleration.history, notes);
+  for (const Support& support : scene.supports)
+    if (support.displacement.kind == TimeFunction::Kind::acceleration_history)
+      add_note("record of a [[support]]", support.displacement.history, notes);
   return notes;
 }
 

@@ -1,7 +1,5 @@
 #include <ddacontact/scene/scene.hpp>
 
-#include <algorithm>
-
 namespace ddacontact {
 
 std::string Scene::block_name(int block) const {
@@ -14,17 +12,6 @@ int Scene::n_steps() const {
   int sum = 0;
   for (const StageDescription& stage : stages) sum += stage.analysis.steps;
   return sum;
-}
-
-int Scene::joint_of_edge(int block, int edge, int other) const {
-  const std::vector<int>& of_edges = blocks[block].edge_joints;
-  if (!of_edges.empty() && of_edges[edge] >= 0) return of_edges[edge];
-  const auto [a, b] = std::minmax(blocks[block].material, blocks[other].material);
-  const auto number_of = [&](const std::optional<std::array<int, 2>>& between) {
-    return static_cast<int>(std::ranges::find(joints, between, &Joint::between) - joints.begin());
-  };
-  const int of_materials = number_of(std::array{a, b});
-  return of_materials < static_cast<int>(joints.size()) ? of_materials : number_of(std::nullopt);
 }
 
 double Scene::end_time() const {

@@ -169,9 +169,6 @@ struct Scene {
 
   /// The name of a block in every result: its own, else its index.
   std::string block_name(int block) const;
-  /// The joint that a vertex of another block follows on an edge: that of the edge, else that between the
-  /// materials, else the first without any.
-  int joint_of_edge(int block, int edge, int other) const;
   /// A stage that changes nothing yet.
   StageDescription stage(std::string of_name) const {
     return {std::move(of_name), analysis, joints, false, {}, {}, water, {}};

@@ -38,21 +38,22 @@ std::string name_of(const BlockRecord& block, int index) {
   return block.name && !block.name->empty() ? *block.name : std::to_string(index);
 }
 
-/// A place as a point, a line or a polygon, by its number of columns.
-Points shape_of(const Place& place) {
-  if (place.at) return *place.at;
-  if (place.inside) return *place.inside;
-  const auto& [x0, y0, x1, y1] = *place.box;
-  Points corners(2, 4);
-  corners << x0, x1, x1, x0, y0, y0, y1, y1;
-  return corners;
-}
-
 Points shape_of(const LineSegment& line) {
   Points ends(2, line.from == line.to ? 1 : 2);
   ends.col(0) = line.from;
   if (ends.cols() > 1) ends.col(1) = line.to;
   return ends;
+}
+
+/// A place as a point, a line or a polygon, by its number of columns.
+Points shape_of(const Place& place) {
+  if (place.at) return *place.at;
+  if (place.inside) return *place.inside;
+  const auto& [x0, y0, x1, y1] = *place.box;
+  if (x0 == x1 || y0 == y1) return shape_of(LineSegment{{x0, y0}, {x1, y1}});
+  Points corners(2, 4);
+  corners << x0, x1, x1, x0, y0, y0, y1, y1;
+  return corners;
 }
 
 Points shape_of(const PartSelector& selector) {
@@ -66,11 +67,12 @@ double distance_to(const Points& shape, const Vec2& x) {
                              : polyfem::distance_outside(shape, x);
 }
 
-std::string text_of(const Points& shape) {
-  return shape.cols() == 1 ? "at " + point_text(shape.col(0))
-         : shape.cols() == 2
-             ? "on the line from " + point_text(shape.col(0)) + " to " + point_text(shape.col(1))
-             : "in the polygon around " + point_text(shape.rowwise().mean());
+std::string text_of(const PartSelector& selector) {
+  if (selector.on)
+    return "on the line from " + point_text(selector.on->from) + " to " + point_text(selector.on->to);
+  if (selector.at) return "at " + point_text(*selector.at);
+  return std::string(selector.box ? "in the box" : "in the polygon") + " around " +
+         point_text(shape_of(selector).rowwise().mean());
 }
 
 std::vector<int> vertices_in(const Points& shape, const BlockRecord& block) {
@@ -137,23 +139,29 @@ void complain_of_location(const BlockSelector& selector, const Document& documen
                            "' with its centroid at " + point_text(centroid(document.blocks[nearest_block])));
 }
 
-/// Nothing there: which vertex of these blocks is nearest.
-void complain_of_part(const Points& shape, const std::vector<int>& blocks, const char* what,
+/// Nothing there: what of these blocks is nearest, a vertex, or of a point to be on an edge that edge.
+void complain_of_part(const PartSelector& selector, const std::vector<int>& blocks, bool edges,
                       const Document& document, const SourceLocation& location, ProblemList& problems) {
+  const Points shape = shape_of(selector);
+  const bool to_edge = edges && shape.cols() == 1;
   std::string cure = "none of these blocks has vertices";
   double least = std::numeric_limits<double>::infinity();
   for (const int b : blocks) {
     const Points& points = document.blocks[b].vertices.points;
     for (int k = 0; k < points.cols(); ++k) {
-      const double distance = distance_to(shape, points.col(k));
+      const double distance =
+          to_edge ? distance_to_edge(shape.col(0), points.col(k), points.col((k + 1) % points.cols()))
+                  : distance_to(shape, points.col(k));
       if (distance >= least) continue;
       least = distance;
-      cure = "the nearest vertex is " + std::to_string(k) + " of block '" +
-             excerpt(name_of(document.blocks[b], b)) + "' at " + point_text(points.col(k)) + ", " +
-             rounded(distance) + " m away";
+      cure = std::string(to_edge ? "the nearest edge is " : "the nearest vertex is ") + std::to_string(k) +
+             " of block '" + excerpt(name_of(document.blocks[b], b)) + "'" +
+             (to_edge ? "" : " at " + point_text(points.col(k))) + ", " + rounded(distance) + " m away";
     }
   }
-  problems.error(location, std::string("no ") + what + " lies " + text_of(shape), cure);
+  if (edges && !to_edge) cure = "both ends of an edge have to lie there; " + cure;
+  problems.error(location, std::string(edges ? "no edge lies " : "no vertex lies ") + text_of(selector),
+                 cure);
 }
 
 class Expansion {
@@ -190,7 +198,8 @@ class Expansion {
       if (!one.vertices.some.empty()) all.push_back(std::move(one));
     }
     if (blocks.empty() || all.size() > before) return;
-    complain_of_part(shape, blocks, "vertex", document_, record.locations.of("vertices"), problems_);
+    complain_of_part(*record.vertices.selector, blocks, false, document_, record.locations.of("vertices"),
+                     problems_);
     all.push_back(with_block(record, blocks.front()));  // what is held is not known
   }
 
@@ -207,7 +216,8 @@ class Expansion {
         all.back().edge = EdgeSelection{edge};
       }
     if (!blocks.empty() && all.size() == before)
-      complain_of_part(shape, blocks, "edge", document_, record.locations.of("edge"), problems_);
+      complain_of_part(*record.edge->selector, blocks, true, document_, record.locations.of("edge"),
+                       problems_);
   }
 
   void quiet_boundary(QuietRecord& record) const {
@@ -220,7 +230,7 @@ class Expansion {
       for (const int edge : edges_in(line, document_.blocks[b])) record.faces.push_back({b, edge});
     }
     if (record.faces.empty() && document_.has_all_blocks)
-      complain_of_part(line, blocks, "edge", document_, record.locations.of("on"), problems_);
+      complain_of_part({{}, record.on}, blocks, true, document_, record.locations.of("on"), problems_);
   }
 
   void monitor(const MonitorRecord& record, const std::vector<int>& blocks, std::vector<MonitorRecord>& all) {

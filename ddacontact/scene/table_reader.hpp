@@ -1,6 +1,7 @@
 /// \file Reads one table of a scene file into its record, key by key as schema.hpp declares them.
 #pragma once
 
+#include <ddacontact/scene/parameters.hpp>
 #include <ddacontact/scene/toml_value.hpp>
 
 #include <optional>
@@ -74,7 +75,7 @@ class TableReader {
   }
   template <class T>
   void read(const Key& key, const toml::node& node, T& value) {
-    const bool good = ValueReader(key, problems_)(node, value);
+    const bool good = !is_unknown_parameter(node) && ValueReader(key, problems_)(node, value);
     locations_.add(key.name, location_of(node, problems_), good);
   }
   template <Inner Record>

@@ -6,6 +6,7 @@
 #include <ddacontact/picture/svg.hpp>
 #include <ddacontact/picture/view.hpp>
 #include <ddacontact/picture/water_layer.hpp>
+#include <ddacontact/scene/joint_strengths.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
@@ -28,22 +29,23 @@ double size_of(const Points& polygon) {
 }
 
 /// That an edge of one of the blocks names, else that of the materials.
-int joint_of_face(const Scene& scene, int a, Index edge_a, int b, Index edge_b) {
+int joint_of_face(const Scene& scene, const JointTable& joints, int a, Index edge_a, int b, Index edge_b) {
   const auto names_one = [&](int block, Index edge) {
-    const std::vector<int>& joints = scene.blocks[block].edge_joints;
-    return !joints.empty() && joints[edge] >= 0;
+    const std::vector<int>& of_edges = scene.blocks[block].edge_joints;
+    return !of_edges.empty() && of_edges[edge] >= 0;
   };
-  return names_one(b, edge_b) && !names_one(a, edge_a) ? scene.joint_of_edge(b, static_cast<int>(edge_b), a)
-                                                       : scene.joint_of_edge(a, static_cast<int>(edge_a), b);
+  return names_one(b, edge_b) && !names_one(a, edge_a)
+             ? joint_of_edge(scene, joints, b, static_cast<int>(edge_b), a)
+             : joint_of_edge(scene, joints, a, static_cast<int>(edge_a), b);
 }
 
-void add_faces(const Scene& scene, int a, int b, std::vector<SharedFace>& faces) {
+void add_faces(const Scene& scene, const JointTable& joints, int a, int b, std::vector<SharedFace>& faces) {
   const Points &p = scene.blocks[a].vertices, &q = scene.blocks[b].vertices;
   for (const auto& [edge, other, from, to] :
        touching_edges(p, q, edges_touch * std::min(size_of(p), size_of(q)))) {
     const Vec2 start = p.col(edge), along = p.col((edge + 1) % p.cols()) - start;
     faces.push_back(
-        {a, b, joint_of_face(scene, a, edge, b, other), start + from * along, start + to * along});
+        {a, b, joint_of_face(scene, joints, a, edge, b, other), start + from * along, start + to * along});
   }
 }
 
@@ -256,7 +258,8 @@ std::vector<SharedFace> shared_faces(const Scene& scene) {
   std::vector<SharedFace> faces;
   if (scene.joints.empty()) return faces;
   BroadPhase broad_phase;
-  for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) add_faces(scene, a, b, faces);
+  const JointTable joints = joint_table(scene.joints);
+  for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) add_faces(scene, joints, a, b, faces);
   return faces;
 }
 

@@ -1,5 +1,7 @@
 #include <ddacontact/study/strength_trial.hpp>
 
+#include <ddacontact/output/run_verdict.hpp>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -84,7 +86,7 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
              most_steps = limits.time_factor * stage_steps;
   double first_half = 0, second_half = 0;
   int at_rest = 0, slipped = 0;
-  const auto changes = [&] { return stepper.state().time < stepper.blocks().last_change(); };
+  const auto changes = [&] { return stepper.state().time < last_change(stepper.blocks()); };
   while (trial.steps < most_steps || changes()) {
     if (!stepper.step()) return decide(Verdict::stopped, stepper.stop_reason());
     ++trial.steps;

@@ -123,19 +123,35 @@ CaseResult read_case(const std::filesystem::path& directory, const std::vector<O
   return result;
 }
 
+bool has_outcome(const std::filesystem::path& directory, const Outcome& outcome) {
+  if (outcome.path.starts_with(of_monitor)) return !at_monitor(directory, outcome.path).empty();
+  const std::filesystem::path file = summary_file(directory);
+  return !file.empty() && read_summary(file).keys.contains(outcome.path);
+}
+
 std::string curve_of(const std::filesystem::path& table, const std::string& x, const std::string& y) {
   constexpr std::size_t most_lines = 12;  // of colours that are told apart
   const CsvTable rows(table);
   const std::vector<std::string> xs = rows.texts(x), ys = rows.texts(y), status = rows.texts("status"),
                                  others = other_settings(rows, x, y);
+  std::vector<std::string> names;  // of lines, in the order of the rows
   std::map<std::string, std::vector<std::pair<double, double>>> lines;
+  std::size_t n_points = 0;
   for (std::size_t k = 0; k < xs.size(); ++k)
-    if (const auto at = number_of(xs[k]), value = number_of(ys[k]); at && value && status[k] != "failed")
+    if (const auto at = number_of(xs[k]), value = number_of(ys[k]); at && value && status[k] != "failed") {
+      if (!lines.contains(others[k])) names.push_back(others[k]);
       lines[others[k]].emplace_back(*at, *value);
+      ++n_points;
+    }
   if (lines.empty()) throw Error("no case has numbers in both columns \"" + x + "\" and \"" + y + "\"");
-  const bool dots_alone = lines.size() > most_lines;
+  if (lines.size() == n_points) {  // the other settings go with x
+    for (std::size_t k = 1; k < names.size(); ++k) lines[names[0]].push_back(lines[names[k]].front());
+    names.resize(1);
+  }
+  const bool dots_alone = names.size() > most_lines;
   std::vector<Series> series;
-  for (auto& [name, points] : lines) {
+  for (const std::string& name : names) {
+    std::vector<std::pair<double, double>>& points = lines[name];
     std::ranges::sort(points);
     if (series.empty() || !dots_alone) series.push_back({.name = name, .x = {}, .y = {}, .dots = true});
     for (const auto& [at, value] : points) {

@@ -34,6 +34,9 @@ std::vector<Outcome> outcomes_of_safety();
 CaseResult read_case(const std::filesystem::path& directory, const std::vector<Outcome>& outcomes,
                      const std::filesystem::path& log);
 
+/// Whether a result has what an outcome asks for, be it none or an empty text.
+bool has_outcome(const std::filesystem::path& directory, const Outcome& outcome);
+
 /// Of the summary in a directory, or of its safety.json; empty without either.
 std::string case_status(const std::filesystem::path& directory);
 

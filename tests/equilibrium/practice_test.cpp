@@ -94,7 +94,7 @@ TEST(Practice, ABoltedBlockHasTheFactorOfItsPretension) {
       "[[joint]]\nfriction_angle = 30\n"
       "[[block]]\nmaterial = \"rock\"\nfixed = true\nvertices = " +
           box(-5, -6, 15, 6) + "[[block]]\nmaterial = \"rock\"\nvertices = " + box(0, 0, 4, 1) +
-          "[[bolt]]\npoints = [" + at(2, -5) + ", " + at(2, 0.5) +
+          "[[bolt]]\nname = \"anchor\"\npoints = [" + at(2, -5) + ", " + at(2, 0.5) +
           "]\narea = \"5 cm2\"\nyoung = \"200 GPa\"\npretension = \"50 kN\"\nyield_force = \"50 kN\"\n",
       "bolted.toml");
   ASSERT_TRUE(reading.scene) << reading.problems.front().text();

@@ -144,9 +144,9 @@ TEST_F(ActionsInTime, RecordsAreNotedWithTheirPeakAndTheEndsOfTheirIntegrals) {
     const auto notes = ddacontact::scene_format::notes_on_records(scene_with_more(record));
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_NE(
-        notes[0].find(": 5 entries from t = 0 to 4 s, the largest acceleration (2, 0) m/s2 at t = 1 s; taken "
-                      "as it is, without a correction of its baseline, it ends with the velocity (6, 0) m/s "
-                      "and the displacement (12, 0) m"),
+        notes[0].find(": 5 entries from t = 0 to 4 s, the largest acceleration (2, 0) m/s2 at t = 1 s; its "
+                      "baseline is not corrected: it ends with the velocity (6, 0) m/s and the displacement "
+                      "(12, 0) m"),
         std::string::npos)
         << notes[0];
   }

@@ -317,14 +317,22 @@ TEST(Domain, WhatLiesOutsideIsWarnedOf) {
   const std::string opening = "[[domain.opening]]\nname = \"adit\"\nexcavated = true\ncircle = { centre = [",
                     region = "[[domain.region]]\nname = \"dyke\"\npolygon = [[";
   EXPECT_EQ(warnings(opening + "2, 1.5], radius = 0.4 }\n"), "");
-  EXPECT_NE(
-      warnings(opening + "2000, 1500], radius = 400 }\n").find("in the opening 'adit': it has no effect"),
-      std::string::npos);
+  EXPECT_NE(warnings(opening + "2000, 1500], radius = 400 }\n")
+                .find("the opening 'adit' lies outside the domain and has no effect"),
+            std::string::npos);
   EXPECT_EQ(warnings(region + "0, 0], [2, 0], [0, 2]]\n"), "");
-  EXPECT_NE(warnings(region + "10, 0], [12, 0], [10, 2]]\n").find("in the region 'dyke'"), std::string::npos);
+  EXPECT_NE(warnings(region + "10, 0], [12, 0], [10, 2]]\n").find("the region 'dyke' lies outside"),
+            std::string::npos);
   EXPECT_EQ(warnings("[[domain.trace]]\npoints = [[-1, 1.5], [5, 1.6]]\n"), "");
   EXPECT_NE(warnings("[[domain.trace]]\npoints = [[-1, 5], [5, 5]]\n").find("trace lies outside"),
             std::string::npos);
+  const std::string outside = "[[domain.trace]]\npoints = [[9, 5], [9, 6]]\n";
+  EXPECT_NE(warnings(outside + outside + outside).find("the trace, with 2 others, lies outside"),
+            std::string::npos);
+  // A region that holds no centroid may still be where a joint set is.
+  EXPECT_EQ(
+      warnings("[[domain.region]]\nname = \"band\"\npolygon = [[-1, 0.9], [5, 0.9], [5, 1.1], [-1, 1.1]]\n"),
+      "");
 }
 
 TEST(Domain, EdgeJointsOfABlockAreOnePerEdge) {

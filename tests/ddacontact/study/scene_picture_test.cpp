@@ -41,6 +41,15 @@ TEST(ScenePicture, TheJointOfAnEdgeGoesBeforeThatOfTheMaterials) {
   for (const SharedFace& face : shared_faces(scene)) EXPECT_EQ(face.joint, 1);
 }
 
+/// Neither an edge nor the materials have a joint: the first holds, as for contacts.
+TEST(ScenePicture, FallsBackOnTheFirstJoint) {
+  Scene scene = bricks();
+  scene.joints[0].between = std::array{0, 0};
+  const std::vector<SharedFace> faces = shared_faces(scene);
+  ASSERT_EQ(faces.size(), 3u);
+  EXPECT_EQ(std::ranges::count(faces, 0, &SharedFace::joint), 1);
+}
+
 TEST(ScenePicture, BlocksApartShareNoFace) {
   Scene scene = bricks();
   scene.blocks[2].vertices.row(0).array() += 1e-3;

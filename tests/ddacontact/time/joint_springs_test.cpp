@@ -94,6 +94,31 @@ TEST(JointSprings, BetweenMeshesHaveTheLengthOfTheJoint) {
   }
 }
 
+/// From one floor onto the next: the corner that the block comes to has a part of the length from then on,
+/// and of the weight.
+TEST(JointSprings, BearABlockThatSlidesOntoAnotherFloor) {
+  Scene scene = column(1, 1e9, 1e9);
+  scene.joints[0].friction_angle = 5;
+  scene.materials[0].young = 5e10;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.analysis.time_step = 0.005;
+  scene.blocks = {block(rectangle(-6, -1, 6, 1), true), block(rectangle(0, -1, 6, 1), true),
+                  block(rectangle(-2.3, 0, 2, 1))};
+  scene.blocks[2].velocity = {1.5, 0};
+  BuiltScene built = build(scene);
+  Stepper& stepper = *built.stepper;
+  for (int step = 0; step < 200; ++step) {
+    ASSERT_TRUE(stepper.step());
+    if (travel(stepper, 2).x() < 0.35) continue;  // it is yet to come over the corner
+    for (const ddacontact::ContactRecord& contact : stepper.contacts())
+      if (contact.closed() && contact.normal > 0) {
+        ASSERT_NEAR(contact.normal, -1e9 * contact.history.length * contact.end_gap, 1e-6 * 40e3) << step;
+      }
+    ASSERT_LT(std::abs(stepper.state().rotation[2]), 1e-5) << step;
+  }
+  EXPECT_GT(travel(stepper, 2).x(), 1);
+}
+
 /// The midpoint rule keeps the energy of a linear spring and turns its phase by 2 atan(w dt / 2) a step.
 TEST(JointSprings, CarryABlockAsAnOscillatorOfTheSchemesPeriod) {
   Scene scene = column(1, 1e6, 1e6);
