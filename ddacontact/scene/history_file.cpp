@@ -71,12 +71,18 @@ class HistoryReader {
   }
 
  private:
+  /// 1 for x, 2 for y by the end of its name; of a pressure, which has none, 1; else -1.
+  int component_of(std::string_view name) const {
+    if (history_.columns == 2) return 1;
+    const char last = name.empty() ? ' ' : name.back();
+    return last == 'x' || last == 'X' ? 1 : last == 'y' || last == 'Y' ? 2 : -1;
+  }
+
   void read_header(const std::vector<Cell>& cells, int line) {
     if (cells.size() < 2 || cells.size() > 3)
       return problems_.error({source_, line, 1},
                              "the header has " + std::to_string(cells.size()) + " columns",
                              "write a line 't,x,y' or 't,x' with a unit in brackets where it is not SI");
-    int next = 1;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::string_view text = cells[k].text;
       const std::size_t bracket = text.find_first_of("[(");
@@ -84,14 +90,17 @@ class HistoryReader {
       if (double number; std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc())
         return problems_.error({source_, line, cells[k].column}, "the first line has no names of columns",
                                "write a header 't,x,y' with a unit in brackets where it is not SI");
-      Column column{k == 0 ? 0 : next};
-      if (k > 0 && name.ends_with('x')) column.component = 1;
-      if (k > 0 && name.ends_with('y')) column.component = 2;
+      Column column{k == 0 ? 0 : component_of(name)};
+      if (column.component < 0)
+        return problems_.error({source_, line, cells[k].column},
+                               "column '" + std::string(name) + "' does not say which component it is",
+                               "end its name in x or y");
       for (const Column& other : columns_)
         if (other.component == column.component)
           return problems_.error({source_, line, cells[k].column},
-                                 "column '" + std::string(name) + "' stands twice", "give x and y once each");
-      next = 3 - column.component;
+                                 history_.columns == 2 ? "a pressure has one column besides the time"
+                                                       : "column '" + std::string(name) + "' stands twice",
+                                 history_.columns == 2 ? "leave one out" : "give x and y once each");
       if (bracket != std::string_view::npos) {
         const std::string unit(trimmed(text.substr(bracket + 1, text.find_last_of("])") - bracket - 1)));
         const bool gravities = unit == "g" && history_.unit == "m/s2";

@@ -97,6 +97,9 @@ TEST_F(ActionsInTime, FilesAreRefusedWithTheirLineAndCure) {
   refuses("t,ax,ay\n0,0,0\n0.1,0\n", {"record.csv:3:1", "2 cells", "header 3"});
   refuses("t,ax\n0,0\n0.2,1\n0.1,1\n", {"record.csv:4:1", "not later", "increase"});
   refuses("t,ax [m]\n0,0\n", {"record.csv:1:3", "'m' has the wrong unit", "m/s2"});
+  refuses("t,NS,UD\n0,0,0\n",
+          {"record.csv:1:3", "'NS' does not say which component", "end its name in x or y"});
+  refuses("t,az\n0,0\n", {"record.csv:1:3", "'az'"});
   refuses("t,ax,ax\n0,0,0\n", {"record.csv:1:6", "'ax' stands twice"});
   refuses("0,1,2\n1,2,3\n", {"record.csv:1:1", "no names", "header"});
   refuses("t,ax,ay\n", {"record.csv:1:1", "no entries"});
@@ -120,6 +123,18 @@ TEST_F(ActionsInTime, CoarseRecordsAreWarnedOf) {
     const std::string of_support = problem_of(support + key + " = \"record.csv\"\n");
     EXPECT_NE(of_support.find("'" + key + "' is sampled coarsely"), std::string::npos) << of_support;
   }
+}
+
+TEST_F(ActionsInTime, APressureMayHaveAnyNameAndComponentsEitherCase) {
+  for (const std::string name : {"p", "load", "px", "py"}) {
+    write("record.csv", "t [s], " + name + " [kPa]\n0, 1\n1, 100\n");
+    const Scene scene =
+        scene_with_more("[[load]]\ntype = \"pressure\"\nblock = 0\nedge = 0\nhistory = \"record.csv\"\n");
+    ASSERT_EQ(scene.loads.size(), 1u);
+    EXPECT_EQ(scene.loads[0].force.at(1, 1).x(), 100e3) << name;
+  }
+  write("record.csv", "t, AX, AY\n0, 1, 2\n1, 3, 4\n");
+  EXPECT_EQ(scene_with_more(quake).quakes[0].acceleration.at(1, 1), Vec2(3, 4));
 }
 
 TEST_F(ActionsInTime, MissingRowsAreWarnedOf) {
