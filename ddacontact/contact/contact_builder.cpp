@@ -47,6 +47,10 @@ double ContactBuilder::pair_size(int a, int b) const {
   return std::min(size_[a], size_[b]);
 }
 
+double ContactBuilder::lip(int a, int b) const {
+  return properties_.lip * pair_size(a, b) + std::max(closure_[a], closure_[b]);
+}
+
 void ContactBuilder::find_pairs(const BlockState& state) {
   const Index n = blocks_.n_blocks();
   boxes_.resize(n);
@@ -80,7 +84,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   const PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
                           .max_depth = std::min(half_width_[a], half_width_[b]),
                           .coincidence = coincidence * size,
-                          .lip = properties_.lip * size};
+                          .lip = lip(a, b)};
   earlier.clear();
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant),
              any_shifted = properties_.joints.any(&JointStrength::shifts);
@@ -151,6 +155,12 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   ties_ = ties;
   const double rise = properties_.joints.largest_rise();
   for (double& margin : search_margin_) margin += rise / 2;
+  closure_.assign(search_margin_.size(), 0);
+  const bool stiff = properties_.joints.any(&JointStrength::is_compliant);
+  for (const ContactRecord& contact : previous)
+    if (contact.closed() && stiff && properties_.is_compliant(contact))
+      for (const int b : {contact.pair.vertex_block, contact.pair.edge_block})
+        closure_[b] = std::max(closure_[b], contact.history.gap_offset - contact.end_gap);
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
@@ -356,8 +366,8 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
 double ContactBuilder::memory() const {
   double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
                  outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
-                 bytes_of(pairs_) + bytes_of(search_margin_) + bytes_of(found_in_) + bytes_of(first_found_) +
-                 bytes_of(missed_);
+                 bytes_of(pairs_) + bytes_of(search_margin_) + bytes_of(closure_) + bytes_of(found_in_) +
+                 bytes_of(first_found_) + bytes_of(missed_);
   for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
   for (const std::vector<Choice>& choices : choices_in_) bytes += bytes_of(choices);
   return bytes;

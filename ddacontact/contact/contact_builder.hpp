@@ -74,6 +74,9 @@ class ContactBuilder {
   double pair_size(int a, int b) const;
 
  private:
+  /// How far behind an edge's line a corner passes it, m: the lip, and what joints of either block have
+  /// closed by their stiffness: the next block along the joint is not yet closed.
+  double lip(int a, int b) const;
   /// Finds the vertices and edges that may meet while no vertex of block b moves more than search_margin[b],
   /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
   std::size_t detect(const BlockState& state, const VectorXd& motion,
@@ -132,6 +135,7 @@ class ContactBuilder {
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;            ///< of blocks that may meet
+  std::vector<double> closure_;        ///< of the joints of each block by their stiffness, largest, m
   std::vector<double> search_margin_;  ///< that contacts were looked for within, with what dilation lifts
   std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<std::vector<Choice>> choices_in_;    ///< likewise
