@@ -47,8 +47,8 @@ double ContactBuilder::pair_size(int a, int b) const {
   return std::min(size_[a], size_[b]);
 }
 
-double ContactBuilder::lip(int a, int b) const {
-  return properties_.lip * pair_size(a, b) + std::max(closure_[a], closure_[b]);
+double ContactBuilder::lip(int a, int b, bool touch) const {
+  return properties_.lip * pair_size(a, b) + (touch ? 0 : std::max(closure_[a], closure_[b]));
 }
 
 void ContactBuilder::find_pairs(const BlockState& state) {
@@ -84,7 +84,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   const PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
                           .max_depth = std::min(half_width_[a], half_width_[b]),
                           .coincidence = coincidence * size,
-                          .lip = lip(a, b)};
+                          .lip = lip(a, b, std::ranges::any_of(previous, &ContactRecord::closed))};
   earlier.clear();
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant),
              any_shifted = properties_.joints.any(&JointStrength::shifts);

@@ -74,9 +74,9 @@ class ContactBuilder {
   double pair_size(int a, int b) const;
 
  private:
-  /// How far behind an edge's line a corner passes it, m: the lip, and what joints of either block have
-  /// closed by their stiffness: the next block along the joint is not yet closed.
-  double lip(int a, int b) const;
+  /// How far behind an edge's line a corner passes it, m: the lip, and of blocks that do not touch yet what
+  /// other joints of theirs have closed by their stiffness, as this one will.
+  double lip(int a, int b, bool touch) const;
   /// Finds the vertices and edges that may meet while no vertex of block b moves more than search_margin[b],
   /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
   std::size_t detect(const BlockState& state, const VectorXd& motion,

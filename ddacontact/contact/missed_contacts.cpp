@@ -10,7 +10,7 @@ namespace ddacontact {
 
 bool ContactBuilder::may_penetrate(int a, int b, const BlockState& end) const {
   const Range& of_a = blocks_.block(a).vertices();
-  const Vec2 shift = end.origin.col(a) - end.origin.col(b), depth = Vec2::Constant(lip(a, b) / 2);
+  const Vec2 shift = end.origin.col(a) - end.origin.col(b), depth = Vec2::Constant(lip(a, b, true) / 2);
   const Box within{boxes_[b].low + depth, boxes_[b].high - depth};
   for (int v = of_a.first; v < of_a.end(); ++v) {
     const Vec2 x = end.position.col(v) + shift;
@@ -43,9 +43,11 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
       const Vec2 shift = state.origin.col(block) - origin;
       return Points(contact_outline(state, block).colwise() + shift);
     };
+    const bool touch = std::ranges::any_of(
+        of_pair({a, b}, contacts), [](const Contact& of) { return of.start_state != ContactState::open; });
     const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
-    find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, lip(a, b), missed_);
+    find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, lip(a, b, touch), missed_);
   }
   std::erase_if(missed_, [&](const VertexEdge& entry) {
     return std::ranges::count(of_same_pair(entry, contacts), entry, &Contact::pair) > 0;
