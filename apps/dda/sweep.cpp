@@ -113,7 +113,7 @@ class Sweep {
     const auto wait_one = [&] {
       auto ended = running.end();
       while (ended == running.end()) ended = running.find(waitpid(-1, nullptr, 0));
-      if (!arguments_.quiet) tell(ended->second);
+      tell(ended->second);
       running.erase(ended);
     };
     run_jobs(
@@ -250,6 +250,7 @@ class Sweep {
 
   void tell(int k) const {
     const CaseResult result = read_case(path_of(k), {}, log_of(k));
+    if (arguments_.quiet && result.status != "failed") return;
     fmt::print(stderr, "case {}: {}{}{}\n", k, result.status, result.reason.empty() ? "" : ": ",
                result.reason);
   }

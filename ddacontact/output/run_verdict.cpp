@@ -70,14 +70,28 @@ void add_other_shape(const Stepper& stepper, std::vector<std::string>& warnings)
                        " of its size (the scene as it is drawn has no equilibrium, or only one far from it)");
 }
 
-/// A last stage that came to rest before all that acts on it.
+bool are_supports_moving(const BlockSystem& blocks, double time) {
+  const auto moves = [&](const auto& held) {
+    const TimeFunction& motion = held.motion;
+    return motion.kind == TimeFunction::Kind::rate ? !motion.value.isZero(0)
+                                                   : motion.last_change(blocks.end_time) >= time;
+  };
+  return std::ranges::any_of(blocks.prescribed_dofs(), moves) ||
+         std::ranges::any_of(blocks.fixed_vertices, moves);
+}
+
+/// Loads that the run ends before.
 void add_changes_to_come(const Stepper& stepper, const StageEnd& last, std::vector<std::string>& warnings) {
-  const double change = last_change(stepper.blocks());
-  if (last.came_to_rest && last.time < change)
-    warnings.push_back("'until' ended the last stage at t = " + figure(last.time, 6) +
-                       " s, but loads, supports or shaking change until t = " + figure(change, 6) +
-                       " s: what they do is not in the results (put what comes to rest before them into a "
-                       "stage of its own, or leave 'until' out)");
+  const double change = last_change(stepper.blocks()), round_off = 1e-9 * change;
+  if (!stepper.stop_reason().empty() || last.time >= change - round_off) return;
+  const auto came_early = [](const StageEnd& end) { return end.came_to_rest; };
+  const bool early = last.came_to_rest || std::ranges::any_of(stepper.stage_ends(), came_early);
+  warnings.push_back(
+      "the run ends at t = " + figure(last.time, 6) + " s, but loads, supports or shaking change until t = " +
+      figure(change, 6) + " s: what they do then is not in the results (" +
+      (early ? "'until' ended a stage early, and time goes on from there: leave it out, or give "
+               "the stages after it more 'steps')"
+             : "more 'steps')"));
 }
 
 /// What two blocks press each other with at the end, over all their contacts.
@@ -182,13 +196,15 @@ std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<s
   const bool is_static = stepper.stages()[last.stage].analysis.mode == Mode::statics;
   if (is_static && e.in_balance()) add_other_shape(stepper, warnings);
   if (is_static && !e.in_balance()) {
+    const bool driven = are_supports_moving(stepper.blocks(), last.time);
     std::string text = "this is no equilibrium: the static steps end with " + std::to_string(e.n_unbalanced) +
                        (e.n_unbalanced == 1 ? " block" : " blocks") + " out of balance; " +
                        imbalance(stepper, e);
     if (e.fastest_block >= 0) text += ", " + motion(stepper, e);
     const double change = e.unbalanced / e.unbalanced_before - 1;
     warnings.push_back(text +
-                       (change < -settling
+                       (driven ? " (supports still move: end their histories some steps before the run)"
+                        : change < -settling
                             ? " (more 'steps': the last one reduced this by " + figure(-100 * change) + " %)"
                             : " (more 'steps'; if this does not decrease, the scene has no equilibrium)"));
   }

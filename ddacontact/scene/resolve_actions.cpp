@@ -1,7 +1,9 @@
 #include <ddacontact/scene/resolve_actions.hpp>
 #include <ddacontact/scene/text.hpp>
 
+#include <algorithm>
 #include <initializer_list>
+#include <limits>
 
 namespace ddacontact::scene_format {
 
@@ -87,9 +89,19 @@ void check_columns(const std::optional<History>& history, const char* key, int c
 /// Less than seven entries a period of a sine.
 constexpr double coarse_sampling = 0.1;
 
+/// As records are; pulses of straight pieces are not.
+bool is_sampled_evenly(const std::vector<Vec3>& entries) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (std::size_t k = 1; k + 1 < entries.size(); ++k) {
+    shortest = std::min(shortest, entries[k][0] - entries[k - 1][0]);
+    longest = std::max(longest, entries[k][0] - entries[k - 1][0]);
+  }
+  return longest <= 10 * shortest;
+}
+
 void warn_of_sampling(const std::vector<Vec3>& entries, const char* key, const KeyLocations& locations,
                       ProblemList& problems) {
-  if (sampling_error(entries) > coarse_sampling)
+  if (is_sampled_evenly(entries) && sampling_error(entries) > coarse_sampling)
     problems.warning(locations.of(key),
                      "'" + std::string(key) + "' is sampled coarsely: lines between its entries are " +
                          rounded(100 * sampling_error(entries)) + " % away from a smooth curve through them",

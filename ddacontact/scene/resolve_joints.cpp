@@ -44,6 +44,15 @@ void check_springs(const Joint& joint, const KeyLocations& locations, ContactMet
                    "leave it out: the joint's springs make blocks rebound, a 'dashpot' damps them");
 }
 
+/// What slips does not become stronger.
+void check_residual(const Joint& joint, const SourceLocation& location, ProblemList& problems) {
+  if (joint.residual_friction_angle.value_or(0) > joint.friction_angle)
+    problems.error(location,
+                   "'residual_friction_angle' = '" + short_number(*joint.residual_friction_angle) +
+                       "' is larger than 'friction_angle', " + short_number(joint.friction_angle),
+                   "it is the friction of what has slipped: make it smaller, or leave it out");
+}
+
 /// What rises does so by the work of friction.
 void check_dilation(const Joint& joint, const KeyLocations& locations, ContactMethod method,
                     ProblemList& problems) {
@@ -117,6 +126,7 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     joint.name = record.name.value_or("");
     check_restitution(joint.restitution, locations, document.contact, method, problems);
     check_springs(joint, locations, method, problems);
+    check_residual(joint, locations.of("residual_friction_angle"), problems);
     check_dilation(joint, locations, method, problems);
     check_crushing(joint, locations, document, method, problems);
     if (record.between && locations.good("between")) {
@@ -161,6 +171,7 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
     if (change.residual_friction_angle)
       joints[index].residual_friction_angle = change.residual_friction_angle;
     joints[index].glued = change.glued.value_or(false);
+    check_residual(joints[index], change.locations.table, problems);
   }
   return joints;
 }
