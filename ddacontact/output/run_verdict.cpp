@@ -83,7 +83,8 @@ bool are_supports_moving(const BlockSystem& blocks, double time) {
 /// Loads that the run ends before.
 void add_changes_to_come(const Stepper& stepper, const StageEnd& last, std::vector<std::string>& warnings) {
   const double change = last_change(stepper.blocks()), round_off = 1e-9 * change;
-  if (!stepper.stop_reason().empty() || last.time >= change - round_off) return;
+  const bool goes_on = !last.came_to_rest && last.steps < stepper.stages()[last.stage].analysis.steps;
+  if (goes_on || last.time >= change - round_off) return;
   const auto came_early = [](const StageEnd& end) { return end.came_to_rest; };
   const bool early = last.came_to_rest || std::ranges::any_of(stepper.stage_ends(), came_early);
   warnings.push_back(

@@ -97,6 +97,29 @@ TEST(Until, OfTheLastStageEndsTheRun) {
 }
 
 /// Where the stage stands is part of what a run carries on, also at its very end.
+/// A load that comes at 5 s, after the run has ended; a support that stands still does not change.
+TEST(Until, ARunThatEndsBeforeItsLoadsDoSaysSo) {
+  Scene scene = drop_scene(Mode::dynamic, 0.01, 1000, at_rest);
+  const auto warned = [&] {
+    BuiltScene built = build(scene);
+    while (built.stepper->stage_ends().size() < 1 || built.stepper->stage_end().steps < 10)
+      run(*built.stepper, 1);
+    for (const std::string& text : ddacontact::warnings_of(*built.stepper))
+      if (text.find("loads, supports or shaking change until t = 6 s") != std::string::npos) return true;
+    return false;
+  };
+  scene.supports = {{0, {0}, true, true, {TimeFunction::Kind::ramp, Vec2::Zero(), {}}}};
+  scene.blocks[0].fixed = false;
+  scene.supports[0].vertices = {0, 1, 2, 3};
+  EXPECT_FALSE(warned());
+  ddacontact::Load load;
+  load.kind = ddacontact::Load::Kind::body;
+  load.block = 1;
+  load.force = ddacontact::history_function(TimeFunction::Kind::history, {{5, 0, 0}, {6, 1e3, 0}});
+  scene.loads = {load};
+  EXPECT_TRUE(warned());
+}
+
 TEST(Until, ResumedRunsEndStagesWithTheSameStep) {
   for (const Mode mode : {Mode::dynamic, Mode::statics}) {
     const Scene scene = drop_scene(mode, mode == Mode::statics ? 0 : 0.01, 1000, at_rest);

@@ -194,12 +194,13 @@ TEST(Crushing, LowersTheLoadOfAnArchAsInLimitAnalysis) {
 }
 
 TEST(Crushing, OfAWholeJointIsWarnedOf) {
-  const auto warning = [](double strength) {
+  const auto warnings = [](double strength) {
     Scene scene = wall(strength, 0);
     scene.analysis.steps = 5;
-    const std::vector<std::string> all = ddacontact::warnings_of(*run(scene).stepper);
-    return all.empty() ? "" : all.front();
+    return std::ranges::count_if(ddacontact::warnings_of(*run(scene).stepper), [](const std::string& text) {
+      return text.find("compressive_strength") != std::string::npos;
+    });
   };
-  EXPECT_EQ(warning(41e3), "");
-  EXPECT_NE(warning(39e3).find("compressive_strength"), std::string::npos);
+  EXPECT_EQ(warnings(41e3), 0);
+  EXPECT_EQ(warnings(39e3), 1);
 }
