@@ -119,6 +119,22 @@ TEST(JointSprings, BearABlockThatSlidesOntoAnotherFloor) {
   EXPECT_GT(travel(stepper, 2).x(), 1);
 }
 
+/// The same where the joint has closed by .5 mm, more than the lip: v^2 / (2 g tan(phi)).
+TEST(JointSprings, LetABlockPassTheSeamOfLevelFloorsHoweverFarTheyHaveClosed) {
+  Scene scene = column(1, 4e7, 4e7);
+  scene.joints[0].friction_angle = 5;
+  scene.materials[0].young = 5e10;
+  scene.analysis.scheme = Scheme::decaying;
+  scene.blocks = {block(rectangle(-6, -1, 6, 1), true), block(rectangle(0, -1, 6, 1), true),
+                  block(rectangle(-2.3, 0, 2, 1))};
+  scene.blocks[2].velocity = {1.5, 0};
+  const BuiltScene built = build(scene);
+  run(*built.stepper, 250);
+  const double way = 1.5 * 1.5 / (2 * 10 * std::tan(radians(5)));
+  EXPECT_NEAR(travel(*built.stepper, 2).x(), way, 0.02 * way);
+  EXPECT_NEAR(travel(*built.stepper, 2).y(), -40e3 / (4e7 * 2), 1e-5);
+}
+
 /// The midpoint rule keeps the energy of a linear spring and turns its phase by 2 atan(w dt / 2) a step.
 TEST(JointSprings, CarryABlockAsAnOscillatorOfTheSchemesPeriod) {
   Scene scene = column(1, 1e6, 1e6);
