@@ -5,6 +5,7 @@
 #include <ddacontact/output/summary_reader.hpp>
 #include <ddacontact/picture/chart.hpp>
 #include <ddacontact/scene/text.hpp>
+#include <ddacontact/scene/units.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 
 namespace ddacontact {
@@ -77,9 +79,13 @@ double largest_displacement(const std::filesystem::path& directory) {
 std::optional<double> number_of(const std::string& text) {
   double number = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
-    return std::nullopt;
-  return number;
+  if (status != std::errc() || !std::isfinite(number)) return std::nullopt;
+  const std::string rest(static_cast<const char*>(end), text.data() + text.size());
+  if (rest.empty()) return number;
+  const auto unit = scene_format::parse_unit(rest.substr(std::min(rest.find_first_not_of(' '), rest.size())));
+  if (!unit) return std::nullopt;
+  const bool is_angle = unit->angle == 1 && unit->time == 0;
+  return number * std::pow(10, unit->decade) * unit->factor * (is_angle ? 180 / std::numbers::pi : 1);
 }
 
 Outcome parse_outcome(const std::string& text) {

@@ -40,7 +40,7 @@ bool has_outcome(const std::filesystem::path& directory, const Outcome& outcome)
 /// Of the summary in a directory, or of its safety.json; empty without either.
 std::string case_status(const std::filesystem::path& directory);
 
-/// The finite number that a cell of sweep.csv is.
+/// The finite number that a cell of sweep.csv is, one with a unit in SI; angles in degrees.
 std::optional<double> number_of(const std::string& text);
 
 /// Two columns of a table as curves, SVG: one for each combination of the other settings, dots alone where

@@ -1,4 +1,5 @@
 #include <ddacontact/study/sweep_cases.hpp>
+#include <ddacontact/study/sweep_results.hpp>
 
 #include <ddacontact/core/types.hpp>
 
@@ -19,6 +20,15 @@ TEST(Variation, ReadsListsRangesAndWholeNumbers) {
   EXPECT_EQ(parse_variation("a=0:1:2,\"1:2\"").values, (Values{"0", "1", "\"1:2\""}));
   EXPECT_EQ(parse_variation("a=7").values, Values{"7"});
   EXPECT_EQ(parse_variation("gravity=[0, -9.8],[1, -9.8]").values, (Values{"[0, -9.8]", "[1, -9.8]"}));
+}
+
+TEST(NumberOfACell, MayHaveAUnit) {
+  EXPECT_EQ(number_of("2.5"), 2.5);
+  EXPECT_EQ(number_of("10 kN"), 10e3);
+  EXPECT_EQ(number_of("30e3"), 30e3);
+  EXPECT_DOUBLE_EQ(number_of("30 deg").value_or(0), 30);
+  for (const char* text : {"", "kN", "10 sheep", "true", "1 2"})
+    EXPECT_EQ(number_of(text), std::nullopt) << text;
 }
 
 TEST(Variation, BothEndsOfARangeAreExact) {
