@@ -5,6 +5,7 @@
 #include <ddacontact/scene/joint_strengths.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <ddacontact/scene/record_notes.hpp>
+#include <ddacontact/scene/text.hpp>
 
 #include <map>
 #include <set>
@@ -53,6 +54,7 @@ class Builder {
     BlockSystem system = make_system();
     note_idle_velocities(system);
     note_domain();
+    note_stiff_joints();
     for (std::string& note : scene_format::notes_on_records(scene_)) built_.notes.push_back(std::move(note));
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
@@ -128,6 +130,22 @@ class Builder {
         built_.notes.push_back("block \"" + scene_.block_name(b) +
                                "\" is held: its initial velocity has no effect");
     }
+  }
+
+  /// Two springs at the ends of a face have the stiffness of the face, and three times its resistance to
+  /// turning.
+  void note_stiff_joints() {
+    const std::vector<Joint> joints = first_stage().joints;
+    const auto stiff =
+        std::ranges::find_if(joints, [](const Joint& joint) { return joint.normal_stiffness.has_value(); });
+    const bool undivided = std::ranges::any_of(scene_.blocks, [](const BlockDescription& block) {
+      return !block.fixed && block.model != BlockModel::mesh;
+    });
+    if (stiff == joints.end() || !undivided) return;
+    built_.notes.push_back("the stiffness of joint " + scene_format::quoted(stiff->name) +
+                           " acts at both ends of a face between blocks that are not meshed: it resists "
+                           "turning three times as much as "
+                           "along the whole face (model = \"mesh\" where joints bend)");
   }
 
   void note_domain() {

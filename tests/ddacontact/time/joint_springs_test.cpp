@@ -49,6 +49,8 @@ TEST(JointSprings, OfAColumnCloseByTheWeightAboveOverTheirStiffness) {
     scene.materials[0].young = 1e9;
     const BuiltScene built = run(scene);
     ASSERT_EQ(built.stepper->contacts().size(), 8u);
+    ASSERT_EQ(built.notes.size(), 1u);
+    EXPECT_NE(built.notes[0].find("resists turning three times as much"), std::string::npos);
     for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) {
       const double above = 40e3 * (5 - std::max(contact.pair.vertex_block, contact.pair.edge_block)),
                    closure = above / (1e7 * 2);
