@@ -156,11 +156,11 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   const double rise = properties_.joints.largest_rise();
   for (double& margin : search_margin_) margin += rise / 2;
   closure_.assign(search_margin_.size(), 0);
-  const bool stiff = properties_.joints.any(&JointStrength::is_compliant);
-  for (const ContactRecord& contact : previous)
-    if (contact.closed() && stiff && properties_.is_compliant(contact))
-      for (const int b : {contact.pair.vertex_block, contact.pair.edge_block})
-        closure_[b] = std::max(closure_[b], contact.history.gap_offset - contact.end_gap);
+  if (properties_.joints.any(&JointStrength::is_compliant))
+    for (const ContactRecord& contact : previous)
+      if (contact.closed() && properties_.is_compliant(contact))
+        for (const int b : {contact.pair.vertex_block, contact.pair.edge_block})
+          closure_[b] = std::max(closure_[b], contact.history.gap_offset - contact.end_gap);
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
