@@ -57,21 +57,25 @@ const HistoryColumn& column_called(const std::string& name) {
       fmt::format("unknown history \"{}\" ({})", scene_format::excerpt(name), choice_among(name, known)));
 }
 
-/// Monitors of a result in the order of their first row.
+/// The rows of each name, in the order of its first one.
 struct Histories {
   std::vector<std::string> names;
   std::map<std::string, std::vector<std::size_t>> rows;
 };
 
-Histories histories_of(const CsvTable& table, const fs::path& directory,
-                       const std::vector<std::string>& wanted) {
+Histories rows_by_name(const std::vector<std::string>& column) {
   Histories histories;
-  const std::vector<std::string> monitors = table.texts("monitor");
-  for (std::size_t i = 0; i < monitors.size(); ++i) {
-    std::vector<std::size_t>& rows = histories.rows[monitors[i]];
-    if (rows.empty()) histories.names.push_back(monitors[i]);
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    std::vector<std::size_t>& rows = histories.rows[column[i]];
+    if (rows.empty()) histories.names.push_back(column[i]);
     rows.push_back(i);
   }
+  return histories;
+}
+
+Histories histories_of(const CsvTable& table, const fs::path& directory,
+                       const std::vector<std::string>& wanted) {
+  Histories histories = rows_by_name(table.texts("monitor"));
   if (histories.names.empty())
     throw CallError(fmt::format("\"{}\" has no histories: its scene has no [[monitor]]", directory.string()));
   if (wanted.empty()) return histories;
@@ -142,13 +146,32 @@ std::vector<Chart> energy_charts(const PlotArguments& arguments) {
   return charts;
 }
 
-/// How far the block furthest from balance is from it, of the largest force on it.
-Chart unbalanced_chart(const PlotArguments& arguments) {
-  Chart chart = empty_chart({"out of balance", "", ""}, "");
+/// A column of energy.csv, a curve for each directory.
+Chart step_chart(const PlotArguments& arguments, const char* column, const char* title, const char* unit) {
+  Chart chart = empty_chart({title, "", ""}, unit);
   for (const std::string& name : arguments.directories) {
     expect_result_directory(name);
     const CsvTable table(fs::path(name) / "energy.csv");
-    chart.series.push_back({name_of(name), table.numbers("time"), table.numbers("unbalanced")});
+    chart.series.push_back({name_of(name), table.numbers("time"), table.numbers(column)});
+  }
+  return chart;
+}
+
+/// The largest axial force of each bolt.
+Chart bolt_chart(const PlotArguments& arguments) {
+  Chart chart = empty_chart({"axial force", "", ""}, "N/m");
+  for (const std::string& name : arguments.directories) {
+    expect_result_directory(name);
+    const fs::path path = fs::path(name) / "bolt_history.csv";
+    std::error_code error;
+    if (!fs::exists(path, error))
+      throw CallError(fmt::format("\"{}\" has no bolt_history.csv: its scene has no [[bolt]]", name));
+    const CsvTable table(path);
+    const std::vector<double> time = table.numbers("time"), force = table.numbers("axial_force");
+    const Histories bolts = rows_by_name(table.texts("bolt"));
+    for (const std::string& bolt : bolts.names)
+      chart.series.push_back({arguments.directories.size() > 1 ? name_of(name) + ": " + bolt : bolt,
+                              chosen(time, bolts.rows.at(bolt)), chosen(force, bolts.rows.at(bolt))});
   }
   return chart;
 }
@@ -161,7 +184,11 @@ std::string curves_picture(const PlotArguments& arguments) {
   std::vector<Chart> charts = history_charts(arguments);
   if (arguments.energy)
     for (Chart& chart : energy_charts(arguments)) charts.push_back(std::move(chart));
-  if (arguments.unbalanced) charts.push_back(unbalanced_chart(arguments));
+  if (arguments.unbalanced) {
+    charts.push_back(step_chart(arguments, "unbalanced", "out of balance", ""));
+    charts.push_back(step_chart(arguments, "fastest", "largest velocity", "m/s"));
+  }
+  if (arguments.bolt_forces) charts.push_back(bolt_chart(arguments));
   if (arguments.directories.size() == 1) {
     const fs::path directory(arguments.directories.front());
     options.title = title_of(directory, scene_of(directory));

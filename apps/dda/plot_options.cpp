@@ -65,6 +65,7 @@ void declare_curves(CLI::App& plot, PlotArguments& call) {
   plot.add_flag("--energy", call.energy, "Energies over time")->group(curves);
   plot.add_flag("--unbalanced", call.unbalanced, "Out-of-balance force and largest velocity over time")
       ->group(curves);
+  plot.add_flag("--bolts", call.bolt_forces, "Largest axial force of each bolt over time")->group(curves);
 }
 
 }  // namespace

@@ -20,22 +20,30 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, error);
 }
 
+/// A curve of `column` for each name in the column `names`.
+void add_curves(const CsvTable& table, const char* names, const char* column, const char* unit,
+                const std::string& group, std::vector<PageHistory>& histories) {
+  const std::vector<std::string> name_of = table.texts(names);
+  const std::vector<double> times = table.numbers("time"), values = table.numbers(column);
+  std::vector<PageHistory> curves;
+  std::map<std::string, std::size_t> curve_of;
+  for (std::size_t row = 0; row < name_of.size(); ++row) {
+    const auto [location, is_new] = curve_of.try_emplace(name_of[row], curves.size());
+    if (is_new) curves.push_back({name_of[row], unit, group, {}, {}});
+    curves[location->second].times.push_back(times[row]);
+    curves[location->second].values.push_back(values[row]);
+  }
+  for (PageHistory& curve : curves) histories.push_back(std::move(curve));
+}
+
 void add_monitors(const fs::path& path, std::vector<PageHistory>& histories) {
   const CsvTable table(path);
-  const std::vector<std::string> monitors = table.texts("monitor");
-  const std::vector<double> times = table.numbers("time");
-  for (const auto& [column, unit] : {std::pair{"ux", "m"}, {"uy", "m"}, {"vx", "m/s"}, {"vy", "m/s"}}) {
-    const std::vector<double> values = table.numbers(column);
-    std::vector<PageHistory> curves;
-    std::map<std::string, std::size_t> curve_of;
-    for (std::size_t row = 0; row < monitors.size(); ++row) {
-      const auto [location, is_new] = curve_of.try_emplace(monitors[row], curves.size());
-      if (is_new) curves.push_back({monitors[row], unit, std::string("monitors: ") + column, {}, {}});
-      curves[location->second].times.push_back(times[row]);
-      curves[location->second].values.push_back(values[row]);
-    }
-    for (PageHistory& curve : curves) histories.push_back(std::move(curve));
-  }
+  for (const auto& [column, unit] : {std::pair{"ux", "m"}, {"uy", "m"}, {"vx", "m/s"}, {"vy", "m/s"}})
+    add_curves(table, "monitor", column, unit, std::string("monitors: ") + column, histories);
+}
+
+void add_bolts(const fs::path& path, std::vector<PageHistory>& histories) {
+  add_curves(CsvTable(path), "bolt", "axial_force", "N/m", "axial force of bolts", histories);
 }
 
 void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
@@ -56,6 +64,7 @@ void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
 std::vector<PageHistory> histories_of(const fs::path& directory) {
   std::vector<PageHistory> histories;
   if (is_there(directory / "monitors.csv")) add_monitors(directory / "monitors.csv", histories);
+  if (is_there(directory / "bolt_history.csv")) add_bolts(directory / "bolt_history.csv", histories);
   if (is_there(directory / "energy.csv")) add_energies(directory / "energy.csv", histories);
   return histories;
 }

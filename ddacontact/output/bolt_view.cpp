@@ -34,9 +34,16 @@ bool BoltView::slips(int node) const {
 
 const char* BoltView::state(int segment) const {
   if (!bears_) return "absent";
-  if (numbers_[Bolt::torn(segment)] != 0) return "torn";
+  if (is_torn(segment)) return "torn";
   if (reaches(forces_.axial[segment], bolt_.yield)) return "yield";
   return slips(segment) || slips(segment + 1) ? "slip" : "elastic";
+}
+
+int BoltView::most_loaded() const {
+  int most = -1;
+  for (int k = 0; k < bolt_.n_segments(); ++k)
+    if (bolt_.has_segment(k) && (most < 0 || std::abs(axial(k)) > std::abs(axial(most)))) most = k;
+  return most;
 }
 
 }  // namespace ddacontact

@@ -18,6 +18,9 @@ class BoltView {
   /// "absent" (not installed as yet), "torn", "yield" (its force is at its bound), "slip" (the bond at one of
   /// its ends is) or "elastic".
   const char* state(int segment) const;
+  bool is_torn(int segment) const { return bears_ && numbers_[Bolt::torn(segment)] != 0; }
+  /// That with the largest force, the first of equals; -1 where no segment is left.
+  int most_loaded() const;
 
  private:
   bool slips(int node) const;

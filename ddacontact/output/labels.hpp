@@ -36,6 +36,7 @@ struct Labels {
   std::vector<std::string> material_names;  ///< in the order of the scene
   std::vector<std::string> joint_names;     ///< the name, else the index
   std::vector<std::shared_ptr<const OutlineLabels>> outlines;  ///< of each block; many share theirs
+  bool has_bolts = false;                                      ///< some stage has
 };
 
 }  // namespace ddacontact

@@ -22,6 +22,8 @@ constexpr char energy_file[] = "energy.csv",
                energy_header[] =
                    "step,time,kinetic,elastic,gravity,friction_dissipated,numerical_dissipated,external,"
                    "balance_error,damping_dissipated,pushed_out,plastic_dissipated,unbalanced,fastest";
+constexpr char bolts_file[] = "bolt_history.csv",
+               bolts_header[] = "step,time,bolt,segment,axial_force,elongation,state,torn";
 
 const char* state_name(ContactState state) {
   switch (state) {
@@ -140,14 +142,18 @@ std::filesystem::path make_directory(std::filesystem::path directory) {
 
 namespace {
 
+void remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::remove(path, error); error)
+    throw OutputError("cannot remove \"" + path.string() + "\": " + error.message());
+}
+
 /// Makes the directory without what an earlier run wrote at its end.
 std::filesystem::path begin_directory(std::filesystem::path directory) {
   directory = make_directory(std::move(directory));
-  std::error_code error;
   for (const char* name :
        {"summary.json", "blocks.csv", "vertices.csv", "contacts.csv", "bolts.csv", "supports.csv"})
-    if (std::filesystem::remove(directory / name, error); error)
-      throw OutputError("cannot remove \"" + (directory / name).string() + "\": " + error.message());
+    remove_file(directory / name);
   return directory;
 }
 
@@ -158,7 +164,10 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels,
       labels_(std::move(labels)),
       monitors_(file(monitors_file), monitors_header),
       energy_(file(energy_file), energy_header),
-      frames_(directory_, frames) {}
+      frames_(directory_, frames) {
+  remove_file(directory_ / bolts_file);
+  if (labels_.has_bolts) bolts_.emplace(file(bolts_file), bolts_header);
+}
 
 ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames,
                                  const std::filesystem::path& source, const ResultMarks& marks)
@@ -166,23 +175,27 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels,
       labels_(std::move(labels)),
       monitors_(file(monitors_file), monitors_header, source / monitors_file, marks.monitors),
       energy_(file(energy_file), energy_header, source / energy_file, marks.energy),
-      frames_(directory_, frames, source, marks.n_frames) {}
+      frames_(directory_, frames, source, marks.n_frames) {
+  if (labels_.has_bolts) bolts_.emplace(file(bolts_file), bolts_header, source / bolts_file, marks.bolts);
+}
 
 std::vector<std::string> ResultDirectory::missing_histories() const {
   std::vector<std::string> missing;
   if (!monitors_.goes_on()) missing.push_back(monitors_file);
   if (!energy_.goes_on()) missing.push_back(energy_file);
+  if (bolts_ && !bolts_->goes_on()) missing.push_back(bolts_file);
   if (!frames_.goes_on()) missing.push_back("frames");
   return missing;
 }
 
 ResultMarks ResultDirectory::marks() {
-  return {monitors_.mark(), energy_.mark(), frames_.n_frames()};
+  return {monitors_.mark(), energy_.mark(), bolts_ ? bolts_->mark() : FileMark{}, frames_.n_frames()};
 }
 
 void ResultDirectory::write_start(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets) {
   if (!monitors_.goes_on()) write_monitors(stepper, monitor_targets);
   if (!energy_.goes_on()) write_energy(stepper);
+  if (bolts_ && !bolts_->goes_on()) write_bolt_history(stepper);
   if (!frames_.goes_on()) frames_.write_step(stepper, labels_);
   marks();  // what there is of the histories is in their files
 }
@@ -190,6 +203,7 @@ void ResultDirectory::write_start(const Stepper& stepper, const std::vector<Moni
 void ResultDirectory::write_step(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets) {
   write_monitors(stepper, monitor_targets);
   write_energy(stepper);
+  if (bolts_) write_bolt_history(stepper);
   frames_.write_step(stepper, labels_);
 }
 
@@ -212,13 +226,26 @@ void ResultDirectory::write_energy(const Stepper& stepper) {
               stepper.equilibrium().fastest);
 }
 
+void ResultDirectory::write_bolt_history(const Stepper& stepper) {
+  for (const Bolt& bolt : stepper.blocks().bolts) {
+    const BoltView view(bolt, stepper.blocks(), stepper.state());
+    const int most = view.most_loaded();
+    if (most < 0) continue;
+    int torn = 0;
+    for (int k = 0; k < bolt.n_segments(); ++k) torn += bolt.has_segment(k) && view.is_torn(k);
+    bolts_->row(stepper.counts().steps, stepper.state().time, bolt.name, most, view.axial(most),
+                view.elongation(most), view.state(most), torn);
+  }
+}
+
 void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) {
   monitors_.close();
   energy_.close();
+  if (bolts_) bolts_->close();
   write_blocks(stepper);
   write_vertices(stepper);
   write_contacts(stepper);
-  if (!stepper.blocks().bolts.empty()) write_bolts(stepper);
+  if (bolts_) write_bolts(stepper);
   write_supports(stepper);
   write_summary(stepper, summary);
 }

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,8 @@ class ResultDirectory {
 
   /// write_step for the files that begin with the present state.
   void write_start(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
-  /// A row per monitor and one of energies, for the state as it is, and a frame when it is time for one.
+  /// A row per monitor, one per bolt and one of energies, for the state as it is, and a frame when it is
+  /// time.
   void write_step(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
   /// The frame a run ends with, unless it is there already.
   void write_last_frame(const Stepper& stepper) { frames_.write_last(stepper, labels_); }
@@ -59,6 +61,7 @@ class ResultDirectory {
  private:
   void write_monitors(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
   void write_energy(const Stepper& stepper);
+  void write_bolt_history(const Stepper& stepper);
   void write_blocks(const Stepper& stepper);
   void write_vertices(const Stepper& stepper);
   void write_contacts(const Stepper& stepper);
@@ -70,6 +73,7 @@ class ResultDirectory {
   std::filesystem::path directory_;
   Labels labels_;
   CsvFile monitors_, energy_;
+  std::optional<CsvFile> bolts_;  ///< of scenes with bolts
   FrameWriter frames_;
 };
 

@@ -13,7 +13,7 @@ struct FileMark {
 
 /// Of a result directory.
 struct ResultMarks {
-  FileMark monitors, energy;
+  FileMark monitors, energy, bolts;
   int n_frames = 0;
 };
 

@@ -69,6 +69,7 @@ class Builder {
     for (std::size_t j = 0; j < scene_.joints.size(); ++j)
       built_.labels.joint_names.push_back(scene_.joints[j].name.empty() ? std::to_string(j)
                                                                         : scene_.joints[j].name);
+    built_.labels.has_bolts = !scene_.bolts.empty();
     for (const Monitor& monitor : scene_.monitors)
       built_.monitor_targets.push_back(make_monitor_target(monitor, system));
 

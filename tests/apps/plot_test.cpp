@@ -5,6 +5,8 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace {
 
@@ -93,7 +95,26 @@ TEST_F(Results, HaveTheirHistoriesDrawn) {
   EXPECT_EQ(dda("plot result result --history y --monitor crown -o e.svg"), 0) << err_;
 }
 
+TEST_F(Program, BoltsHaveAHistoryThatEndsWithTheForcesOfTheirSegments) {
+  ASSERT_EQ(dda("run '" POLYDDA_EXAMPLES "/bolted_roof.toml' -o roof --steps 12 --quiet"), 0) << err_;
+  // bolt, segment, force, elongation, state of the segments at the end; of the history its last rows.
+  std::map<std::string, double> largest, told;
+  for (const auto& row : read_csv(directory_ / "roof/bolts.csv"))
+    if (row[0] != "bolt") largest[row[0]] = std::max(largest[row[0]], std::abs(std::stod(row[4])));
+  const auto history = read_csv(directory_ / "roof/bolt_history.csv");
+  for (const auto& row : history)
+    if (row[0] == "12") told[row[2]] = std::abs(std::stod(row[4]));
+  EXPECT_EQ(told, largest);
+  EXPECT_GT(largest.size(), 1u);
+  EXPECT_EQ(history.size(), 1 + 13 * largest.size());
+
+  ASSERT_EQ(dda("plot roof --bolts -o b.svg"), 0) << err_;
+  EXPECT_NE(read_file(directory_ / "b.svg").find("axial force"), std::string::npos);
+  ASSERT_EQ(dda("view roof -o b.html"), 0) << err_;
+}
+
 TEST_F(Results, WrongCallsAreRefusedWithACure) {
+  expect_refused("plot result --bolts -o x.svg", 2, {"[[bolt]]"});
   expect_refused("plot", 2, {"DIR"});
   expect_refused("plot result", 2, {"--output"});
   expect_refused("plot result -o x.gif", 2, {"x.gif", ".svg, .png or .pdf"});

@@ -59,6 +59,11 @@ class Result:
         return read_table(self.directory / "bolts.csv")
 
     @functools.cached_property
+    def bolt_history(self) -> npt.NDArray[Any]:
+        """bolt_history.csv, of a scene with bolts: a row a step and bolt, N per metre of thickness."""
+        return read_table(self.directory / "bolt_history.csv")
+
+    @functools.cached_property
     def frames(self) -> list[tuple[int, float]]:
         """Step and time, s, of each frame."""
         return _core.frame_list(self.directory)
