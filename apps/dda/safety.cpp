@@ -130,6 +130,8 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   const std::vector<int> joints = joints_called(arguments.joints, scene);
   polyfem::pin_blas_to_one_thread();
   const StrengthReduction reduction(scene, joints);
+  for (const std::string& note : reduction.notes())
+    fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
   if (!reduction.unsettled().empty())
     fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
                arguments.scene, reduction.unsettled());

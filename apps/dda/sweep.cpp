@@ -144,6 +144,7 @@ class Sweep {
   bool write_table(std::string& reason) const {
     CsvFile csv((directory_ / "sweep.csv").string(), fmt::format("{}", fmt::join(columns(), ",")));
     bool any = false;
+    int n_warned = 0, first_warned = 0;
     std::vector<bool> known(outcomes_.size());
     for (int k = 1; k <= n_cases(); ++k) {
       const CaseResult r = read_case(path_of(k), outcomes_, log_of(k));
@@ -151,10 +152,14 @@ class Sweep {
       if (r.status == "failed" && reason.empty()) reason = r.reason;
       csv.row(k, cases_.rows[k - 1], r.status, r.steps_completed, r.time, r.max_displacement, r.kinetic,
               r.wall_seconds, r.outcomes, r.reason);
+      if (has_outcome(path_of(k), {"", "warnings.0"}) && ++n_warned == 1) first_warned = k;
       for (std::size_t i = 0; i < known.size(); ++i)
         known[i] = known[i] || !r.outcomes[i].empty() || has_outcome(path_of(k), outcomes_[i]);
     }
     csv.close();
+    if (n_warned > 0)
+      fmt::print(stderr, "dda: warning: {} of {} cases warn of their results, the first in {}\n", n_warned,
+                 n_cases(), log_of(first_warned).string());
     for (std::size_t i = 0; i < known.size(); ++i)
       if (any && !known[i])
         fmt::print(stderr, "dda: warning: outcome \"{}\" is empty: no result has \"{}\"\n", outcomes_[i].name,

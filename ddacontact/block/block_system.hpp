@@ -163,6 +163,9 @@ class BlockSystem {
   /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of
   /// `state`.
   void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
+  /// Those of all loads, quiet faces, the ground and supports.
+  std::vector<const TimeFunction*> time_functions() const;
+  bool has_face_loads() const { return !pressure_loads.empty() || !water.faces.empty(); }
   /// F += point, pressure and body loads, fading forces, water and shaking at `time` on the shape of `state`,
   /// Eq. (21), (23).
   void add_loads(const BlockState& state, double time, VectorXd& F) const;

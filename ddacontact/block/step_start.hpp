@@ -38,6 +38,10 @@ struct StepRule {
   /// When within the step loads are taken: a static step ends in equilibrium with those of its end.
   double load_time() const { return starts_at_rest ? 1 : has_half_steps() ? 0 : mean_forces() ? 0.5 : 1; }
 
+  /// Loads on faces act on the shape that the motion at the start foresees for load_time(): of the schemes
+  /// without numerical damping, where those of the start's shape would drive what they hold.
+  bool foresees_shape() const { return !starts_at_rest && (mean_forces() || scheme == Scheme::newmark); }
+
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
            impulse_time == other.impulse_time && starts_at_rest == other.starts_at_rest &&

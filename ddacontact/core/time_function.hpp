@@ -32,6 +32,9 @@ struct TimeFunction {
   Vec2 at(double time, double end_time) const;
   /// When it stops changing, s; 0 where it never changes or goes on at its rate for ever.
   double last_change(double end_time) const;
+  bool changes_between(double from, double to, double end_time) const {
+    return at(from, end_time) != at(to, end_time);
+  }
 };
 
 /// Of entries in the sense of the kind, one of the histories.

@@ -56,7 +56,9 @@ struct Cut {
 /// All lines that cut the domain, those that count first where they overlap before others.
 class CuttingLines {
  public:
-  CuttingLines(const Domain& domain, double snap) : domain_(domain), snap_(snap) {
+  /// \param[in] lengthened  both ends of a trace, by this part of its first and last line
+  CuttingLines(const Domain& domain, double snap, double lengthened = 0)
+      : domain_(domain), snap_(snap), lengthened_(lengthened) {
     for (const DomainOpening& opening : domain.openings) add_ring(opening.outline, {opening.joint, false});
     for (const DomainRegion& region : domain.regions)
       if (region.cut) add_ring(region.polygon, {region.joint, false});
@@ -86,7 +88,7 @@ class CuttingLines {
     const bool is_open = trace.points.col(0) != trace.points.col(last);
     for (Index k = 0; k < last; ++k) {
       Vec2 from = trace.points.col(k), to = trace.points.col(k + 1);
-      const Vec2 more = 2 * snap_ * (to - from).normalized();
+      const Vec2 more = lengthened_ * (to - from) + 2 * snap_ * (to - from).normalized();
       if (is_open && k == 0) from -= more;
       if (is_open && k + 1 == last) to += more;
       segments_.push_back({from, to, mark});
@@ -118,7 +120,7 @@ class CuttingLines {
   }
 
   const Domain& domain_;
-  double snap_;
+  double snap_, lengthened_;
   std::vector<Segment> segments_;
   std::vector<Cut> cuts_;
 };
@@ -241,6 +243,19 @@ ExpectedCut expected_cut(const Domain& domain) {
   return cut;
 }
 
+namespace {
+
+/// Ends of drawn lines that stop short of the line that they mean divide nothing, without a trace in what is
+/// cut: how many blocks more there were if they went on a little.
+int n_cut_by_longer(const Domain& domain, const Points& boundary, double snap, std::size_t n_cells) {
+  constexpr double lengthened = 0.05;
+  const CuttingLines lines(domain, snap, lengthened);
+  const std::size_t n = polyfem::cut_cells(boundary, lines.segments(), snap).cells.size();
+  return n > n_cells ? static_cast<int>(n - n_cells) : 0;
+}
+
+}  // namespace
+
 CutDomain cut_domain(const Domain& domain) {
   require_valid(domain);
   const Points boundary = counter_clockwise(domain.boundary);
@@ -250,6 +265,8 @@ CutDomain cut_domain(const Domain& domain) {
   polyfem::CutCells cells = polyfem::cut_cells(boundary, lines.segments(), snap);
   CutDomain result;
   DomainCounts& counts = result.counts;
+  if (!domain.traces.empty() && cells.n_dangling > 0)
+    counts.cut_by_longer = n_cut_by_longer(domain, boundary, snap, cells.cells.size());
   if (domain.sliver_policy == SliverPolicy::merge)
     counts.slivers_merged =
         polyfem::merge_slivers(cells, domain.sliver, [&](int mark) { return lines.may_go(mark); });

@@ -20,6 +20,7 @@ struct DomainCounts {
   int slivers_merged = 0, slivers_left = 0;
   int dangling_removed = 0;   ///< pieces of joints that divided nothing
   int connecting_joints = 0;  ///< joints added because a block surrounded others
+  int cut_by_longer = 0;      ///< blocks more if every end of a trace were a twentieth of its line further
   int t_vertices = 0;         ///< vertices on edges of neighbours that have no vertex there
   double area = 0;            ///< of all blocks, m2
 };

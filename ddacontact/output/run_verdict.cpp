@@ -160,16 +160,8 @@ void add_coarse_patches(const Stepper& stepper, const std::map<Pair, Pressing>& 
 
 double last_change(const BlockSystem& blocks) {
   double last = blocks.fading.to;
-  const auto include = [&](const TimeFunction& function) {
-    last = std::max(last, function.last_change(blocks.end_time));
-  };
-  for (const PointLoad& load : blocks.point_loads) include(load.force);
-  for (const PressureLoad& load : blocks.pressure_loads) include(load.pressure);
-  for (const BodyLoad& load : blocks.body_loads) include(load.force);
-  for (const QuietFace& face : blocks.quiet_faces) include(face.incoming);
-  for (const TimeFunction& acceleration : blocks.ground) include(acceleration);
-  for (const PrescribedDof& held : blocks.prescribed_dofs()) include(held.motion);
-  for (const FixedVertex& held : blocks.fixed_vertices) include(held.motion);
+  for (const TimeFunction* function : blocks.time_functions())
+    last = std::max(last, function->last_change(blocks.end_time));
   return last;
 }
 

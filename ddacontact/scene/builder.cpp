@@ -1,10 +1,12 @@
 #include <ddacontact/scene/builder.hpp>
 
+#include <ddacontact/scene/bent_faces.hpp>
 #include <ddacontact/scene/block_maker.hpp>
 #include <ddacontact/scene/bolt_path.hpp>
 #include <ddacontact/scene/joint_strengths.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <ddacontact/scene/record_notes.hpp>
+#include <ddacontact/scene/steep_water.hpp>
 #include <ddacontact/scene/text.hpp>
 
 #include <map>
@@ -54,7 +56,7 @@ class Builder {
     BlockSystem system = make_system();
     note_idle_velocities(system);
     note_domain();
-    note_stiff_joints();
+    note_omissions(system);
     for (std::string& note : scene_format::notes_on_records(scene_)) built_.notes.push_back(std::move(note));
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
@@ -69,6 +71,7 @@ class Builder {
     for (std::size_t j = 0; j < scene_.joints.size(); ++j)
       built_.labels.joint_names.push_back(scene_.joints[j].name.empty() ? std::to_string(j)
                                                                         : scene_.joints[j].name);
+    note_bent_joints();
     built_.labels.has_bolts = !scene_.bolts.empty();
     for (const Monitor& monitor : scene_.monitors)
       built_.monitor_targets.push_back(make_monitor_target(monitor, system));
@@ -76,6 +79,8 @@ class Builder {
     BlockState initial = system.initial_state();
     set_initial(system, initial);
     std::vector<Stage> parts = stages(system);
+    if (auto note = note_on_bent_face(system, initial)) built_.notes.push_back(std::move(*note));
+    if (auto note = note_on_steep_water(system, initial, parts)) built_.notes.push_back(std::move(*note));
     built_.stepper = std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(),
                                                std::move(parts));
     return std::move(built_);
@@ -133,20 +138,34 @@ class Builder {
     }
   }
 
-  /// Two springs at the ends of a face have the stiffness of the face, and three times its resistance to
-  /// turning.
-  void note_stiff_joints() {
+  /// Two contacts at the ends of a face have the stiffness and strength of the face, and three times its
+  /// resistance to turning.
+  void note_bent_joints() {
     const std::vector<Joint> joints = first_stage().joints;
-    const auto stiff =
-        std::ranges::find_if(joints, [](const Joint& joint) { return joint.normal_stiffness.has_value(); });
+    const auto resists = std::ranges::find_if(joints, [](const Joint& joint) {
+      return joint.normal_stiffness.has_value() || joint.tensile_strength > 0;
+    });
     const bool undivided = std::ranges::any_of(scene_.blocks, [](const BlockDescription& block) {
       return !block.fixed && block.model != BlockModel::mesh;
     });
-    if (stiff == joints.end() || !undivided) return;
-    built_.notes.push_back("the stiffness of joint " + scene_format::quoted(stiff->name) +
-                           " acts at both ends of a face between blocks that are not meshed: it resists "
-                           "turning three times as much as "
-                           "along the whole face (model = \"mesh\" where joints bend)");
+    if (resists == joints.end() || !undivided) return;
+    built_.notes.push_back(
+        "the " + std::string(resists->normal_stiffness ? "stiffness" : "tensile strength") + " of joint " +
+        scene_format::quoted(built_.labels.joint_names[resists - joints.begin()]) +
+        " acts at both ends of a face between blocks that are not meshed: bent, such a face "
+        "resists three times as much as along its whole length (model = \"mesh\" where "
+        "joints bend)");
+  }
+
+  /// What scenes are rarely meant to be without.
+  void note_omissions(const BlockSystem& system) {
+    if (scene_.joints.size() == 1 && scene_.joints[0].name == "default")
+      built_.notes.push_back("without any [[joint]] all contacts are frictionless");
+    bool held = scene_.water.any() || !system.bolts.empty() || !system.quiet_faces.empty() ||
+                !system.fixed_vertices.empty() || !system.prescribed_dofs().empty();
+    for (int b = 0; b < system.n_blocks(); ++b) held = held || !system.is_movable(b);
+    if (!held && !system.gravity.isZero(0))
+      built_.notes.push_back("nothing is held: all blocks fall ('fixed' of a [[block]], or a [[support]])");
   }
 
   void note_domain() {
@@ -157,6 +176,11 @@ class Builder {
         "the domain is cut into " + n(cut.blocks) + " blocks: slivers merged " + n(cut.slivers_merged) +
         ", left " + n(cut.slivers_left) + "; dead ends of joints removed " + n(cut.dangling_removed) +
         "; connecting joints added " + n(cut.connecting_joints) + "; T-vertices " + n(cut.t_vertices));
+    if (cut.cut_by_longer > 0)
+      built_.notes.push_back(
+          "lines of joints that were a twentieth longer would cut " + n(cut.cut_by_longer) +
+          " blocks more: they end before the line that they mean, and divide nothing there "
+          "('snap' in [domain] as large as what is missing)");
   }
 
   /// visit(edge) for all edges of the block, as it numbers them, that an edge of the scene is divided into.

@@ -97,6 +97,8 @@ constexpr Guess guesses[] = {
     {"[[support]]", " vertex node nodes ", "write 'vertices' = [k, ...]"},
     {"[[support]]", " stiffness spring ", "supports are rigid in this version"},
 
+    {"[water]", " level height head depth surface y ", "write 'table' = [[0, LEVEL]]"},
+
     // How a run goes.
     {"[analysis]", " dt timestep step delta_t h ", "write 'time_step' in s"},
     {"[analysis]", " nsteps n_steps num_steps max_steps cycles cycle ", "write 'steps'"},

@@ -116,7 +116,7 @@ ChosenModels choose_models(
       division.budget->asked += unknowns_per_cell * division.mesh.cells;
       divisions.push_back(std::move(division));
     }
-    if (divisions.empty()) break;
+    bool any_divided = false;
     for (const Division& division : divisions) {
       BlockDescription& block = chosen.scene.blocks[division.block];
       std::string& reason = chosen.reasons[division.block];
@@ -128,7 +128,9 @@ ChosenModels choose_models(
       block.model = BlockModel::mesh;
       block.mesh = division.mesh;
       reason = division.reason;
+      any_divided = true;
     }
+    if (!any_divided) break;  // blocks are loaded as before
   }
   return chosen;
 }

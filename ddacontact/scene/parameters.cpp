@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,7 +62,7 @@ class Substitution {
  public:
   Substitution(const Values& values, ProblemList& problems) : values_(values), problems_(problems) {}
 
-  void visit(toml::node& node) const {
+  void visit(toml::node& node) {
     if (toml::table* table = node.as_table()) {
       for (auto&& [key, value] : *table)
         if (key != "title" && key != "name" && key != "parameters") visit(value);
@@ -72,14 +73,19 @@ class Substitution {
     }
   }
 
+  /// Not told where a name is unknown: it may be the one that is meant.
+  bool leaves_unused(std::string_view name) const { return !any_unknown_ && !used_.contains(name); }
+
  private:
-  void replace(toml::value<std::string>& text) const {
+  void replace(toml::value<std::string>& text) {
     const std::string_view written = text.get();
     if (!written.starts_with('$') || !is_name(written.substr(1))) return;
     if (const auto value = values_.find(written.substr(1)); value != values_.end()) {
+      used_.insert(value->first);
       text = std::string(written) + std::string(assigned) + value->second;
       return;
     }
+    any_unknown_ = true;
     std::vector<std::string_view> known;
     for (const auto& [name, value] : values_) known.push_back(name);
     problems_.error(
@@ -90,6 +96,8 @@ class Substitution {
 
   const Values& values_;
   ProblemList& problems_;
+  std::set<std::string, std::less<>> used_;
+  bool any_unknown_ = false;
 };
 
 }  // namespace
@@ -97,7 +105,13 @@ class Substitution {
 void put_parameters(toml::table& root, ProblemList& problems) {
   const toml::table* parameters = root["parameters"].as_table();
   const Values values = parameters ? values_of(*parameters, problems) : Values();
-  Substitution(values, problems).visit(root);
+  Substitution substitution(values, problems);
+  substitution.visit(root);
+  if (!parameters) return;
+  for (const auto& [key, node] : *parameters)
+    if (values.contains(key.str()) && substitution.leaves_unused(key.str()))
+      problems.warning(location_of(key, problems), "the parameter '" + excerpt(key.str()) + "' is not used",
+                       "write \"$" + excerpt(key.str()) + "\" where its value belongs, or leave it out");
 }
 
 bool is_parameter(std::string_view text) {

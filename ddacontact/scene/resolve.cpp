@@ -43,6 +43,11 @@ double density_of(const MaterialRecord& record, const AnalysisRecord& analysis, 
   else if (!Bounds{smallest_positive, largest_number}.contain(density))
     problems.error(location, "'unit_weight' over gravity is a density of '" + rounded(density) + "' kg/m3",
                    cure);
+  if (analysis.options.gravity.x() != 0)
+    problems.warning(location,
+                     "'unit_weight' is divided by the length of gravity, " + rounded(gravity) +
+                         " m/s2: where gravity is tilted to stand for shaking, blocks are lighter than that",
+                     cure);
   return density;
 }
 
@@ -89,10 +94,15 @@ void warn_of_unused_joints(const Document& document, const NameTable& names, con
     if (!between) continue;
     const auto [a, b] = *between;
     if (a == b ? n_blocks_of(a) > 1 : n_blocks_of(a) > 0 && n_blocks_of(b) > 0) continue;
-    problems.warning(
-        document.joints[j].locations.of("between"),
-        names.title(static_cast<int>(j)) + " is never used: no two blocks have the materials of 'between'",
-        "give blocks these materials, or leave the joint out");
+    const bool is_default = j == 0 && std::ranges::all_of(scene.joints, [](const Joint& joint) {
+                              return joint.between.has_value();
+                            });
+    problems.warning(document.joints[j].locations.of("between"),
+                     "no two blocks have the materials of 'between' of " + names.title(static_cast<int>(j)) +
+                         (is_default ? ": the first of the joints, it is the law of all other contacts"
+                                     : ", which is never used"),
+                     is_default ? "write the joint of all other contacts first, without 'between'"
+                                : "give blocks these materials, or leave the joint out");
   }
 }
 

@@ -268,7 +268,9 @@ void describe(JointRecord& r, Visit&& visit) {
             .default_text = "none"},
         r.name);
   visit(Key{.name = "between",
-            .what = "The two materials (either order) whose contacts follow it.",
+            .what = "The two materials (either order) whose contacts follow it. Where every joint has it, "
+                    "the first is "
+                    "the law of all other contacts too.",
             .default_text = "everything not named elsewhere"},
         r.between);
   describe_law(r.joint, visit);

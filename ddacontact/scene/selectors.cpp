@@ -123,7 +123,7 @@ void complain_of_location(const BlockSelector& selector, const Document& documen
   for (std::size_t b = 0; b < document.blocks.size(); ++b) {
     if (!has_outline(document.blocks[b])) continue;
     const double distance = (centroid(document.blocks[b]) - x).norm();
-    if (distance >= least) continue;
+    if (!(distance < least)) continue;
     least = distance;
     nearest_block = static_cast<int>(b);
   }

@@ -62,13 +62,16 @@ int nearest(std::string_view word, const std::vector<std::string_view>& known) {
   return best;
 }
 
+bool is_near(std::string_view word, std::string_view known) {
+  return distance(word, known) <= static_cast<int>(std::max<std::size_t>(2, word.size() / 3));
+}
+
 std::string suggestion(std::string_view word, std::string_view kind,
                        const std::vector<std::string_view>& known) {
   const int best = nearest(word, known);
   if (best < 0) return "there is no " + std::string(kind);
   const std::string name = excerpt(known[best]);
-  if (distance(word, known[best]) <= static_cast<int>(std::max<std::size_t>(2, word.size() / 3)))
-    return "did you mean '" + name + "'?";
+  if (is_near(word, known[best])) return "did you mean '" + name + "'?";
   std::string text = "the nearest known " + std::string(kind) + " is '" + name + "'";
   if (known.size() > 1 && known.size() <= longest_list) {
     text += "; known:";

@@ -15,6 +15,9 @@ int edit_distance(std::string_view a, std::string_view b);
 /// of the other counts as two at most; -1 when none is known.
 int nearest(std::string_view word, const std::vector<std::string_view>& known);
 
+/// Whether a word may have been meant to be the known one.
+bool is_near(std::string_view word, std::string_view known);
+
 /// A cure for an unknown word: "did you mean 'young'?" when one is near, else the nearest and all that are
 /// known of this `kind` ("key", "material", ...), unless they are many.
 std::string suggestion(std::string_view word, std::string_view kind,

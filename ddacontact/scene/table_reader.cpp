@@ -59,27 +59,34 @@ void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) 
   }
 }
 
-namespace {
-
-/// TOML gives a key written after a table to that table: what belongs to the top of the file is easily
-/// misplaced.
-std::string cure_of_unknown(std::string_view name, std::string_view table,
-                            const std::vector<std::string_view>& known) {
+std::string TableReader::cure_of_unknown(std::string_view name) {
+  const auto meant =
+      std::ranges::find_if(missing_, [&](const MissingKey& m) { return is_near(name, m.name); });
+  if (meant != missing_.end()) {
+    const std::string cure = "write '" + meant->name + "': " + meant->expected;
+    missing_.erase(meant);
+    return cure;
+  }
+  // TOML gives a key written after a table to that table: what belongs to the top of the file is easily
+  // misplaced.
   for (const std::string_view top : {"format", "title", "blocks"})
     if (name == top)
       return "'" + std::string(top) + "' belongs to the top of the file, before the first table";
-  return cure_of_unknown_key(name, table, known);
+  const std::string cure = cure_of_unknown_key(name, title_, known_);
+  std::erase_if(missing_, [&](const MissingKey& m) { return cure.starts_with("write '" + m.name + "'"); });
+  return cure;
 }
-
-}  // namespace
 
 void TableReader::refuse_other_keys() {
   for (const auto& [name, node] : table_) {
     if (std::find(known_.begin(), known_.end(), name.str()) != known_.end()) continue;
     problems_.error(location_of(name, problems_),
                     "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_),
-                    cure_of_unknown(name.str(), title_, known_));
+                    cure_of_unknown(name.str()));
   }
+  for (const MissingKey& key : missing_)
+    problems_.error(locations_.table, "missing key '" + key.name + "' in " + std::string(title_),
+                    "add '" + key.name + "': " + key.expected);
 }
 
 void TableReader::refuse(const Key& key, const std::string& what, const std::string& cure) {
@@ -87,11 +94,6 @@ void TableReader::refuse(const Key& key, const std::string& what, const std::str
   for (const auto& [name, node] : table_)
     if (name == key.name)
       problems_.error(location_of(name, problems_), "'" + std::string(key.name) + "' " + what, cure);
-}
-
-void TableReader::missing(const Key& key, const std::string& expected) {
-  problems_.error(locations_.table, "missing key '" + std::string(key.name) + "' in " + std::string(title_),
-                  "add '" + std::string(key.name) + "': " + expected);
 }
 
 }  // namespace ddacontact::scene_format

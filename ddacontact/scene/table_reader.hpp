@@ -23,7 +23,7 @@ class TableReader {
     if (const toml::node* node = find(key))
       read(key, *node, value);
     else if (key.required)
-      missing(key, expected_text(key, value));
+      missing_.push_back({key.name, expected_text(key, value)});
   }
 
   template <class T>
@@ -64,7 +64,8 @@ class TableReader {
   void operator()(const Key& key, Skips& skips);
   void operator()(const Key& key, std::vector<JointChange>& changes);
 
-  /// To be called after all keys: complains about unknown keys.
+  /// To be called after all keys: complains about unknown keys, and about missing ones that no unknown key
+  /// was meant to be.
   void refuse_other_keys();
 
  protected:
@@ -93,7 +94,8 @@ class TableReader {
   std::string inner_title(const Key& key) const {
     return "[[" + std::string(title_.substr(1, title_.size() - 2)) + '.' + key.name + "]]";
   }
-  void missing(const Key& key, const std::string& expected);
+  /// What to write for a key that is not known; a missing key that it was meant to be is missing no longer.
+  std::string cure_of_unknown(std::string_view name);
   /// A key that the table must not have.
   void refuse(const Key& key, const std::string& what, const std::string& cure);
 
@@ -102,6 +104,10 @@ class TableReader {
   KeyLocations& locations_;
   ProblemList& problems_;
   std::vector<std::string_view> known_;
+  struct MissingKey {
+    std::string name, expected;
+  };
+  std::vector<MissingKey> missing_;
 };
 
 }  // namespace ddacontact::scene_format

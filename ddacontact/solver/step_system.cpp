@@ -60,6 +60,22 @@ StepSystem::StepSystem(BlockSystem& blocks)
   problem_.set_matrices(std::move(elements));
 }
 
+namespace {
+
+/// The shape when loads act, if the motion at the start goes on.
+BlockState foreseen(const BlockSystem& blocks, const BlockState& state, const StepStart& start) {
+  const double t = start.rule.load_time() * start.dt;
+  VectorXd d = t * start.velocity;
+  if (start.rule.scheme == Scheme::newmark) d += t * t / 2 * start.acceleration;
+  BlockState then = state;
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    for (int v = 0; v < blocks.block(b).n_vertices(); ++v)
+      then.position.col(blocks.block(b).vertices().first + v) += blocks.block(b).vertex_map(v)(d);
+  return then;
+}
+
+}  // namespace
+
 void StepSystem::set_step(const BlockState& state, const StepStart& start, double fixed_point_stiffness) {
   dt_ = start.dt;
   rule_ = start.rule;
@@ -85,7 +101,9 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   blocks_.begin_step(state, start);
   own_at_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
-  blocks_.add_loads(state, load_time, load_forces_);
+  blocks_.add_loads(
+      start.rule.foresees_shape() && blocks_.has_face_loads() ? foreseen(blocks_, state, start) : state,
+      load_time, load_forces_);
   blocks_.add_gravity(gravity_forces_);
 }
 

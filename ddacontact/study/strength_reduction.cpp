@@ -56,6 +56,7 @@ StrengthReduction::StrengthReduction(const Scene& scene, std::vector<int> joints
 
 void StrengthReduction::settle() {
   BuiltScene built = build(scene_);
+  notes_ = built.notes;
   Stepper& stepper = *built.stepper;
   const int before_last = static_cast<int>(scene_.stages.size()) - 2;
   const auto is_settled = [&] {

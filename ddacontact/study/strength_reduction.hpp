@@ -46,6 +46,8 @@ class StrengthReduction {
 
   /// What is wrong with the settled state: it is out of balance or moves. Empty: it rests.
   const std::string& unsettled() const { return unsettled_; }
+  /// Of the scene, see BuiltScene.
+  const std::vector<std::string>& notes() const { return notes_; }
   /// As it is tried: in stages, bonds as is_ductile() says.
   const Scene& scene() const { return scene_; }
 
@@ -56,6 +58,7 @@ class StrengthReduction {
   std::vector<int> joints_;
   std::optional<RunRecord> settled_;
   std::string unsettled_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace ddacontact

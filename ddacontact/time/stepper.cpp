@@ -42,8 +42,12 @@ bool Stepper::step() {
   }
   if (!made) return false;
   const std::optional<RestCriterion>& until = stages_[progress_.stage].until;
+  const auto changed = [&](const TimeFunction* function) {
+    return function->changes_between(state_.time - analysis_.time_step, state_.time, blocks_.end_time);
+  };
   const bool comes_to_rest = !progress_.came_to_rest && until && state_.time >= blocks_.fading.to &&
-                             equilibrium_.meets(*until, energy_.exchanged());
+                             equilibrium_.meets(*until, energy_.exchanged()) &&
+                             std::ranges::none_of(blocks_.time_functions(), changed);
   if (comes_to_rest) progress_.came_to_rest = true;
   if (++progress_.steps == analysis_.steps || comes_to_rest) leave_stage();
   return true;

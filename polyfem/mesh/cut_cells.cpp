@@ -206,7 +206,7 @@ CutCells cut_cells(const PointsRef& domain, const std::vector<Segment>& lines, d
   NodedLines graph = snapped_lines(domain, lines, snap);
   CutCells result;
   result.grid = graph.grid;
-  result.n_dangling = remove_bridges(graph);
+  result.n_dangling = remove_bridges(graph, 3 * snap);
   result.n_connecting = connect_parts(graph, connecting_mark);
   const FaceWalks walks = walk_faces(graph);
   result.vertices = graph.vertices;

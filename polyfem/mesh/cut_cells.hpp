@@ -17,7 +17,7 @@ struct CutCells {
   std::vector<Vec2> vertices;
   std::vector<CutCell> cells;
   double grid = 0;       ///< vertices lie on multiples of it, those on straight lines but for so much
-  int n_dangling = 0;    ///< pieces of lines that divided nothing: taken out
+  int n_dangling = 0;    ///< pieces of lines longer than thrice the snap that divided nothing: taken out
   int n_connecting = 0;  ///< lines added so that no cell surrounds others
 
   Points outline(const CutCell& cell) const;

@@ -189,16 +189,17 @@ FaceWalks walk_faces(const NodedLines& graph) {
   return walks;
 }
 
-int remove_bridges(NodedLines& graph) {
+int remove_bridges(NodedLines& graph, double counted) {
   const FaceWalks walks = walk_faces(graph);
-  const std::size_t n = graph.edges.size();
   std::size_t e = 0;
-  std::erase_if(graph.edges, [&](const NodedLines::Edge&) {
+  int n_counted = 0;
+  std::erase_if(graph.edges, [&](const NodedLines::Edge& edge) {
     const bool same = walks.walk_of[2 * e] == walks.walk_of[2 * e + 1];
     ++e;
+    n_counted += same && (graph.vertices[edge.to] - graph.vertices[edge.from]).norm() > counted;
     return same;
   });
-  return static_cast<int>(n - graph.edges.size());
+  return n_counted;
 }
 
 int connect_parts(NodedLines& graph, int mark) {

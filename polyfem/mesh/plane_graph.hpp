@@ -31,8 +31,8 @@ inline int start_of(const NodedLines& graph, int half_edge) {
 }
 
 /// Takes out the edges with the same face on both sides: dangling ones, and those that join two parts by
-/// themselves. Returns how many.
-int remove_bridges(NodedLines& graph);
+/// themselves. Returns how many of them are longer than `counted`.
+int remove_bridges(NodedLines& graph, double counted = 0);
 
 /// Joins every part of the graph to that of its first edge: from the leftmost vertex of each a horizontal
 /// edge runs to the left, from the rightmost one to the right, as far as the next edge. A part that touches

@@ -96,7 +96,25 @@ TEST(Until, OfTheLastStageEndsTheRun) {
   EXPECT_TRUE(warnings_of(*built.stepper).empty());
 }
 
-/// Where the stage stands is part of what a run carries on, also at its very end.
+/// However slowly it grows: a stage that ended by itself within the ramp would call the block at rest under a
+/// part of the load that overturns it.
+TEST(Until, IsNotMetWhileALoadGrows) {
+  Scene scene = drop_scene(Mode::statics, 0, 600, at_rest);
+  scene.analysis.time_step = scene.stages[0].analysis.time_step = 0.05;
+  ddacontact::Load load;
+  load.kind = ddacontact::Load::Kind::body;
+  load.block = 1;
+  load.force.value = Vec2(1e3, 0);
+  load.force.rise = 20;
+  scene.loads = {load};
+  scene.stages[0].loads = {0};
+  const BuiltScene built = build(scene);
+  while (built.stepper->stage_ends().empty()) run(*built.stepper, 1);
+  EXPECT_TRUE(built.stepper->stage_ends()[0].came_to_rest);
+  EXPECT_GE(built.stepper->stage_ends()[0].time, 20);
+  EXPECT_LT(built.stepper->stage_ends()[0].time, 20.5);
+}
+
 /// A load that comes at 5 s, after the run has ended; a support that stands still does not change.
 TEST(Until, ARunThatEndsBeforeItsLoadsDoSaysSo) {
   Scene scene = drop_scene(Mode::dynamic, 0.01, 1000, at_rest);
@@ -120,6 +138,7 @@ TEST(Until, ARunThatEndsBeforeItsLoadsDoSaysSo) {
   EXPECT_TRUE(warned());
 }
 
+/// Where the stage stands is part of what a run carries on, also at its very end.
 TEST(Until, ResumedRunsEndStagesWithTheSameStep) {
   for (const Mode mode : {Mode::dynamic, Mode::statics}) {
     const Scene scene = drop_scene(mode, mode == Mode::statics ? 0 : 0.01, 1000, at_rest);

@@ -142,6 +142,19 @@ TEST(DomainCutting, TracesMayEndALittleBeforeTheLineThatTheyMean) {
   EXPECT_NEAR(cut.counts.area, 8, 1e-12);
 }
 
+/// Bed joints of a wall and head joints that end 2 mm before the bed above: as drawn they divide nothing.
+TEST(DomainCutting, LinesThatEndTooEarlyAreCounted) {
+  for (const double missing : {0.0, 0.002, 0.2}) {
+    Domain domain = box(4, 2);
+    domain.traces = {trace({{0, 1}, {4, 1}}), trace({{1, 0}, {1, 1 - missing}}),
+                     trace({{3, 0}, {3, 1 - missing}})};
+    const auto counts = cut_domain(domain).counts;
+    EXPECT_EQ(counts.blocks, missing == 0 ? 4 : 2);
+    EXPECT_EQ(counts.cut_by_longer, missing == 0.002 ? 2 : 0);
+    EXPECT_EQ(counts.dangling_removed, missing == 0 ? 0 : 2);
+  }
+}
+
 TEST(DomainCutting, VerticesWithinTheSnappingDistanceBecomeOne) {
   Domain domain = box(4, 4);
   domain.traces = {trace({{0, 0}, {4, 4}}), trace({{0, 4}, {4, 0}}), trace({{0, 2}, {4, 2.001}})};

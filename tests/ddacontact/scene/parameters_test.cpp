@@ -33,6 +33,15 @@ std::string with(const std::string& from, const std::string& to) {
   return text;
 }
 
+TEST(Parameters, ThatNothingUsesAreWarnedOf) {
+  EXPECT_TRUE(read(with("", "")).problems.empty());
+  const SceneReading reading = read(with("n = 35\n", "n = 35\nmu = 0.5\n"));
+  ASSERT_EQ(reading.problems.size(), 1u);
+  EXPECT_EQ(reading.problems[0].severity, Severity::warning);
+  EXPECT_EQ(reading.problems[0].line, 6);
+  EXPECT_NE(reading.problems[0].text().find("the parameter 'mu' is not used"), std::string::npos);
+}
+
 TEST(Parameters, StandForNumbersWithAndWithoutUnits) {
   const Scene scene = scene_of(with("", ""));
   EXPECT_EQ(scene.analysis.steps, 35);

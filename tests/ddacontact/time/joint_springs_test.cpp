@@ -50,7 +50,7 @@ TEST(JointSprings, OfAColumnCloseByTheWeightAboveOverTheirStiffness) {
     const BuiltScene built = run(scene);
     ASSERT_EQ(built.stepper->contacts().size(), 8u);
     ASSERT_EQ(built.notes.size(), 1u);
-    EXPECT_NE(built.notes[0].find("resists turning three times as much"), std::string::npos);
+    EXPECT_NE(built.notes[0].find("resists three times as much"), std::string::npos);
     for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) {
       const double above = 40e3 * (5 - std::max(contact.pair.vertex_block, contact.pair.edge_block)),
                    closure = above / (1e7 * 2);

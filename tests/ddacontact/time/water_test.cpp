@@ -138,6 +138,43 @@ TEST(Water, AFloatBobs) {
   EXPECT_NEAR(travel(*built.stepper, 0).x(), 0, 1e-12);
 }
 
+/// Pressure is that of the middle of the step: of its start it would double the amplitude in this time.
+TEST(Water, AFloatBobsForEverWithoutNumericalDamping) {
+  for (const Scheme scheme : {Scheme::midpoint, Scheme::newmark}) {
+    Scene scene = wet_scene(0.01, 0, line({{0, 0}}));
+    scene.analysis.scheme = scheme;
+    scene.analysis.gamma = 0.5;
+    scene.analysis.beta = 0.25;
+    scene.materials[0].density = 500;
+    scene.blocks = {block(rectangle(0, -0.95, 4, 2))};
+    const double omega = std::sqrt(unit_weight_of_water * 4 / (500 * 4 * 2));
+    const int period = static_cast<int>(std::round(2 * std::numbers::pi / omega / 0.01));
+    scene.analysis.steps = 10 * period;
+    const BuiltScene built = build(scene);
+    for (int n = 0; n < 9 * period; ++n) ASSERT_TRUE(built.stepper->step());
+    double lowest = 0;
+    for (int n = 0; n < period; ++n) {
+      ASSERT_TRUE(built.stepper->step());
+      lowest = std::min(lowest, travel(*built.stepper, 0).y());
+    }
+    EXPECT_NEAR(lowest, -0.1, 1e-3) << static_cast<int>(scheme);
+  }
+}
+
+TEST(Water, IsNotedWhereItsTableFallsSteeplyBesideAFace) {
+  const auto notes = [](double fall) {
+    Scene scene = wet_scene(0.01, 1, line({{-10, 3.5}, {fall, 3.5}, {fall + 0.01, 0}, {20, 0}}));
+    scene.water.joint_table.resize(2, 0);
+    scene.blocks = {block(rectangle(-10, -2, 30, 2), true), block(rectangle(0, 0, 2, 4))};
+    int n = 0;
+    for (const std::string& note : build(scene).notes)
+      n += note.find("falls steeply beside block") != std::string::npos;
+    return n;
+  };
+  EXPECT_EQ(notes(0), 1);
+  EXPECT_EQ(notes(1), 0);
+}
+
 TEST(Water, InACrackBehindAWedgeDecidesWhetherItSlides) {
   const PlaneFailure plane;
   for (const double part : {0.995, 1.005}) {

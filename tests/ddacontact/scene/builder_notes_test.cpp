@@ -1,0 +1,70 @@
+// What is noted of a scene that is good but rarely meant as it is.
+#include "example_scenes.hpp"
+
+#include <ddacontact/scene/builder.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace example_scenes;
+
+/// A slice on a plane of 40 degrees, one on the floor before it; the joint between them ends at `toe`.
+std::string two_slices(double toe) {
+  const std::string at = std::to_string(toe);
+  return R"(format = 1
+[analysis]
+steps = 1
+time_step = 0.01
+block_model = "affine"
+[[material]]
+name = "rock"
+density = 2500
+young = "20 GPa"
+poisson = 0.2
+[[joint]]
+friction_angle = 20
+[[block]]
+material = "rock"
+vertices = [[-20, -3], [10, -3], [10, 8.391], [0, 0], [-20, 0]]
+fixed = true
+[[block]]
+name = "upper"
+material = "rock"
+vertices = [[0, 0], [3.0642, 2.57117], [3.0642, 4.57117], [0, 2]]
+[[block]]
+name = "lower"
+material = "rock"
+vertices = [[-3, 0], [)" +
+         at + ", 0], [" + at + ", 2], [-3, 2]]\n";
+}
+
+bool notes(const std::string& text, std::string_view words) {
+  const auto built = ddacontact::build(scene_of(text));
+  return std::ranges::any_of(built.notes,
+                             [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+TEST(BuilderNotes, AJointThatEndsWhereTheFaceBelowItBends) {
+  const std::string_view bend =
+      "block \"upper\" and block \"lower\" ends where the face of block \"0\" bends";
+  EXPECT_TRUE(notes(two_slices(0), bend));
+  EXPECT_FALSE(notes(two_slices(-0.1), bend));
+}
+
+TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
+  const std::string joint = "[[joint]]\nfriction_angle = 20\n";
+  EXPECT_FALSE(notes(two_slices(0), "frictionless"));
+  EXPECT_TRUE(notes(replaced(two_slices(0), joint, ""), "frictionless"));
+  EXPECT_FALSE(notes(two_slices(0), "nothing is held"));
+  EXPECT_TRUE(notes(replaced(two_slices(0), "fixed = true\n", ""), "nothing is held"));
+}
+
+TEST(BuilderNotes, BondsOfBlocksThatAreNotMeshed) {
+  const std::string bonded =
+      replaced(two_slices(0), "friction_angle = 20\n", "friction_angle = 20\ntensile_strength = 1e5\n");
+  EXPECT_TRUE(notes(bonded, "the tensile strength of joint"));
+  EXPECT_FALSE(notes(two_slices(0), "the tensile strength of joint"));
+}
+
+}  // namespace
