@@ -38,9 +38,9 @@ struct StepRule {
   /// When within the step loads are taken: a static step ends in equilibrium with those of its end.
   double load_time() const { return starts_at_rest ? 1 : has_half_steps() ? 0 : mean_forces() ? 0.5 : 1; }
 
-  /// Loads on faces act on the shape that the motion at the start foresees for load_time(): of the schemes
+  /// Loads on faces act on the shape that the motion at the start predicts for load_time(): of the schemes
   /// without numerical damping, where those of the start's shape would drive what they hold.
-  bool foresees_shape() const { return !starts_at_rest && (mean_forces() || scheme == Scheme::newmark); }
+  bool predicts_shape() const { return !starts_at_rest && (mean_forces() || scheme == Scheme::newmark); }
 
   bool operator==(const StepRule& other) const {
     return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&

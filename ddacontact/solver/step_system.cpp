@@ -63,7 +63,7 @@ StepSystem::StepSystem(BlockSystem& blocks)
 namespace {
 
 /// The shape when loads act, if the motion at the start goes on.
-BlockState foreseen(const BlockSystem& blocks, const BlockState& state, const StepStart& start) {
+BlockState predicted(const BlockSystem& blocks, const BlockState& state, const StepStart& start) {
   const double t = start.rule.load_time() * start.dt;
   VectorXd d = t * start.velocity;
   if (start.rule.scheme == Scheme::newmark) d += t * t / 2 * start.acceleration;
@@ -102,7 +102,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   own_at_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(
-      start.rule.foresees_shape() && blocks_.has_face_loads() ? foreseen(blocks_, state, start) : state,
+      start.rule.predicts_shape() && blocks_.has_face_loads() ? predicted(blocks_, state, start) : state,
       load_time, load_forces_);
   blocks_.add_gravity(gravity_forces_);
 }

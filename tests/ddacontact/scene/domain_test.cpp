@@ -184,7 +184,7 @@ TEST(Domain, BadTablesAreRefusedWithPlaceAndCure) {
   expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 0\n",
                  "scene.toml:25:11: error: 'spacing' = '0' is out of range");
   expect_problem("[[domain.joint_set]]\nangel = 0\nspacing = 1\n",
-                 "in [[domain.joint_set]] (did you mean 'angle'?");
+                 "in [[domain.joint_set]] (write 'angle': a number");
   expect_problem(with("joint = \"beding\"\n"), "");
   expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 1\njoint = \"beding\"\n",
                  "scene.toml:26:9: error: unknown joint 'beding' (did you mean 'bedding'?)");

@@ -37,7 +37,7 @@ TEST(Parameters, ThatNothingUsesAreWarnedOf) {
   EXPECT_TRUE(read(with("", "")).problems.empty());
   const SceneReading reading = read(with("n = 35\n", "n = 35\nmu = 0.5\n"));
   ASSERT_EQ(reading.problems.size(), 1u);
-  EXPECT_EQ(reading.problems[0].severity, Severity::warning);
+  EXPECT_EQ(reading.problems[0].severity, Problem::Severity::warning);
   EXPECT_EQ(reading.problems[0].line, 6);
   EXPECT_NE(reading.problems[0].text().find("the parameter 'mu' is not used"), std::string::npos);
 }

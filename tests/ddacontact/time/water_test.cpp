@@ -138,9 +138,9 @@ TEST(Water, AFloatBobs) {
   EXPECT_NEAR(travel(*built.stepper, 0).x(), 0, 1e-12);
 }
 
-/// Pressure is that of the middle of the step: of its start it would double the amplitude in this time.
+/// Pressures act on the predicted shape: on that of the start of each step the amplitude grew threefold.
 TEST(Water, AFloatBobsForEverWithoutNumericalDamping) {
-  for (const Scheme scheme : {Scheme::midpoint, Scheme::newmark}) {
+  for (const auto& [scheme, error] : {std::pair{Scheme::midpoint, 1e-5}, {Scheme::newmark, 3e-3}}) {
     Scene scene = wet_scene(0.01, 0, line({{0, 0}}));
     scene.analysis.scheme = scheme;
     scene.analysis.gamma = 0.5;
@@ -157,7 +157,7 @@ TEST(Water, AFloatBobsForEverWithoutNumericalDamping) {
       ASSERT_TRUE(built.stepper->step());
       lowest = std::min(lowest, travel(*built.stepper, 0).y());
     }
-    EXPECT_NEAR(lowest, -0.1, 1e-3) << static_cast<int>(scheme);
+    EXPECT_NEAR(lowest, -0.1, error) << static_cast<int>(scheme);
   }
 }
 
