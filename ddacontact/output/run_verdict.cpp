@@ -44,6 +44,8 @@ void add_unmet_until(const Stepper& stepper, const StageEnd& end, std::vector<st
   const Equilibrium& e = end.equilibrium;
   std::string text = stage_title(stepper, end.stage) + " made all its " + std::to_string(end.steps) +
                      " steps and its 'until' never came true";
+  if (const double change = last_change(stepper.blocks()); change > end.time)
+    text += ": a load, a support or the ground changes until t = " + figure(change) + " s";
   if (!e.in_balance()) text += ": " + imbalance(stepper, e);
   if (stage.until->kinetic && e.kinetic > *stage.until->kinetic * end.exchanged)
     text += ": the kinetic energy is " + figure(e.kinetic / end.exchanged) + " of the largest exchanged";

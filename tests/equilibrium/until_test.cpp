@@ -4,6 +4,8 @@
 #include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/time/run_record.hpp>
 
+#include <algorithm>
+
 using namespace support;
 
 namespace {
@@ -113,6 +115,15 @@ TEST(Until, IsNotMetWhileALoadGrows) {
   EXPECT_TRUE(built.stepper->stage_ends()[0].came_to_rest);
   EXPECT_GE(built.stepper->stage_ends()[0].time, 20);
   EXPECT_LT(built.stepper->stage_ends()[0].time, 20.5);
+
+  scene.stages = {scene.stages[0]};
+  scene.stages[0].analysis.steps = 100;
+  const BuiltScene shorter = build(scene);
+  run(*shorter.stepper, 100);
+  const std::vector<std::string> warnings = warnings_of(*shorter.stepper);
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& text) {
+    return text.find("never came true: a load, a support or the ground changes until t = 20 s") != text.npos;
+  }));
 }
 
 /// A load that comes at 5 s, after the run has ended; a support that stands still does not change.
