@@ -51,8 +51,7 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
              quoted(blocks.names[*std::next(there.begin())]) + " ends where the face of block " +
              quoted(blocks.names[b]) +
              " bends: a corner does not slide round the bend, which holds blocks that would fail (let the "
-             "joint "
-             "end above the bend)";
+             "joint end above the bend)";
     }
   }
   return {};
