@@ -18,6 +18,9 @@ std::string counted(int n, const char* one, const char* many) {
 
 void tell(const CutArguments& arguments, const ddacontact::Scene& before, const ddacontact::Scene& after,
           const ddacontact::CutCounts& counts) {
+  if (before.snapped)
+    fmt::print(stderr, "{}: {} moved, by {:.3g} m at most\n", arguments.blocks,
+               counted(before.snapped->moved, "vertex", "vertices"), before.snapped->farthest);
   fmt::print(stderr, "{}: {} to {}: {} split, {} taken out, {} dropped\n", arguments.blocks,
              counted(static_cast<int>(before.blocks.size()), "block", "blocks"), after.blocks.size(),
              counts.split, counted(counts.short_edges, "short edge", "short edges"),

@@ -56,6 +56,7 @@ class Builder {
     BlockSystem system = make_system();
     note_idle_velocities(system);
     note_domain();
+    note_snapping();
     note_omissions(system);
     for (std::string& note : scene_format::notes_on_records(scene_)) built_.notes.push_back(std::move(note));
     built_.labels.origin = origin_;
@@ -130,11 +131,14 @@ class Builder {
   }
 
   void note_idle_velocities(const BlockSystem& system) {
+    const bool from_rest = first_stage().analysis.mode == Mode::statics;
     for (int b = 0; b < system.n_blocks(); ++b) {
       const BlockDescription& block = scene_.blocks[b];
-      if (!system.is_movable(b) && (!block.velocity.isZero(0) || block.angular_velocity != 0))
-        built_.notes.push_back("block \"" + scene_.block_name(b) +
-                               "\" is held: its initial velocity has no effect");
+      if (block.velocity.isZero(0) && block.angular_velocity == 0) continue;
+      if (!system.is_movable(b) || from_rest)
+        built_.notes.push_back("block \"" + scene_.block_name(b) + "\" " +
+                               (system.is_movable(b) ? "starts with static steps" : "is held") +
+                               ": its initial velocity has no effect");
     }
   }
 
@@ -181,6 +185,13 @@ class Builder {
           "lines of joints that were a twentieth longer would cut " + n(cut.cut_by_longer) +
           " blocks more: they end before the line that they mean, and divide nothing there "
           "('snap' in [domain] as large as what is missing)");
+  }
+
+  void note_snapping() {
+    if (scene_.snapped)
+      built_.notes.push_back("'snap' moved vertices: " + std::to_string(scene_.snapped->moved) + ", by " +
+                             scene_format::short_number(scene_.snapped->farthest) +
+                             " m at most; gaps that were meant, of that size, are closed too");
   }
 
   /// visit(edge) for all edges of the block, as it numbers them, that an edge of the scene is divided into.

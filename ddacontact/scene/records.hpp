@@ -437,6 +437,7 @@ struct Document {
   Parameters parameters;
   std::optional<std::string> geometry_file;  ///< key 'blocks'
   std::optional<double> snap;
+  std::optional<SnapCounts> snapped;  ///< once vertices have moved
   std::optional<InitialStress> initial_stress;
   AnalysisRecord analysis;
   ContactRecord contact;

@@ -210,6 +210,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
   warn_of_unusual_densities(document, scene, problems);
   scene.output = document.output.options;
   scene.domain = document.domain_counts;
+  scene.snapped = document.snapped;
   if (problems.has_errors()) return scene;
   warn_of_unused_joints(document, joints.names, scene, problems);
   scene.analysis.steps = scene.n_steps();

@@ -148,6 +148,12 @@ struct OutputOptions {
   int checkpoint_every = 0;
 };
 
+/// What making rounded blocks touch came to.
+struct SnapCounts {
+  int moved = 0;        ///< vertices
+  double farthest = 0;  ///< of them, how far, m
+};
+
 /// Everything that a scene file says.
 struct Scene {
   std::string title;
@@ -166,6 +172,7 @@ struct Scene {
   std::vector<StageDescription> stages;  ///< run in sequence; none: one part of analysis.steps
   OutputOptions output;
   std::optional<DomainCounts> domain;  ///< what cutting blocks from it came to
+  std::optional<SnapCounts> snapped;   ///< where vertices moved
 
   /// The name of a block in every result: its own, else its index.
   std::string block_name(int block) const;

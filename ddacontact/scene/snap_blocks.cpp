@@ -26,6 +26,7 @@ void snap_blocks(Document& document, ProblemList& problems) {
         "snap by less, or take its short edges out: dda cut --shortest-edge L");
   }
   for (std::size_t b = 0; b < outlines.size(); ++b) document.blocks[b].vertices.points = outlines[b];
+  if (snapping.n_moved > 0) document.snapped = {snapping.n_moved, snapping.farthest};
 }
 
 }  // namespace ddacontact::scene_format

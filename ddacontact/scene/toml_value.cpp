@@ -4,6 +4,7 @@
 #include <ddacontact/scene/toml_value.hpp>
 #include <ddacontact/scene/units.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -259,6 +260,11 @@ bool ValueReader::operator()(const toml::node& node, Outline& value) const {
   const toml::array* array = node.as_array();
   if (!array) return wrong_type(node, key_.name, expected_text(key_, value));
   const int size = static_cast<int>(array->size());
+  if (size > 0 && std::ranges::all_of(*array, [](const toml::node& of) { return of.is_number(); })) {
+    problems_.error(location_of(node, problems_), "'" + std::string(key_.name) + "' is a list of numbers",
+                    "write pairs, [[x, y], [x, y], ...] in m");
+    return false;
+  }
   value.points.resize(2, size);
   value.locations.reserve(array->size());
   bool good = true;

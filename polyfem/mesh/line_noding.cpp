@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <unordered_map>
+#include <utility>
 
 namespace polyfem {
 
@@ -36,10 +39,18 @@ class VertexNumbers {
   std::unordered_map<std::array<double, 2>, int, BitsOf> numbers_;
 };
 
+/// In an order without rule: GEOS hangs crossings in a tree as it finds them, which those of rows of lines
+/// one after another make as deep as a list.
+std::vector<Segment> shuffled(std::vector<Segment> segments) {
+  std::mt19937 random;
+  for (std::size_t k = segments.size(); k > 1; --k) std::swap(segments[k - 1], segments[random() % k]);
+  return segments;
+}
+
 GeosGeometry lines_of(const GeosContext& geos, const std::vector<Segment>& segments) {
   std::vector<GEOSGeometry*> lines;
   Points ends(2, 2);
-  for (const Segment& segment : segments) {
+  for (const Segment& segment : shuffled(segments)) {
     if (segment.from == segment.to) continue;
     ends << segment.from, segment.to;
     lines.push_back(geos.checked(GEOSGeom_createLineString_r(geos.handle(), coordinates(geos, ends))));
@@ -54,40 +65,63 @@ double distance(const Segment& segment, const Vec2& point) {
   return (to_point - t * along).norm();
 }
 
-/// The mark of the first segment within `reach` of a point, of the nearest one where there is none.
-int mark_at(const Vec2& point, const std::vector<Segment>& segments, const SegmentGrid& index, double reach) {
+/// The first segment within `reach` of a point, the nearest one where there is none.
+int segment_at(const Vec2& point, const std::vector<Segment>& segments, const SegmentGrid& index,
+               double reach) {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const int k : index.near(point)) {
     const double d = distance(segments[k], point);
-    if (d <= reach) return segments[k].mark;
+    if (d <= reach) return k;
     if (d < least) {
       least = d;
       nearest = k;
     }
   }
-  return segments[nearest].mark;
+  return nearest;
+}
+
+/// Of a segment, between two nodes.
+struct Piece {
+  Vec2 from, to;
+  int segment = 0;
+  double along = 0;  ///< the segment, m
+
+  auto place() const { return std::pair(segment, along); }
+};
+
+/// Those of all segments one after another, each along its segment.
+std::vector<Piece> pieces_of(const std::vector<Segment>& segments, double grid) {
+  const GeosContext geos("node the lines");
+  const GeosGeometry lines = lines_of(geos, segments);
+  const GeosGeometry noded = own(geos, GEOSUnaryUnionPrec_r(geos.handle(), lines.get(), grid));
+  std::vector<Piece> pieces;
+  const int n_lines = GEOSGetNumGeometries_r(geos.handle(), noded.get());
+  for (int i = 0; i < n_lines; ++i) {
+    const Points points = points_of(geos, geos.checked(GEOSGetGeometryN_r(geos.handle(), noded.get(), i)));
+    for (Index k = 0; k + 1 < points.cols(); ++k)
+      if (points.col(k) != points.col(k + 1)) pieces.push_back({points.col(k), points.col(k + 1)});
+  }
+  const SegmentGrid index(segments, static_cast<double>(pieces.size()));
+  for (Piece& piece : pieces) {
+    const Vec2 middle = (piece.from + piece.to) / 2;
+    piece.segment = segment_at(middle, segments, index, 2 * grid);
+    const auto& [from, to, mark] = segments[piece.segment];
+    piece.along = (to - from).normalized().dot(middle - from);
+    if ((to - from).dot(piece.to - piece.from) < 0) std::swap(piece.from, piece.to);
+  }
+  std::ranges::sort(pieces, {}, &Piece::place);
+  return pieces;
 }
 
 NodedLines noded(const std::vector<Segment>& segments, double grid) {
-  const GeosContext geos("node the lines");
-  const GeosGeometry lines = lines_of(geos, segments);
-  const GeosGeometry pieces = own(geos, GEOSUnaryUnionPrec_r(geos.handle(), lines.get(), grid));
   NodedLines result;
   result.grid = grid;
   VertexNumbers number(result.vertices);
-  const int n_pieces = GEOSGetNumGeometries_r(geos.handle(), pieces.get());
-  for (int i = 0; i < n_pieces; ++i) {
-    const Points points = points_of(geos, geos.checked(GEOSGetGeometryN_r(geos.handle(), pieces.get(), i)));
-    for (Index k = 0; k + 1 < points.cols(); ++k) {
-      const int from = number(points.col(k)), to = number(points.col(k + 1));
-      if (from != to) result.edges.push_back({from, to, 0});
-    }
+  for (const Piece& piece : pieces_of(segments, grid)) {
+    const int from = number(piece.from), to = number(piece.to);
+    result.edges.push_back({from, to, segments[piece.segment].mark});
   }
-  const SegmentGrid index(segments, static_cast<double>(result.edges.size()));
-  for (NodedLines::Edge& edge : result.edges)
-    edge.mark =
-        mark_at((result.vertices[edge.from] + result.vertices[edge.to]) / 2, segments, index, 2 * grid);
   return result;
 }
 

@@ -102,9 +102,10 @@ Snapping snap_outlines(std::vector<Points>& outlines, double distance) {
   }
   for (std::size_t p = 0; p < polygons.size(); ++p)
     for (std::size_t k = 0; k < polygons[p].size(); ++k) {
-      const Vec2& position = positions[polygons[p][k]];
-      result.n_moved += outlines[p].col(static_cast<Index>(k)) != position;
-      outlines[p].col(static_cast<Index>(k)) = position;
+      const double by = (positions[polygons[p][k]] - outlines[p].col(static_cast<Index>(k))).norm();
+      result.n_moved += by > 0;
+      result.farthest = std::max(result.farthest, by);
+      outlines[p].col(static_cast<Index>(k)) = positions[polygons[p][k]];
     }
   return result;
 }

@@ -11,6 +11,7 @@ namespace polyfem {
 /// What snapping came to.
 struct Snapping {
   int n_moved = 0;               ///< vertices
+  double farthest = 0;           ///< of them, how far
   std::optional<int> collapsed;  ///< a polygon two vertices of which would become one; nothing was moved then
 };
 

@@ -17,8 +17,8 @@ using namespace ddacontact;
 using support::LoadedMasonry;
 
 constexpr int n_structures = 100;
-constexpr std::array time_steps{0.005, 0.05, 0.5};              // s
-constexpr std::array factors{0.7, 0.85, 0.96, 1.04, 1.2, 1.5};  // of the limit
+constexpr std::array time_steps{0.005, 0.05, 0.5};                          // s
+constexpr std::array factors{0.7, 0.85, 0.96, 0.99, 1.01, 1.04, 1.2, 1.5};  // of the limit
 constexpr int most_steps = 1000;
 constexpr double at_rest = 1e-4;   // of g: a static step leaves less
 constexpr double collapsed = 0.1;  // m

@@ -57,8 +57,9 @@ EdgeMap edges_of(const CutDomain& cut) {
   return edges;
 }
 
-TEST(DomainCutting, RandomDomainsAreFilledBySimpleBlocks) {
-  for (std::uint32_t seed = 1; seed <= 300; ++seed) {
+/// Blocks of random domains are simple polygons, add up to the domain and meet in whole edges.
+void expect_filled_by_simple_blocks(std::uint32_t first_seed, std::uint32_t last_seed) {
+  for (std::uint32_t seed = first_seed; seed <= last_seed; ++seed) {
     const Domain domain = support::random_domain(seed);
     const CutDomain cut = cut_domain(domain);
     const double area = std::abs(signed_area(domain.boundary));
@@ -82,6 +83,13 @@ TEST(DomainCutting, RandomDomainsAreFilledBySimpleBlocks) {
       perimeter += (domain.boundary.col((k + 1) % domain.boundary.cols()) - domain.boundary.col(k)).norm();
     ASSERT_NEAR(outline, perimeter, 1e-9 * perimeter) << seed;
   }
+}
+
+TEST(DomainCutting, RandomDomainsAreFilledBySimpleBlocks) {
+  expect_filled_by_simple_blocks(1, 300);
+}
+TEST(DomainCutting, TenThousandRandomDomainsAreFilledBySimpleBlocks) {
+  expect_filled_by_simple_blocks(301, 10000);
 }
 
 TEST(DomainCutting, TwoSetsGiveRowsOfSquares) {

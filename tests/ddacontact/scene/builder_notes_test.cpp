@@ -60,6 +60,14 @@ TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
   EXPECT_TRUE(notes(replaced(two_slices(0), "fixed = true\n", ""), "nothing is held"));
 }
 
+TEST(BuilderNotes, VelocitiesThatStaticStepsForget) {
+  const std::string moving =
+      replaced(two_slices(0), "name = \"upper\"\n", "name = \"upper\"\nvelocity = [1, 0]\n");
+  EXPECT_FALSE(notes(moving, "initial velocity"));
+  EXPECT_TRUE(notes(replaced(moving, "steps = 1\n", "steps = 1\nmode = \"static\"\n"),
+                    "block \"upper\" starts with static steps"));
+}
+
 TEST(BuilderNotes, BondsOfBlocksThatAreNotMeshed) {
   const std::string bonded =
       replaced(two_slices(0), "friction_angle = 20\n", "friction_angle = 20\ntensile_strength = 1e5\n");

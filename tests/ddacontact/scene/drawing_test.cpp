@@ -194,6 +194,9 @@ TEST_F(Drawings, SnappingMakesRoundedBlocksTouch) {
   EXPECT_EQ(blocks[1].vertices(1, 1), 1);  // on the lower brick
   EXPECT_EQ(blocks[1].vertices.col(1), blocks[2].vertices.col(0));
   EXPECT_EQ(blocks[1].vertices.col(0), blocks[0].vertices.col(3));
+  ASSERT_TRUE(reading.scene->snapped);
+  EXPECT_EQ(reading.scene->snapped->moved, 3);
+  EXPECT_NEAR(reading.scene->snapped->farthest, 0.014, 0.005);
 }
 
 TEST_F(Drawings, SnappingTakesNoVertexAway) {
