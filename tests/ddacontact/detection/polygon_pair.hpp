@@ -54,7 +54,8 @@ struct PolygonPair {
     for (const VertexEdge& pair : kept) earlier.push_back({pair});
     std::vector<VertexEdge> found;
     std::vector<ddacontact::Choice> choices;
-    const ddacontact::Outline of_a{0, a, a.colwise() + motion_of_a}, of_b{1, b};
+    const Points a_moved = a.colwise() + motion_of_a;
+    const ddacontact::Outline of_a{0, a, a_moved}, of_b{1, b};
     if (swapped)
       ddacontact::find_contacts(of_b, of_a, limits, earlier, found, choices);
     else
