@@ -72,10 +72,11 @@ def n_blocks(output):
 def cutting(dda):
     with open("many.toml", "w") as out:
         out.write(MANY_BLOCKS)
-    cut = Command(dda, "cut many.toml -o many.wkt")
+    runs = [Command(dda, "cut many.toml -o many.wkt") for _ in range(5)]
+    cut = sorted(runs, key=lambda run: run.seconds)[2]
     with open("many.wkt") as lines:
         number = sum(line.startswith("POLYGON") for line in lines)
-    return [f"`{cut.text}`: {number} blocks cut from two joint sets and written", "100 000 in 5 s", f"{cut.seconds:.1f} s",
+    return [f"`{cut.text}`: {number} blocks cut from two joint sets, checked and written; median of five", "100 000 in 5 s", f"{cut.seconds:.1f} s",
             number >= 100000 and cut.seconds < 5]
 
 
