@@ -29,8 +29,9 @@ struct BlockOnPlate {
     s.blocks = {block(rectangle(0, -1, 3, 1), true), block(rectangle(1 + shift_x, shift_y, width, 1))};
     return s;
   }
-  static ContactProperties properties(double friction) {
-    return {1e9, 4e8, one_joint({friction, 7e3, 5e3}), {0, 0}};
+  static ContactProperties properties(double friction, int n_blocks = 2) {
+    return {1e9, 4e8, one_joint({friction, 7e3, 5e3}),
+            std::vector<int>(static_cast<std::size_t>(n_blocks), 0)};
   }
   VectorXd at_rest() const { return VectorXd::Zero(state.velocity.size()); }
   void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }
@@ -165,8 +166,8 @@ TEST(ContactBuilder, ARestingWallIsSearchedOnce) {
   const BuiltScene built = build(scene);
   BlockState state = built.stepper->state();
   const std::vector<double> search_margin(scene.blocks.size(), 0.02);
-  ContactBuilder kept(built.stepper->blocks(), BlockOnPlate::properties(0.5)),
-      searched(built.stepper->blocks(), BlockOnPlate::properties(0.5));
+  const ContactProperties properties = BlockOnPlate::properties(0.5, built.stepper->blocks().n_blocks());
+  ContactBuilder kept(built.stepper->blocks(), properties), searched(built.stepper->blocks(), properties);
   searched.keep_pairs(false);
   std::vector<Contact> by_kept = kept.build_first(state, state.velocity, search_margin), by_searched;
   for (int step = 0; step < 6; ++step) {
