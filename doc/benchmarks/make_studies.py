@@ -118,7 +118,8 @@ def main(dda):
     with open(os.path.join(ROOT, "doc", "benchmarks", "studies.md"), "w") as page:
         page.write("# Studies\n\nWhole studies, each line one run of its commands in an empty directory; made by\n"
                    f"`python3 doc/benchmarks/make_studies.py DDA` on {CORES} cores. Times are of the clock; *busy* is the processor time of the "
-                   "command and its processes over the time of\nall cores.\n\n| study | aim | measured | met |\n|---|---|---|---|\n")
+                   "command and its processes over the time of\nall cores. What cutting takes without reading, checks and writing: "
+                   "`build/release/tests/performance/cutting_performance` (103 189 blocks in 2.8 s).\n\n| study | aim | measured | met |\n|---|---|---|---|\n")
         for study, aim, measured, met in rows:
             page.write(f"| {study} | {aim} | {measured} | {'yes' if met else '**no**'} |\n")
 
