@@ -9,6 +9,7 @@
 #include <ddacontact/scene/steep_water.hpp>
 #include <ddacontact/scene/text.hpp>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
