@@ -6,6 +6,7 @@
 #include <ddacontact/output/frame_reader.hpp>
 
 #include <memory>
+#include <mutex>
 
 namespace polydda_python {
 
@@ -20,7 +21,20 @@ struct ContactRow {
   double x, y, normal_x, normal_y, gap, normal_force, shear_force;
 };
 
+/// Tells NumPy of the row when the first one is wanted: importing the module need not import NumPy. A thread
+/// that waits here must not hold the interpreter, which the import may hand to another.
+void register_contact_row() {
+  static std::once_flag once;
+  const py::gil_scoped_release others_go_on;
+  std::call_once(once, [] {
+    const py::gil_scoped_acquire interpreter;
+    PYBIND11_NUMPY_DTYPE(ContactRow, vertex_block, edge_block, state, x, y, normal_x, normal_y, gap,
+                         normal_force, shear_force);
+  });
+}
+
 py::array contacts_of(const Frame& frame) {
+  register_contact_row();
   py::array_t<ContactRow> rows(static_cast<py::ssize_t>(frame.contacts.size()));
   ContactRow* row = rows.mutable_data();
   for (const FrameContact& c : frame.contacts)
@@ -59,8 +73,6 @@ py::array view_of(const py::object& self) {
 }  // namespace
 
 void add_frames(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, vertex_block, edge_block, state, x, y, normal_x, normal_y, gap,
-                       normal_force, shear_force);
   py::class_<Frame, std::shared_ptr<Frame>>(module, "Frame",
                                             "One moment of a run; arrays are read-only views.")
       .def_readonly("step", &Frame::step)

@@ -156,8 +156,8 @@ void add_polyfem(py::module_& module) {
   py::class_<Problem>(polyfem, "Problem")
       .def(py::init<const PointArray&, const std::vector<std::vector<int>>&, int>(), py::arg("vertices"),
            py::arg("cells"), py::arg("components") = 2)
-      .def("assemble", &Problem::assemble, py::arg("young"), py::arg("poisson"),
-           py::arg("body_force") = Vec2(0, 0), py::arg("plane") = "strain", py::arg("tolerance") = 1e-6)
+      .def("assemble", &Problem::assemble, py::arg("young"), py::arg("poisson"), py::arg("body_force"),
+           py::arg("plane"), py::arg("tolerance"))
       .def("assemble_cells", &Problem::assemble_cells, py::arg("cell_matrix"))
       .def("hold", &Problem::hold, py::arg("vertex"), py::arg("component"), py::arg("value") = 0.0)
       .def("add_load", &Problem::add_load, py::arg("vertex"), py::arg("component"), py::arg("value"))

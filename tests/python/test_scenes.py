@@ -29,6 +29,19 @@ def slide(friction=20.0, steps=20):
     }
 
 
+def test_numpy_is_imported_with_the_first_array(tmp_path):
+    scene = slide(steps=1)
+    scene["block"][1]["vertices"] = scene["block"][1]["vertices"].tolist()
+    program = f"""
+import sys, polydda
+result = polydda.run({scene!r}, {str(tmp_path / "out")!r})
+assert result.summary["status"] == "completed" and "numpy" not in sys.modules
+assert result.blocks["sxx"].shape == (2,) and "numpy" in sys.modules
+assert result.frame().contacts["normal_force"].sum() > 0
+"""
+    subprocess.run([sys.executable, "-W", "ignore", "-c", program], check=True)
+
+
 def test_a_block_slides_with_the_acceleration_of_coulombs_law(tmp_path):
     result = polydda.run(slide(), tmp_path / "out")
     row = result.monitors[-1]

@@ -4,15 +4,18 @@ Vertices and points are arrays (n, 2), polygons counter-clockwise. The unknowns 
 (u1, v1, ..., un, vn); everything is per metre of thickness.
 """
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from __future__ import annotations
 
-import numpy as np
-import numpy.typing as npt
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from ._core import polyfem as _polyfem
 
-Array = npt.NDArray[np.float64]
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Array = npt.NDArray[np.float64]
 
 
 def wachspress(vertices: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array]:

@@ -1,16 +1,19 @@
 """What a run left, read back."""
 
+from __future__ import annotations
+
 import functools
 import json
 import os
 import pathlib
-from typing import Any
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from .tables import read_table
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 FIELDS = ("s1", "s2", "sxx", "syy", "sxy", "displacement", "velocity")
 
@@ -105,6 +108,8 @@ class Result:
 
 def block_values(frame: _core.Frame, field: str) -> npt.NDArray[np.float64]:
     """One value a block that is present: see `Result.plot`."""
+    import numpy as np
+
     columns = {"displacement": frame.displacement, "velocity": frame.velocity}.get(field, frame.stress)
     if len(columns) == 0:
         raise ValueError(f"the frames hold no {field}: add it to `fields` of [output] in the scene")

@@ -1,15 +1,22 @@
-"""CSV files of a result as NumPy structured arrays."""
+"""CSV files of a result as NumPy structured arrays.
+
+NumPy is imported where an array is made: a run that reads none does not wait for it.
+"""
+
+from __future__ import annotations
 
 import csv
 import pathlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 
 def read_table(path: pathlib.Path) -> npt.NDArray[Any]:
     """A column is of whole numbers, else of floats (an empty cell is NaN), else of text."""
+    import numpy as np
+
     with path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
     names, rows = rows[0], rows[1:]
@@ -21,6 +28,8 @@ def read_table(path: pathlib.Path) -> npt.NDArray[Any]:
 
 
 def _column(cells: list[str]) -> npt.NDArray[Any]:
+    import numpy as np
+
     try:
         return np.array([int(cell) for cell in cells], dtype=np.int64)
     except ValueError:
