@@ -2,7 +2,7 @@
 
     import polydda
     result = polydda.run("rock.toml")
-    print(result.blocks["sxx"])
+    print(result.blocks["sxx_mean"])
 
 `run`, `check` and `read` are all there is for scenes; `polydda.polyfem` has the finite elements.
 """
