@@ -5,6 +5,7 @@
 #include <polyfem/core/types.hpp>
 
 #include <cstring>
+#include <type_traits>
 
 namespace polyfem {
 
@@ -19,6 +20,13 @@ inline constexpr Index n_lanes = 2;
 
 /// A number for each of `n_lanes` points. Lanes do not meet: a point's result does not depend on the others.
 using Lanes = double __attribute__((vector_size(n_lanes * sizeof(double))));
+
+/// What holds for some of the lanes.
+using LaneMask = decltype(Lanes{} < Lanes{});
+
+/// A number that is the same for all points: in all lanes where spreading it takes an operation, else as it
+/// is.
+using Same = std::conditional_t<n_lanes == 2, Lanes, double>;
 
 /// A vector of the plane for each of `n_lanes` points.
 struct LaneVector {
@@ -46,19 +54,49 @@ inline LaneVector in_all_lanes(const Vec2& v) {
   return {in_all_lanes(v.x()), in_all_lanes(v.y())};
 }
 
+/// The same number for all points.
+inline Same same(double a) {
+  return a - Same{};
+}
+
+/// Whether it holds for all lanes.
+inline bool holds_for_all(const LaneMask& mask) {
+  bool all = true;
+  for (Index lane = 0; lane < n_lanes; ++lane) all = all && mask[lane];
+  return all;
+}
+
 /// Writes the lanes to consecutive numbers.
 inline void store(const Lanes& a, double* to) {
   std::memcpy(to, &a, sizeof a);
 }
 
+/// Lanes as an array of Eigen's, whose functions of them take one operation of the processor.
+using LaneArray = Eigen::Array<double, n_lanes, 1>;
+inline LaneArray array_of(const Lanes& a) {
+  LaneArray array;
+  store(a, array.data());
+  return array;
+}
+inline Lanes lanes_of(const LaneArray& array) {
+  Lanes result;
+  std::memcpy(&result, array.data(), sizeof result);
+  return result;
+}
+
 /// Square root, lane by lane.
 inline Lanes sqrt(const Lanes& a) {
-  Eigen::Array<double, n_lanes, 1> roots;
-  store(a, roots.data());
-  roots = roots.sqrt();
-  Lanes result;
-  std::memcpy(&result, roots.data(), sizeof result);
-  return result;
+  return lanes_of(array_of(a).sqrt());
+}
+
+/// The size, lane by lane.
+inline Lanes abs(const Lanes& a) {
+  return lanes_of(array_of(a).abs());
+}
+
+/// The larger number, lane by lane.
+inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return lanes_of(array_of(a).max(array_of(b)));
 }
 
 /// Sum, lane by lane.

@@ -1,6 +1,7 @@
 #include <polyfem/basis/edge_area.hpp>
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/mean_value_at_vertex.hpp>
+#include <polyfem/basis/mean_value_far.hpp>
 #include <polyfem/basis/packets.hpp>
 
 #include <cassert>
@@ -124,7 +125,7 @@ double take(Lanes& numbers, Index lane) {
 
 /// N_i = w_i / W and grad N_i = (grad w_i - N_i grad W) / W, for the nearest vertex j with 1 - N_j, which may
 /// be tiny, from the other weights: grad N_j = (grad w_j (1 - N_j) - N_j (grad W - grad w_j)) / W.
-void write(const Extreme& nearest, std::span<Term> terms, Index row, ShapeTable& table) {
+void write(const Extreme& nearest, std::span<Term> terms, ShapeTable& packet) {
   Lanes near;
   LaneVector near_gradient;
   for (Index lane = 0; lane < n_lanes; ++lane) {
@@ -145,18 +146,39 @@ void write(const Extreme& nearest, std::span<Term> terms, Index row, ShapeTable&
     const Lanes N = terms[i].weight * inverse;
     const LaneVector gradient = inverse * (terms[i].weight_gradient - N * sum);
     const Index column = static_cast<Index>(i);
-    store(N, &table.values(row, column));
-    store(gradient.x, &table.dx(row, column));
-    store(gradient.y, &table.dy(row, column));
+    store(N, &packet.values(0, column));
+    store(gradient.x, &packet.dx(0, column));
+    store(gradient.y, &packet.dy(0, column));
   }
   const Lanes N = near * inverse, rest = far * inverse;
   const LaneVector gradient = inverse * (rest * near_gradient - N * far_gradient);
   for (Index lane = 0; lane < n_lanes; ++lane) {
     const Index column = static_cast<Index>(nearest[lane]);
-    table.values(row + lane, column) = N[lane];
-    table.dx(row + lane, column) = gradient.x[lane];
-    table.dy(row + lane, column) = gradient.y[lane];
+    packet.values(lane, column) = N[lane];
+    packet.dx(lane, column) = gradient.x[lane];
+    packet.dy(lane, column) = gradient.y[lane];
   }
+}
+
+Edges edges_of(const PointsRef& polygon) {
+  thread_local std::vector<PreciseEdge> edges;
+  edges.clear();
+  const Index n = polygon.cols();
+  for (Index i = 0; i < n; ++i) edges.emplace_back(polygon.col(i), polygon.col(i + 1 == n ? 0 : i + 1));
+  return edges;
+}
+
+/// The table of a packet, by formulas that are good at any point.
+void evaluate_anywhere(const PointsRef& polygon, Edges edges, const LaneVector& x, ShapeTable& packet) {
+  thread_local std::vector<Term> terms;
+  terms.resize(edges.size());
+  const Extreme nearest = see_vertices(edges, x, terms);
+  clear_largest(edges, see_edges(edges, x, terms), terms);
+  find_weights(terms);
+  write(nearest, terms, packet);
+  for (Index lane = 0; lane < n_lanes; ++lane)
+    if (-nearest.size[lane] < smallest_distance)
+      mean_value_at_vertex(polygon, static_cast<Index>(nearest[lane]), lane, packet);
 }
 
 }  // namespace
@@ -170,22 +192,19 @@ std::optional<Rejection> MeanValue::find_rejection(const PointsRef& polygon) con
 }
 
 void MeanValue::evaluate(const PointsRef& polygon, const PointsRef& points, ShapeTable& table) const {
-  const Index n = polygon.cols();
-  assert(n >= 3);
-  resize(table, points.cols(), n);
-  thread_local std::vector<PreciseEdge> edges;
-  thread_local std::vector<Term> terms;
-  edges.clear();
-  for (Index i = 0; i < n; ++i) edges.emplace_back(polygon.col(i), polygon.col(i + 1 == n ? 0 : i + 1));
-  terms.resize(edges.size());
+  assert(polygon.cols() >= 3);
+  resize(table, points.cols(), polygon.cols());
+  thread_local MeanValueFarFromBoundary far_from_boundary;
+  thread_local ShapeTable near;
+  const bool may_be_far = far_from_boundary.set(polygon);
+  std::span<const PreciseEdge> edges;
   for_each_packet(points, table, [&](const LaneVector& x, Index row, ShapeTable& to) {
-    const Extreme nearest = see_vertices(edges, x, terms);
-    clear_largest(edges, see_edges(edges, x, terms), terms);
-    find_weights(terms);
-    write(nearest, terms, row, to);
-    for (Index lane = 0; lane < n_lanes; ++lane)
-      if (-nearest.size[lane] < smallest_distance)
-        mean_value_at_vertex(polygon, static_cast<Index>(nearest[lane]), row + lane, to);
+    const LaneMask is_far = may_be_far ? far_from_boundary.evaluate(x, row, to) : LaneMask{};
+    if (holds_for_all(is_far)) return;
+    if (edges.empty()) edges = edges_of(polygon);
+    resize(near, n_lanes, polygon.cols());
+    evaluate_anywhere(polygon, edges, x, near);
+    take_other_rows(is_far, near, row, to);
   });
 }
 

@@ -41,4 +41,14 @@ void for_each_packet(const PointsRef& points, ShapeTable& table, Evaluate&& eval
   table.dy.bottomRows(n_left) = packet.dy.topRows(n_left);
 }
 
+/// Rows from `row` on become those of the table of a packet where the mask does not hold.
+inline void take_other_rows(const LaneMask& mask, const ShapeTable& packet, Index row, ShapeTable& table) {
+  for (Index lane = 0; lane < n_lanes; ++lane) {
+    if (mask[lane]) continue;
+    table.values.row(row + lane) = packet.values.row(lane);
+    table.dx.row(row + lane) = packet.dx.row(lane);
+    table.dy.row(row + lane) = packet.dy.row(lane);
+  }
+}
+
 }  // namespace polyfem

@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace polyfem {
@@ -169,21 +168,6 @@ void evaluate_any_shape(const PointsRef& polygon, const PointsRef& points, Shape
 /// Of the size of a polygon: the distance from an edge that is far. Gradients err by a few eps over it.
 constexpr double far = 1. / 32;
 
-/// What holds for some of the lanes.
-using Mask = decltype(Lanes{} < Lanes{});
-bool holds_for_all(const Mask& mask) {
-  bool all = true;
-  for (Index lane = 0; lane < n_lanes; ++lane) all = all && mask[lane];
-  return all;
-}
-
-/// A number that is the same for all points: in all lanes where spreading it takes an operation, else as it
-/// is.
-using Same = std::conditional_t<n_lanes == 2, Lanes, double>;
-inline Same same(double a) {
-  return a - Same{};
-}
-
 /// Corner i and edge i of a well-shaped polygon. Edges and b_i are scaled to a size of about 1, which cancels
 /// in all that is made of them.
 struct PlainCorner {
@@ -202,13 +186,13 @@ struct PlainTerm {
 
 /// N and grad N = N (r_i - sum_j N_j r_j) of points that are far from all edges: nothing large cancels there,
 /// and it takes half of the operations. Returns the lanes with such points.
-Mask evaluate_far_from_edges(std::span<const PlainCorner> corners, const LaneVector& x,
-                             std::span<PlainTerm> terms, const Destination& out) {
+LaneMask evaluate_far_from_edges(std::span<const PlainCorner> corners, const LaneVector& x,
+                                 std::span<PlainTerm> terms, const Destination& out) {
   struct Edge {
     Lanes inverse_area;
     LaneVector log;
   };
-  Mask is_far = Lanes{} == Lanes{};
+  LaneMask is_far = Lanes{} == Lanes{};
   const auto edge_of = [&](const PlainCorner& corner) {
     const Lanes area = corner.area(x), inverse = 1 / area;
     is_far &= area > corner.least_area;
@@ -303,18 +287,13 @@ void evaluate_well_shaped(const PointsRef& polygon, std::span<const PlainCorner>
       evaluate_quadrilateral(corners.first<4>(), x, rows_from(row, to));
       return;
     }
-    const Mask is_far = evaluate_far_from_edges(corners, x, plain_terms, rows_from(row, to));
+    const LaneMask is_far = evaluate_far_from_edges(corners, x, plain_terms, rows_from(row, to));
     if (holds_for_all(is_far)) return;
     if (all_corners.empty()) all_corners = corners_of<PlainEdge>(polygon);
     terms.resize(corners.size());
     resize(near, n_lanes, polygon.cols());
     evaluate_packet<PlainEdge>(all_corners, x, terms, rows_from(0, near));
-    for (Index lane = 0; lane < n_lanes; ++lane) {
-      if (is_far[lane]) continue;
-      to.values.row(row + lane) = near.values.row(lane);
-      to.dx.row(row + lane) = near.dx.row(lane);
-      to.dy.row(row + lane) = near.dy.row(lane);
-    }
+    take_other_rows(is_far, near, row, to);
   });
 }
 
