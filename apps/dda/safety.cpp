@@ -104,6 +104,21 @@ std::string note_of_small_part(const SafetyFiles& files, const Scene& scene) {
          "remove these blocks to find it)\n";
 }
 
+/// A factor that only sharp corners give.
+void warn_of_sharp_corners(const RoundedTrial& rounded, const std::string& file) {
+  const std::string trial =
+      fmt::format("{}: warning: with corners rounded by {:.2g} of a block's size ", file, rounded.rounding);
+  if (rounded.trial.verdict == Verdict::moves)
+    fmt::print(stderr,
+               "{}blocks move at F = {:.4g} already: sharp corners interlock at steps that rock would not "
+               "have (contact = {{ corner_rounding = {:.2g} }})\n",
+               trial, rounded.trial.factor, rounded.rounding);
+  if (rounded.trial.verdict == Verdict::stopped)
+    fmt::print(stderr,
+               "{}nothing is known: {} (sharp corners may interlock at steps that rock would not have)\n",
+               trial, rounded.trial.reason);
+}
+
 /// What a search that ended without an answer knows, and how to go on.
 std::string without_answer(const FactorBracket& bracket, const StrengthTrial& last) {
   const std::string rests = bracket.low > 0 ? fmt::format("; it rests at {:.5g}", bracket.low) : "",
@@ -148,12 +163,16 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
         files.add(trial);
         if (!arguments.quiet) tell(trial, scene);
       });
+  std::optional<RoundedTrial> rounded;
+  if (!bracket.stopped && bracket.low > 0)
+    rounded = try_with_rounded_corners(reduction.scene(), joints, bracket.low);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  files.finish(bracket, arguments.tolerance, reduction.unsettled(), wall.count());
+  files.finish(bracket, rounded, arguments.tolerance, reduction.unsettled(), wall.count());
   if (bracket.stopped) {
     print_error(without_answer(bracket, files.last()));
     return analysis_stopped;
   }
+  if (rounded) warn_of_sharp_corners(*rounded, arguments.scene);
   fmt::print("{}\n", answer(bracket, files, scene));
   if (arguments.quiet) return done;
   fmt::print("{}", note_of_small_part(files, scene));

@@ -96,7 +96,9 @@ Outcome parse_outcome(const std::string& text) {
 }
 
 std::vector<Outcome> outcomes_of_safety() {
-  return {{"factor_low", "factor_low"}, {"factor_high", "factor_high"}};
+  return {{"factor_low", "factor_low"},
+          {"factor_high", "factor_high"},
+          {"rounded_corners", "rounded_corners.verdict"}};
 }
 
 std::string case_status(const std::filesystem::path& directory) {

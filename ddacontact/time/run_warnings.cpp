@@ -1,6 +1,7 @@
 #include <ddacontact/time/run_warnings.hpp>
 
 #include <ddacontact/core/quoted.hpp>
+#include <ddacontact/time/caught_corners.hpp>
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ void RunWarnings::look(const SeenStep& step) {
     const Block& block = step.blocks.block(b);
     const Range& vertices = block.vertices();
     const double of_block = edge_strain(block.reference().leftCols(vertices.count),
-                                        step.positions.middleCols(vertices.first, vertices.count));
+                                        step.state.position.middleCols(vertices.first, vertices.count));
     if (of_block > strain) {
       strain = of_block;
       strained_block = whole;
@@ -101,6 +102,10 @@ void RunWarnings::look(const SeenStep& step) {
   if (strained_block >= 0) strained_.add(strain, strained_block, step.time);
   if (n_touch >= least_blocks && 2 * n_change > n_touch)
     changed_.add(static_cast<double>(n_change) / n_touch, -1, step.time);
+  // A static step starts from rest: what held a corner before and does no more has no effect.
+  if (!step.has_velocities) caught_ = {};
+  if (const int b = find_caught_block(step.blocks, step.state, step.contacts); b >= 0)
+    caught_.add(1, step.in_whole.empty() ? b : step.in_whole[b], step.time);
 }
 
 std::vector<std::string> RunWarnings::texts(const BlockSystem& blocks, long substeps,
@@ -123,6 +128,11 @@ std::vector<std::string> RunWarnings::texts(const BlockSystem& blocks, long subs
     texts.push_back("contacts of most blocks changed their state in " + std::to_string(changed_.substeps) +
                     of_all + ", first at " + figure(changed_.first_time) +
                     " s: results may depend on the step (a smaller 'time_step')");
+  if (caught_.substeps > 0)
+    texts.push_back("a step in a joint that is drawn flush held a corner in " +
+                    std::to_string(caught_.substeps) + of_all + ", first at " + figure(caught_.first_time) +
+                    " s, of block " + quoted(blocks.names[caught_.block]) +
+                    ": blocks that should move may rest (contact = { corner_rounding = 0.003 })");
   const auto worst = std::max_element(unsteady_.begin(), unsteady_.end());
   const auto b = static_cast<int>(worst - unsteady_.begin());
   if (worst != unsteady_.end() && *worst >= least_changes &&

@@ -18,7 +18,7 @@ constexpr double large_strain = 0.05;
 /// A substep that was accepted.
 struct SeenStep {
   const BlockSystem& blocks;
-  const Points& positions;               ///< of the points of all blocks, at its end
+  const BlockState& state;               ///< at its end
   const VectorXd& d;                     ///< its displacements
   const std::vector<Contact>& contacts;  ///< as it left them
   double dt = 0, time = 0;               ///< s; the time at its end
@@ -38,6 +38,7 @@ struct SeenStep {
 /// - friction-induced vibration: contacts of a sliding block change their state again and again, in substeps
 ///   shorter than a pressure wave takes through the block. Longer ones damp its vibrations, in shorter ones
 ///   friction feeds them, and the block does not slide as a rigid one does.
+/// - corners caught on steps of joints that were flush.
 /// Energy that rises is told from the ledger. All of it is part of what a run carries on.
 class RunWarnings {
  public:
@@ -52,7 +53,7 @@ class RunWarnings {
   /// Calls visit with every number, and visit.list for those of the blocks.
   template <class Warnings, class Visit>
   static void visit_numbers(Warnings& warnings, Visit&& visit) {
-    for (auto* sighting : {&warnings.far_, &warnings.strained_, &warnings.changed_}) {
+    for (auto* sighting : {&warnings.far_, &warnings.strained_, &warnings.changed_, &warnings.caught_}) {
       visit(sighting->substeps);
       visit(sighting->first_time);
       visit(sighting->largest);
@@ -75,6 +76,7 @@ class RunWarnings {
   Sighting far_;                       ///< largest motion of a block over its size
   Sighting strained_;                  ///< largest strain of an edge
   Sighting changed_;                   ///< part of the blocks in contact whose contacts changed
+  Sighting caught_;                    ///< the first block that a step in a joint held; nothing is measured
   std::vector<long> slid_, unsteady_;  ///< of each block: substeps in which it slid; of these, with a change
 };
 

@@ -110,7 +110,7 @@ void Stepper::assess(double dt, const TrialSolution& solution, const BlockState&
     if (*b >= 0) *b = sleepers_.in_whole(*b);
   equilibrium_.unbalanced_before = before;
   warnings_.look({.blocks = blocks_,
-                  .positions = next.position,
+                  .state = next,
                   .d = solution.d,
                   .contacts = trial_.contacts(),
                   .dt = dt,

@@ -21,6 +21,8 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   EXPECT_NEAR(found["factor_low"].get<double>(), exact, 0.01 * exact);
   EXPECT_NEAR(found["factor_high"].get<double>(), exact, 0.01 * exact);
   EXPECT_TRUE(found["settled"].get<bool>());
+  EXPECT_EQ(found["rounded_corners"]["verdict"], "rests");
+  EXPECT_NEAR(found["rounded_corners"]["factor"].get<double>(), 0.95 * exact, 0.01 * exact);
   EXPECT_EQ(found["first_block"], "slider");
   EXPECT_NE(out_.find("\"slider\" moves first"), std::string::npos) << out_;
   const auto rows = read_csv(directory_ / "result/safety.csv");

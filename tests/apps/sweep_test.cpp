@@ -126,16 +126,18 @@ TEST_F(Program, SweepFindsFactorsOfSafetyAndTheProbabilityOfFailure) {
   ASSERT_EQ(dda(call), 0) << err_;
   const auto rows = read_csv(directory_ / "result/sweep.csv");
   ASSERT_EQ(rows.size(), 4u);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"case", "joint.0.friction_angle", "status", "steps_completed",
-                                               "time", "max_displacement", "kinetic", "wall_seconds",
-                                               "factor_low", "factor_high", "first", "reason"}));
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"case", "joint.0.friction_angle", "status", "steps_completed", "time",
+                                      "max_displacement", "kinetic", "wall_seconds", "factor_low",
+                                      "factor_high", "rounded_corners", "first", "reason"}));
   for (const std::size_t k : {1u, 2u}) {
     const double exact = std::tan(std::stod(rows[k][1]) * std::numbers::pi / 180);
     EXPECT_EQ(rows[k][2], "completed");
     EXPECT_GT(std::stod(rows[k][3]), 0);
     EXPECT_NEAR(std::stod(rows[k][8]), exact, 0.03 * exact);
     EXPECT_NEAR(std::stod(rows[k][9]), exact, 0.03 * exact);
-    EXPECT_EQ(rows[k][10], "slider");
+    EXPECT_EQ(rows[k][10], "rests");
+    EXPECT_EQ(rows[k][11], "slider");
   }
   EXPECT_EQ(rows[3][2], "failed");
   EXPECT_NE(out_.find("probability of failure (factor below 1): 1 of 2 cases, 0.5 +- 0.35"),

@@ -148,3 +148,47 @@ TEST(RunWarnings, PatchesOfFewNodesAreToldToWhoAsksForAMesh) {
   scene.blocks[1].mesh = {.cells = 64};
   expect_none(scene);
 }
+
+namespace {
+
+constexpr int n_bricks = 3;
+
+/// A brick that comes with 1 m/s and no friction over a row of free bricks between fixed ends, for .6 s: it
+/// has to pass two joints.
+Scene brick_on_a_row(double young, double rounding, double step_drawn = 0) {
+  Scene scene = stone_scene(young, 0.01, 60, 0);
+  scene.contact.corner_rounding = rounding;
+  scene.blocks = {block(rectangle(-1, -1, n_bricks + 2, 1), true), block(rectangle(-1, 0, 1, 1), true),
+                  block(rectangle(n_bricks, 0, 1, 1), true)};
+  for (int k = 0; k < n_bricks; ++k)
+    scene.blocks.push_back(block(rectangle(k, 0, 1, k < 2 ? 1 : 1 + step_drawn)));
+  scene.blocks.push_back(block(rectangle(0.6, 1, 1, 1)));
+  scene.blocks.back().name = "comes";
+  scene.blocks.back().velocity = Vec2(1, 0);
+  return scene;
+}
+
+double way(const Scene& scene) {
+  const BuiltScene built = run(scene);
+  const BlockSystem& blocks = built.stepper->blocks();
+  return blocks.displacements(built.stepper->state())(0,
+                                                      blocks.block(blocks.n_blocks() - 1).vertices().first);
+}
+
+}  // namespace
+
+/// Bricks of 35 GPa sink by less than the lip under their own weight, those of 20 MPa by more.
+TEST(RunWarnings, AStepThatCompressionMakesInAFlushJointIsToldWhereItHoldsACorner) {
+  EXPECT_NEAR(way(brick_on_a_row(35e9, 0)), 0.6, 1e-3);
+  expect_none(brick_on_a_row(35e9, 0));
+  EXPECT_LT(way(brick_on_a_row(20e6, 0)), 0.55);
+  expect_warning(brick_on_a_row(20e6, 0), {"drawn flush held a corner", "\"comes\"", "corner_rounding"});
+  EXPECT_NEAR(way(brick_on_a_row(20e6, 0.003)), 0.6, 1e-3);
+  expect_none(brick_on_a_row(20e6, 0.003));
+}
+
+/// Its step holds the brick as it has to.
+TEST(RunWarnings, AStepThatIsDrawnIsNotTold) {
+  EXPECT_LT(way(brick_on_a_row(35e9, 0, 2e-3)), 0.45);
+  expect_none(brick_on_a_row(35e9, 0, 2e-3));
+}

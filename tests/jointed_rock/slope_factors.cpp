@@ -66,4 +66,10 @@ SlopeFactor factor_of(const Slope& slope, double tolerance) {
   return result;
 }
 
+StrengthTrial rounded_trial(const Slope& slope, const SlopeFactor& factor) {
+  return try_with_rounded_corners(reduction_of(slope).scene(), {0}, factor.found.low * known_factor)
+      .value()
+      .trial;
+}
+
 }  // namespace jointed_rock

@@ -3,7 +3,7 @@
 
 #include "slope_study.hpp"
 
-#include <ddacontact/study/strength_reduction.hpp>
+#include <ddacontact/study/rounded_trial.hpp>
 
 namespace jointed_rock {
 
@@ -28,6 +28,9 @@ struct SlopeFactor {
 
 /// \param[in] tolerance  of the bracket, relative
 SlopeFactor factor_of(const Slope& slope, double tolerance);
+
+/// That with rounded corners with which `dda safety` ends.
+StrengthTrial rounded_trial(const Slope& slope, const SlopeFactor& factor);
 
 /// Over `Slope::limit`: largest factor at which any admissible forces exist, see support::interlocked.
 double interlocked_factor(const Slope& slope);

@@ -37,4 +37,13 @@ TEST(SlopeFactors, CornersThatInterlockHoldMore) {
   EXPECT_NEAR(factor.found.low, factor.interlocked, 0.02 * factor.interlocked);
 }
 
+/// Rounded ones pass, a plane is as strong as it is.
+TEST(SlopeFactors, ATrialWithRoundedCornersTellsWhatInterlockingHolds) {
+  for (const auto& [seed, verdict] :
+       {std::pair(44, ddacontact::Verdict::moves), {5, ddacontact::Verdict::rests}}) {
+    const Slope slope = slope_of(seed);
+    EXPECT_EQ(rounded_trial(slope, factor_of(slope, 0.01)).verdict, verdict) << seed;
+  }
+}
+
 }  // namespace
