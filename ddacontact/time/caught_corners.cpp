@@ -1,121 +1,57 @@
 #include <ddacontact/time/caught_corners.hpp>
 
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/contact/contact_properties.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace ddacontact {
 
-namespace {
-
-/// Of the smaller block.
-constexpr double highest_step = 0.01;
-
-/// A vertex of a block's outline.
-struct OutlineVertex {
-  int block, vertex;
-  auto operator<=>(const OutlineVertex&) const = default;
-};
-
-int next_of(const BlockSystem& blocks, const OutlineVertex& corner) {
-  return corner.vertex + 1 < blocks.block(corner.block).vertices().count ? corner.vertex + 1 : 0;
-}
-
-int before(const BlockSystem& blocks, const OutlineVertex& corner) {
-  return (corner.vertex > 0 ? corner.vertex : blocks.block(corner.block).vertices().count) - 1;
-}
-
-int index_of(const BlockSystem& blocks, const OutlineVertex& vertex) {
-  return blocks.block(vertex.block).vertices().first + vertex.vertex;
-}
-
-Vec2 place_of(const BlockSystem& blocks, const BlockState& state, const OutlineVertex& vertex) {
-  return state.origin.col(vertex.block) + state.position.col(index_of(blocks, vertex));
-}
-
-/// Distances from the line of an edge, positive inside its block, at the start and now.
-class Line {
- public:
-  Line(const BlockSystem& blocks, const BlockState& state, const OutlineVertex& edge)
-      : blocks_(blocks), state_(state), from_(edge), to_{edge.block, next_of(blocks, edge)} {}
-
-  double at_start(const OutlineVertex& corner) const {
-    return inside(start(from_), start(to_), start(corner));
-  }
-  double now(const OutlineVertex& corner) const { return inside(place(from_), place(to_), place(corner)); }
-
- private:
-  static double inside(const Vec2& from, const Vec2& to, const Vec2& x) {
-    return polyfem::cross(to - from, x - from) / (to - from).norm();
-  }
-  Vec2 start(const OutlineVertex& c) const { return blocks_.block(c.block).reference().col(c.vertex); }
-  Vec2 place(const OutlineVertex& c) const { return place_of(blocks_, state_, c); }
-
-  const BlockSystem& blocks_;
-  const BlockState& state_;
-  OutlineVertex from_, to_;
-};
-
-/// A corner pressed against another block close to a corner of that one: either may be the contact's vertex.
-struct Meeting {
-  OutlineVertex corner, other;
-  double size;  ///< of the smaller block
-};
-
-/// A corner that presses on an edge, or did at the start of the step.
-struct Bearing {
-  OutlineVertex corner, edge;
-};
-
-/// Whether the step from the edge to the corner was not there at the start, with its block behind the edge's
-/// line.
-bool was_flush(const BlockSystem& blocks, const Line& line, const OutlineVertex& corner, double size) {
-  const double lip = ContactProperties::default_lip * size;
-  return std::abs(line.at_start(corner)) <= lip &&
-         line.at_start({corner.block, before(blocks, corner)}) >= -lip &&
-         line.at_start({corner.block, next_of(blocks, corner)}) >= -lip;
-}
-
-}  // namespace
-
 int find_caught_block(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<Contact>& contacts) {
-  const auto distance = [&](const OutlineVertex& a, const OutlineVertex& b) {
-    return (place_of(blocks, state, a) - place_of(blocks, state, b)).norm();
+  using Corner = std::array<int, 2>;  // a block and its vertex
+  const auto beside = [&](const Corner& corner, int by) -> Corner {
+    const int n = blocks.block(corner[0]).vertices().count;
+    return {corner[0], (corner[1] + by + n) % n};
   };
-  const auto presses = [](const Contact& contact) { return contact.normal > 0 && !contact.motion.rounding; };
-  std::vector<Meeting> meetings;
-  for (const Contact& contact : contacts) {
-    if (!presses(contact)) continue;
-    const OutlineVertex vertex{contact.pair.vertex_block, contact.pair.vertex},
-        start{contact.pair.edge_block, contact.pair.edge}, end{start.block, next_of(blocks, start)},
-        nearer = distance(vertex, start) < distance(vertex, end) ? start : end;
-    if (distance(vertex, nearer) > highest_step * contact.size) continue;
-    meetings.push_back({vertex, nearer, contact.size});
-    meetings.push_back({nearer, vertex, contact.size});
-  }
-  if (meetings.empty()) return -1;
+  const auto at_start = [&](const Corner& corner) -> Vec2 {
+    return blocks.block(corner[0]).reference().col(corner[1]);
+  };
+  const auto now = [&](const Corner& corner) -> Vec2 {
+    return state.origin.col(corner[0]) +
+           state.position.col(blocks.block(corner[0]).vertices().first + corner[1]);
+  };
+  // Of a corner behind the line of an edge, from the vertex on which the edge begins.
+  const auto depth = [&](const auto& place, const Corner& edge, const Corner& corner) {
+    const Vec2 from = place(edge), along = place(beside(edge, 1)) - from;
+    return polyfem::cross(along, place(corner) - from) / along.norm();
+  };
 
-  std::vector<bool> meets(static_cast<std::size_t>(state.position.cols()), false);
-  for (const Meeting& meeting : meetings) meets[index_of(blocks, meeting.corner)] = true;
-  std::vector<Bearing> bearings;
+  // Corners close to each other, either of which may be the contact's vertex; what bears, or did at the
+  // start.
+  std::vector<std::tuple<Corner, Corner, double>> meetings;
+  std::vector<std::pair<Corner, Corner>> bearing;
   for (const Contact& contact : contacts) {
-    const OutlineVertex vertex{contact.pair.vertex_block, contact.pair.vertex};
-    const bool bears = contact.normal > 0 || contact.start_state != ContactState::open;
-    if (bears && !contact.motion.rounding && meets[index_of(blocks, vertex)])
-      bearings.push_back({vertex, {contact.pair.edge_block, contact.pair.edge}});
+    if (contact.motion.rounding || !(contact.normal > 0 || contact.start_state != ContactState::open))
+      continue;
+    const Corner vertex{contact.pair.vertex_block, contact.pair.vertex},
+        start{contact.pair.edge_block, contact.pair.edge};
+    bearing.push_back({vertex, start});
+    for (const Corner& end : {start, beside(start, 1)})
+      if (contact.normal > 0 && (now(vertex) - now(end)).norm() <= near_corner * contact.size)
+        for (const auto& [a, b] : {std::pair(vertex, end), {end, vertex}})
+          meetings.push_back({a, b, contact.size});
   }
-  std::ranges::sort(bearings, {}, &Bearing::corner);
-
+  if (!meetings.empty()) std::ranges::sort(bearing);
   for (const auto& [corner, other, size] : meetings)
-    for (const Bearing& bearing : std::ranges::equal_range(bearings, corner, {}, &Bearing::corner)) {
-      if (bearing.edge.block == other.block) continue;
-      const Line line(blocks, state, bearing.edge);
-      const double step = -line.now(other);
-      if (step > ContactProperties::default_lip * size && step <= highest_step * size &&
-          was_flush(blocks, line, other, size))
-        return corner.block;
+    for (const auto& [vertex, edge] :
+         std::ranges::equal_range(bearing, corner, {}, &std::pair<Corner, Corner>::first)) {
+      const double lip = ContactProperties::default_lip * size, step = -depth(now, edge, other);
+      if (edge[0] != other[0] && step > lip && step <= near_corner * size &&
+          std::abs(depth(at_start, edge, other)) <= lip && depth(at_start, edge, beside(other, -1)) >= -lip &&
+          depth(at_start, edge, beside(other, 1)) >= -lip)
+        return corner[0];
     }
   return -1;
 }

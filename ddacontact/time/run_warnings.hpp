@@ -3,10 +3,8 @@
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
-#include <ddacontact/time/energy_ledger.hpp>
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace ddacontact {
@@ -39,31 +37,26 @@ struct SeenStep {
 ///   shorter than a pressure wave takes through the block. Longer ones damp its vibrations, in shorter ones
 ///   friction feeds them, and the block does not slide as a rigid one does.
 /// - corners caught on steps of joints that were flush.
-/// Energy that rises is told from the ledger. All of it is part of what a run carries on.
-class RunWarnings {
- public:
-  explicit RunWarnings(int n_blocks = 0) : slid_(n_blocks, 0), unsteady_(n_blocks, 0) {}
+/// Energy that rises is told from the ledger. All of it is part of what a run carries on; `warnings_of` words
+/// it.
+struct RunWarnings {
+  explicit RunWarnings(int n_blocks = 0) : slid(n_blocks, 0), unsteady(n_blocks, 0) {}
 
   void look(const SeenStep& step);
-  /// A line for each doubt, with counts and a cure.
-  /// \param[in] blocks    all blocks of the run
-  /// \param[in] substeps  accepted in the run
-  std::vector<std::string> texts(const BlockSystem& blocks, long substeps, const EnergyLedger& energy) const;
 
   /// Calls visit with every number, and visit.list for those of the blocks.
   template <class Warnings, class Visit>
   static void visit_numbers(Warnings& warnings, Visit&& visit) {
-    for (auto* sighting : {&warnings.far_, &warnings.strained_, &warnings.changed_, &warnings.caught_}) {
+    for (auto* sighting : {&warnings.far, &warnings.strained, &warnings.changed, &warnings.caught}) {
       visit(sighting->substeps);
       visit(sighting->first_time);
       visit(sighting->largest);
       visit(sighting->block);
     }
-    for (auto* counts : {&warnings.slid_, &warnings.unsteady_})
+    for (auto* counts : {&warnings.slid, &warnings.unsteady})
       visit.list(*counts, [&](auto& count) { visit(count); });
   }
 
- private:
   /// How often something was met, and where it was worst.
   struct Sighting {
     long substeps = 0;      ///< in which it was met
@@ -73,11 +66,11 @@ class RunWarnings {
 
     void add(double value, int of_block, double time);
   };
-  Sighting far_;                       ///< largest motion of a block over its size
-  Sighting strained_;                  ///< largest strain of an edge
-  Sighting changed_;                   ///< part of the blocks in contact whose contacts changed
-  Sighting caught_;                    ///< the first block that a step in a joint held; nothing is measured
-  std::vector<long> slid_, unsteady_;  ///< of each block: substeps in which it slid; of these, with a change
+  Sighting far;                      ///< largest motion of a block over its size
+  Sighting strained;                 ///< largest strain of an edge
+  Sighting changed;                  ///< part of the blocks in contact whose contacts changed
+  Sighting caught;                   ///< the first block that a step in a joint held; nothing is measured
+  std::vector<long> slid, unsteady;  ///< of each block: substeps in which it slid; of these, with a change
 };
 
 }  // namespace ddacontact

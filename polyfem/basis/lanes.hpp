@@ -73,11 +73,13 @@ inline void store(const Lanes& a, double* to) {
 
 /// Lanes as an array of Eigen's, whose functions of them take one operation of the processor.
 using LaneArray = Eigen::Array<double, n_lanes, 1>;
+/// The same numbers.
 inline LaneArray array_of(const Lanes& a) {
   LaneArray array;
   store(a, array.data());
   return array;
 }
+/// The same numbers.
 inline Lanes lanes_of(const LaneArray& array) {
   Lanes result;
   std::memcpy(&result, array.data(), sizeof result);

@@ -1,6 +1,7 @@
 /// \file Scenes of dams, drums, rockfall and contact, each against what is known of it.
 #include <tests/support/run_scene.hpp>
 
+#include <ddacontact/output/run_verdict.hpp>
 #include <ddacontact/study/factor_bracket.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
 #include <ddacontact/time/monitor_target.hpp>
@@ -46,8 +47,7 @@ TEST(Practice, ABlockTooSoftForItsWeightIsNotedOrStops) {
     const BuiltScene built = build(*reading.scene);
     Stepper& stepper = *built.stepper;
     if (!support::run(stepper, 200)) continue;
-    const std::vector<std::string> warnings =
-        stepper.warnings().texts(stepper.blocks(), stepper.counts().substeps, stepper.energy());
+    const std::vector<std::string> warnings = warnings_of(stepper);
     EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& text) {
       return text.starts_with("strains are large");
     })) << young;
