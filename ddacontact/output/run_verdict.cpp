@@ -202,7 +202,8 @@ void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
                        std::to_string(seen.caught.substeps) + of_all + ", first at " +
                        figure(seen.caught.first_time) + " s, of block " +
                        quoted(blocks.names[seen.caught.block]) +
-                       ": where blocks rest or stop, compare a run with rounded corners (contact = { corner_rounding = 0.003 })");
+                       ": where blocks rest or stop, compare a run with rounded corners (contact = { "
+                       "corner_rounding = 0.003 })");
   const auto worst = std::max_element(seen.unsteady.begin(), seen.unsteady.end());
   const auto b = static_cast<int>(worst - seen.unsteady.begin());
   if (worst != seen.unsteady.end() && *worst >= least_changes &&
