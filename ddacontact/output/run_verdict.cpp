@@ -1,6 +1,5 @@
 #include <ddacontact/output/run_verdict.hpp>
 
-#include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
@@ -176,20 +175,18 @@ constexpr double damping_of_transit = 0.2;
 /// What its steps met.
 void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
   const RunWarnings& seen = stepper.warnings();
-  const BlockSystem& blocks = stepper.blocks();
   const long substeps = stepper.counts().substeps;
-  const EnergyLedger& energy = stepper.energy();
   const std::string of_all = " of " + std::to_string(substeps) + " substeps";
   if (seen.far.substeps > 0)
     warnings.push_back("a block in contact moved further than a tenth of its size in " +
                        std::to_string(seen.far.substeps) + of_all + ", first at " +
-                       figure(seen.far.first_time) + " s; furthest block " +
-                       quoted(blocks.names[seen.far.block]) + ", by " + figure(seen.far.largest) +
+                       figure(seen.far.first_time) + " s; furthest " + quoted_block(stepper, seen.far.block) +
+                       ", by " + figure(seen.far.largest) +
                        " of its size: results may depend on the step (a smaller 'time_step')");
   if (seen.strained.substeps > 0)
     warnings.push_back("strains are large in " + std::to_string(seen.strained.substeps) + of_all +
-                       ", first at " + figure(seen.strained.first_time) + " s; most in block " +
-                       quoted(blocks.names[seen.strained.block]) + ", whose edges change by " +
+                       ", first at " + figure(seen.strained.first_time) + " s; most in " +
+                       quoted_block(stepper, seen.strained.block) + ", whose edges change by " +
                        figure(100 * seen.strained.largest) +
                        " %: elasticity is linear, for small strains (is 'young' right, with its unit?)");
   if (static_cast<double>(seen.changed.substeps) > often * static_cast<double>(substeps))
@@ -200,24 +197,23 @@ void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
   if (seen.caught.substeps > 0)
     warnings.push_back("a step in a joint that is drawn flush held a corner in " +
                        std::to_string(seen.caught.substeps) + of_all + ", first at " +
-                       figure(seen.caught.first_time) + " s, of block " +
-                       quoted(blocks.names[seen.caught.block]) +
+                       figure(seen.caught.first_time) + " s, of " + quoted_block(stepper, seen.caught.block) +
                        ": where blocks rest or stop, compare a run with rounded corners (contact = { "
                        "corner_rounding = 0.003 })");
-  const auto worst = std::max_element(seen.unsteady.begin(), seen.unsteady.end());
+  const auto worst = std::ranges::max_element(seen.unsteady);
   const auto b = static_cast<int>(worst - seen.unsteady.begin());
   if (worst != seen.unsteady.end() && *worst >= least_changes &&
       static_cast<double>(*worst) >= least_unsteady_part * static_cast<double>(seen.slid[b]))
     warnings.push_back(
-        "block " + quoted(blocks.names[b]) + " vibrates by friction: its contacts changed their state in " +
+        quoted_block(stepper, b) + " vibrates by friction: its contacts changed their state in " +
         std::to_string(*worst) + " of the " + std::to_string(seen.slid[b]) +
         " substeps in which it slid: it does not slide as a rigid block does (damping = { stiffness = " +
-        figure(damping_of_transit * transit_time(blocks.block(b))) +
-        " }, or an implicit scheme and a 'time_step' longer than " + figure(transit_time(blocks.block(b))) +
-        " s)");
-  if (energy.created() > large_rise)
+        figure(damping_of_transit * transit_time(stepper.blocks().block(b))) +
+        " }, or an implicit scheme and a 'time_step' longer than " +
+        figure(transit_time(stepper.blocks().block(b))) + " s)");
+  if (stepper.energy().created() > large_rise)
     warnings.push_back(
-        "energy rose by " + figure(energy.created()) +
+        "energy rose by " + figure(stepper.energy().created()) +
         " of the largest exchanged above what loads and supports put in (a smaller 'time_step', "
         "or scheme = \"decaying\"; scheme = \"newmark\" needs a gamma of 0.6)");
 }

@@ -15,9 +15,13 @@ constexpr double part_of_factor = 0.95, usual_rounding = 0.003;
 constexpr double most_of_edge = 0.5;
 
 bool may_be_rounded(const Scene& scene) {
-  const auto is_crushed = [](const Joint& joint) { return joint.compressive_strength > 0; };
+  const auto has_crushed_joints = [](const auto& part) {
+    return std::ranges::any_of(part.joints,
+                               [](const Joint& joint) { return joint.compressive_strength > 0; });
+  };
   return scene.contact.corner_rounding == 0 && scene.contact.method == ContactMethod::staged &&
-         scene.analysis.preset != Preset::paper && std::ranges::none_of(scene.joints, is_crushed);
+         scene.analysis.preset != Preset::paper && !has_crushed_joints(scene) &&
+         std::ranges::none_of(scene.stages, has_crushed_joints);
 }
 
 double rounding_of(const Scene& scene) {
@@ -38,7 +42,7 @@ std::optional<RoundedTrial> try_with_rounded_corners(Scene scene, const std::vec
   scene.contact.corner_rounding = rounded.rounding;
   try {
     const StrengthReduction reduction(scene, joints);
-    rounded.trial = reduction.try_factor(part_of_factor * factor, {}, [] { return false; });
+    rounded.trial = reduction.try_factor(part_of_factor * factor);
   } catch (const SettlingStopped& stopped) {
     rounded.trial.factor = part_of_factor * factor;
     rounded.trial.reason = stopped.what();
