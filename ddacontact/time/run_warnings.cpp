@@ -43,13 +43,13 @@ void RunWarnings::look(const SeenStep& step) {
   for (const Contact& contact : step.contacts) {
     const bool closed_before = contact.start_state != ContactState::open;
     if (!closed_before && !contact.closed()) continue;
-    const bool changed = !step.is_first && contact.start_state != contact.history.state;
+    const bool differs = !step.is_first && contact.start_state != contact.history.state;
     const bool slipped = step.has_velocities && contact.closed() &&
                          std::abs(contact.slip_change) > least_slip * contact.size &&
                          carries_waves(step.blocks, contact, step.dt);
     for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
       touches[b] = 1;
-      if (changed) changes[b] = 1;
+      if (differs) changes[b] = 1;
       if (slipped) slides[b] = 1;
     }
   }
