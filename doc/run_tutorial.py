@@ -17,10 +17,10 @@ BLOCK = re.compile(r"^```(toml|console)\n(.*?)^```$", re.M | re.S)
 
 
 def write_file(scratch, text):
-    head, body = text.split("\n", 1)
+    head = text.split("\n", 1)[0]
     name = head.removeprefix("# ").removesuffix(", more")
     with (scratch / name).open("a" if head.endswith(", more") else "w") as file:
-        file.write(body)
+        file.write(text)
 
 
 def pattern(lines):

@@ -6,7 +6,7 @@ source tests/support/debian_packages.sh
 install_packages "${program_packages[@]}"
 cmake --preset program
 cmake --build --preset program
-build/program/apps/dda run examples/paper/arch_friction30.toml -o arch_friction30-out --force
+build/program/apps/dda run examples/paper/arch_friction30.toml --set analysis.preset=default -o arch_friction30-out --force
 build/program/apps/dda plot arch_friction30-out --field s1 --forces -o arch_friction30-out/stress.svg
 echo
 build/program/apps/dda info arch_friction30-out

@@ -7,8 +7,11 @@
 namespace dda {
 
 std::string choice_among(std::string_view word, const std::vector<std::string_view>& known) {
-  const int nearest = ddacontact::scene_format::nearest(word, known);
-  return fmt::format("did you mean \"{}\"? there are: {}", known[nearest], fmt::join(known, ", "));
+  const std::string_view nearest = known[ddacontact::scene_format::nearest(word, known)];
+  return fmt::format(
+      "{}there are: {}",
+      ddacontact::scene_format::is_near(word, nearest) ? fmt::format("did you mean \"{}\"? ", nearest) : "",
+      fmt::join(known, ", "));
 }
 
 }  // namespace dda

@@ -55,8 +55,8 @@ int cut_file(const CutArguments& arguments) {
 void add_cut(CLI::App& app, CutArguments& arguments) {
   CLI::App* cut = app.add_subcommand(
       "cut",
-      "Write blocks to another file; make them touch, split concave ones, take out short edges and "
-      "straight vertices");
+      "Convert and clean block geometry: snap vertices, remove short edges and collinear vertices, split "
+      "concave blocks");
   cut->add_option("BLOCKS", arguments.blocks,
                   "Blocks: a scene (.toml), .geojson, .json, .wkt, .dxf, Shi's .geo, .msh or .vtu")
       ->required();
@@ -65,7 +65,7 @@ void add_cut(CLI::App& app, CutArguments& arguments) {
       ->required();
   cut->add_option(
          "--snap", arguments.snap,
-         "For rounded coordinates: vertices nearer than this (m) become one, and move onto edges as near")
+         "For rounded coordinates: merge vertices closer than this (m), and move them onto edges this close")
       ->check(CLI::PositiveNumber);
   cut->add_option("--shortest-edge", arguments.options.shortest_edge,
                   "Merge the two ends of shorter edges; relative to the size of their block, sqrt(area)")

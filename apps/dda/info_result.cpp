@@ -54,18 +54,15 @@ void tell_models(Answer& answer, const fs::path& directory) {
 
 void tell_motion(Answer& answer, const fs::path& directory) {
   answer.topic("motion");
-  const CsvTable vertices(directory / "vertices.csv"), blocks(directory / "blocks.csv");
-  if (vertices.n_rows() == 0 || blocks.n_rows() == 0) return;
+  const CsvTable vertices(directory / "vertices.csv");
+  if (vertices.n_rows() == 0) return;
   const std::vector<double> moved = lengths(vertices.numbers("ux"), vertices.numbers("uy"));
-  const std::vector<double> speed = lengths(blocks.numbers("vx"), blocks.numbers("vy"));
-  const std::size_t i = at_largest(moved), b = at_largest(speed);
+  const std::size_t i = at_largest(moved);
   if (moved[i] > 0)
     answer.line(fmt::format("largest displacement {}: block {}, vertex {}", quantity_text(moved[i], "m"),
                             vertices.texts("block")[i], vertices.texts("vertex")[i]));
-  if (speed[b] > 0)
-    answer.line(fmt::format("fastest block {}: {} at the end", blocks.texts("block")[b],
-                            quantity_text(speed[b], "m/s")));
-  if (moved[i] == 0 && speed[b] == 0) answer.line("nothing moved");
+  else
+    answer.line("nothing moved");
 }
 
 void tell_stress(Answer& answer, const fs::path& directory) {

@@ -27,7 +27,9 @@ void tell_rest(Answer& answer, const SummaryTable& summary) {
              out = summary.number("blocks_unbalanced"), fastest = summary.number("fastest");
   if (!at_rest || !unbalanced || !out || !fastest) return;
   answer.topic("rest");
-  answer.line(*at_rest == 1 ? "at rest: all blocks are in balance" : "not at rest");
+  answer.line(*at_rest == 1 ? "at rest: all blocks are in balance"
+              : *out > 0    ? "not at rest"
+                            : "not at rest: blocks are in balance, but move");
   if (*out > 0)
     answer.line(plural(*out, "block is", "blocks are") +
                 fmt::format(" out of balance; most block {}, by {} of the largest force on it",
@@ -39,8 +41,8 @@ void tell_rest(Answer& answer, const SummaryTable& summary) {
     answer.line(fmt::format("block {} moves fastest, {}", summary.text("fastest_block"),
                             quantity_text(*fastest, "m/s")));
   if (const auto furthest = summary.number("furthest"); furthest && *furthest > 0)
-    answer.line(fmt::format("block {} has moved furthest, by {} of its size",
-                            summary.text("furthest_block"), number_text(*furthest, 2)));
+    answer.line(fmt::format("block {} has moved furthest, by {} of its size", summary.text("furthest_block"),
+                            number_text(*furthest, 2)));
   for (int k = 0; summary.number(fmt::format("stages.{}.steps", k + 1)); ++k) {
     const std::string stage = fmt::format("stages.{}.", k);
     const std::string name = summary.text(stage + "name");

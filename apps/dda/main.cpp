@@ -73,7 +73,7 @@ void declare_run_and_check(CLI::App& app, Call& call) {
   CLI::Option* resume =
       run->add_option("--resume", call.run.checkpoint, "Checkpoint of the same scene to go on from");
   run->add_flag("--as-stage", call.run.as_stage,
-                "Go on from the checkpoint with other loads, strengths of joints or schedule, as a new stage")
+                "Continue from the checkpoint as a new stage, with other loads, joint strengths or schedule")
       ->needs(resume);
   run->add_option("--threads", call.run.threads,
                   "Threads that share the work on blocks, contacts and frames; results are the same for any "

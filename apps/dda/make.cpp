@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/scene/available_memory.hpp>
 #include <ddacontact/scene/geometry_writer.hpp>
@@ -94,10 +95,13 @@ void make_scene(const MakeArguments& arguments) {
   const std::string text = scene_of(arguments);
   const ddacontact::SceneReading reading = ddacontact::read_scene_text(text, arguments.file);
   if (!reading.scene) throw Error(fmt::format("{} (choose other measures)", reading.problems.front().text()));
-  if (format == ddacontact::GeometryFormat::toml)
+  if (format == ddacontact::GeometryFormat::toml) {
+    if (const auto kept = ddacontact::keep_older_file(arguments.file, text))
+      fmt::print("the older {} is {} now\n", arguments.file, kept->string());
     ddacontact::write_text(arguments.file, text);
-  else
+  } else {
     ddacontact::write_blocks(arguments.file, *reading.scene, 0);
+  }
   fmt::print("{}: {} blocks\n", arguments.file, reading.scene->blocks.size());
 }
 
@@ -160,7 +164,8 @@ void add_masonry(CLI::App& make, MakeArguments& arguments) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   add_length(app, "--door-height", wall.door_height, "m");
-  app->add_flag("!--stack", wall.running_bond, "Stack bond instead of running bond");
+  app->add_flag_callback(
+      "--stack", [&wall] { wall.running_bond = false; }, "Stack bond instead of running bond");
 
   ddacontact::MadeArch& arch = arguments.arch;
   app = add_kind(make, arguments, "arch", "A semicircular arch between springers");

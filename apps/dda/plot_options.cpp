@@ -11,8 +11,7 @@ void declare_what(CLI::App& plot, PlotArguments& call) {
       ->required();
   plot.add_option("-o,--output", call.output, "The picture to write: FILE.svg, FILE.png or FILE.pdf")
       ->required();
-  plot.add_option("--width", call.width,
-                  "Width in pixels; a picture may come out narrower; PNG files have twice as many")
+  plot.add_option("--width", call.width, "Largest width in pixels; PNG files have two dots a pixel")
       ->check(CLI::Range(200, 20000));
 }
 

@@ -92,7 +92,7 @@ void tell(const StrengthTrial& trial, const Scene& scene) {
 std::string moved_text(const StrengthTrial& trial, const Scene& scene) {
   if (trial.first_block < 0) return "";
   const MovedPart part = moved_part(scene, trial);
-  return fmt::format("\"{}\" moves first; {} of {} blocks move, {:.1f} % of their area",
+  return fmt::format("\"{}\" moves furthest; {} of {} blocks move, {:.1f} % of their area",
                      scene.block_name(trial.first_block), part.blocks, part.of_blocks, 100 * part.area_share);
 }
 

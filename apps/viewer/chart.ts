@@ -79,9 +79,10 @@ export class Chart {
       c.stroke();
       c.setLineDash([]);
     });
-    const most = Math.floor((height - TOP - 18) / 15);
-    this.curves.slice(0, most).forEach((curve, k) => {
-      const y = TOP + 6 + 15 * k;
+    const line = Math.min(15, (height - TOP - 18) / this.curves.length);
+    c.font = `${Math.min(11, line)}px ${FONT}`;
+    this.curves.forEach((curve, k) => {
+      const y = TOP + 6 + line * k;
       c.fillStyle = this.colours[k % this.colours.length];
       c.fillRect(width - RIGHT + 10, y - 1.5, 14, 3);
       c.fillStyle = "#1c242c";

@@ -135,7 +135,7 @@ export class Overlay {
       c.lineTo(x + pixels - 8, y + 3.2);
       c.fill();
       x += pixels + 6;
-      text(quantity(force, "N/m") + " on the upper block");
+      text(quantity(force, "N/m"));
     }
     if (contents.showStates) for (const state of ["stick", "slip", "open"]) line(STATE_COLOURS[state], 3.2, state);
     if (contents.showCrosses) {

@@ -12,7 +12,8 @@ export interface Joint {
   contacts: number[];
   x: number; // where the sum acts: mean of the contacts, weighed by their normal forces
   y: number;
-  fx: number; // on the upper block
+  ofFirst: boolean; // whether forces are drawn on the first block, else on the second
+  fx: number; // on that block
   fy: number;
 }
 
@@ -75,12 +76,43 @@ export class Layout {
     }
     return low;
   }
-  /** The force of a contact on the upper of its two blocks. */
-  forceOn(contact: number): [number, number] {
-    const { force, contacts } = this.moment, [nx, ny] = normalOf(this.moment, contact);
+  private area(block: number): number {
+    const { firstPlace, nVertices } = this.moment.shape, first = firstPlace[block], end = first + nVertices[block];
+    let twice = 0;
+    for (let k = first, before = end - 1; k < end; before = k++)
+      twice += this.position[2 * before] * this.position[2 * k + 1] - this.position[2 * k] * this.position[2 * before + 1];
+    return Math.abs(twice / 2);
+  }
+  /** The sense of a contact's normal, for it to point into the first block of its joint. */
+  private sense(contact: number, joint: Joint): number {
+    return this.blockOfPlace(this.moment.contacts.place[contact]) === joint.first ? 1 : -1;
+  }
+  private isHeld(block: number): boolean {
+    const { firstPlace, nVertices } = this.moment.shape, first = 2 * firstPlace[block];
+    return this.moment.displacement.subarray(first, first + 2 * nVertices[block]).every((value) => value === 0);
+  }
+  /** Whether forces are drawn on the first block, as dda plot has it: on the one that has moved where the other has not; else
+   *  on the upper one, into which the normals point up; across a vertical joint on the smaller one; of two as large as each
+   *  other on the right one. */
+  private drawnOnFirst(joint: Joint): boolean {
+    const held = this.isHeld(joint.second);
+    if (this.isHeld(joint.first) !== held) return held;
+    let x = 0, y = 0;
+    for (const k of joint.contacts) {
+      const [nx, ny] = normalOf(this.moment, k), sense = this.sense(k, joint);
+      x += sense * nx;
+      y += sense * ny;
+    }
+    if (Math.abs(y) > 0.02 * Math.hypot(x, y)) return y > 0;
+    const a = this.area(joint.first), b = this.area(joint.second);
+    if (Math.abs(a - b) > 0.01 * Math.max(a, b)) return a < b;
+    return this.middle(joint.first)[0] > this.middle(joint.second)[0];
+  }
+  /** The force of a contact on the block of its joint on which forces are drawn. */
+  private forceOn(contact: number, joint: Joint): [number, number] {
+    const { force } = this.moment, [nx, ny] = normalOf(this.moment, contact);
     const n = force[2 * contact], s = force[2 * contact + 1];
-    const a = this.middle(this.blockOfPlace(contacts.place[contact])), b = this.middle(contacts.edgeBlock[contact]);
-    const sense = a[1] > b[1] || (a[1] === b[1] && a[0] > b[0]) ? 1 : -1;
+    const sense = joint.ofFirst ? this.sense(contact, joint) : -this.sense(contact, joint);
     return [sense * (n * nx - s * ny), sense * (n * ny + s * nx)];
   }
 
@@ -95,13 +127,14 @@ export class Layout {
       const a = this.blockOfPlace(contacts.place[k]), b = contacts.edgeBlock[k];
       const first = Math.min(a, b), second = Math.max(a, b), key = first * shape.nBlocks + second;
       let joint = joints.get(key);
-      if (!joint) joints.set(key, (joint = { first, second, contacts: [], x: 0, y: 0, fx: 0, fy: 0 }));
+      if (!joint) joints.set(key, (joint = { first, second, contacts: [], x: 0, y: 0, ofFirst: true, fx: 0, fy: 0 }));
       joint.contacts.push(k);
     }
     for (const joint of joints.values()) {
+      joint.ofFirst = this.drawnOnFirst(joint);
       let weight = 0;
       for (const k of joint.contacts) {
-        const [fx, fy] = this.forceOn(k), w = Math.abs(force[2 * k]), place = contacts.place[k];
+        const [fx, fy] = this.forceOn(k, joint), w = Math.abs(force[2 * k]), place = contacts.place[k];
         joint.fx += fx;
         joint.fy += fy;
         joint.x += w * this.position[2 * place];
@@ -180,19 +213,20 @@ export class Layout {
       });
     }
   }
-  /** Forces on the upper blocks, one a contact, or one a joint. \param metres of a force of 1 N/m */
+  /** One force a contact, or one a joint. \param metres of a force of 1 N/m */
   forces(lines: Lines, metres: number, pixelsPerMetre: number, resultants: boolean): void {
     const { contacts, state } = this.moment, p = this.position;
     const slips = STATE_COLOURS.slip;
-    if (resultants)
-      for (const joint of this.joints)
+    for (const joint of this.joints) {
+      if (resultants) {
         arrow(lines, joint.x, joint.y, joint.fx * metres, joint.fy * metres, pixelsPerMetre, FORCE);
-    else
-      for (let k = 0; k < contacts.count; ++k) {
-        if (state[k] === 0) continue;
-        const [fx, fy] = this.forceOn(k), place = contacts.place[k];
+        continue;
+      }
+      for (const k of joint.contacts) {
+        const [fx, fy] = this.forceOn(k, joint), place = contacts.place[k];
         arrow(lines, p[2 * place], p[2 * place + 1], fx * metres, fy * metres, pixelsPerMetre, state[k] >= 3 ? slips : FORCE);
       }
+    }
   }
   /** Through each block that two others hold: from joint to joint, where the resultants act. */
   thrust(lines: Lines): void {

@@ -35,7 +35,8 @@ struct VoronoiCells {
   int cells = 100;
 };
 
-/// A part of the domain. Blocks with their centroid in it belong to it.
+/// A part of the domain. Blocks with their centroid in it belong to it; of concave ones without theirs, a
+/// point inside.
 struct DomainRegion {
   Points polygon;
   bool cut = false;  ///< whether its outline is a joint

@@ -156,15 +156,12 @@ CutBlock block_of(const polyfem::CutCells& cells, const polyfem::CutCell& cell, 
     block.outline.col(k) = outline.col((first + k) % n);
     block.joints.push_back(lines.joint(cell.marks[(first + k) % n]));
   }
-  const Vec2 centroid = polyfem::area_moments(block.outline).centroid;
+  if (domain.regions.empty() && domain.openings.empty()) return block;
+  const Vec2 inside = inner_point(block.outline);
   for (std::size_t r = 0; r < domain.regions.size(); ++r)
-    if (polyfem::contains(domain.regions[r].polygon, centroid)) block.regions.push_back(static_cast<int>(r));
-  if (!domain.openings.empty()) {
-    const Vec2 inside = inner_point(block.outline);
-    for (std::size_t o = 0; o < domain.openings.size(); ++o)
-      if (polyfem::contains(domain.openings[o].outline, inside))
-        block.openings.push_back(static_cast<int>(o));
-  }
+    if (polyfem::contains(domain.regions[r].polygon, inside)) block.regions.push_back(static_cast<int>(r));
+  for (std::size_t o = 0; o < domain.openings.size(); ++o)
+    if (polyfem::contains(domain.openings[o].outline, inside)) block.openings.push_back(static_cast<int>(o));
   return block;
 }
 

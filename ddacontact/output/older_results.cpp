@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace ddacontact {
@@ -18,6 +20,15 @@ bool holds_results(const fs::path& directory) {
   return std::ranges::any_of(files, [&](const char* file) { return fs::exists(directory / file, missing); });
 }
 
+/// With the first number that is free between name and ending.
+fs::path with_number(const std::string& name, const std::string& ending) {
+  std::error_code error;
+  fs::path path;
+  for (int number = 1; path.empty() || fs::exists(fs::symlink_status(path, error)); ++number)
+    path = name + '.' + std::to_string(number) + ending;
+  return path;
+}
+
 }  // namespace
 
 std::optional<fs::path> keep_older_results(const fs::path& directory) {
@@ -27,13 +38,25 @@ std::optional<fs::path> keep_older_results(const fs::path& directory) {
   if (bare.filename() == "." || bare.filename() == "..")
     throw OutputError("\"" + directory.string() +
                       "\" holds older results and cannot be renamed: name another directory");
-  fs::path kept;
-  for (int number = 1; kept.empty() || fs::exists(fs::symlink_status(kept, error)); ++number)
-    kept = bare.string() + '.' + std::to_string(number);
+  const fs::path kept = with_number(bare.string(), "");
   fs::rename(bare, kept, error);
   if (error)
     throw OutputError("cannot rename older results \"" + bare.string() + "\": " + error.message() +
                       "; name another directory");
+  return kept;
+}
+
+std::optional<fs::path> keep_older_file(const fs::path& file, std::string_view text) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  std::ostringstream older;
+  older << std::ifstream(file, std::ios::binary).rdbuf();
+  if (older.view() == text) return std::nullopt;
+  const fs::path kept = with_number((file.parent_path() / file.stem()).string(), file.extension().string());
+  fs::rename(file, kept, error);
+  if (error)
+    throw OutputError("cannot rename the older \"" + file.string() + "\": " + error.message() +
+                      "; name another file");
   return kept;
 }
 

@@ -195,7 +195,7 @@ void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
                        figure(seen.changed.first_time) +
                        " s: results may depend on the step (a smaller 'time_step')");
   if (seen.caught.substeps > 0)
-    warnings.push_back("a step in a joint that is drawn flush held a corner in " +
+    warnings.push_back("a corner caught on a small step in a flush joint in " +
                        std::to_string(seen.caught.substeps) + of_all + ", first at " +
                        figure(seen.caught.first_time) + " s, of " + quoted_block(stepper, seen.caught.block) +
                        ": where blocks rest or stop, compare a run with rounded corners (contact = { "

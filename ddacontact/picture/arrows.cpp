@@ -1,11 +1,14 @@
 #include <ddacontact/picture/arrows.hpp>
 
 #include <ddacontact/picture/block_layer.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace ddacontact {
 
@@ -13,18 +16,60 @@ namespace {
 
 constexpr double shaft = 0.75, head_half_width = 2.9, longest_head = 7.5, line_width = 1.5;
 
-/// Whether the first block is the upper one, or the right one of two at the same height.
-bool is_upper(const Frame& frame, int first, int second) {
-  const Vec2 a = middle(frame, first), b = middle(frame, second);
-  return a.y() != b.y() ? a.y() > b.y() : a.x() > b.x();
-}
+/// Joints are vertical when their normals rise by less than this, and blocks as large as each other when
+/// their areas differ by less than this part.
+constexpr double vertical = 0.02, as_large = 0.01;
+
+/// On which block of a pair forces are drawn.
+class DrawnOn {
+ public:
+  explicit DrawnOn(const Frame& frame) : frame_(frame) {
+    for (const FrameContact& contact : frame.contacts)
+      normals_.try_emplace(pair_of(contact), Vec2(0, 0)).first->second += sense(contact) * contact.normal;
+  }
+
+  bool the_vertex_block(const FrameContact& contact) const {
+    return is_first(pair_of(contact)) == (sense(contact) > 0);
+  }
+
+ private:
+  using Pair = std::pair<int, int>;
+  static Pair pair_of(const FrameContact& contact) {
+    return std::minmax(contact.vertex_block, contact.edge_block);
+  }
+  /// Of the normal, for it to point into the first block of the pair.
+  static double sense(const FrameContact& contact) {
+    return contact.vertex_block < contact.edge_block ? 1 : -1;
+  }
+  double area(int block) const { return std::abs(polyfem::signed_area(frame_.outline(block))); }
+
+  bool is_held(int block) const {
+    const Range& range = frame_.blocks[static_cast<std::size_t>(block)];
+    return holds(frame_, Field::displacement) &&
+           frame_.displacement.middleCols(range.first, range.count).isZero(0);
+  }
+
+  bool is_first(const Pair& pair) const {
+    const auto [first, second] = pair;
+    if (is_held(first) != is_held(second)) return is_held(second);
+    const Vec2 into_first = normals_.at(pair);
+    if (std::abs(into_first.y()) > vertical * into_first.norm()) return into_first.y() > 0;
+    const double a = area(first), b = area(second);
+    if (std::abs(a - b) > as_large * std::max(a, b)) return a < b;
+    return middle(frame_, first).x() > middle(frame_, second).x();
+  }
+
+  const Frame& frame_;
+  std::map<Pair, Vec2> normals_;  ///< sums of those of all contacts, into the first block
+};
 
 std::vector<Arrow> contact_forces(const Frame& frame) {
+  const DrawnOn drawn_on(frame);
   std::vector<Arrow> arrows;
   for (const FrameContact& contact : frame.contacts) {
     const bool slips =
         contact.state == ContactState::slip_forward || contact.state == ContactState::slip_backward;
-    const double sense = is_upper(frame, contact.vertex_block, contact.edge_block) ? 1 : -1;
+    const double sense = drawn_on.the_vertex_block(contact) ? 1 : -1;
     arrows.push_back(
         {contact.position, sense * contact.force(), slips ? Arrow::Look::slipping : Arrow::Look::plain});
   }

@@ -21,9 +21,11 @@ struct Arrow {
   enum class Look { plain, slipping, tension, compression } look = Look::plain;
 };
 
-/// Contact forces on the upper of the two blocks (by their middles; side by side on the right one), from the
-/// contact's place: whichever block has the vertex, arrows of one joint point to the same side. Displacement
-/// and velocity of the middle of each block from there; principal mean stresses as lines through it.
+/// Contact forces from the contact's place, all of a joint on the same block, whichever has the vertex: on
+/// the one that has moved where the other has not; else on the upper one, into which the normals point up;
+/// across a vertical joint on the smaller one, and of two as large as each other on the right one.
+/// Displacement and velocity of the middle of each block from there; principal mean stresses as lines through
+/// it.
 std::vector<Arrow> arrows_of(const Frame& frame, VectorKind kind);
 
 /// Whether the frame holds what the vectors are computed from.

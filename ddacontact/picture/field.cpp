@@ -24,6 +24,9 @@ const std::vector<FieldDescription> fields = {
     {Field::material, "material", {"material", "", ""}, "", FieldKind::kinds},
     {Field::block, "block", {"block", "", ""}, "", FieldKind::kinds}};
 
+/// Strains below this are round-off: stresses of bodies in free fall are none.
+constexpr double round_off = 1e-13;
+
 /// What the block is as a whole, where its shape functions are of no use.
 Eigen::VectorXd mean(const Frame& frame, int block, Field field) {
   const Range& range = frame.blocks[static_cast<std::size_t>(block)];
@@ -61,6 +64,8 @@ bool holds(const Frame& frame, Field field) {
 CellField::CellField(const Frame& frame, int cell, Field field)
     : frame_(frame), field_(field), view_(frame, cell), corners_(view_.local_corners()) {
   simple_ = &view_.basis() == &polyfem::wachspress || !polyfem::find_defect(corners_);
+  if (description(field).kind == FieldKind::with_sign)
+    least_ = round_off * frame.elasticity[static_cast<std::size_t>(view_.cell().elasticity)](0, 0);
 }
 
 double CellField::stress_value(const Vec3& stress) const {
@@ -91,7 +96,7 @@ double CellField::operator()(const Vec2& point) {
       tensor = view_.interpolate(field_ == Field::velocity ? frame_.velocity : frame_.displacement, shape_);
   }
   const double value = of_stress ? stress_value(tensor) : tensor.norm();
-  return std::isfinite(value) ? value : 0;
+  return std::isfinite(value) && std::abs(value) > least_ ? value : 0;
 }
 
 }  // namespace ddacontact

@@ -65,7 +65,8 @@ class CellField {
   Field field_;
   CellView view_;
   Points corners_;
-  bool simple_;  ///< else the block's mean stands for the field
+  bool simple_;       ///< else the block's mean stands for the field
+  double least_ = 0;  ///< stresses below are round-off, Pa
   polyfem::ShapeValues shape_;
 };
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double triangle_pixels = 7;
 constexpr int fewest_rings = 4, most_rings = 120;
+/// Of the way from the centre of a piece to its outline, where stresses are looked at: as far as integration
+/// points go. Next to short edges shape functions have gradients of their own beyond.
+constexpr double reach_of_stress = 0.9;
 constexpr double tail = 0.01;          // of the area, that colours need not tell apart at either end
 constexpr double worth_cutting = 1.5;  // how much longer the range of all values is then
 
@@ -86,6 +89,7 @@ Points corners_of(const Frame& frame, int cell) {
 
 FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre, const Frame& drawn)
     : frame_(drawn) {
+  const double reach = description(field).kind == FieldKind::with_sign ? reach_of_stress : 1;
   const std::vector<bool> is_divided = cells_of_divided_blocks(frame);
   for (int c = 0; c < frame.n_cells(); ++c) {
     CellField value(frame, c, field);
@@ -96,7 +100,9 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       const Points nodes = mesh.nodes(outline, centre_of(outline));
       Piece& piece = pieces_.emplace_back(Piece{c, corners, mesh, mesh.nodes(seen, centre_of(seen)), {}});
       piece.values.resize(nodes.cols());
-      for (Index i = 0; i < nodes.cols(); ++i) piece.values[i] = value(nodes.col(i));
+      const Vec2 centre = nodes.col(0);
+      for (Index i = 0; i < nodes.cols(); ++i)
+        piece.values[i] = value(centre + reach * (nodes.col(i) - centre));
       const bool first = pieces_.size() == 1;
       widen(range_, piece.values, first);
       const int rings = is_divided[static_cast<std::size_t>(c)] ? (mesh.rings() + 1) / 2 : mesh.rings();

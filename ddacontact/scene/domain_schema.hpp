@@ -92,7 +92,9 @@ template <class Visit>
 void describe(RegionRecord& r, Visit&& visit) {
   visit(Key{.name = "name", .what = "Unique.", .required = true}, r.name);
   visit(Key{.name = "polygon",
-            .what = "Blocks with their centroid in it belong to the region; of several the later ones win.",
+            .what = "Blocks whose centroid lies in it belong to the region (a concave block without its "
+                    "centroid: a point "
+                    "inside it); of several regions the last one counts.",
             .unit = "m",
             .required = true},
         r.polygon);
@@ -142,8 +144,9 @@ void describe(OpeningRecord& r, Visit&& visit) {
 template <class Visit>
 void describe(DomainRecord& r, Visit&& visit) {
   visit(Key{.name = "boundary",
-            .what = "Corners of a polygon, or a drawing (.geojson, .wkt, .dxf, or Shi's .geo), the lines of "
-                    "which cut it.",
+            .what = "Corners of a polygon, or a drawing (.geojson, .json, .wkt, .dxf, .msh, .vtu, or Shi's "
+                    ".geo), the "
+                    "lines of which cut it.",
             .unit = "m",
             .required = true},
         r.boundary);

@@ -199,7 +199,8 @@ void describe_law(Law& law, Visit&& visit) {
             .what = "Normal velocity after an impact over that before, as between rigid bodies; method "
                     "\"staged\" alone.",
             .bounds = {.low = 0, .high = 1},
-            .default_text = "none: blocks rebound by their elasticity"},
+            .default_text =
+                "none: blocks rebound by their elasticity (\"decaying\", \"explicit\"); `0.0` (others)"},
         law.restitution);
   visit(Key{.name = "dashpot",
             .what = "Damping of closed contacts, ratio to critical of the contact spring.",
@@ -216,15 +217,16 @@ void describe_law(Law& law, Visit&& visit) {
 /// The keys of joints that are the same in all stages.
 template <class Law, class Visit>
 void describe_springs(Law& law, Visit&& visit) {
-  visit(Key{.name = "normal_stiffness",
-            .what =
-                "Of the joint itself: pressure by closure; with `shear_stiffness`; method \"staged\" alone.",
-            .unit = "Pa/m",
-            .bounds = positive,
-            .default_text = "none: the joint is rigid"},
-        law.normal_stiffness);
+  visit(
+      Key{.name = "normal_stiffness",
+          .what = "Normal stiffness of the joint: pressure over closure. Needs `shear_stiffness` and method "
+                  "\"staged\".",
+          .unit = "Pa/m",
+          .bounds = positive,
+          .default_text = "none: the joint is rigid"},
+      law.normal_stiffness);
   visit(Key{.name = "shear_stiffness",
-            .what = "Of the joint itself: shear stress by displacement along it.",
+            .what = "Shear stiffness of the joint: shear stress over slip.",
             .unit = "Pa/m",
             .bounds = positive,
             .default_text = "none: the joint is rigid"},

@@ -186,7 +186,7 @@ void SafetyFiles::draw_moved(const StrengthTrial& trial) const {
   options.marks.push_back({trial.moved_blocks, moved_colour, "moves at F = " + factor});
   if (trial.first_block >= 0) options.marks.push_back({{trial.first_block}, first_colour, "moves furthest"});
   Scene shown = scene_;
-  shown.title = "What moves first, where it stood";
+  shown.title = "What moves first, drawn where it stood";
   write(directory_ / "safety_moved.svg", draw(shown, options));
 }
 

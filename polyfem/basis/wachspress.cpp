@@ -265,9 +265,9 @@ std::span<const PlainCorner> plain_corners_of(const PointsRef& polygon) {
     const Vec2 from = polygon.col(i), out = polygon.col(i + 1 == n ? 0 : i + 1) - from;
     const double out_square = out.squaredNorm(), b = cross(in, out);
     if (!(b >= 0.05 * std::max(in_square, out_square))) return {};
-    corners[static_cast<std::size_t>(i)] = {same(from.x()),        same(from.y()),
-                                            same(scale * out.x()), same(scale * out.y()),
-                                            same(scale * b),       same(far_from * std::sqrt(out_square))};
+    corners[static_cast<std::size_t>(i)] = {
+        same(from.x()),        same(from.y()),  same(scale * out.x()),
+        same(scale * out.y()), same(scale * b), same(n == 4 ? 0 : far_from * std::sqrt(out_square))};
     in = out;
     in_square = out_square;
   }

@@ -10,44 +10,58 @@ struct GradientProduct {
   double xx, xy, yx, yy;  ///< of N_i,x N_j,x and so on
 };
 
-/// Sums of products of two columns of x and y components each, two points at once.
-[[gnu::always_inline]] inline GradientProduct sum_of_products(const double* ax, const double* ay,
-                                                              const double* bx, const double* by,
-                                                              Index n_points) {
+/// Calls use(i, j, G) for all pairs of vertices i <= j with their gradient product G. Two points at once;
+/// `N_POINTS`: their number where it is known.
+template <int N_POINTS, typename Use>
+[[gnu::always_inline]] inline void for_each_gradient_product_at(const TabulatedElement& element, double* wx,
+                                                                double* wy, Use&& use) {
   using Eigen::Array2d;
   using Two = Eigen::Map<const Array2d>;
-  Array2d xx = Array2d::Zero(), xy = xx, yx = xx, yy = xx;
-  Index q = 0;
-  for (; q + 1 < n_points; q += 2) {
-    const Array2d left_x = Two(ax + q), left_y = Two(ay + q), right_x = Two(bx + q), right_y = Two(by + q);
-    xx += left_x * right_x;
-    xy += left_x * right_y;
-    yx += left_y * right_x;
-    yy += left_y * right_y;
+  const Index n_points = N_POINTS == Eigen::Dynamic ? element.n_points() : N_POINTS,
+              n_vertices = element.n_vertices();
+  const double *const w = element.rule.weights.data(), *const dx = element.dx.data(),
+                      *const dy = element.dy.data();
+  for (Index j = 0; j < n_vertices; ++j) {
+    for (Index q = 0; q < n_points; ++q) {
+      wx[q] = w[q] * dx[j * n_points + q];
+      wy[q] = w[q] * dy[j * n_points + q];
+    }
+    for (Index i = 0; i <= j; ++i) {
+      const double *const x = dx + i * n_points, *const y = dy + i * n_points;
+      Array2d xx = Array2d::Zero(), xy = xx, yx = xx, yy = xx;
+      Index q = 0;
+      for (; q + 1 < n_points; q += 2) {
+        const Array2d left_x = Two(x + q), left_y = Two(y + q), right_x = Two(wx + q), right_y = Two(wy + q);
+        xx += left_x * right_x;
+        xy += left_x * right_y;
+        yx += left_y * right_x;
+        yy += left_y * right_y;
+      }
+      GradientProduct sum{xx.sum(), xy.sum(), yx.sum(), yy.sum()};
+      if (q < n_points) {
+        sum.xx += x[q] * wx[q];
+        sum.xy += x[q] * wy[q];
+        sum.yx += y[q] * wx[q];
+        sum.yy += y[q] * wy[q];
+      }
+      use(i, j, sum);
+    }
   }
-  GradientProduct sum{xx.sum(), xy.sum(), yx.sum(), yy.sum()};
-  if (q < n_points) {
-    sum.xx += ax[q] * bx[q];
-    sum.xy += ax[q] * by[q];
-    sum.yx += ay[q] * bx[q];
-    sum.yy += ay[q] * by[q];
-  }
-  return sum;
 }
 
-/// Calls use(i, j, G) for all pairs of vertices i <= j with their gradient product G.
+/// Quadrilaterals have four points most often.
 template <typename Use>
 void for_each_gradient_product(const TabulatedElement& element, Use&& use) {
-  thread_local Eigen::Matrix<double, Eigen::Dynamic, 2> weighted;
-  for (Index j = 0; j < element.n_vertices(); ++j) {
-    weighted.resize(element.n_points(), 2);
-    weighted.col(0) = element.rule.weights.cwiseProduct(element.dx.col(j));
-    weighted.col(1) = element.rule.weights.cwiseProduct(element.dy.col(j));
-    for (Index i = 0; i <= j; ++i)
-      use(i, j,
-          sum_of_products(element.dx.col(i).data(), element.dy.col(i).data(), weighted.col(0).data(),
-                          weighted.col(1).data(), element.n_points()));
+  constexpr int few = 4;
+  if (element.n_points() == few) {
+    double wx[few], wy[few];
+    for_each_gradient_product_at<few>(element, wx, wy, use);
+    return;
   }
+  thread_local VectorXd weighted;
+  weighted.resize(2 * element.n_points());
+  for_each_gradient_product_at<Eigen::Dynamic>(element, weighted.data(), weighted.data() + element.n_points(),
+                                               use);
 }
 
 /// B_i^T D B_j for B_i = [N_i,x 0; 0 N_i,y; N_i,y N_i,x], D symmetric: what a pair of vertices adds to a

@@ -5,7 +5,10 @@ namespace polyfem {
 namespace {
 
 /// Adds to a slope what makes its integral exact.
-void correct_slope(const double* weight, double exact, double per_area, double* slope, Index n_points) {
+template <int N_POINTS>
+[[gnu::always_inline]] inline void correct_slope(const double* weight, double exact, double per_area,
+                                                 double* slope, Index any_number) {
+  const Index n_points = N_POINTS == Eigen::Dynamic ? any_number : N_POINTS;
   using Two = Eigen::Array2d;
   Two sums = Two::Zero();
   Index q = 0;
@@ -18,13 +21,15 @@ void correct_slope(const double* weight, double exact, double per_area, double* 
   if (q < n_points) slope[q] += shift;
 }
 
+template <int N_POINTS>
 void correct_gradients(const PointsRef& polygon, TabulatedElement& element) {
   const double per_area = 1 / element.area;
   const double* const weight = element.rule.weights.data();
-  for (Index i = 0; i < polygon.cols(); ++i) {
+  const Index n_points = element.n_points(), n = polygon.cols();
+  for (Index i = 0; i < n; ++i) {
     const Vec2 exact = boundary_integral(polygon, i);
-    correct_slope(weight, exact.x(), per_area, element.dx.col(i).data(), element.n_points());
-    correct_slope(weight, exact.y(), per_area, element.dy.col(i).data(), element.n_points());
+    correct_slope<N_POINTS>(weight, exact.x(), per_area, element.dx.data() + i * n_points, n_points);
+    correct_slope<N_POINTS>(weight, exact.y(), per_area, element.dy.data() + i * n_points, n_points);
   }
 }
 
@@ -33,7 +38,11 @@ void tabulate_at_rule(const PointsRef& polygon, const Basis& basis, GradientCorr
   element.area = signed_area(polygon);
   element.rule.weights *= element.area / element.rule.weights.sum();
   basis.evaluate(polygon, element.rule.points, element);
-  if (correction == GradientCorrection::on) correct_gradients(polygon, element);
+  if (correction == GradientCorrection::off) return;
+  if (element.n_points() == 4)
+    correct_gradients<4>(polygon, element);
+  else
+    correct_gradients<Eigen::Dynamic>(polygon, element);
 }
 
 }  // namespace

@@ -264,6 +264,17 @@ TEST_F(Program, MakeVoronoiWritesASceneThatRuns) {
   EXPECT_EQ(s["blocks"], 20);
 }
 
+TEST_F(Program, MakeKeepsASceneThatWasEdited) {
+  ASSERT_EQ(dda("make column -o c.toml"), 0) << err_;
+  ASSERT_EQ(dda("make column -o c.toml"), 0) << err_;
+  EXPECT_EQ(out_.find("older"), std::string::npos) << out_;
+  write("c.toml", "mine");
+  ASSERT_EQ(dda("make column -o c.toml"), 0) << err_;
+  EXPECT_NE(out_.find("the older c.toml is c.1.toml now"), std::string::npos) << out_;
+  EXPECT_EQ(read_file(directory_ / "c.1.toml"), "mine");
+  EXPECT_EQ(dda("check c.toml"), 0) << err_;
+}
+
 TEST_F(Program, MakeVoronoiGivesTheSameBytesForTheSameSeed) {
   for (const char* ending : {"wkt", "geojson", "toml"}) {
     const std::string file(ending);

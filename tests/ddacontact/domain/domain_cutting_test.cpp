@@ -257,6 +257,17 @@ TEST(DomainCutting, SetsAndCellsKeepToTheirRegions) {
   EXPECT_EQ(n_in_region, 30);
 }
 
+/// An angle of rock with an inner corner belongs to the region that it lies in, not to that of its centroid.
+TEST(DomainCutting, ConcaveBlocksBelongToTheRegionThatTheyLieIn) {
+  Domain domain = box(4, 4);
+  const Points angle = (Points(2, 6) << 0, 4, 4, 1, 1, 0, 0, 0, 1, 1, 4, 4).finished();
+  domain.regions = {{angle, true, 0}, {(Points(2, 4) << 1, 4, 4, 1, 1, 1, 4, 4).finished(), true, 0}};
+  const CutDomain cut = cut_domain(domain);
+  ASSERT_EQ(cut.blocks.size(), 2u);
+  for (const CutBlock& block : cut.blocks)
+    EXPECT_EQ(block.regions, std::vector<int>{block.outline.cols() == 6 ? 0 : 1});
+}
+
 TEST(DomainCutting, RockBridgesAreShiftedFromLineToLine) {
   Domain domain = box(8, 4);
   domain.joint_sets = {{.joint = 0, .angle = 0},

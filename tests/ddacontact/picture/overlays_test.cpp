@@ -1,7 +1,10 @@
-// What goes on top of blocks: the line of thrust, the water table.
+// What goes on top of blocks: the line of thrust, the water table, contact forces; and where stress is looked
+// at.
 
 #include "frames.hpp"
 
+#include <ddacontact/picture/arrows.hpp>
+#include <ddacontact/picture/field_layer.hpp>
 #include <ddacontact/picture/picture.hpp>
 #include <ddacontact/picture/thrust_layer.hpp>
 #include <ddacontact/picture/water_layer.hpp>
@@ -59,6 +62,61 @@ TEST(Picture, TheWaterTableIsDrawnWhereItIs) {
   panel.water.table = panel.water.joint_table = (Points(2, 1) << 0, -10).finished();
   told = texts(parsed(draw({panel}, {})));
   EXPECT_EQ(told.find("water"), std::string::npos) << told;
+}
+
+TEST(Picture, ContactForcesActOnTheSameBlockWhicheverHasTheVertex) {
+  Frame frame = empty_frame();  // side by side and as large: it is the right one
+  for (int k = 0; k < 2; ++k) add_block(frame, box(0.5 * k, 0, 0.5, 1), Mat2::Zero());
+  frame.contacts.push_back({1, 0, Vec2(0.5, 0.5), {1, 0}, 0, 30e3, 40e3, ContactState::stick});
+  frame.contacts.push_back({0, 1, Vec2(0.5, 0.2), {-1, 0}, 0, 30e3, 40e3, ContactState::stick});
+  const std::vector<Arrow> arrows = arrows_of(frame, VectorKind::contact_forces);
+  EXPECT_EQ(arrows[0].vector, arrows[1].vector);
+  EXPECT_EQ(arrows[0].vector, Vec2(30e3, 40e3));
+}
+
+/// A bin: its walls, taller than what they hold and upright, press on it from both sides, its floor from
+/// below.
+TEST(Picture, ContactForcesOfWallsActOnWhatTheyHold) {
+  Frame frame = empty_frame();
+  add_block(frame, box(0, 0, 1, 1), Mat2::Zero());
+  add_block(frame, box(-1, 0, 1, 9), Mat2::Zero());
+  add_block(frame, box(1, 0, 1, 9), Mat2::Zero());
+  add_block(frame, box(-1, -1, 3, 1), Mat2::Zero());
+  frame.contacts.push_back({0, 1, Vec2(0, 0.5), {1, 0}, 0, 10, 0, ContactState::stick});
+  frame.contacts.push_back({2, 0, Vec2(1, 0.5), {1, 0}, 0, 10, 0, ContactState::stick});
+  frame.contacts.push_back({0, 3, Vec2(0.5, 0), {0, 1}, 0, 10, 0, ContactState::stick});
+  std::vector<Arrow> arrows = arrows_of(frame, VectorKind::contact_forces);
+  EXPECT_EQ(arrows[0].vector, Vec2(10, 0));
+  EXPECT_EQ(arrows[1].vector, Vec2(-10, 0));
+  EXPECT_EQ(arrows[2].vector, Vec2(0, 10));
+  // A roof that has not moved presses down on what has.
+  frame.displacement = Points::Zero(2, frame.position.cols());
+  frame.displacement.rightCols(4).setOnes();
+  arrows = arrows_of(frame, VectorKind::contact_forces);
+  EXPECT_EQ(arrows[2].vector, Vec2(0, -10));
+}
+
+/// Next to a short edge gradients of the shape functions are large: pictures do not go there.
+TEST(Picture, StressIsLookedAtWhereIntegrationPointsAre) {
+  Frame frame = empty_frame();
+  const Points outline = (Points(2, 5) << 0, 1, 1, 0.999, 0, 0, 0, 1, 1.001, 1).finished();
+  add_block(frame, outline, Mat2::Zero());
+  Points w = Points::Zero(2, 5);
+  w(1, 3) = 1e-5;
+  frame.strain_displacement = w;
+  const FieldSamples samples(frame, Field::s1, 300);
+  const double at_the_short_edge = 1e-5 / 0.0014 * frame.elasticity[0](0, 0);
+  EXPECT_LT(samples.range().high, 0.05 * at_the_short_edge);
+}
+
+TEST(Picture, StressesOfRoundOffAreNone) {
+  Frame frame = empty_frame();
+  Mat2 tiny;
+  tiny << 1e-15, 0, 0, -1e-15;
+  add_block(frame, box(0, 0, 1, 1), tiny);
+  const FieldSamples samples(frame, Field::s1, 100);
+  EXPECT_EQ(samples.range().low, 0);
+  EXPECT_EQ(samples.range().high, 0);
 }
 
 }  // namespace

@@ -327,15 +327,6 @@ TEST(Picture, ArrowsAreAsLongAsTheirSampleSays) {
   EXPECT_NEAR(directions[0].y() / lengths[0], -0.6, 1e-3);
 }
 
-TEST(Picture, ContactForcesActOnTheUpperBlockWhicheverHasTheVertex) {
-  Frame frame = two_blocks();  // side by side: the right one counts as the upper
-  frame.contacts.push_back({1, 0, Vec2(0.5, 0.5), {1, 0}, 0, 30e3, 40e3, ContactState::stick});
-  frame.contacts.push_back({0, 1, Vec2(0.5, 0.2), {-1, 0}, 0, 30e3, 40e3, ContactState::stick});
-  const std::vector<Arrow> arrows = arrows_of(frame, VectorKind::contact_forces);
-  EXPECT_EQ(arrows[0].vector, arrows[1].vector);
-  EXPECT_EQ(arrows[0].vector, Vec2(30e3, 40e3));
-}
-
 TEST(Picture, MagnifiedFramesMoveFurtherAndKeepTheirFields) {
   Frame frame = two_blocks();
   frame.contacts.push_back(
