@@ -208,7 +208,7 @@ void tell_times(Answer& answer, const SummaryTable& summary) {
   const auto total = summary.number("wall_seconds.total");
   if (!total) return;
   std::string text = quantity_text(*total, "s");
-  if (const auto memory = summary.number("peak_memory_mb"))
+  if (const auto memory = summary.number("peak_memory_mb"); memory && *memory > 0)
     text += fmt::format(", at most {} MB of memory", number_text(*memory, 3));
   answer.line(text);
   text.clear();

@@ -89,8 +89,9 @@ void run_steps(Stepper& stepper, const std::optional<int>& steps,
     }
     if (!stepped) {
       summary.status = signal_received ? "interrupted" : "stopped";
-      summary.reason = signal_received ? fmt::format("signal {}", static_cast<int>(signal_received))
-                                       : stepper.stop_reason();
+      summary.reason = signal_received
+                           ? fmt::format("interrupted by signal {}", static_cast<int>(signal_received))
+                           : stepper.stop_reason();
       break;
     }
     const polyfem::Stopwatch watch(summary.seconds_output);
@@ -183,23 +184,30 @@ void log_choices(const Labels& labels, spdlog::logger& log) {
              blocks.count > 1 ? fmt::format(" and {} more", blocks.count - 1) : "", choice.second);
 }
 
-/// Older results that the run does not go on with are renamed; says where they are.
-void keep_older(const RunArguments& arguments, const std::filesystem::path& directory) {
+/// Older results that the run does not write on to are renamed; says where they are. A new stage goes on in a
+/// directory of its own.
+/// \param[in,out] checkpoint  of the arguments; moves with its directory
+void keep_older(const RunArguments& arguments, const std::filesystem::path& directory,
+                std::string& checkpoint) {
   if (arguments.force) return;
-  if (!arguments.checkpoint.empty()) {
-    const std::filesystem::path beside = std::filesystem::canonical(arguments.checkpoint).parent_path();
+  bool is_beside = false;
+  if (!checkpoint.empty()) {
+    const std::filesystem::path beside = std::filesystem::canonical(checkpoint).parent_path();
     std::error_code missing;
-    const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) ||
-                         std::filesystem::equivalent(beside, directory, missing);
-    if (goes_on) return;
+    is_beside = std::filesystem::equivalent(beside, directory, missing);
+    const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) || is_beside;
+    if (goes_on && !arguments.as_stage) return;
   }
-  if (const auto kept = keep_older_results(directory); kept && !arguments.quiet)
+  const auto kept = keep_older_results(directory);
+  if (!kept) return;
+  if (is_beside) checkpoint = (*kept / std::filesystem::path(checkpoint).filename()).string();
+  if (!arguments.quiet)
     fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
 }
 
 /// A new result directory, or one that goes on with the histories beside a checkpoint, or with its own where
 /// there are none beside it.
-ResultDirectory open_results(const RunArguments& arguments, const std::filesystem::path& directory,
+ResultDirectory open_results(const std::string& checkpoint, const std::filesystem::path& directory,
                              const Labels& labels, const FrameOptions& frames,
                              const std::optional<Checkpoint>& from) {
   std::error_code missing;
@@ -207,7 +215,7 @@ ResultDirectory open_results(const RunArguments& arguments, const std::filesyste
     std::filesystem::remove(directory / checkpoint_file, missing);  // of another run
     return {directory, labels, frames};
   }
-  const std::filesystem::path beside = std::filesystem::canonical(arguments.checkpoint).parent_path();
+  const std::filesystem::path beside = std::filesystem::canonical(checkpoint).parent_path();
   const bool has_histories = std::filesystem::exists(beside / "energy.csv", missing);
   return {directory, labels, frames, has_histories ? beside : directory, from->marks};
 }
@@ -271,9 +279,11 @@ int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point sta
   const std::filesystem::path directory = arguments.directory.empty()
                                               ? default_directory(arguments.scene)
                                               : std::filesystem::path(arguments.directory);
-  keep_older(arguments, directory);
+  std::string checkpoint = arguments.checkpoint;
+  keep_older(arguments, directory, checkpoint);
   ResultDirectory results =
-      open_results(arguments, directory, built.labels, frame_options(scene, arguments.threads), from);
+      open_results(checkpoint, directory, built.labels, frame_options(scene, arguments.threads), from);
+  const DirectoryLock lock(directory);
   const std::string made_by = fmt::format("dda {}, {}, {}", POLYDDA_VERSION, blas, __VERSION__);
   Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every, made_by);
   const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt", from.has_value());

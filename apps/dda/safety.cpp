@@ -6,6 +6,7 @@
 #include "messages.hpp"
 
 #include <fmt/format.h>
+#include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/study/safety_files.hpp>
 #include <ddacontact/study/strength_reduction.hpp>
@@ -151,7 +152,11 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
     fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
                arguments.scene, reduction.unsettled());
   warn_of_brittle_joints(reduction.scene(), joints, arguments.scene);
+  if (!arguments.force)
+    if (const auto kept = keep_older_results(arguments.directory); kept && !arguments.quiet)
+      fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
   SafetyFiles files(arguments.directory, reduction.scene(), joints);
+  const DirectoryLock lock(arguments.directory);
   const int at_once =
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
   const FactorBracket bracket = bracket_factor_ahead(
@@ -208,6 +213,7 @@ void add_safety(CLI::App& app, SafetyArguments& arguments) {
       ->add_option("--jobs", arguments.jobs,
                    "Trials at a time; left out: as many as processors; the answer is the same")
       ->check(CLI::Range(1, 1024));
+  safety->add_flag("--force", arguments.force, "Overwrite older results instead of renaming them");
   safety->add_flag("--quiet", arguments.quiet, "Print one line, the factor, and problems");
 }
 

@@ -16,7 +16,7 @@ struct SafetyArguments {
   std::string range;                  ///< "A:B" or empty
   double tolerance = 0.005;           ///< of the factor
   int jobs = 0;                       ///< trials at a time; 0: as many as processors
-  bool quiet = false;
+  bool quiet = false, force = false;
 };
 
 /// Adds the verb with its options.

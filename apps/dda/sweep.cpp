@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <ddacontact/output/csv_file.hpp>
 #include <ddacontact/output/csv_table.hpp>
+#include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/study/factor_distribution.hpp>
 #include <ddacontact/study/job_queue.hpp>
@@ -143,7 +144,8 @@ class Sweep {
   /// Whether any case has a result.
   /// \param[out] reason  why the first case that failed did so
   bool write_table(std::string& reason) const {
-    CsvFile csv((directory_ / "sweep.csv").string(), fmt::format("{}", fmt::join(columns(), ",")));
+    const fs::path table = directory_ / "sweep.csv", fresh = directory_ / "sweep.csv.new";
+    CsvFile csv(fresh.string(), fmt::format("{}", fmt::join(columns(), ",")));
     bool any = false;
     int n_warned = 0, first_warned = 0;
     std::vector<bool> known(outcomes_.size());
@@ -158,6 +160,9 @@ class Sweep {
         known[i] = known[i] || !r.outcomes[i].empty() || has_outcome(path_of(k), outcomes_[i]);
     }
     csv.close();
+    if (const auto kept = keep_older_file(table, text_of(fresh)); kept && !arguments_.quiet)
+      fmt::print(stderr, "dda: note: the older sweep.csv is {} now\n", kept->string());
+    fs::rename(fresh, table);
     if (n_warned > 0)
       fmt::print(stderr, "dda: warning: {} of {} cases warn of their results, the first in {}\n", n_warned,
                  n_cases(), log_of(first_warned).string());
@@ -236,6 +241,7 @@ class Sweep {
     if (is_of_this_case(k) && case_status(path_of(k)) == "interrupted" && fs::exists(checkpoint, error)) {
       words.insert(words.end(), {"--resume", checkpoint.string()});
     } else {
+      keep_older_results(path_of(k));
       fs::remove_all(path_of(k), error);
       write(key_file_of(k), key_of(k));
     }

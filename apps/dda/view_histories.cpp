@@ -50,7 +50,9 @@ void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
   const CsvTable table(path);
   const std::vector<double> times = table.numbers("time");
   for (const std::string& column : table.header()) {
-    if (column == "step" || column == "time" || column == "balance_error") continue;
+    if (column == "step" || column == "time" || column == "balance_error" || column == "unbalanced" ||
+        column == "fastest")
+      continue;
     std::vector<double> values = table.numbers(column);
     if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
     std::string name = column;
@@ -59,13 +61,24 @@ void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
   }
 }
 
+void add_equilibrium(const fs::path& path, std::vector<PageHistory>& histories) {
+  const CsvTable table(path);
+  const std::vector<double> times = table.numbers("time");
+  histories.push_back(
+      {"out of balance", "", "largest force out of balance", times, table.numbers("unbalanced")});
+  histories.push_back({"fastest", "m/s", "largest velocity", times, table.numbers("fastest")});
+}
+
 }  // namespace
 
 std::vector<PageHistory> histories_of(const fs::path& directory) {
   std::vector<PageHistory> histories;
   if (is_there(directory / "monitors.csv")) add_monitors(directory / "monitors.csv", histories);
   if (is_there(directory / "bolt_history.csv")) add_bolts(directory / "bolt_history.csv", histories);
-  if (is_there(directory / "energy.csv")) add_energies(directory / "energy.csv", histories);
+  if (is_there(directory / "energy.csv")) {
+    add_energies(directory / "energy.csv", histories);
+    add_equilibrium(directory / "energy.csv", histories);
+  }
   return histories;
 }
 

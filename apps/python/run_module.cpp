@@ -110,7 +110,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
     }
     if (!stepped) {
       summary.status = listener.interrupted() ? "interrupted" : "stopped";
-      summary.reason = listener.interrupted() ? "by Python" : stepper.stop_reason();
+      summary.reason = listener.interrupted() ? "interrupted from Python" : stepper.stop_reason();
       break;
     }
     const polyfem::Stopwatch watch(summary.seconds_output);

@@ -33,4 +33,9 @@ std::vector<CellPiece> pieces_of(const PointsRef& corners) {
   return pieces;
 }
 
+Vec2 centre_of(const PointsRef& outline) {
+  const Vec2 centroid = polyfem::area_moments(outline).centroid;
+  return centroid.allFinite() ? centroid : Vec2(outline.rowwise().mean());
+}
+
 }  // namespace ddacontact

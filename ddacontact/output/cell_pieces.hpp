@@ -14,4 +14,7 @@ using CellPiece = std::vector<int>;
 /// corners. A cell that is not simple any more is left as it is.
 std::vector<CellPiece> pieces_of(const PointsRef& corners);
 
+/// The centroid of a piece, or the mean of its corners where it has no area.
+Vec2 centre_of(const PointsRef& outline);
+
 }  // namespace ddacontact

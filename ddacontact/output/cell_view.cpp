@@ -5,8 +5,6 @@
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
 
-#include <Eigen/LU>
-
 namespace ddacontact {
 
 namespace {
@@ -39,21 +37,6 @@ Vec3 CellView::stress_of(const Mat2& gradient) const {
 
 Vec3 CellView::stress(const polyfem::ShapeValues& shape) const {
   return stress_of(strain_displacement() * shape.gradients.transpose());
-}
-
-Vec3 CellView::stress_at_corner(int corner) const {
-  if (basis_ != &polyfem::wachspress) {
-    polyfem::ShapeValues shape;
-    (*basis_)(corners_, corners_.col(corner), shape);
-    return stress(shape);
-  }
-  const auto w = strain_displacement();
-  const int count = cell().corners.count;
-  const int next = (corner + 1) % count, before = (corner + count - 1) % count;
-  Mat2 edges, change;
-  edges << corners_.col(next) - corners_.col(corner), corners_.col(before) - corners_.col(corner);
-  change << w.col(next) - w.col(corner), w.col(before) - w.col(corner);
-  return stress_of(change * edges.inverse());
 }
 
 Vec3 CellView::mean_stress() const {

@@ -7,6 +7,13 @@ namespace ddacontact {
 
 /// The functions of the cell on its present corners. Where a corner has turned so far that Wachspress
 /// functions cannot be used, mean value functions draw the cell.
+/// Where a cell's stress is looked at for a point of it: as far from its centre as integration points reach.
+/// Beyond, next to short edges, gradients of the shape functions mean nothing.
+inline Vec2 stress_place(const Vec2& centre, const Vec2& point) {
+  constexpr double reach = 0.9;
+  return centre + reach * (point - centre);
+}
+
 class CellView {
  public:
   /// The frame must outlive this.
@@ -24,9 +31,6 @@ class CellView {
   Vec2 interpolate(const Points& of_points, const polyfem::ShapeValues& shape) const;
   /// The stress (xx, yy, xy) at a point, from the functions there.
   Vec3 stress(const polyfem::ShapeValues& shape) const;
-  /// The same at a corner. Gradients of Wachspress functions are there those of the triangle with its
-  /// neighbours.
-  Vec3 stress_at_corner(int corner) const;
   /// The area average, whatever the functions: they are linear on edges.
   Vec3 mean_stress() const;
 

@@ -56,12 +56,15 @@ void make_points(const Frame& frame, Index n_points, FrameMesh& mesh) {
   }
 }
 
-void set_corners(const Frame& frame, const CellView& view, FrameMesh& mesh) {
-  const auto [first, count] = view.cell().corners;
-  for (int k = 0; k < count; ++k) {
-    const int point = mesh.corner_point[first + k];
-    mesh.points.col(point).head<2>() = view.corners().col(k);
-    mesh.at_points.set_at_corner(frame, view, k, point);
+void set_corners(const Frame& frame, const CellView& view, const std::vector<CellPiece>& pieces,
+                 FrameMesh& mesh) {
+  for (const CellPiece& piece : pieces) {
+    const Vec2 centre = centre_of(view.corners()(Eigen::all, piece));
+    for (int k : piece) {
+      const int point = mesh.corner_point[view.cell().corners.first + k];
+      mesh.points.col(point).head<2>() = view.corners().col(k);
+      mesh.at_points.set_at_corner(frame, view, k, centre, point);
+    }
   }
 }
 
@@ -75,22 +78,21 @@ void end_cell(int block, FrameMesh& mesh) {
 Index add_fan(const Frame& frame, const CellView& view, const CellPiece& piece, int n, Index first_point,
               FrameMesh& mesh) {
   const Points outline = view.corners()(Eigen::all, piece);
-  const auto fan = polyfem::subdivide_fan(outline, polyfem::area_moments(outline).centroid, n);
+  const Vec2 centre = centre_of(outline);
+  const auto fan = polyfem::subdivide_fan(outline, centre, n);
   const auto n_corners = static_cast<int>(piece.size());
   const auto point = [&](int k) -> Index {
     return k < n_corners ? mesh.corner_point[view.cell().corners.first + piece[k]]
                          : first_point + k - n_corners;
   };
-  polyfem::ShapeValues shape;
   for (int k = n_corners; k < fan.points.cols(); ++k) {
     mesh.points.col(point(k)).head<2>() = fan.points.col(k);
-    view.basis()(view.corners(), fan.points.col(k), shape);
-    mesh.at_points.set(frame, view, shape, point(k));
+    mesh.at_points.set(frame, view, fan.points.col(k), centre, point(k));
   }
   for (const auto triangle : fan.triangles.colwise()) {
     for (int corner : triangle) mesh.connectivity.push_back(point(corner));
-    view.basis()(view.corners(), fan.points(Eigen::all, triangle).rowwise().mean(), shape);
-    mesh.at_cells.set(frame, view, shape, static_cast<Index>(mesh.ends.size()));
+    const Vec2 middle = fan.points(Eigen::all, triangle).rowwise().mean();
+    mesh.at_cells.set(frame, view, middle, middle, static_cast<Index>(mesh.ends.size()));
     end_cell(view.cell().block, mesh);
   }
   return fan.points.cols() - n_corners;
@@ -129,16 +131,15 @@ FrameMesh draw_cells(const Frame& frame) {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return frame.cells[a].corners.count < frame.cells[b].corners.count; });
-  polyfem::ShapeValues shape;
   for (int c : order) {
     const CellView view(frame, c);
     const auto [first, count] = view.cell().corners;
     const int block = view.cell().block;
-    set_corners(frame, view, mesh);
+    set_corners(frame, view, pieces_of(view.corners()), mesh);
     for (int k = 0; k < count; ++k) mesh.connectivity.push_back(mesh.corner_point[first + k]);
     const Index row = static_cast<Index>(mesh.ends.size());
-    view.basis()(view.corners(), polyfem::area_moments(view.corners()).centroid, shape);
-    mesh.at_cells.set(frame, view, shape, row);
+    const Vec2 centre = centre_of(view.corners());
+    mesh.at_cells.set(frame, view, centre, centre, row);
     if (frame.mean_stress.cols() > 0)
       mesh.at_cells.stress.row(row) =
           is_alone(frame, c) ? Vec3(frame.mean_stress.col(block)) : view.mean_stress();
@@ -167,7 +168,7 @@ FrameMesh draw_sub_triangles(const Frame& frame, int n) {
   mesh.connectivity.reserve(static_cast<std::size_t>(3 * n_triangles));
   for (int c = 0; c < frame.n_cells(); ++c) {
     const CellView view(frame, c);
-    set_corners(frame, view, mesh);
+    set_corners(frame, view, pieces[c], mesh);
     Index first_point = numbers.first_inner[c];
     for (const CellPiece& piece : pieces[c]) first_point += add_fan(frame, view, piece, n, first_point, mesh);
   }

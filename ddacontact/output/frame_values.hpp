@@ -10,10 +10,11 @@ struct FrameValues {
   /// Room for `n` points.
   FrameValues(const Frame& frame, Index n);
 
-  /// Sets the values of point `k`, from the shape functions of its cell there.
-  void set(const Frame& frame, const CellView& cell, const polyfem::ShapeValues& shape, Index k);
+  /// Sets the values of point `k` from its cell, the stress where that is looked at from this centre (the
+  /// point itself: there).
+  void set(const Frame& frame, const CellView& cell, const Vec2& point, const Vec2& centre, Index k);
   /// The same at a corner of the cell.
-  void set_at_corner(const Frame& frame, const CellView& cell, int corner, Index k);
+  void set_at_corner(const Frame& frame, const CellView& cell, int corner, const Vec2& centre, Index k);
 
   /// s1 and s2 of every point, a column each.
   Eigen::MatrixX2d principal_stresses() const;
@@ -21,6 +22,9 @@ struct FrameValues {
   Eigen::Matrix3Xd displacement, velocity;  ///< x, y, 0 of each point
   Points strain_displacement;               ///< interpolated
   Eigen::MatrixX3d stress;                  ///< xx, yy, xy: a column each
+
+ private:
+  void set_stress(const CellView& cell, const Vec2& point, const Vec2& centre, Index k);
 };
 
 }  // namespace ddacontact

@@ -8,8 +8,25 @@
 
 namespace ddacontact {
 
-/// Renames a directory that holds results of a run to DIRECTORY.1, or the first number that is free, and
-/// returns the new name; nothing where there are no results. Throws OutputError when it cannot be renamed.
+/// Held by a run on its result directory, for others to see. Where the file system knows no locks there is
+/// none.
+class DirectoryLock {
+ public:
+  explicit DirectoryLock(const std::filesystem::path& directory);
+  ~DirectoryLock();
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+  /// Whether no run holds it.
+  static bool is_free(const std::filesystem::path& directory);
+
+ private:
+  int descriptor_;
+};
+
+/// Renames a directory that holds results to DIRECTORY.1, or the first number that is free, and
+/// returns the new name; nothing where there are no results. Throws OutputError when it cannot be renamed or
+/// another run writes to it.
 std::optional<std::filesystem::path> keep_older_results(const std::filesystem::path& directory);
 
 /// Renames a file that holds another text, rock.toml to rock.1.toml or the first number that is free, and

@@ -10,21 +10,21 @@ namespace ddacontact {
 namespace {
 
 constexpr int most_bands = 60;
-/// Ranges narrower than this, relative to the values, are one value: in colours they would look like
-/// extremes.
-constexpr double least_range = 1e-3;
+/// Ranges narrower than this, relative to the values, are one value.
+constexpr double least_range = 1e-3, least_range_with_sign = 0.02;
 constexpr double slack = 1e-6;  // of a band
 
 }  // namespace
 
-bool is_one_value(const ValueRange& range) {
-  return !(range.high - range.low > least_range * std::max(std::abs(range.low), std::abs(range.high)));
+bool is_one_value(const ValueRange& range, Field field) {
+  const double least = description(field).kind == FieldKind::with_sign ? least_range_with_sign : least_range;
+  return !(range.high - range.low > least * std::max(std::abs(range.low), std::abs(range.high)));
 }
 
 ColourScale::ColourScale(Field field, const ValueRange& data, const ValueRange* shown, std::string note)
     : field_(field), data_(data), note_(std::move(note)) {
   const ValueRange& range = shown != nullptr ? *shown : data;
-  if (shown == nullptr ? is_one_value(range) : !(range.low < range.high)) {
+  if (shown == nullptr ? is_one_value(range, field) : !(range.low < range.high)) {
     bounds_ = {range.low};
     return;
   }

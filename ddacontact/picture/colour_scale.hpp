@@ -14,8 +14,9 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
-/// Whether a range is below a thousandth of its values: in colours it would look like extremes.
-bool is_one_value(const ValueRange& range);
+/// Whether a range is below a thousandth of its values: in colours it would look like extremes. Of fields
+/// with a sign below a fiftieth: their colours are symmetric about zero and would all be the darkest.
+bool is_one_value(const ValueRange& range, Field field);
 
 /// Bands of equal height; those of signed fields lie about round values, so that zero has one, others between
 /// them.

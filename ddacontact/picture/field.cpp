@@ -4,6 +4,7 @@
 #include <polyfem/geometry/validity.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ddacontact {
@@ -24,7 +25,7 @@ const std::vector<FieldDescription> fields = {
     {Field::material, "material", {"material", "", ""}, "", FieldKind::kinds},
     {Field::block, "block", {"block", "", ""}, "", FieldKind::kinds}};
 
-/// Strains below this are round-off: stresses of bodies in free fall are none.
+/// Strains below this are round-off.
 constexpr double round_off = 1e-13;
 
 /// What the block is as a whole, where its shape functions are of no use.
@@ -61,11 +62,12 @@ bool holds(const Frame& frame, Field field) {
   return true;
 }
 
-CellField::CellField(const Frame& frame, int cell, Field field)
-    : frame_(frame), field_(field), view_(frame, cell), corners_(view_.local_corners()) {
+CellField::CellField(const Frame& frame, int cell, Field field, double least)
+    : frame_(frame), field_(field), view_(frame, cell), corners_(view_.local_corners()), least_(0) {
   simple_ = &view_.basis() == &polyfem::wachspress || !polyfem::find_defect(corners_);
   if (description(field).kind == FieldKind::with_sign)
-    least_ = round_off * frame.elasticity[static_cast<std::size_t>(view_.cell().elasticity)](0, 0);
+    least_ = std::max(least,
+                      round_off * frame.elasticity[static_cast<std::size_t>(view_.cell().elasticity)](0, 0));
 }
 
 double CellField::stress_value(const Vec3& stress) const {

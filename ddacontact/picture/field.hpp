@@ -51,8 +51,8 @@ bool holds(const Frame& frame, Field field);
 class CellField {
  public:
   /// `field` is one of numbers (`magnitude` or `with_sign`) that the frame holds; the frame must outlive
-  /// this.
-  CellField(const Frame& frame, int cell, Field field);
+  /// this. Stresses up to `least`, Pa, and those of round-off count as none.
+  CellField(const Frame& frame, int cell, Field field, double least = 0);
 
   const Points& corners() const { return corners_; }
   /// The value at a point of the closed cell; 0 where it is not finite.
@@ -65,8 +65,8 @@ class CellField {
   Field field_;
   CellView view_;
   Points corners_;
-  bool simple_;       ///< else the block's mean stands for the field
-  double least_ = 0;  ///< stresses below are round-off, Pa
+  bool simple_;   ///< else the block's mean stands for the field
+  double least_;  ///< stresses up to this are none, Pa
   polyfem::ShapeValues shape_;
 };
 

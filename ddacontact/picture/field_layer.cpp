@@ -13,9 +13,8 @@ namespace {
 
 constexpr double triangle_pixels = 7;
 constexpr int fewest_rings = 4, most_rings = 120;
-/// Of the way from the centre of a piece to its outline, where stresses are looked at: as far as integration
-/// points go. Next to short edges shape functions have gradients of their own beyond.
-constexpr double reach_of_stress = 0.9;
+/// Of the largest mean stress of a block: what iterations leave of stresses that are none.
+constexpr double negligible = 1e-6;
 constexpr double tail = 0.01;          // of the area, that colours need not tell apart at either end
 constexpr double worth_cutting = 1.5;  // how much longer the range of all values is then
 
@@ -71,11 +70,6 @@ ValueRange percentiles_of(std::vector<WeighedValue> values) {
   return {value_at(tail * total), value_at((1 - tail) * total)};
 }
 
-Vec2 centre_of(const Points& outline) {
-  const Vec2 centroid = polyfem::area_moments(outline).centroid;
-  return centroid.allFinite() ? centroid : Vec2(outline.rowwise().mean());
-}
-
 /// Of a cell, from the first.
 Points corners_of(const Frame& frame, int cell) {
   const std::span<const int> points = frame.corners(cell);
@@ -89,10 +83,12 @@ Points corners_of(const Frame& frame, int cell) {
 
 FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre, const Frame& drawn)
     : frame_(drawn) {
-  const double reach = description(field).kind == FieldKind::with_sign ? reach_of_stress : 1;
+  const bool of_stress = description(field).kind == FieldKind::with_sign;
+  const double least =
+      of_stress && frame.mean_stress.size() > 0 ? negligible * frame.mean_stress.cwiseAbs().maxCoeff() : 0;
   const std::vector<bool> is_divided = cells_of_divided_blocks(frame);
   for (int c = 0; c < frame.n_cells(); ++c) {
-    CellField value(frame, c, field);
+    CellField value(frame, c, field, least);
     const Points drawn_corners = corners_of(drawn, c);
     for (const CellPiece& corners : pieces_of(value.corners())) {
       const Points outline = value.corners()(Eigen::all, corners), seen = drawn_corners(Eigen::all, corners);
@@ -102,7 +98,7 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       piece.values.resize(nodes.cols());
       const Vec2 centre = nodes.col(0);
       for (Index i = 0; i < nodes.cols(); ++i)
-        piece.values[i] = value(centre + reach * (nodes.col(i) - centre));
+        piece.values[i] = value(of_stress ? stress_place(centre, nodes.col(i)) : Vec2(nodes.col(i)));
       const bool first = pieces_.size() == 1;
       widen(range_, piece.values, first);
       const int rings = is_divided[static_cast<std::size_t>(c)] ? (mesh.rings() + 1) / 2 : mesh.rings();
@@ -110,14 +106,14 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
     }
   }
   if (!has_peaks_at_corners(field)) return;
-  const ValueRange most = percentiles(is_divided);
+  const ValueRange most = percentiles(field, is_divided);
   has_peaks_ = telling_range_.high - telling_range_.low > worth_cutting * (most.high - most.low);
   if (has_peaks_) telling_range_ = most;
 }
 
 /// Nodes stand for equal parts of their piece's area. Where nearly all of the area has one value, as that of
 /// a slope that stones fall down, the percentiles are those of each block.
-ValueRange FieldSamples::percentiles(const std::vector<bool>& is_divided) const {
+ValueRange FieldSamples::percentiles(Field field, const std::vector<bool>& is_divided) const {
   std::vector<WeighedValue> all;
   std::map<int, std::vector<WeighedValue>> of_blocks;
   for (const Piece& piece : pieces_) {
@@ -131,7 +127,7 @@ ValueRange FieldSamples::percentiles(const std::vector<bool>& is_divided) const 
   }
   for (const auto& [block, values] : of_blocks) all.insert(all.end(), values.begin(), values.end());
   ValueRange range = percentiles_of(std::move(all));
-  if (!is_one_value(range)) return range;
+  if (!is_one_value(range, field)) return range;
   for (auto& [block, values] : of_blocks) {
     const ValueRange of_block = percentiles_of(std::move(values));
     range = {std::min(range.low, of_block.low), std::max(range.high, of_block.high)};

@@ -40,7 +40,7 @@ class FieldSamples {
     VectorXd values;
   };
 
-  ValueRange percentiles(const std::vector<bool>& is_divided) const;
+  ValueRange percentiles(Field field, const std::vector<bool>& is_divided) const;
   void add_piece(const Piece& piece, int ground, const View& view, const ColourScale& scale,
                  std::vector<PathData>& paths) const;
   std::vector<int> grounds(const ColourScale& scale) const;

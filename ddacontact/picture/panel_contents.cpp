@@ -71,7 +71,8 @@ std::vector<PanelContent> make_contents(const std::vector<Panel>& panels, const 
         include(telling, contents[j].samples->telling_range());
         has_peaks = has_peaks || contents[j].samples->has_peaks();
       }
-    if (!options.range && is_one_value(telling)) data = telling;  // peaks on a uniform field are no field
+    if (!options.range && is_one_value(telling, panels[i].field))
+      data = telling;  // peaks on a uniform field are no field
     const ValueRange* shown = options.range ? &*options.range : telling == data ? nullptr : &telling;
     const bool by_percentiles = has_peaks && !options.range;
     contents[i].scale.emplace(panels[i].field, data, shown, by_percentiles ? "1\u201399 % of area" : "");

@@ -145,6 +145,18 @@ Scene lasting_part(const Scene& scene) {
   return part;
 }
 
+/// The scene with the models that "auto" has chosen before, which the scene of a stage's checkpoint names.
+Scene with_models_of(const Scene& before, const Scene& scene) {
+  Scene part = scene;
+  if (scene.blocks.size() != before.blocks.size()) return part;
+  for (std::size_t b = 0; b < part.blocks.size(); ++b) {
+    if (part.blocks[b].model != BlockModel::automatic) continue;
+    part.blocks[b].model = before.blocks[b].model;
+    part.blocks[b].mesh = before.blocks[b].mesh;
+  }
+  return part;
+}
+
 }  // namespace
 
 std::string resumable_part(const Scene& scene) {
@@ -194,8 +206,9 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
                     "the scene in the checkpoint cannot be read: " + reading.problems[0].text(),
                     cure_as_stage);
   const Scene& before = *reading.scene;
-  if (auto difference = find_difference(text_of(lasting_part(scene)), text_of(lasting_part(before)),
-                                        checkpoint_name, scene_file, cure_as_stage))
+  if (auto difference =
+          find_difference(text_of(lasting_part(with_models_of(before, scene))), text_of(lasting_part(before)),
+                          checkpoint_name, scene_file, cure_as_stage))
     return *difference;
   const StageProgress& progress = checkpoint.record.step.progress;
   Scene going_on = scene;

@@ -1,6 +1,8 @@
 /// \file Running a scene again loses no results.
 #include "program.hpp"
 
+#include <ddacontact/output/older_results.hpp>
+
 namespace {
 
 using support::Program;
@@ -45,6 +47,43 @@ TEST_F(OlderResults, OfAnotherRunAreKeptByResume) {
   ASSERT_EQ(run("--quiet --steps 5 --resume first/checkpoint.bin"), 0) << err_;
   EXPECT_EQ(steps_of("result"), 5);
   EXPECT_EQ(steps_of("result.1"), 3);
+}
+
+TEST_F(OlderResults, AreKeptByANewStage) {
+  const std::string go_on = "--quiet --as-stage --resume result/checkpoint.bin";
+  ASSERT_EQ(run("--quiet --steps 2"), 0);
+  ASSERT_EQ(run(go_on), 0) << err_;
+  EXPECT_EQ(steps_of("result.1"), 2);
+  EXPECT_EQ(steps_of("result"), 37);
+  EXPECT_EQ(support::read_csv(directory_ / "result/energy.csv").size(), 1u + 38u)
+      << "with those of the first";
+  ASSERT_EQ(run(go_on), 0) << "a second stage after the first one: " << err_;
+  EXPECT_EQ(steps_of("result"), 72);
+  EXPECT_EQ(steps_of("result.2"), 37);
+}
+
+TEST_F(OlderResults, AreLeftToTheRunThatStillWritesThem) {
+  ASSERT_EQ(run("--quiet --steps 2"), 0);
+  const ddacontact::DirectoryLock of_another_run(directory_ / "result");
+  EXPECT_EQ(run("--quiet --steps 3"), 4);
+  EXPECT_NE(err_.find("is being written by another run"), std::string::npos) << err_;
+  EXPECT_EQ(steps_of("result"), 2);
+}
+
+TEST_F(OlderResults, OfSearchesAndSweepsAreKeptToo) {
+  const std::string scene = " '" POLYDDA_EXAMPLES "/paper/sliding_30.toml' --quiet -o result ";
+  ASSERT_EQ(dda("safety" + scene + "--set analysis.preset=default --range 0.3:0.9 --tolerance 0.5"), 0)
+      << err_;
+  ASSERT_EQ(dda("safety" + scene + "--set analysis.preset=default --range 0.4:0.8 --tolerance 0.5"), 0)
+      << err_;
+  EXPECT_TRUE(std::filesystem::exists(directory_ / "result.1/safety.json"));
+  ASSERT_EQ(dda("sweep" + scene + "--vary analysis.steps=2,3"), 0) << err_;
+  ASSERT_EQ(dda("sweep" + scene + "--vary analysis.steps=2,3"), 0) << err_;
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "result/sweep.1.csv")) << "nothing is new";
+  ASSERT_EQ(dda("sweep" + scene + "--vary analysis.steps=5"), 0) << err_;
+  EXPECT_EQ(support::read_csv(directory_ / "result/sweep.1.csv").size(), 3u);
+  EXPECT_EQ(steps_of("result/case-1.1"), 2);
+  EXPECT_EQ(steps_of("result/case-1"), 5);
 }
 
 TEST_F(OlderResults, StayWhereTheSceneIsWrong) {

@@ -347,7 +347,7 @@ TEST(Picture, MagnifiedFramesMoveFurtherAndKeepTheirFields) {
 
 TEST(Picture, ArrowsBeyondTheBlocksDoNotReachTheLegend) {
   Frame frame = two_blocks();
-  frame.contacts.push_back({1, 0, Vec2(0.5, 0), {0, -1}, 0, 30e3, 0, ContactState::stick});
+  frame.contacts.push_back({1, 0, Vec2(0.5, 0), {1, 0}, 0, 0, -30e3, ContactState::stick});
   PictureOptions options;
   options.vectors = {VectorKind::contact_forces};
   const pugi::xml_document document = parsed(draw({{.frame = &frame}}, options));

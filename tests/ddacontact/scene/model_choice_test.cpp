@@ -1,5 +1,8 @@
+#include <ddacontact/output/cell_view.hpp>
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/model_choice.hpp>
+#include <ddacontact/scene/reader.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 
 #include <gtest/gtest.h>
 
@@ -156,6 +159,47 @@ TEST(ModelChoice, SlendernessIsTheRatioOfTheSidesOfARectangle) {
   EXPECT_NEAR(slenderness(box(3, 4, 8, 2)), 4, 1e-12);
   EXPECT_NEAR(slenderness(box(3, 4, 2, 8)), 4, 1e-12);
   EXPECT_NEAR(slenderness(box(3, 4, 2, 8).rowwise().reverse()), 4, 1e-12);
+}
+
+/// A stress of 10 MPa that a block is relieved of leaves that of its weight, some 10 kPa: what a frame shows
+/// in its cells is their mean.
+TEST(MeshedBlocks, FramesShowTheStressThatIsLeftOfARelievedOne) {
+  const Scene scene = *read_scene_text(R"(format = 1
+[analysis]
+mode = "static"
+steps = 20
+time_step = 0.1
+[[material]]
+name = "rock"
+density = 2500.0
+young = "20 GPa"
+poisson = 0.2
+[[joint]]
+friction_angle = 0.0
+[[block]]
+name = "floor"
+material = "rock"
+vertices = [[-1, -1], [2, -1], [2, 0], [-1, 0]]
+fixed = true
+[[block]]
+name = "block"
+material = "rock"
+model = "mesh"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+stress = ["-10 MPa", "-10 MPa", 0]
+)",
+                                       "block.toml")
+                           .scene;
+  const BuiltScene built = build(scene);
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(built.stepper->step());
+  const Frame frame = capture_frame(*built.stepper, built.labels, {});
+  Vec3 sum = Vec3::Zero();
+  for (int c = 0; c < frame.n_cells(); ++c) {
+    const CellView view(frame, c);
+    if (view.cell().block == 1) sum += polyfem::signed_area(view.local_corners()) * view.mean_stress();
+  }
+  EXPECT_NEAR(frame.mean_stress(1, 1), -12250, 200);
+  EXPECT_LT((sum - frame.mean_stress.col(1)).norm(), 0.02 * frame.mean_stress.col(1).norm());
 }
 
 }  // namespace
