@@ -2,6 +2,7 @@
 
 #include "exit_status.hpp"
 #include "messages.hpp"
+#include "option_values.hpp"
 
 #include <fmt/format.h>
 #include <ddacontact/output/output_error.hpp>
@@ -62,14 +63,15 @@ void add_cut(CLI::App& app, CutArguments& arguments) {
       ->required();
   cut->add_option("-o,--output", arguments.file,
                   "File to write: .geojson, .wkt, .dxf or .toml (a scene to run)")
-      ->required();
-  cut->add_option(
-         "--snap", arguments.snap,
-         "For rounded coordinates: merge vertices closer than this (m), and move them onto edges this close")
-      ->check(CLI::PositiveNumber);
-  cut->add_option("--shortest-edge", arguments.options.shortest_edge,
-                  "Merge the two ends of shorter edges; relative to the size of their block, sqrt(area)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->required()
+      ->type_name("FILE");
+  expect_positive_number(cut->add_option(
+      "--snap", arguments.snap,
+      "For rounded coordinates: merge vertices closer than this (m), and move them onto edges this close"));
+  expect_number(
+      cut->add_option("--shortest-edge", arguments.options.shortest_edge,
+                      "Merge the two ends of shorter edges; relative to the size of their block, sqrt(area)"),
+      0, 1);
   cut->add_flag("--drop-straight", arguments.options.drop_straight,
                 "Leave out vertices on straight edges: the sine of their turn is at most 1e-9");
   cut->add_flag("--convex", arguments.options.convex,

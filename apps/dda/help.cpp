@@ -1,17 +1,19 @@
 #include "help.hpp"
 
 #include "call_error.hpp"
+#include "call_problem.hpp"
 #include "completion.hpp"
 #include "exit_status.hpp"
 #include "help_texts.hpp"
 #include "messages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <ddacontact/scene/catalog.hpp>
 #include <ddacontact/scene/documentation.hpp>
 #include <ddacontact/scene/json_schema.hpp>
 
-#include <algorithm>
+#include <span>
 #include <vector>
 
 namespace dda {
@@ -68,13 +70,31 @@ std::string scene_text() {
   return text + "\n";
 }
 
-/// All topics, those of the scene last.
-std::vector<std::string_view> topics() {
-  std::vector<std::string_view> names{"scene", "completion"};
-  for (const HelpText& text : help_texts()) names.push_back(text.topic);
+/// All topics: prose, tables of the scene, verbs.
+std::vector<std::string> topics(const CLI::App& app) {
+  std::vector<std::string> names{"scene", "completion"};
+  for (const HelpText& text : help_texts()) names.emplace_back(text.topic);
   for (const CatalogEntry& entry : catalog())
-    if (entry.kind != CatalogEntry::Kind::key) names.push_back(entry.name);
+    if (entry.kind != CatalogEntry::Kind::key) names.emplace_back(entry.name);
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
   return names;
+}
+
+/// Of a topic that is no verb; empty for an unknown one.
+std::string topic_text(const CLI::App& app, const std::string& topic) {
+  if (topic == "completion") return completion_script(app, topics(app));
+  if (topic == "scene") return scene_text();
+  for (const HelpText& text : help_texts())
+    if (topic == text.topic) return std::string(text.text);
+  return scene_table(topic);
+}
+
+/// Of the verb, or the kind of a verb, that all of the words name; empty when there is none.
+std::string verb_text(const CLI::App& app, std::span<const std::string> words) {
+  if (words.empty()) return app.help(call_of(*app.get_parent()));
+  for (const CLI::App* verb : app.get_subcommands({}))
+    if (verb->get_name() == words[0]) return verb_text(*verb, words.subspan(1));
+  return {};
 }
 
 }  // namespace
@@ -91,23 +111,22 @@ std::string help_footer() {
 Exit status: 0 done; 2 wrong input or call, nothing written; 3 the analysis stopped, results kept;
   4 a file could not be read or written; 130 and 143 interrupted.
 
-dda VERB --help lists the options of a verb, dda help the topics of the manual.
+dda help VERB lists the options of a verb, dda help the topics of the manual.
 )";
 }
 
-int help(const CLI::App& app, const std::string& topic) {
-  if (topic.empty()) {
-    fmt::print("dda help TOPIC prints one of\n ");
-    for (const std::string_view name : topics()) fmt::print(" {}", name);
-    fmt::print("\n");
+int help(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) {
+    fmt::print("dda help TOPIC prints one of\n  {}\n", fmt::join(topics(app), " "));
     return done;
   }
-  if (topic == "completion") return fmt::print("{}", completion_script(app)), done;
-  if (topic == "scene") return fmt::print("{}", scene_text()), done;
-  for (const HelpText& text : help_texts())
-    if (topic == text.topic) return fmt::print("{}", text.text), done;
-  if (const std::string text = scene_table(topic); !text.empty()) return fmt::print("{}", text), done;
-  print_error(fmt::format("no help on \"{}\" ({})", topic, choice_among(topic, topics())));
+  std::string text = verb_text(app, words);
+  if (text.empty() && words.size() == 1) text = topic_text(app, words[0]);
+  if (!text.empty()) return fmt::print("{}", text), done;
+  const std::vector<std::string> known = topics(app);
+  const std::string topic = fmt::format("{}", fmt::join(words, " "));
+  print_error(
+      fmt::format("no help on \"{}\" ({})", topic, choice_among(topic, {known.begin(), known.end()})));
   return wrong_input;
 }
 

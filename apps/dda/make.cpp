@@ -2,9 +2,10 @@
 
 #include "exit_status.hpp"
 #include "messages.hpp"
+#include "option_values.hpp"
+#include "plain_help.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/scene/available_memory.hpp>
@@ -12,11 +13,9 @@
 #include <ddacontact/scene/memory_estimate.hpp>
 #include <ddacontact/scene/reader.hpp>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
+#include <limits>
 #include <sstream>
-#include <string_view>
 
 namespace dda {
 
@@ -57,11 +56,6 @@ Points domain_of(const MakeArguments& arguments) {
   return domain;
 }
 
-/// For whole numbers without a sign, which the conversion would wrap around.
-std::string not_negative(const std::string& word) {
-  return word.starts_with('-') ? fmt::format("\"{}\" is negative", word) : std::string();
-}
-
 void make_voronoi(const MakeArguments& arguments) {
   ddacontact::geometry_format(arguments.file);  // an unknown ending is an error before anything is computed
   const double needed = bytes_of_cell * arguments.voronoi.n_cells;
@@ -76,9 +70,6 @@ void make_voronoi(const MakeArguments& arguments) {
   ddacontact::write_geometry(arguments.file, blocks, fmt::format("{} Voronoi blocks", blocks.size()));
   fmt::print("{}: {} Voronoi blocks, seed {}\n", arguments.file, blocks.size(), arguments.voronoi.seed);
 }
-
-constexpr std::array<std::string_view, 7> known_kinds{"voronoi", "joints", "tunnel", "wall",
-                                                      "arch",    "column", "heap"};
 
 std::string scene_of(const MakeArguments& arguments) {
   if (arguments.kind == "joints") return ddacontact::made_scene(arguments.slope);
@@ -110,17 +101,20 @@ CLI::App* add_kind(CLI::App& make, MakeArguments& arguments, const char* kind, c
   CLI::App* app = make.add_subcommand(kind, what);
   app->add_option("-o,--output", arguments.file,
                   "File to write: .toml (a scene to run), .geojson, .wkt or .dxf")
-      ->required();
+      ->required()
+      ->type_name("FILE");
   app->callback([&arguments, kind] { arguments.kind = kind; });
   return app;
 }
 
 void add_length(CLI::App* app, const char* name, double& value, const char* what) {
-  app->add_option(name, value, what)->check(CLI::Range(1e-6, 1e6))->capture_default_str();
+  expect_number(app->add_option(name, value), 1e-6, 1e6)
+      ->description(what)  // without the bounds, which nobody needs to know in advance
+      ->capture_default_str();
 }
 
 void add_count(CLI::App* app, const char* name, int& value, int least, const char* what) {
-  app->add_option(name, value, what)->check(CLI::Range(least, 1000000))->capture_default_str();
+  expect_whole_number(app->add_option(name, value, what), least, 1000000)->capture_default_str();
 }
 
 void add_seed(CLI::App* app, int& seed) {
@@ -131,11 +125,9 @@ void add_rock(CLI::App& make, MakeArguments& arguments) {
   ddacontact::MadeSlope& slope = arguments.slope;
   CLI::App* app = add_kind(make, arguments, "joints", "A rock slope with two joint sets");
   add_length(app, "--height", slope.height, "Of the face, m");
-  app->add_option("--face", slope.face, "Angle of the face, degrees")
-      ->check(CLI::Range(20.0, 90.0))
+  expect_number(app->add_option("--face", slope.face, "Angle of the face, degrees"), 20, 90)
       ->capture_default_str();
-  app->add_option("--dip", slope.dip, "Of the bedding, out of the face, degrees")
-      ->check(CLI::Range(-89.0, 89.0))
+  expect_number(app->add_option("--dip", slope.dip, "Of the bedding, out of the face, degrees"), -89, 89)
       ->capture_default_str();
   add_length(app, "--spacing", slope.spacing, "Of the joints, m");
   add_seed(app, slope.seed);
@@ -160,8 +152,8 @@ void add_masonry(CLI::App& make, MakeArguments& arguments) {
   add_length(app, "--height", wall.height, "m");
   add_length(app, "--brick-length", wall.brick_length, "m");
   add_length(app, "--brick-height", wall.brick_height, "m");
-  app->add_option("--door-width", wall.door_width, "m; 0: no door")
-      ->check(CLI::Range(0.0, 1e6))
+  expect_number(app->add_option("--door-width", wall.door_width), 0, 1e6)
+      ->description("m; 0: no door")
       ->capture_default_str();
   add_length(app, "--door-height", wall.door_height, "m");
   app->add_flag_callback(
@@ -180,38 +172,41 @@ void add_masonry(CLI::App& make, MakeArguments& arguments) {
   add_count(app, "--drums", arguments.column.drums, 1, "Number of drums");
 }
 
-}  // namespace
-
-std::string problem_of_kind(const std::string& kind) {
-  if (kind.starts_with('-') || std::ranges::find(known_kinds, kind) != known_kinds.end()) return {};
-  const std::string known = fmt::format("(known: {})", fmt::join(known_kinds, ", "));
-  if (kind.empty()) return "make needs a KIND " + known;
-  return fmt::format("unknown KIND \"{}\" {}", kind, known);
+void add_voronoi(CLI::App& make, MakeArguments& arguments) {
+  CLI::App* app = add_kind(make, arguments, "voronoi", "Convex blocks of random, evenly spread sites");
+  CLI::Option* box = app->add_option("--box", arguments.box)->expected(2)->default_str("20 10");
+  expect_positive_number(box)->type_name("WIDTH HEIGHT")->description("Of the domain, m");
+  app->add_option("--domain", arguments.domain, "Corners of the domain instead, m, in quotes")
+      ->excludes(box)
+      ->type_name("\"X,Y X,Y ...\"");
+  polyfem::VoronoiOptions& options = arguments.voronoi;
+  expect_whole_number(
+      app->add_option("--cells", options.n_cells, "Number of blocks; a concave domain gets a few more"), 1,
+      10'000'000)
+      ->capture_default_str();
+  expect_whole_number(app->add_option("--seed", options.seed, "The same seed gives the same blocks"), 0,
+                      std::numeric_limits<std::int64_t>::max())
+      ->capture_default_str();
+  expect_whole_number(app->add_option("--lloyd", options.lloyd_steps, "Steps that make the blocks more even"),
+                      0)
+      ->capture_default_str();
+  expect_number(
+      app->add_option("--smallest-edge", options.smallest_edge,
+                      "Collapse shorter edges; relative to the size of a block, sqrt(area / cells)"),
+      0, 0.3)
+      ->capture_default_str();
 }
+
+}  // namespace
 
 void add_make(CLI::App& app, MakeArguments& arguments) {
   CLI::App* make = app.add_subcommand("make", "Write scenes to start from, or block geometry");
+  make->formatter(plain_help("KIND"));
   make->require_subcommand(1);
   add_rock(*make, arguments);
   add_masonry(*make, arguments);
-  CLI::App* voronoi = add_kind(*make, arguments, "voronoi", "Convex blocks of random, evenly spread sites");
-  CLI::Option* box = voronoi->add_option("--box", arguments.box, "Width and height of the domain, m")
-                         ->expected(2)
-                         ->capture_default_str();
-  voronoi->add_option("--domain", arguments.domain, "\"x,y x,y ...\": corners of the domain instead, m")
-      ->excludes(box);
-  polyfem::VoronoiOptions& options = arguments.voronoi;
-  voronoi->add_option("--cells", options.n_cells, "Number of blocks; a concave domain gets a few more")
-      ->capture_default_str();
-  voronoi->add_option("--seed", options.seed, "The same seed gives the same blocks")
-      ->check(not_negative, "")
-      ->capture_default_str();
-  voronoi->add_option("--lloyd", options.lloyd_steps, "Steps that make the blocks more even")
-      ->capture_default_str();
-  voronoi
-      ->add_option("--smallest-edge", options.smallest_edge,
-                   "Collapse shorter edges; relative to the size of a block, sqrt(area / cells)")
-      ->capture_default_str();
+  add_voronoi(*make, arguments);
+  for (CLI::App* kind : make->get_subcommands({})) kind->group("Kinds");
 }
 
 int make(const MakeArguments& arguments) {

@@ -25,9 +25,6 @@ struct MakeArguments {
   ddacontact::MadeHeap heap;
 };
 
-/// Why a word is not a kind of geometry that `make` knows; empty when it is one.
-std::string problem_of_kind(const std::string& kind);
-
 /// Adds the verb with its kinds and their options.
 void add_make(CLI::App& app, MakeArguments& arguments);
 

@@ -6,7 +6,9 @@
 #include <librsvg/rsvg.h>
 #include <ddacontact/output/output_error.hpp>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 namespace dda {
@@ -62,7 +64,9 @@ Size size_of(const std::string& path, RsvgHandle* document) {
   return size;
 }
 
+/// Where a file could not be written the system knows why, and cairo does not.
 void expect_success(const std::string& path, cairo_status_t status) {
+  if (status == CAIRO_STATUS_WRITE_ERROR && errno != 0) fail(path, std::strerror(errno));
   if (status != CAIRO_STATUS_SUCCESS) fail(path, cairo_status_to_string(status));
 }
 
@@ -82,6 +86,7 @@ void write_png(const std::string& path, const std::string& svg) {
       cairo_surface_destroy);
   expect_success(path, cairo_surface_status(surface.get()));
   render(path, document.get(), surface.get(), width, height);
+  errno = 0;
   expect_success(path, cairo_surface_write_to_png(surface.get(), path.c_str()));
 }
 
@@ -89,9 +94,11 @@ void write_pdf(const std::string& path, const std::string& svg) {
   const Document document = parsed(path, svg);
   const Size size = size_of(path, document.get());
   const double width = points_per_pixel * size.width, height = points_per_pixel * size.height;
+  errno = 0;
   const Surface surface(cairo_pdf_surface_create(path.c_str(), width, height), cairo_surface_destroy);
   expect_success(path, cairo_surface_status(surface.get()));
   render(path, document.get(), surface.get(), width, height);
+  errno = 0;
   cairo_surface_finish(surface.get());
   expect_success(path, cairo_surface_status(surface.get()));
 }

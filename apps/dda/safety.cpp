@@ -4,6 +4,7 @@
 #include "exit_status.hpp"
 #include "memory.hpp"
 #include "messages.hpp"
+#include "option_values.hpp"
 
 #include <fmt/format.h>
 #include <ddacontact/output/older_results.hpp>
@@ -198,21 +199,26 @@ void add_safety(CLI::App& app, SafetyArguments& arguments) {
   safety
       ->add_option("-o,--output", arguments.directory,
                    "Result directory: safety.csv, safety.json, safety.svg, safety_moved.svg")
-      ->required();
-  safety->add_option("--joints", arguments.joints, "NAME,...: the joints to weaken; left out: all")
-      ->delimiter(',');
-  safety->add_option("--range", arguments.range,
-                     "A:B: search between these factors; left out: from 1 on, up or down");
-  safety->add_option("--tolerance", arguments.tolerance, "Width of the bracket over the factor")
-      ->check(CLI::Range(1e-6, 1.0))
-      ->capture_default_str();
-  safety->add_option("--set", arguments.settings, "PATH=VALUE: replace a value of the scene")
-      ->take_all()
-      ->expected(1);
+      ->required()
+      ->type_name("DIR");
+  safety->add_option("--joints", arguments.joints, "The joints to weaken; left out: all")
+      ->delimiter(',')
+      ->type_name("NAME,...");
   safety
-      ->add_option("--jobs", arguments.jobs,
-                   "Trials at a time; left out: as many as processors; the answer is the same")
-      ->check(CLI::Range(1, 1024));
+      ->add_option("--range", arguments.range,
+                   "Search between these factors; left out: from 1 on, up or down")
+      ->type_name("A:B");
+  expect_number(
+      safety->add_option("--tolerance", arguments.tolerance, "Width of the bracket over the factor"), 1e-6, 1)
+      ->capture_default_str();
+  safety->add_option("--set", arguments.settings, "Replace a value of the scene; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->type_name("PATH=VALUE");
+  expect_whole_number(
+      safety->add_option("--jobs", arguments.jobs,
+                         "Trials at a time; left out: as many as processors; the answer is the same"),
+      1, 1024);
   safety->add_flag("--force", arguments.force, "Overwrite older results instead of renaming them");
   safety->add_flag("--quiet", arguments.quiet, "Print one line, the factor, and problems");
 }

@@ -4,6 +4,7 @@
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
 #include "messages.hpp"
+#include "option_values.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <ddacontact/output/csv_table.hpp>
 #include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/study/factor_distribution.hpp>
 #include <ddacontact/study/job_queue.hpp>
 #include <ddacontact/study/safety_files.hpp>
@@ -342,39 +344,46 @@ std::vector<std::string> SweepArguments::of_safety() const {
 
 void add_sweep(CLI::App& app, SweepArguments& arguments) {
   CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with all combinations of settings");
-  const auto list = [&](const char* name, std::vector<std::string>& values, const char* text) {
-    sweep->add_option(name, values, text)->take_all()->expected(1);
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* type,
+                        const char* text) {
+    sweep->add_option(name, values, text)->take_all()->expected(1)->type_name(type);
   };
-  sweep->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
-  sweep->add_option("-o,--output", arguments.directory, "Directory of sweep.csv and of the cases")
-      ->required();
-  list("--vary", arguments.vary,
-       "PATH=a,b,c or PATH=from:to:count or PATH=1..100 or a list of these; may be repeated");
-  sweep->add_option("--table", arguments.table, "CSV file whose header names paths and whose rows are cases")
-      ->check(CLI::ExistingFile);
-  list("--outcome", arguments.outcomes,
-       "A column of sweep.csv: NAME=PATH into summary.json, or NAME=monitor.NAME.COLUMN at the end");
-  list("--set", arguments.settings, "PATH=VALUE: replace a value of the scene in all cases");
+  const auto text = [&](const char* name, std::string& value, const char* type, const char* what) {
+    return sweep->add_option(name, value, what)->type_name(type);
+  };
+  sweep->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required();
+  text("-o,--output", arguments.directory, "DIR", "Directory of sweep.csv and of the cases")->required();
+  list("--vary", arguments.vary, "PATH=VALUES",
+       "VALUES are a,b,c or from:to:count or 1..100 or a list of these; may be repeated");
+  text("--table", arguments.table, "FILE", "CSV file whose header names paths and whose rows are cases");
+  list("--outcome", arguments.outcomes, "NAME=PATH",
+       "A column of sweep.csv: PATH into summary.json, or monitor.NAME.COLUMN at the end; may be repeated");
+  list("--set", arguments.settings, "PATH=VALUE",
+       "Replace a value of the scene in all cases; may be repeated");
   CLI::Option* safety = sweep->add_flag("--safety", arguments.safety,
                                         "Find the factor of safety of each case: columns factor_low, "
                                         "factor_high and the probability of failure");
-  sweep->add_option("--range", arguments.range, "A:B, as of dda safety")->needs(safety);
-  sweep->add_option("--tolerance", arguments.tolerance, "Of the factors, as of dda safety")->needs(safety);
-  sweep->add_option("--joints", arguments.joints, "NAME,...: the joints to weaken, as of dda safety")
-      ->needs(safety);
-  sweep->add_option("--curve", arguments.curve, "X,Y: two columns of sweep.csv, drawn as sweep.svg");
-  sweep->add_option("--map", arguments.map,
-                    "X,Y,VALUE: a column of sweep.csv over two others, coloured cells drawn as map.svg");
-  sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors")
-      ->check(CLI::Range(1, 1024));
-  sweep->add_option("--case", arguments.only, "Run only the case of this number, from 1")
-      ->check(CLI::Range(1, 1'000'000));
+  text("--range", arguments.range, "A:B", "Of the factors, as of dda safety")->needs(safety);
+  text("--tolerance", arguments.tolerance, "X", "Of the factors, as of dda safety")->needs(safety);
+  text("--joints", arguments.joints, "NAME,...", "The joints to weaken, as of dda safety")->needs(safety);
+  text("--curve", arguments.curve, "X,Y", "Two columns of sweep.csv, drawn as sweep.svg");
+  text("--map", arguments.map, "X,Y,VALUE",
+       "A column of sweep.csv over two others, coloured cells drawn as map.svg");
+  expect_whole_number(
+      sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors"), 1,
+      1024);
+  expect_whole_number(sweep->add_option("--case", arguments.only, "Run only the case of this number"), 1);
   sweep->add_flag("--slurm", arguments.slurm, "Write sweep.sbatch, a job array of the cases; run nothing");
   sweep->add_flag("--quiet", arguments.quiet, "Print problems only");
 }
 
 int sweep(const SweepArguments& arguments) {
+  using scene_format::read_text;
+  // Before the directory is made and a case is started; whether the scene is right depends on the case.
+  if (!read_text(arguments.scene).text) return report(read_scene(arguments.scene));
   try {
+    if (const auto& table = arguments.table; !table.empty() && !read_text(table).text)
+      throw OutputError(fmt::format("cannot read \"{}\": {}", table, read_text(table).reason));
     return sweep_all(arguments);
   } catch (const OutputError& error) {
     print_error(error.what());

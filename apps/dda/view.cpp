@@ -91,8 +91,9 @@ void check_call(const ViewArguments& call) {
 void add_view(CLI::App& app, ViewArguments& call) {
   CLI::App* view = app.add_subcommand("view", "Write a web page that shows a result, frame by frame");
   view->add_option("DIR", call.directory, "Result directory")->required();
-  view->add_option("-o,--output", call.output, "The page to write, FILE.html; it needs no other file")
-      ->required();
+  view->add_option("-o,--output", call.output, "The page to write, .html; it needs no other file")
+      ->required()
+      ->type_name("FILE");
 }
 
 int view(const ViewArguments& call) {

@@ -54,6 +54,28 @@ TEST_F(Help, DescribesEveryScheme) {
     EXPECT_TRUE(says('"' + std::string(word.text) + '"'));
 }
 
+TEST_F(Help, OfAVerbIsThatOfItsOption) {
+  for (const std::string verb : {"run", "make", "make wall", "sweep", "help"}) {
+    ASSERT_EQ(dda("help " + verb), 0) << err_;
+    const std::string text = out_;
+    EXPECT_TRUE(says("Usage: dda " + verb + " ")) << out_;
+    ASSERT_EQ(dda(verb + " --help"), 0);
+    EXPECT_EQ(out_, text);
+  }
+}
+
+TEST_F(Help, NamesWhatOptionsTakeInPlainWords) {
+  for (const std::string verb : {"", "run", "check", "make", "cut", "plot", "view", "info", "safety", "sweep",
+                                 "help", "make joints", "make wall", "make heap", "make voronoi"}) {
+    ASSERT_EQ(dda(verb + " --help"), 0) << err_;
+    for (const char* word : {"INT", "FLOAT", "TEXT", "REQUIRED", "SUBCOMMAND", "Needs", "Excludes", " in ["})
+      EXPECT_FALSE(says(word)) << word << '\n' << out_;
+  }
+  ASSERT_EQ(dda("run --help"), 0);
+  for (const char* words : {"--steps N ", "; 1 or more\n", "(required)", "(default 1)", "(with --resume)"})
+    EXPECT_TRUE(says(words)) << words << '\n' << out_;
+}
+
 TEST_F(Help, NamesTheNearestTopic) {
   EXPECT_EQ(dda("help unit"), 2);
   EXPECT_NE(err_.find("did you mean \"units\"?"), std::string::npos) << err_;
@@ -64,12 +86,24 @@ TEST_F(Help, CompletesVerbsOptionsAndFiles) {
   write("complete.sh", out_ + R"(
 try() { COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _dda; echo "${COMPREPLY[@]}"; }
 try dda sa
-try dda run --for
+try ./dda run --for
+try dda make ''
+try dda make wall --door
+try dda help unit
+try dda help saf
+try dda plot 'my result' --field s
+try dda plot result --vectors ''
 try dda run comp
+complete -p dda
 )");
   const std::string shell = "cd '" + directory_.string() + "' && bash complete.sh > completed.txt 2>&1";
   ASSERT_EQ(std::system(shell.c_str()), 0);
-  EXPECT_EQ(read_file(directory_ / "completed.txt"), "safety\n--force\ncomplete.sh completed.txt\n");
+  EXPECT_EQ(
+      read_file(directory_ / "completed.txt"),
+      "safety\n--force\njoints tunnel heap wall arch column voronoi -h --help\n--door-width --door-height\n"
+      "units\nsafety\nsxx syy sxy s1 s2\ndisplacement velocity\n"
+      // Files, with spaces or without, are completed by the shell itself.
+      "\ncomplete -o default -F _dda dda\n");
 }
 
 TEST_F(Help, SchemaIsJsonWithEveryTable) {
