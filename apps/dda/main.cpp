@@ -15,6 +15,7 @@
 #include "sweep.hpp"
 #include "view.hpp"
 
+#include <malloc.h>
 #include <CLI/CLI.hpp>
 
 #include <exception>
@@ -131,6 +132,9 @@ int parse_and_execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A step frees what it took, and the next one takes as much again: the system's pages stay.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
   try {
     return parse_and_execute(argc, argv);
   } catch (const std::bad_alloc&) {

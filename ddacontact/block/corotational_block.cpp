@@ -22,16 +22,6 @@ Vec3 turned(const Mat2& R, const Vec3& stress) {
   return {sigma(0, 0), sigma(1, 1), sigma(0, 1)};
 }
 
-/// Displacements w of the corners of an outline such that their gradients are the same on the present
-/// outline, from where the corners have moved by u, to first order in how the gradients vary: stresses that
-/// an initial one is almost relieved by differ by strain times the initial one else.
-Points over_present_outline(const Points& w, const Points& outline, const Points& u) {
-  Mat2 gradient = Mat2::Zero();
-  for (Index i = 0; i < outline.cols(); ++i)
-    gradient += w.col(i) * polyfem::boundary_integral(outline, i).transpose();
-  return w + gradient / polyfem::signed_area(outline) * u;
-}
-
 }  // namespace
 
 CorotationalBlock::CorotationalBlock(const BlockMaterial& material, const PointsRef& points,
@@ -351,9 +341,8 @@ CellStress CorotationalBlock::cell_stress(const BlockState& state, int c) const 
   if (shape_->is_one_cell()) return Block::cell_stress(state, c);
   const ShapeCell& cell = shape_->cells[c];
   const Frame frame = cell_frame(state, nodes(state), c);
-  const Points u = frame.u.reshaped(2, cell.elastic.n_nodes());
-  CellStress stress{frame.rotation * over_present_outline(u, shape_->nodes(Eigen::all, cell.nodes), u),
-                    material().elasticity, Vec3::Zero()};
+  CellStress stress{frame.rotation * frame.u.reshaped(2, cell.elastic.n_nodes()), material().elasticity,
+                    Vec3::Zero()};
   if (cell.mean_dilatation) stress.elasticity.topLeftCorner<2, 2>().array() -= material().elasticity(0, 1);
   // What the strains at the points do not carry is the same at all of them.
   Tensors strain;
@@ -374,13 +363,12 @@ Points CorotationalBlock::strain_displacement(const BlockState& state) const {
     rest = shape_->nodes * shape_->points.transpose();
   }
   const Tensors initial = initial_stress(state, 0);
-  const Points moved = w;
-  if (initial.isZero(0)) return frame.rotation * over_present_outline(w, rest, moved);
+  if (initial.isZero(0)) return frame.rotation * w;
   if (cell.element.n_points() == 1)
     w += uniform_strain_displacement(rest, Vec2::Zero(), compliance() * initial.col(0));
   else
     w += stress_projection(cell.element, cell.elastic.stiffness(), rest, initial, *cell.basis);
-  return frame.rotation * over_present_outline(w, rest, moved);
+  return frame.rotation * w;
 }
 
 }  // namespace ddacontact

@@ -5,8 +5,6 @@
 
 namespace ddacontact {
 
-/// The functions of the cell on its present corners. Where a corner has turned so far that Wachspress
-/// functions cannot be used, mean value functions draw the cell.
 /// Where a cell's stress is looked at for a point of it: as far from its centre as integration points reach.
 /// Beyond, next to short edges, gradients of the shape functions mean nothing.
 inline Vec2 stress_place(const Vec2& centre, const Vec2& point) {
@@ -14,6 +12,8 @@ inline Vec2 stress_place(const Vec2& centre, const Vec2& point) {
   return centre + reach * (point - centre);
 }
 
+/// The functions of the cell on its present corners. Where a corner has turned so far that Wachspress
+/// functions cannot be used, mean value functions draw the cell.
 class CellView {
  public:
   /// The frame must outlive this.

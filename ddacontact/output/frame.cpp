@@ -3,6 +3,8 @@
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/output/block_summary.hpp>
 #include <polyfem/basis/wachspress.hpp>
+#include <polyfem/element/tabulated_element.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 
 namespace ddacontact {
 
@@ -63,6 +65,17 @@ Counts add_cells(const BlockSystem& system, Frame& frame) {
   return counts;
 }
 
+/// Displacements w of the corners of an outline x that have moved them there, such that their gradients are
+/// the same on x as on the outline before, x - w, to first order in how they vary: else what an initial
+/// stress is relieved of differs by strain times that stress.
+Points over_present_outline(const Points& w, const Points& x) {
+  const Points before = x - w;
+  Mat2 gradient = Mat2::Zero();
+  for (Index i = 0; i < w.cols(); ++i)
+    gradient += w.col(i) * polyfem::boundary_integral(before, i).transpose();
+  return w + gradient / polyfem::signed_area(before) * w;
+}
+
 void set_stress(const BlockSystem& system, const BlockState& state, const Counts& counts, Frame& frame) {
   frame.strain_displacement.resize(2, counts.corners);
   frame.stress_offset.resize(3, counts.cells);
@@ -79,8 +92,11 @@ void set_stress(const BlockSystem& system, const BlockState& state, const Counts
       const CellStress stress = block.cell_stress(state, k);
       FrameCell& cell = frame.cells[c];
       cell.elasticity = elasticity_index(stress.elasticity, frame.materials[b], frame);
+      const std::span<const int> corners = frame.corners(static_cast<int>(c));
+      const Points x = frame.position(Eigen::all, corners).colwise() - Vec2(frame.position.col(corners[0]));
       frame.strain_displacement.middleCols(cell.corners.first, cell.corners.count) =
-          stress.strain_displacement;
+          stress.offset.isZero(0) ? stress.strain_displacement
+                                  : over_present_outline(stress.strain_displacement, x);
       frame.stress_offset.col(c) = stress.offset;
     }
   }

@@ -182,7 +182,7 @@ TEST(RunWarnings, AStepThatCompressionMakesInAFlushJointIsToldWhereItHoldsACorne
   EXPECT_NEAR(way(brick_on_a_row(35e9, 0)), 0.6, 1e-3);
   expect_none(brick_on_a_row(35e9, 0));
   EXPECT_LT(way(brick_on_a_row(20e6, 0)), 0.55);
-  expect_warning(brick_on_a_row(20e6, 0), {"drawn flush held a corner", "\"comes\"", "corner_rounding"});
+  expect_warning(brick_on_a_row(20e6, 0), {"caught on a small step", "\"comes\"", "corner_rounding"});
   EXPECT_NEAR(way(brick_on_a_row(20e6, 0.003)), 0.6, 1e-3);
   expect_none(brick_on_a_row(20e6, 0.003));
 }

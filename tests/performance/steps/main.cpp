@@ -6,6 +6,7 @@
 //     step_performance scene NAME SIZE -o FILE.toml                       a scene for the program
 //
 // Each case runs in a process of its own, one after another; `--help` of a verb names its options.
+#include <malloc.h>
 #include <tests/performance/steps/case.hpp>
 #include <tests/performance/steps/growth.hpp>
 #include <tests/performance/steps/in_child.hpp>
@@ -136,6 +137,8 @@ void draw(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // as the program does
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
   Arguments arguments;
   CLI::App app("What a step costs");
   app.require_subcommand(1);
