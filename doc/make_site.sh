@@ -7,6 +7,10 @@ source tests/support/debian_packages.sh
 install_packages "${site_packages[@]}"
 output=$(realpath --canonicalize-missing "${1:-build/site}")
 /usr/bin/python3 -m sphinx -E -a -W --keep-going -q -c doc/site -d "$output.doctrees" doc "$output"
+# Debian's Furo expects a web server's folders and a bundler.
+esbuild "$output/_static/scripts/furo.js" --bundle --minify --log-level=warning --allow-overwrite --outfile="$output/_static/scripts/furo.js"
+cp /usr/share/javascript/normalize.css/normalize.css "$output/_static/styles/"
+sed -i 's|/javascript/normalize.css/||' "$output/_static/styles/furo.css"
 mathjax=/usr/share/javascript/mathjax
 for part in MathJax.js config/TeX-AMS_CHTML.js extensions jax/element jax/input/TeX jax/output/CommonHTML fonts/HTML-CSS/TeX/woff; do
   mkdir -p "$output/_static/mathjax/$(dirname "$part")"

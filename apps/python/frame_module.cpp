@@ -81,9 +81,9 @@ void add_frames(py::module_& module) {
       .def_property_readonly("outlines", &outlines_of, "Vertices (n, 2) of each block that is present, m.")
       .def_property_readonly("outline_ranges", &outline_ranges_of,
                              "First place and number of places of each of `outlines`.")
-      .def_property_readonly("position", &view_of<&Frame::position>, "Of all places (n, 2), m.")
-      .def_property_readonly("displacement", &view_of<&Frame::displacement>, "Of all places (n, 2), m.")
-      .def_property_readonly("velocity", &view_of<&Frame::velocity>, "Of all places (n, 2), m/s.")
+      .def_property_readonly("position", &view_of<&Frame::position>, "Of all points (n, 2), m.")
+      .def_property_readonly("displacement", &view_of<&Frame::displacement>, "Of all points (n, 2), m.")
+      .def_property_readonly("velocity", &view_of<&Frame::velocity>, "Of all points (n, 2), m/s.")
       .def_property_readonly("stress", &view_of<&Frame::mean_stress>,
                              "Mean sxx, syy, sxy of every block (n, 3), Pa, tension positive.")
       .def_property_readonly("contacts", &contacts_of, "Closed contacts, a structured array.");

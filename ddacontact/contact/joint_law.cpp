@@ -1,15 +1,6 @@
 #include <ddacontact/contact/joint_law.hpp>
 
-#include <algorithm>
-#include <cassert>
-
 namespace ddacontact {
-
-double shear_bound(const JointLaw& law, double normal_force, bool bonded) {
-  assert(law.friction >= 0 && law.cohesion >= 0);
-  const double N = std::max(0.0, normal_force);
-  return (law.friction_law ? (*law.friction_law)(N) : N * law.friction) + (bonded ? law.cohesion : 0.0);
-}
 
 double friction_rate(const JointLaw& law, double normal_force, bool bonded) {
   if (bonded && normal_force < 0) return 0;

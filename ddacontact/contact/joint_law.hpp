@@ -1,6 +1,8 @@
 /// \file Mohr-Coulomb: what a contact bears. Pure functions on values.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <functional>
 
 namespace ddacontact {
@@ -40,7 +42,13 @@ struct JointLaw {
 
 /// The bound of the shear force: max(0, N) tan(phi), or what the friction law says, plus the cohesion while
 /// bonded.
-double shear_bound(const JointLaw& law, double normal_force, bool bonded);
+inline double shear_bound(const JointLaw& law, double normal_force, bool bonded) {
+  assert(law.friction >= 0 && law.cohesion >= 0);
+  const double N = std::max(0.0, normal_force);
+  if (law.friction_law) [[unlikely]]
+    return (*law.friction_law)(N) + (bonded ? law.cohesion : 0.0);
+  return N * law.friction + (bonded ? law.cohesion : 0.0);
+}
 /// The derivative of the bound by the normal force; where a bond is pulled the bound does not change.
 double friction_rate(const JointLaw& law, double normal_force, bool bonded);
 

@@ -1,4 +1,5 @@
 #include <ddacontact/scene/builder.hpp>
+#include <ddacontact/scene/words.hpp>
 
 #include <ddacontact/scene/bent_faces.hpp>
 #include <ddacontact/scene/block_maker.hpp>
@@ -18,17 +19,9 @@ namespace ddacontact {
 
 namespace {
 
-const char* model_name(BlockModel model) {
-  switch (model) {
-    case BlockModel::mean_value:
-      return "mean_value";
-    case BlockModel::affine:
-      return "affine";
-    case BlockModel::mesh:
-      return "mesh";
-    default:
-      return "wachspress";
-  }
+std::string model_name(BlockModel model) {
+  const auto& words = scene_format::words_of(model);
+  return std::ranges::find(words, model, &scene_format::Word<BlockModel>::choice)->text;
 }
 
 class Builder {

@@ -118,8 +118,10 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const int e = n_elements + static_cast<int>(c);
     const ContactTerm& contact = contacts[c];
-    if (active[c] & 1) matrix_.add_outer(e, contact.normal_stiffness, contact.gap.coefficients());
-    if (active[c] & 2) matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
+    if (active[c] & 1)  // (39)
+      matrix_.add_outer(e, contact.normal_stiffness, contact.gap.coefficients());
+    if (active[c] & 2)  // (47)
+      matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
   }
   if (!cholesky_.factorize(matrix_.lower())) return false;
   factored_springs_.assign(active.begin(), active.end());

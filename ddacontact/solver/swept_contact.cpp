@@ -13,8 +13,6 @@ void SweptContact::set_law(const ContactTerm& term, const SweptLaw& own, const V
   acts = term.normal != ContactTerm::Normal::absent;
   unilateral = term.normal == ContactTerm::Normal::unilateral;
   slides = !std::isinf(term.bound);
-  friction = law.joint->friction;
-  cohesion = law.bonded ? law.joint->cohesion : 0;
   tension = term.tension;
   sheared = term.sheared && (term.bound > 0 || law.joint->has_friction());
   normal_compliance = 1 / term.normal_stiffness;
@@ -24,10 +22,7 @@ void SweptContact::set_law(const ContactTerm& term, const SweptLaw& own, const V
 }
 
 double SweptContact::bound_under(double N) const {
-  if (!slides) return std::numeric_limits<double>::infinity();
-  if (law.joint->friction_law) [[unlikely]]
-    return shear_bound(*law.joint, N, law.bonded);
-  return std::max(0.0, N) * friction + cohesion;
+  return slides ? shear_bound(*law.joint, N, law.bonded) : std::numeric_limits<double>::infinity();
 }
 
 ContactForce SweptContact::solve(double gap_without, double slip_without) const {

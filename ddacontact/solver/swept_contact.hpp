@@ -13,7 +13,7 @@ struct SweptContact {
   bool acts = false, unilateral = true, slides = false, sheared = false;
   double normal_compliance = 0, tangential_compliance = 0;  ///< of the law's springs, m per N per m
   double gap = 0, slip = 0;  ///< m, where sweeps begin, the gap from where nothing presses
-  double friction = 0, cohesion = 0, tension = 0;
+  double tension = 0;
   SweptLaw law = {};
   ContactForce force = {};  ///< now
 

@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr const char* front = R"(# Everything that should not matter, and what is hard
+constexpr const char* front = R"(# Invariance, robustness and hard scenes
 
 Made by `bash doc/verification/make.sh`; every number below is computed by it, but for those of the long suite, which
 `build/release/tests/stability/stability_long` (some minutes; `ctest -L long` makes it anew and compares) writes to

@@ -6,7 +6,7 @@ program_packages=(g++ cmake ninja-build libeigen3-dev libsuitesparse-dev libopen
 python_packages=(python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest)
 # To change the page of `dda view`: its sources are TypeScript.
 viewer_packages=(esbuild node-typescript)
-site_packages=(python3-sphinx furo python3-myst-parser libjs-mathjax doxygen)
+site_packages=(python3-sphinx furo node-normalize.css python3-myst-parser libjs-mathjax doxygen esbuild)
 test_packages=(clang libomp-dev libgtest-dev libbenchmark-dev libdeal.ii-dev libbox2d-dev libcgal-dev libboost-dev
   libglpk-dev doxygen python3-vtk9 chromium codespell)
 
