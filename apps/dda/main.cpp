@@ -6,6 +6,7 @@
 #include "help.hpp"
 #include "info.hpp"
 #include "make.hpp"
+#include "memory.hpp"
 #include "messages.hpp"
 #include "option_values.hpp"
 #include "plain_help.hpp"
@@ -15,7 +16,6 @@
 #include "sweep.hpp"
 #include "view.hpp"
 
-#include <malloc.h>
 #include <CLI/CLI.hpp>
 
 #include <exception>
@@ -132,9 +132,7 @@ int parse_and_execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A step frees what it took, and the next one takes as much again: the system's pages stay.
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  dda::keep_freed_memory();
   try {
     return parse_and_execute(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,8 @@
 #include "memory.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
+#include <sys/resource.h>
 #include <ddacontact/scene/available_memory.hpp>
 #include <ddacontact/scene/memory_estimate.hpp>
 
@@ -36,6 +38,17 @@ std::optional<std::string> memory_problem(const ddacontact::Scene& scene) {
   return fmt::format("{} blocks with {:.0f} unknowns take about {} of memory{}; {} are available ({})",
                      scene.blocks.size(), estimate.n_rows, ddacontact::bytes_text(estimate.total()), factor,
                      ddacontact::bytes_text(*available), cure);
+}
+
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+}
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 }  // namespace dda

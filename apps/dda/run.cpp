@@ -11,7 +11,6 @@
 #include <fmt/ranges.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
-#include <sys/resource.h>
 #include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/result_directory.hpp>
@@ -49,12 +48,6 @@ std::filesystem::path default_directory(const std::string& scene) {
   std::filesystem::path path(scene);
   path.replace_extension();
   return path += "-out";
-}
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 double seconds_since(Clock::time_point start) {

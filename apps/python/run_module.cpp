@@ -86,6 +86,7 @@ struct Remarks {
 Remarks run_to_end(const Scene& scene, const std::string& directory, int threads, bool force,
                    Listener& listener) {
   RunSummary summary;
+  dda::keep_freed_memory();
   const std::string blas = polyfem::pin_blas_to_one_thread();
   polyfem::set_threads(threads);
   std::optional<polyfem::Stopwatch> total(summary.seconds_total), setup(summary.seconds_setup);
@@ -122,6 +123,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   results.write_last_frame(stepper);
   summary.warnings = warnings_of(stepper, results.labels().block_reasons);
   summary.scheme = dda::scheme_word(stepper);
+  summary.peak_memory_mb = dda::peak_memory_mb();
   total.reset();
   results.finish(stepper, summary);
   Remarks remarks{built.notes, summary.warnings};
