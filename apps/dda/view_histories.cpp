@@ -46,27 +46,26 @@ void add_bolts(const fs::path& path, std::vector<PageHistory>& histories) {
   add_curves(CsvTable(path), "bolt", "axial_force", "N/m", "axial force of bolts", histories);
 }
 
+/// Energies, and how far from equilibrium the blocks are: each in a chart of its own.
 void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
   const CsvTable table(path);
   const std::vector<double> times = table.numbers("time");
   for (const std::string& column : table.header()) {
-    if (column == "step" || column == "time" || column == "balance_error" || column == "unbalanced" ||
-        column == "fastest")
-      continue;
+    if (column == "step" || column == "time" || column == "balance_error") continue;
     std::vector<double> values = table.numbers(column);
     if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
     std::string name = column;
     std::replace(name.begin(), name.end(), '_', ' ');
-    histories.push_back({name, "J/m", "energy", times, std::move(values)});
+    const char *unit = "J/m", *group = "energy";
+    if (column == "unbalanced") {
+      unit = "";
+      group = "largest force out of balance";
+    } else if (column == "fastest") {
+      unit = "m/s";
+      group = "largest velocity";
+    }
+    histories.push_back({name, unit, group, times, std::move(values)});
   }
-}
-
-void add_equilibrium(const fs::path& path, std::vector<PageHistory>& histories) {
-  const CsvTable table(path);
-  const std::vector<double> times = table.numbers("time");
-  histories.push_back(
-      {"out of balance", "", "largest force out of balance", times, table.numbers("unbalanced")});
-  histories.push_back({"fastest", "m/s", "largest velocity", times, table.numbers("fastest")});
 }
 
 }  // namespace
@@ -75,10 +74,7 @@ std::vector<PageHistory> histories_of(const fs::path& directory) {
   std::vector<PageHistory> histories;
   if (is_there(directory / "monitors.csv")) add_monitors(directory / "monitors.csv", histories);
   if (is_there(directory / "bolt_history.csv")) add_bolts(directory / "bolt_history.csv", histories);
-  if (is_there(directory / "energy.csv")) {
-    add_energies(directory / "energy.csv", histories);
-    add_equilibrium(directory / "energy.csv", histories);
-  }
+  if (is_there(directory / "energy.csv")) add_energies(directory / "energy.csv", histories);
   return histories;
 }
 

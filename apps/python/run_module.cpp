@@ -98,6 +98,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   if (!force) keep_older_results(directory);
   ResultDirectory results(directory, built.labels, dda::frame_options(scene, threads));
+  const DirectoryLock lock(directory);
   dda::Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every,
                                std::string("dda ") + POLYDDA_VERSION + ", " + blas + ", " + __VERSION__);
   dda::write_scene_file(results.path() / "scene.toml", scene);
