@@ -1,5 +1,7 @@
 #include "info_run.hpp"
 
+#include "energy_terms.hpp"
+
 #include <ddacontact/picture/number_text.hpp>
 
 #include <algorithm>
@@ -155,14 +157,7 @@ void tell_energy(Answer& answer, const SummaryTable& summary) {
     if (amount > 0) went.push_back({into, amount});
     if (amount < 0) came.push_back({from, -amount});
   };
-  count(number("kinetic"), "motion", "motion");
-  count(number("elastic"), "deformation of blocks and joints", "deformation");
-  count(number("gravity"), "lifting weights", "sinking weights");
-  count(number("friction_dissipated"), "friction", "friction");
-  count(number("damping_dissipated"), "damping and impacts", "damping");
-  count(number("numerical_dissipated"), "numerical damping of the time scheme", "the time scheme");
-  count(-number("external"), "work on loads and supports", "loads and supports");
-  count(-number("pushed_out"), "penetration", "pushing penetration out");
+  for (const EnergyTerm& term : energy_terms) count(term.sign * number(term.column), term.into, term.from);
   const double total = std::max(sum_of(came), sum_of(went));
   if (!(total > 0)) return answer.line("none: nothing moved");
   count(sum_of(came) - sum_of(went), "what there was less than at the start", "the state at the start");

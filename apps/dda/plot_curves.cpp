@@ -1,6 +1,7 @@
 #include "plot_curves.hpp"
 
 #include "call_error.hpp"
+#include "energy_terms.hpp"
 #include "result.hpp"
 
 #include <fmt/format.h>
@@ -31,21 +32,6 @@ const std::array<HistoryColumn, 6> history_columns = {{{"x", {"x", "", ""}, "m"}
                                                        {"uy", {"u", "y", ""}, "m"},
                                                        {"vx", {"v", "x", ""}, "m/s"},
                                                        {"vy", {"v", "y", ""}, "m/s"}}};
-
-struct EnergyColumn {
-  const char* name;
-  const char* text;
-};
-
-const std::array<EnergyColumn, 9> energy_columns = {{{"kinetic", "kinetic"},
-                                                     {"elastic", "elastic"},
-                                                     {"gravity", "gravity"},
-                                                     {"friction_dissipated", "lost to friction"},
-                                                     {"numerical_dissipated", "lost to the scheme"},
-                                                     {"external", "external work"},
-                                                     {"damping_dissipated", "lost to damping"},
-                                                     {"pushed_out", "put in by pushing out"},
-                                                     {"plastic_dissipated", "lost in bolts"}}};
 
 const HistoryColumn& column_called(const std::string& name) {
   std::vector<std::string_view> known;
@@ -136,10 +122,10 @@ std::vector<Chart> energy_charts(const PlotArguments& arguments) {
     const std::vector<double> time = table.numbers("time");
     Chart chart =
         empty_chart({"energy", "", arguments.directories.size() > 1 ? " of " + name_of(name) : ""}, "J/m");
-    for (const EnergyColumn& column : energy_columns) {
-      const std::vector<double> values = table.numbers(column.name);
+    for (const EnergyTerm& term : energy_terms) {
+      const std::vector<double> values = table.numbers(term.column);
       if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
-        chart.series.push_back({column.text, time, values});
+        chart.series.push_back({term.curve, time, values});
     }
     charts.push_back(std::move(chart));
   }

@@ -252,12 +252,12 @@ int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point sta
     from = checkpoint_of(arguments, scene);
     if (!from) return wrong_input;
   }
-  signal_received = 0;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
   const std::string blas = polyfem::pin_blas_to_one_thread();
   polyfem::set_threads(arguments.threads);
   BuiltScene built = build(scene);
+  signal_received = 0;  // before there is something to keep a signal ends the program at once
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
   built.stepper->interrupt_when([] { return signal_received != 0; });
   RunSummary summary;
   if (from) {

@@ -1,5 +1,7 @@
 #include "view_histories.hpp"
 
+#include "energy_terms.hpp"
+
 #include <fmt/format.h>
 #include <ddacontact/output/csv_table.hpp>
 #include <ddacontact/output/summary_reader.hpp>
@@ -50,22 +52,15 @@ void add_bolts(const fs::path& path, std::vector<PageHistory>& histories) {
 void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
   const CsvTable table(path);
   const std::vector<double> times = table.numbers("time");
-  for (const std::string& column : table.header()) {
-    if (column == "step" || column == "time" || column == "balance_error") continue;
+  const auto add = [&](const char* column, const char* name, const char* unit, const char* group) {
+    if (std::ranges::count(table.header(), column) == 0) return;  // results of an older version
     std::vector<double> values = table.numbers(column);
-    if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
-    std::string name = column;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    const char *unit = "J/m", *group = "energy";
-    if (column == "unbalanced") {
-      unit = "";
-      group = "largest force out of balance";
-    } else if (column == "fastest") {
-      unit = "m/s";
-      group = "largest velocity";
-    }
-    histories.push_back({name, unit, group, times, std::move(values)});
-  }
+    if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
+      histories.push_back({name, unit, group, times, std::move(values)});
+  };
+  for (const EnergyTerm& term : energy_terms) add(term.column, term.curve, "J/m", "energy");
+  add("unbalanced", "unbalanced", "", "largest force out of balance");
+  add("fastest", "fastest", "m/s", "largest velocity");
 }
 
 }  // namespace

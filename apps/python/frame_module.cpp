@@ -75,7 +75,7 @@ py::array view_of(const py::object& self) {
 void add_frames(py::module_& module) {
   py::class_<Frame, std::shared_ptr<Frame>>(module, "Frame",
                                             "One moment of a run; arrays are read-only views.")
-      .def_readonly("step", &Frame::step)
+      .def_readonly("step", &Frame::step, "Number of the step that it was written after.")
       .def_readonly("time", &Frame::time, "s")
       .def_property_readonly("present", &Frame::present_blocks, "Indices of the blocks in `outlines`.")
       .def_property_readonly("outlines", &outlines_of, "Vertices (n, 2) of each block that is present, m.")

@@ -47,6 +47,9 @@ SceneReading read(const std::string& text, const std::string& name, const std::v
   return reading;
 }
 
+/// Before a run has results there is nothing to keep: it ends by this, and the listener has the reason.
+struct Interrupted {};
+
 /// Python's side of a run: Ctrl-C and `on_step`, either of which may leave an exception behind.
 class Listener {
  public:
@@ -67,6 +70,10 @@ class Listener {
     } catch (py::error_already_set& error) {
       exception_.emplace(error);
     }
+  }
+  /// Ends the set-up where the run is to end.
+  void end_if_interrupted() {
+    if (interrupted()) throw Interrupted();
   }
   void rethrow() {
     if (exception_) throw py::error_already_set(*exception_);
@@ -90,7 +97,7 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   const std::string blas = polyfem::pin_blas_to_one_thread();
   polyfem::set_threads(threads);
   std::optional<polyfem::Stopwatch> total(summary.seconds_total), setup(summary.seconds_setup);
-  BuiltScene built = build(scene);
+  BuiltScene built = build(scene, [&] { listener.end_if_interrupted(); });
   Stepper& stepper = *built.stepper;
   stepper.interrupt_when([&] { return listener.interrupted(); });
   setup.reset();
@@ -153,9 +160,10 @@ py::tuple run_text(const std::string& text, const std::string& name, const std::
   Remarks remarks;
   if (reading.scene) {
     Listener listener(on_step);
-    {
+    try {
       const py::gil_scoped_release release;
       remarks = run_to_end(*reading.scene, results, threads, force, listener);
+    } catch (const Interrupted&) {
     }
     listener.rethrow();
   }

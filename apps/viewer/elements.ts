@@ -28,7 +28,7 @@ export function tableOf(rows: [string, string][]): HTMLTableElement {
 /** The title of the page, and how the run ended. */
 export function showHeading(title: string, program: string, verdict: string[]): void {
   document.title = title + " – " + program;
-  element("title").textContent = title;
+  element("title").textContent = element("title").title = title;
   for (const line of verdict) {
     const chip = document.createElement("span");
     chip.textContent = line.length > 70 ? line.slice(0, 69) + "…" : line;

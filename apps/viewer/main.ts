@@ -156,7 +156,8 @@ class Viewer {
     const [low, high, robustLow, robustHigh] = choice === "frame" ? rangeOfFrame(field, numbers) : rangeOfRun(field, head);
     let ends: [number, number] = choice === "extremes" ? [low, high] : [robustLow, robustHigh];
     const [factor, unit] = scaledUnit(Math.max(Math.abs(ends[0]), Math.abs(ends[1])), field.unit);
-    if (choice === "own") ends = [factor * Number(input("low").value.replace("−", "-")), factor * Number(input("high").value.replace("−", "-"))];
+    const own = ["low", "high"].map((end) => factor * Number(input(end).value.replace("−", "-"))) as [number, number];
+    if (choice === "own" && own.every(Number.isFinite)) ends = own;
     else {
       const least = 1e-4 * Math.max(Math.abs(ends[0]), Math.abs(ends[1]));
       input("low").value = Math.abs(ends[0]) < least ? "0" : plain(ends[0] / factor);

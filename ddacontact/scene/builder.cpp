@@ -346,21 +346,23 @@ class Builder {
   BuiltScene built_;
 };
 
-ChosenModels choose(const Scene& scene) {
-  return choose_models(scene, [](const Scene& stated, const std::vector<std::string>& reasons) {
+ChosenModels choose(const Scene& scene, const std::function<void()>& in_between) {
+  return choose_models(scene, [&](const Scene& stated, const std::vector<std::string>& reasons) {
+    in_between();
     return Builder(stated, reasons).missing();
   });
 }
 
 }  // namespace
 
-BuiltScene build(const Scene& scene) {
-  const ChosenModels chosen = choose(scene);
+BuiltScene build(const Scene& scene, const std::function<void()>& in_between) {
+  const ChosenModels chosen = choose(scene, in_between);
+  in_between();
   return Builder(chosen.scene, chosen.reasons).build();
 }
 
 Scene with_chosen_models(const Scene& scene) {
-  return choose(scene).scene;
+  return choose(scene, [] {}).scene;
 }
 
 }  // namespace ddacontact

@@ -6,6 +6,7 @@
 #include <ddacontact/time/monitor_target.hpp>
 #include <ddacontact/time/stepper.hpp>
 
+#include <functional>
 #include <memory>
 
 namespace ddacontact {
@@ -20,7 +21,9 @@ struct BuiltScene {
 
 /// Builds what a checked scene describes. Throws Error for what only shows here: supports that an affine
 /// block cannot follow.
-BuiltScene build(const Scene& scene);
+/// \param[in] in_between  called before each part of the work that takes long; what it throws ends the work
+BuiltScene build(
+    const Scene& scene, const std::function<void()>& in_between = [] {});
 
 /// The scene with the models that `build` puts in the place of "auto".
 Scene with_chosen_models(const Scene& scene);

@@ -18,8 +18,9 @@ struct FirstLoading {
   std::vector<Vec3> mean;
 };
 
-/// Contacts that touch at the start are closed where they press, with what friction these forces bear; what
-/// nothing holds goes its way.
+/// Contacts that touch at the start are closed where they press. They stick, all of them at first and then
+/// those that press: with bounds of friction the solution takes ten times as long, and no longer converges in
+/// walls of thousands of bricks. What nothing holds goes its way.
 FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBuilder& contacts);
 
 }  // namespace ddacontact

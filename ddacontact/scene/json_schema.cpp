@@ -39,6 +39,32 @@ Json of_words(const std::vector<Word<T>>& words) {
   return {{"enum", list}};
 }
 
+Json any_of(std::initializer_list<Json> choices) {
+  return {{"anyOf", Json(choices)}};
+}
+
+/// Of inline tables: these keys and no others.
+Json table_of(std::initializer_list<std::pair<const char*, Json>> keys) {
+  Json properties = Json::object();
+  for (const auto& [name, schema] : keys) properties[name] = schema;
+  return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+Json point() {
+  return list_of_items(quantity(), 2);
+}
+Json points() {
+  return list_of_items(point());
+}
+
+/// What selects by a place, or by `other`: one key of them.
+Json selector_of(const char* other, const Json& schema) {
+  Json selector = table_of(
+      {{other, schema}, {"inside", points()}, {"at", point()}, {"box", list_of_items(quantity(), 4)}});
+  selector["minProperties"] = selector["maxProperties"] = 1;
+  return selector;
+}
+
 Json schema_of(GradientCorrection) {
   return types({"boolean"});
 }
@@ -55,7 +81,7 @@ Json schema_of(const std::string&) {
   return types({"string"});
 }
 Json schema_of(const Vec2&) {
-  return list_of_items(quantity(), 2);
+  return point();
 }
 Json schema_of(const Vec3&) {
   return list_of_items(quantity(), 3);
@@ -63,35 +89,38 @@ Json schema_of(const Vec3&) {
 Json schema_of(const Reference&) {
   return types({"string", "integer"});
 }
+Json schema_of(const LineSegment&) {
+  return list_of_items(point(), 2);
+}
 Json schema_of(const BlockReference&) {
-  return types({"string", "integer", "object"});
+  return any_of({types({"string", "integer"}), selector_of("group", types({"string"}))});
 }
 Json schema_of(const EdgeSelection&) {
-  return types({"integer", "object"});
-}
-Json schema_of(const Location&) {
-  return types({"array", "string"});
-}
-Json schema_of(const FixedVertices&) {
-  return types({"boolean", "array"});
-}
-Json schema_of(const Boundary&) {
-  return types({"array", "string"});
-}
-Json schema_of(const GroupNames&) {
-  return types({"string", "array"});
+  return any_of({types({"integer"}), selector_of("on", schema_of(LineSegment()))});
 }
 Json schema_of(const VertexSelection&) {
-  return types({"array", "string", "object"});
+  return any_of({list_of_items(types({"integer"})), selector_of("on", schema_of(LineSegment()))});
+}
+Json schema_of(const Location&) {
+  return any_of({point(), {{"const", "centroid"}}});
+}
+Json schema_of(const FixedVertices&) {
+  return any_of({types({"boolean"}), list_of_items(types({"integer"}))});
+}
+Json schema_of(const Boundary&) {
+  return any_of({points(), types({"string"})});
+}
+Json schema_of(const GroupNames&) {
+  return any_of({types({"string"}), list_of_items(types({"string"}))});
 }
 Json schema_of(const Outline&) {
-  return list_of_items(list_of_items(quantity(), 2));
-}
-Json schema_of(const LineSegment&) {
-  return list_of_items(list_of_items(quantity(), 2), 2);
+  return points();
 }
 Json schema_of(const History&) {
-  return types({"array", "string"});
+  Json row = list_of_items(quantity());
+  row["minItems"] = 2;
+  row["maxItems"] = 3;
+  return any_of({list_of_items(row), types({"string"})});
 }
 Json schema_of(const std::vector<std::string>&) {
   return list_of_items(of_words(field_words()));
@@ -100,16 +129,33 @@ Json schema_of(const std::array<Reference, 2>&) {
   return list_of_items(types({"string", "integer"}), 2);
 }
 Json schema_of(const BlockList&) {
-  return types({"array", "object"});
+  return list_of_items(schema_of(BlockReference()));
 }
 Json schema_of(const EdgeJoints&) {
   return list_of_items(types({"string", "integer"}));
 }
-template <class T>
-requires(std::same_as<T, RayleighDamping> || std::same_as<T, MeshRecord> || std::same_as<T, RestCriterion> ||
-         std::same_as<T, GridRecord> || std::same_as<T, InitialStress> || std::same_as<T, Parameters> ||
-         std::same_as<T, std::vector<JointChange>>) Json schema_of(const T&) {
-  return types({"object"});
+Json schema_of(const RayleighDamping&) {
+  return table_of({{"mass", quantity()}, {"stiffness", quantity()}});
+}
+Json schema_of(const RestCriterion&) {
+  return table_of({{"kinetic", quantity()}, {"displacement", quantity()}});
+}
+Json schema_of(const MeshRecord&) {
+  return table_of({{"kind", of_words(words_of(CellKind{}))},
+                   {"cells", schema_of(0)},
+                   {"cell_size", quantity()},
+                   {"edge_nodes", types({"boolean"})},
+                   {"at_contact", quantity()}});
+}
+Json schema_of(const GridRecord&) {
+  return table_of({{"count", list_of_items(schema_of(0), 2)}, {"step", point()}, {"bond", quantity()}});
+}
+Json schema_of(const InitialStress&) {
+  const Json stress = schema_of(Vec3());
+  return table_of({{"level", quantity()}, {"stress", stress}, {"gradient", stress}});
+}
+Json schema_of(const Parameters&) {
+  return {{"type", "object"}, {"additionalProperties", quantity()}};
 }
 template <Choice T>
 Json schema_of(T value) {
@@ -121,6 +167,9 @@ void add_bounds(const Bounds& bounds, Json& schema) {
   if (std::isfinite(bounds.low)) schema[bounds.with_low ? "minimum" : "exclusiveMinimum"] = bounds.low;
   if (std::isfinite(bounds.high)) schema[bounds.with_high ? "maximum" : "exclusiveMaximum"] = bounds.high;
 }
+
+/// A table a joint, of what may change of its law.
+Json schema_of(const std::vector<JointChange>&);
 
 /// Collects the keys of a table.
 class ObjectWriter {
@@ -189,6 +238,13 @@ class ObjectWriter {
 
   Json properties_ = Json::object(), required_ = Json::array();
 };
+
+Json schema_of(const std::vector<JointChange>&) {
+  ObjectWriter change;
+  const JointChange law;
+  describe_change(law, change);
+  return {{"type", "object"}, {"additionalProperties", std::move(change).take()}};
+}
 
 }  // namespace
 

@@ -2,9 +2,11 @@
 
     python3 slope.py slope.png
 
+Cells begin with `# %%`: Jupyter (by Jupytext), Spyder, PyCharm and VS Code run them one by one.
 Joints dip out of the slope at 30 degrees, so that blocks slide when the friction angle is below that of the joints.
 """
 
+# %% The slope, as a dictionary of the tables that a scene file has
 import sys
 
 import numpy as np
@@ -43,30 +45,32 @@ def slope(friction_angle):
     }
 
 
-def main(picture):
-    angles = np.array([10.0, 20.0, 25.0, 28.0, 32.0, 40.0])
-    results = [polydda.run(slope(angle)) for angle in angles]
-    moved = np.array([np.hypot(*result.frame().displacement.T).max() for result in results])
+# %% Friction swept: one run an angle, 1 s of motion each
+angles = np.array([10.0, 20.0, 25.0, 28.0, 32.0, 40.0])
+results = [polydda.run(slope(angle)) for angle in angles]
+moved = np.array([np.hypot(*result.frame().displacement.T).max() for result in results])
 
-    # A block on a plane slides by a t^2 / 2 with a = g (sin 30 - tan(friction) cos 30), once friction is too low.
-    dip, time = np.radians(DIP), 1.0
-    acceleration = 9.81 * (np.sin(dip) - np.tan(np.radians(angles)) * np.cos(dip))
-    exact = np.maximum(acceleration, 0) * time**2 / 2
-    for angle, distance, expected in zip(angles, moved, exact):
-        print(f"friction {angle:4.1f} degrees: moved {distance:.4f} m, by Coulomb's law {expected:.4f} m")
+# %% By hand: a block on a plane slides by a t^2 / 2, a = g (sin 30 - tan(friction) cos 30), once friction is too low
+dip, time = np.radians(DIP), 1.0
+acceleration = 9.81 * (np.sin(dip) - np.tan(np.radians(angles)) * np.cos(dip))
+exact = np.maximum(acceleration, 0) * time**2 / 2
+for angle, distance, expected in zip(angles, moved, exact):
+    print(f"friction {angle:4.1f} degrees: moved {distance:.4f} m, by Coulomb's law {expected:.4f} m")
 
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
-    results[0].plot("displacement", axes=left)
-    right.plot(angles, exact, "k-", label="Coulomb's law")
-    right.plot(angles, moved, "o", label="polydda")
-    right.set_xlabel("friction angle, degrees")
-    right.set_ylabel("displacement after 1 s, m")
-    right.legend()
-    figure.tight_layout()
-    figure.savefig(picture, dpi=120)
-    if np.abs(moved - exact).max() > 0.02 * exact.max():
-        raise SystemExit("the rock does not move as it should")
+# %% The slope at the least friction, and both results over the angle
+figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
+results[0].plot("displacement", axes=left)
+right.plot(angles, exact, "k-", label="Coulomb's law")
+right.plot(angles, moved, "o", label="polydda")
+right.set_xlabel("friction angle, degrees")
+right.set_ylabel("displacement after 1 s, m")
+right.legend()
+figure.tight_layout()
+if len(sys.argv) > 1 and sys.argv[1].endswith(".png"):
+    figure.savefig(sys.argv[1], dpi=120)
+else:
+    pyplot.show()
 
-
-if __name__ == "__main__":
-    main(sys.argv[1])
+# %% What a test asks
+if np.abs(moved - exact).max() > 0.02 * exact.max():
+    raise SystemExit("the rock does not move as it should")

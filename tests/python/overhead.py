@@ -2,58 +2,62 @@
 
     PYTHONPATH=BUILD/python python3 overhead.py BUILD/apps/dda [ROUNDS]
 
-Processor time and wall time of `dda run` and of `polydda.run`, without and with a callback, in turn, each in a process of its own; the least
-of all rounds counts. Loading of libraries is in both: importing the module counts.
+`dda run` and `polydda.run`, without and with a callback, in turn, each in a process of its own. Two figures of each:
+- outside the run: wall time of the process less that of the run in summary.json. Python's start and the import are in it;
+- the run: wall time in summary.json over that of the program in the same round. It is the same code in both but for the callback.
+Medians of all rounds, with quartiles.
 """
 
 import json
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
-RUN = """import json, sys, time
-start = time.perf_counter(), time.process_time()
+RUN = """import sys
 import polydda
 callback = (lambda step: None) if sys.argv[3] == "callback" else None
-polydda.run(sys.argv[1], sys.argv[2], on_step=callback, settings=[sys.argv[4]], force=True)
-end = time.perf_counter(), time.process_time()
-print(json.dumps([end[0] - start[0], end[1] - start[1]]))
+polydda.run(sys.argv[1], sys.argv[2], on_step=callback, settings=sys.argv[4:], force=True)
 """
-SETTING = "analysis.block_model=mean_value"
+SETTINGS = ["analysis.block_model=mean_value", "stage.release.steps=400"]
 
 
-def by_program(dda, scene, out):
-    before, start = os.times(), os.times().elapsed
-    subprocess.run([dda, "run", scene, "--set", SETTING, "-o", out, "--force", "--quiet"], check=True, stderr=subprocess.DEVNULL)
-    after = os.times()
-    processor = after.children_user + after.children_system - before.children_user - before.children_system
-    return after.elapsed - start, processor
-
-
-def by_module(scene, out, callback):
-    result = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", RUN, scene, out, callback, SETTING], check=True, capture_output=True, text=True
-    )
-    return json.loads(result.stdout)
+def times_of(command, out):
+    """Wall time in the run and outside of it, s."""
+    start = time.perf_counter()
+    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    all_of_it = time.perf_counter() - start
+    with open(os.path.join(out, "summary.json")) as file:
+        inside = json.load(file)["wall_seconds"]["total"]
+    return inside, all_of_it - inside
 
 
 def main(dda, rounds=10):
     with tempfile.TemporaryDirectory() as directory:
         scene, out = os.path.join(directory, "rock.toml"), os.path.join(directory, "out")
         subprocess.run([dda, "make", "joints", "-o", scene], check=True, stdout=subprocess.DEVNULL)
-        program, module, with_callback = [], [], []
+        options = [word for setting in SETTINGS for word in ("--set", setting)]
+        python = [sys.executable, "-W", "ignore", "-c", RUN, scene, out]
+        commands = {
+            "dda run": [dda, "run", scene, *options, "-o", out, "--force", "--quiet"],
+            "polydda.run": [*python, "", *SETTINGS],
+            "polydda.run with on_step": [*python, "callback", *SETTINGS],
+        }
+        times = {name: [] for name in commands}
         for _ in range(int(rounds)):
-            program.append(by_program(dda, scene, out))
-            module.append(by_module(scene, out, ""))
-            with_callback.append(by_module(scene, out, "callback"))
-    for what, column in (("wall time", 0), ("processor time", 1)):
-        base = min(row[column] for row in program)
-        print(f"{what}: dda run {base:.3f} s", end="")
-        for name, rows in (("polydda.run", module), ("with on_step", with_callback)):
-            least = min(row[column] for row in rows)
-            print(f", {name} {least:.3f} s ({100 * (least / base - 1):+.1f} %)", end="")
-        print()
+            for name, command in commands.items():
+                times[name].append(times_of(command, out))
+    program = times["dda run"]
+    run = statistics.median(inside for inside, _ in program)
+    least = statistics.median(outside for _, outside in program)
+    print(f"dda run: {run:.2f} s, outside of it {least:.3f} s")
+    for name, rows in list(times.items())[1:]:
+        outside = statistics.median(outside for _, outside in rows) - least
+        ratios = [100 * (inside / base - 1) for (inside, _), (base, _) in zip(rows, program)]
+        low, middle, high = statistics.quantiles(ratios, n=4)
+        print(f"{name}: outside {outside:+.3f} s, {100 * outside / run:.1f} % of the run; the run {middle:+.1f} % ({low:+.1f} .. {high:+.1f})")
 
 
 if __name__ == "__main__":

@@ -130,6 +130,30 @@ def test_ctrl_c_ends_a_run(tmp_path):
     assert polydda.read(tmp_path / "out").summary["status"] == "interrupted"
 
 
+def test_ctrl_c_ends_the_set_up_before_anything_is_written(tmp_path):
+    wall = slide(steps=10**7)
+    wall["block"][1]["vertices"] = wall["block"][1]["vertices"].tolist()
+    wall["analysis"]["mode"] = "static"
+    wall["block"].append(
+        {"vertices": [[0, 100], [1, 100], [1, 100.5], [0, 100.5]], "material": "rock", "grid": {"count": [60, 40], "step": [1.0, 0.5]}}
+    )
+    code = "import polydda, sys; print('going', flush=True); polydda.run(eval(sys.argv[2]), sys.argv[1])"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, tmp_path / "out", repr(wall)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    process.stdout.readline()
+    time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert b"KeyboardInterrupt" in errors
+    assert not (tmp_path / "out").exists()
+
+
+def test_settings_are_a_list():
+    with pytest.raises(TypeError, match="settings="):
+        polydda.run(slide(), settings="output.every=0")
+
+
 def test_a_text_a_path_and_a_dict_are_the_same_scene(tmp_path):
     from polydda.toml_text import to_toml
 

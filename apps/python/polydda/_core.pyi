@@ -9,14 +9,19 @@ import numpy.typing as npt
 
 __version__: str
 
-class Error(ValueError): ...
-class OutputError(OSError): ...
+class Error(ValueError):
+    """What was asked for cannot be done; the message says why, and what to write instead."""
+
+class OutputError(OSError):
+    """A result file cannot be read or written."""
 
 class Frame:
     """One moment of a run; arrays are read-only views."""
 
     step: int
+    """Number of the step that it was written after."""
     time: float
+    """s"""
     present: list[int]
     outlines: list[npt.NDArray[np.float64]]
     outline_ranges: list[tuple[int, int]]
@@ -40,11 +45,29 @@ def run_text(
 def frame_list(directory: str | os.PathLike[str]) -> list[tuple[int, float]]: ...
 def read_frame(directory: str | os.PathLike[str], k: int) -> Frame: ...
 
+Array = npt.NDArray[np.float64]
+
 class polyfem:
-    Problem: Any
-    wachspress: Any
-    mean_value: Any
-    stiffness: Any
-    mass: Any
-    rule: Any
-    voronoi: Any
+    """The submodule that `polydda.polyfem` documents."""
+
+    @staticmethod
+    def wachspress(vertices: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array]: ...
+    @staticmethod
+    def mean_value(vertices: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array]: ...
+    @staticmethod
+    def stiffness(vertices: npt.ArrayLike, young: float, poisson: float, plane: str = "strain", tolerance: float = 1e-6) -> Array: ...
+    @staticmethod
+    def mass(vertices: npt.ArrayLike, density: float, tolerance: float = 1e-6) -> Array: ...
+    @staticmethod
+    def rule(vertices: npt.ArrayLike, degree: int) -> tuple[Array, Array]: ...
+    @staticmethod
+    def voronoi(boundary: npt.ArrayLike, cells: int, seed: int = 1) -> tuple[Array, list[list[int]]]: ...
+
+    class Problem:
+        def __init__(self, vertices: npt.ArrayLike, cells: Sequence[Sequence[int]], components: int = 2) -> None: ...
+        def assemble(self, young: float, poisson: float, body_force: Sequence[float], plane: str, tolerance: float) -> None: ...
+        def assemble_cells(self, cell_matrix: Callable[[int, Array], tuple[Any, Any]]) -> None: ...
+        def hold(self, vertex: int, component: int, value: float = 0.0) -> None: ...
+        def add_load(self, vertex: int, component: int, value: float) -> None: ...
+        def solve(self) -> Array: ...
+        def reactions(self) -> Array: ...

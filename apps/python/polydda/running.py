@@ -114,6 +114,8 @@ def run(
 
 def _text(scene: Scene, settings: Sequence[str]) -> tuple[str, str, list[str], str]:
     """The text, its name in messages, the settings and the directory of the files that it names."""
+    if isinstance(settings, str):
+        raise TypeError(f"settings is a list of \"PATH=VALUE\": write settings=[{settings!r}]")
     if isinstance(scene, Mapping):
         return to_toml(scene), "dict", list(settings), ""
     if isinstance(scene, str) and "\n" in scene:
