@@ -117,12 +117,10 @@ void bending(Report& report) {
 void stress_inside(Report& report) {
   report.heading("2. Stress inside a block");
   report.paragraph(
-      "The same block, bent (σxx = M y/I), and as a cantilever with a shear force Q at its ends: "
-      "σxx = Q x y/I, σxy = Q (h²/4 − y²)/2I, the exact stresses under the tractions that go with them at "
-      "the "
-      "ends. Error of the stress in the energy norm, integrated over all cells. Cells carry stresses that "
-      "are "
-      "constant and a little more, so that the rate to expect is 1 in the size of the cells.");
+      "The same block, bent (σxx = M y/I), and as a cantilever with a shear force Q at its ends: σxx = Q x "
+      "y/I, σxy = Q (h²/4 − y²)/2I. These are the exact stresses under the tractions that go with them at "
+      "the ends. Error of the stress in the energy norm, integrated over all cells. Cells carry stresses "
+      "that are constant and a little more, so that the rate to expect is 1 in the size of the cells.");
   std::vector<std::vector<std::string>> rows{{"case", "cells", "asked", "made", "error", "rate"}};
   Chart chart{.x_symbol = {"cells across", "", ""},
               .y_symbol = {"error of stress", "", ""},

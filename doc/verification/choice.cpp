@@ -112,14 +112,10 @@ void choice(Report& report) {
   report.heading("5. What `auto` chooses, against meshes");
   report.paragraph(
       "Static steps under the default preset: the paper's slider and arch, and three scenes of rock of 1 GPa "
-      "(30 degrees of "
-      "friction, 10 between wedge and notch); every free block a single polygon, as `auto` has it, and a "
-      "mesh. "
-      "Difference: of the mean stress of a block from that of the meshes, relative to the largest mean "
-      "stress "
-      "in the scene. Most scenes are at rest in the end; the sliding blocks move on, but their stress is "
-      "steady "
-      "after twenty steps.");
+      "(30 degrees of friction, 10 between wedge and notch). Every free block is a single polygon, as `auto` "
+      "has it, and a mesh. Difference: of the mean stress of a block from that of the meshes, relative to "
+      "the largest mean stress in the scene. Most scenes are at rest in the end; the sliding blocks move on, "
+      "but their stress is steady after twenty steps.");
   std::vector<std::vector<std::string>> rows{{"scene", "steps", "cells", "unknowns: single", "auto", "mesh",
                                               "single, worst", "auto, worst", "auto, root mean square",
                                               "auto, blocks over 5 %"}};

@@ -98,11 +98,10 @@ void in_flight(Report& report) {
   report.paragraph("### Two free blocks");
   report.paragraph(
       "A square of 1 m meets a rectangle of 2 x 1 m head on (parallel sides), off centre, and obliquely "
-      "(turned by 0.4 "
-      "rad and turning), with friction of 0 and 30 degrees, restitution 0 to 1 or none (the decaying scheme: "
-      "contacts alone) and steps of 20, 5 and 1 ms: largest changes over the restitutions and the steps, "
-      "momentum over Σ |m v|, angular momentum over Σ |m v| times 1 m, energy "
-      "over that at the start.");
+      "(turned by 0.4 rad and turning). Friction is 0 and 30 degrees, restitution 0 to 1 or none (the "
+      "decaying scheme: contacts alone), with steps of 20, 5 and 1 ms. The table has the largest changes "
+      "over the restitutions and the steps: momentum over Σ |m v|, angular momentum over Σ |m v| times 1 m, "
+      "energy over that at the start.");
   std::vector<std::vector<std::string>> rows{{"scheme", "collision", "friction", "restitution", "momentum",
                                               "angular momentum", "energy, highest change"}};
   struct Meeting {

@@ -77,18 +77,13 @@ Squeezed by_plates(const BlockDescription& description) {
 void disk(Report& report) {
   report.heading("3. A disk under two opposite forces");
   report.paragraph(fmt::format(
-      "A regular {}-gon of circumradius {:g} m, ν = 0.3, static, no gravity, squeezed along the vertical: by "
-      "two "
-      "forces of {:g} kN/m at opposite corners, and between two rigid plates, the lower held and the upper "
-      "lowered "
-      "by 40 µm, through contacts whose force is the P of the closed form. Hertz: σxx = 2P/πD, σyy = −6P/πD "
-      "at the "
-      "centre of a disk of diameter D. Here D = {:.5f} m, that of the circle of the same area (the circle "
-      "through "
-      "the corners is 0.2 % larger, the one inside 0.1 % smaller). Centre stress: the area mean within D/40 "
-      "of the centre. Error over the inner half: energy norm over the disk of half the diameter, against "
-      "Hertz's "
-      "field.",
+      "A regular {}-gon of circumradius {:g} m, ν = 0.3, static, no gravity, is squeezed along the vertical "
+      "in two ways. It is loaded by two forces of {:g} kN/m at opposite corners. It is squeezed between two "
+      "rigid plates, the lower fixed and the upper lowered by 40 µm, through contacts whose force is the P "
+      "of the closed form. Hertz: σxx = 2P/πD, σyy = −6P/πD at the centre of a disk of diameter D. Here D = "
+      "{:.5f} m, that of the circle of the same area (the circle through the corners is 0.2 % larger, the "
+      "one inside 0.1 % smaller). Centre stress: the area mean within D/40 of the centre. Error over the "
+      "inner half: energy norm over the disk of half the diameter, against Hertz's field.",
       n_corners, radius, force / 1e3, diameter()));
   std::vector<std::vector<std::string>> rows{{"squeezed by", "cells", "P, kN/m", "σxx πD/2P", "σyy πD/2P",
                                               "error of σxx", "error of σyy", "error over the inner half"}};

@@ -31,9 +31,9 @@ Scene pile(const Vec2& at) {
 void far_from_the_origin(Report& report) {
   report.heading("9. Far from the origin");
   report.paragraph(
-      "A pile of three blocks slides, tips over an edge and falls on a lower floor, 200 steps of 1/128 s; "
-      "the same with "
-      "all coordinates larger by (5e5, 4e6) m, as a map would have them.");
+      "A pile of three blocks slides, tips over an edge and falls on a lower floor in 200 steps of 1/128 s. "
+      "It is compared with the same pile with all coordinates larger by (5e5, 4e6) m, as a map would have "
+      "them.");
   const BuiltScene here = run(pile({0, 0})), there = run(pile({5e5, 4e6}));
   const Stepper &a = *here.stepper, &b = *there.stepper;
   const double apart =

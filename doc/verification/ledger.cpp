@@ -34,11 +34,9 @@ void energy_ledger(Report& report) {
   report.heading("7. The energy ledger");
   report.paragraph(
       "A square is thrown along the floor from a height of half a metre, hits it with a corner, bounces (e = "
-      "0.4), slides (φ = 25 degrees), hits "
-      "a second block, and both come to rest; Rayleigh damping (0.2 1/s, 1e-5 s) and contact dashpots (0.1) "
-      "act throughout. Each line "
-      "below is computed from its own definition; together with gravity they must add up to what there was "
-      "at the start.");
+      "0.4) and slides (φ = 25 degrees). It hits a second block, and both come to rest. Rayleigh damping "
+      "(0.2 1/s, 1e-5 s) and contact dashpots (0.1) act throughout. Each line below is computed from its own "
+      "definition; together with gravity they must add up to what there was at the start.");
   const BuiltScene built = build(everything());
   Stepper& stepper = *built.stepper;
   struct Entry {

@@ -8,8 +8,8 @@ constexpr const char* front = R"(# Mechanics, against known answers
 
 Made by `bash doc/verification/make.sh`; every number, picture and yes or no below is computed by it. Blocks, contacts and time
 scheme are those of `preset = "default"` unless said otherwise: corotational blocks, the staged contact method and the
-scheme `decaying`; rock of 2500 kg/m3, E = 35 GPa, Poisson's ratio 0.3; gravity 9.8 m/s2. Errors are relative unless they have a unit.
-Run times are of one run on one core and rough. Of {} checks {} pass.
+scheme `decaying`. Rock has 2500 kg/m3, E = 35 GPa and Poisson's ratio 0.3; gravity is 9.8 m/s2. Errors are relative unless they have a
+unit. Run times are of one run on one core and rough. Of {} checks {} pass.
 )";
 
 constexpr verification::Chapter chapters[] = {{"spinning", verification::spinning},

@@ -89,9 +89,9 @@ void creeping(Report& report, int steps) {
   const double creep = (stepper.blocks().displacements(stepper.state()) - before).colwise().norm().maxCoeff();
   report.paragraph("### At rest");
   report.paragraph(fmt::format(
-      "A stack of a hundred by the decaying scheme, {} steps after 1000 steps of settling: how far any "
-      "vertex has moved, "
-      "the force on the floor against the weight, and the steps in which a contact's state was another one.",
+      "A stack of a hundred by the decaying scheme, {} steps after 1000 steps of settling. The table has how "
+      "far any vertex has moved, the force on the floor against the weight, and the steps in which a "
+      "contact's state was another one.",
       steps));
   report.claims({{"Creep is at most 1e-9 of a block.", creep <= 1e-9, fmt::format("{} m", text(creep))},
                  {"The floor carries the weight to 1e-8.", reaction <= 1e-8, text(reaction)},
@@ -101,13 +101,12 @@ void creeping(Report& report, int steps) {
 void ratios(Report& report) {
   report.paragraph("### Ratios of a million");
   report.paragraph(
-      "Three squares of 1 m upon each other whose densities or moduli differ by 1e6: largest error of a "
-      "contact force, over the "
-      "weight it carries, after 1100 steps of 0.01 s, and steps of the last 100 in which a contact's state "
-      "changes. The springs start at the softest block's modulus: a force "
-      "is resolved to its spring times the last digit of a coordinate, and the default, 40 times the "
-      "stiffest modulus, times "
-      "2e-16 m is 1e-6 of such a light block's weight and more.");
+      "Three squares of 1 m upon each other whose densities or moduli differ by 1e6. The table has the "
+      "largest error of a contact force, over the weight it carries, after 1100 steps of 0.01 s. It also has "
+      "the steps of the last 100 in which a contact's state changes. The springs start at the softest "
+      "block's modulus, because a force is resolved to its spring times the last digit of a coordinate. The "
+      "default, 40 times the stiffest modulus, times 2e-16 m is 1e-6 of such a light block's weight and "
+      "more.");
   struct Kind {
     const char* name;
     double density[3], young[3];  // from below

@@ -132,16 +132,12 @@ void choice_of_scheme(Report& report) {
       "Error against run time (ms) of tumbling, sliding, resting and colliding blocks, by scheme.");
   report.paragraph(
       "The decaying scheme is the default: it alone is right on all four. It turns, flies and collides as "
-      "well as the conserving "
-      "scheme does, and comes to rest as backward Euler does. The conserving scheme goes on ringing in a "
-      "stack, whose force on the "
-      "floor then means nothing; dda and backward Euler are of first order wherever blocks turn, and "
-      "backward Euler where they fall "
-      "or slide too; the trapezoidal rule rings, and is not stable for stiff blocks that turn. Per step it "
-      "takes about one and a "
-      "half times as long as dda, and two and a half in a stack. Where a hexagon hits its next edge is "
-      "decided by how it vibrates, so that no scheme "
-      "comes closer than some millimetres to another one there.");
+      "well as the conserving scheme does, and comes to rest as backward Euler does. The conserving scheme "
+      "goes on ringing in a stack, whose force on the floor then means nothing. dda and backward Euler are "
+      "of first order wherever blocks turn, and backward Euler where they fall or slide too. The trapezoidal "
+      "rule rings, and is not stable for stiff blocks that turn. Per step it takes about one and a half "
+      "times as long as dda, and two and a half in a stack. Where a hexagon hits its next edge is decided by "
+      "how it vibrates, so that no scheme comes closer than some millimetres to another one there.");
 }
 
 }  // namespace verification

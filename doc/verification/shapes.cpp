@@ -124,14 +124,11 @@ Scene thrown(const Points& outline, BlockModel model, bool spinning) {
 void shapes(Report& report) {
   report.heading("4. Blocks of any shape at rest and in motion");
   report.paragraph(
-      "An L, a dart, a block with a notch and one with vertices on its edges, E = 1 GPa, between walls on a "
-      "floor with 30 "
-      "degrees of friction, 10 000 steps of 2 ms each, by the models that `auto` and `mesh` (12 cells) give "
-      "them. *Rest*: set "
-      "on the floor. *Slide*: along it at 5 m/s. *Tumble*: thrown at 3 m/s with a spin of 4 rad/s from 2 m. "
-      "*Collide*: two of "
-      "them at 3 m/s each. Reaction: what the floor bears at the end less the weight. Rise: of the "
-      "mechanical energy in one "
+      "An L, a dart, a block with a notch and one with vertices on its edges, E = 1 GPa, stand between walls "
+      "on a floor with 30 degrees of friction. They make 10 000 steps of 2 ms each, by the models that "
+      "`auto` and `mesh` (12 cells) give them. *Rest*: set on the floor. *Slide*: along it at 5 m/s. "
+      "*Tumble*: thrown at 3 m/s with a spin of 4 rad/s from 2 m. *Collide*: two of them at 3 m/s each. "
+      "Reaction: what the floor bears at the end less the weight. Rise: of the mechanical energy in one "
       "step, relative to the largest kinetic energy, or to a fall of 1 mm where that is more.");
   std::vector<std::vector<std::string>> rows{{"block", "model", "motion", "reaction", "rise",
                                               "penetration, m", "speed at the end, m/s", "rejected"}};
@@ -166,7 +163,7 @@ void shapes(Report& report) {
       watch(yard(BlockModel::wachspress, {at(rectangle(0, 0, 2, 2), {-5, 0})})).rise;
   report.paragraph(fmt::format(
       "The rises of blocks at rest are in the first tenth of a second, while they vibrate under gravity that "
-      "acts suddenly; a plain square, set down in the same way, has {}. They are what the decaying scheme "
+      "acts suddenly. A plain square, set down in the same way, has {}. They are what the decaying scheme "
       "gives back in single steps of what it took: the balance of energies stays closed, and nothing of it "
       "has to do with shape.",
       text(rise_of_square)));
@@ -181,11 +178,10 @@ void shapes(Report& report) {
   };
   const double in_flight = apart(true), on_slope = apart(false);
   report.paragraph(
-      fmt::format("A block of 2 x 1 m, and the same with a vertex added on its lower edge (which makes it "
-                  "one of mean value functions), "
-                  "400 steps of 5 ms, E = 35 GPa: in flight with a spin of 5 rad/s their corners part by {} "
-                  "of the size, sliding 3.6 m "
-                  "down 30 degrees with 20 degrees of friction by {}.",
+      fmt::format("A block of 2 x 1 m is compared with the same block with a vertex added on its lower edge, "
+                  "which makes it one of mean value functions. Both make 400 steps of 5 ms, E = 35 GPa. In "
+                  "flight with a spin of 5 rad/s their corners part by {} of the size, sliding 3.6 m down 30 "
+                  "degrees with 20 degrees of friction by {}.",
                   text(in_flight), text(on_slope)));
   report.claims(
       {{"The floor bears the weight to 1e-6.", worst_reaction <= 1e-6, text(worst_reaction)},

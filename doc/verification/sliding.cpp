@@ -110,12 +110,10 @@ SlopeStress on_slope(double sxx, double syy, double sxy) {
 /// What the mean stress must be, whatever the block's size.
 void equilibrium(Report& report, const std::array<Run, 4>& affine) {
   report.paragraph(
-      "Equilibrium alone gives the average stress of a block that slides steadily: the base pushes with N "
-      "and T = N tan φ, their "
-      "resultant passes through the centroid, the other sides are free, so that in the directions of the "
-      "normal and the slope "
-      "σn : τ : σs = 1 : tan φ : tan² φ, for every size and shape of rectangle. The friction angle that τ / "
-      "σn stands for:");
+      "Equilibrium alone gives the average stress of a block that slides steadily. The base pushes with N "
+      "and T = N tan φ, their resultant passes through the centroid, the other sides are free. So in the "
+      "directions of the normal and the slope σn : τ : σs = 1 : tan φ : tan² φ, for every size and shape of "
+      "rectangle. The friction angle that τ / σn stands for:");
   std::vector<std::vector<std::string>> rows{{"friction angle", "here, atan(τ / σn)", "here σs / σn",
                                               "tan² φ", "the paper's table, atan(τ / σn)",
                                               "the paper's table, σs / σn"}};
@@ -133,19 +131,17 @@ void equilibrium(Report& report, const std::array<Run, 4>& affine) {
   }
   report.table(rows);
   report.paragraph(
-      "The paper's rows for 15, 30 and 40 degrees follow this law to a few degrees; its row for 0 degrees "
-      "does not: there nothing "
-      "pulls along the slope, yet σs is as large as σn and of the other sign.");
+      "The paper's rows for 15, 30 and 40 degrees follow this law to a few degrees. Its row for 0 degrees "
+      "does not: there nothing pulls along the slope, yet σs is as large as σn and of the other sign.");
 }
 
 void stress_table(Report& report, const std::array<Run, 4>& affine, const std::array<Run, 4>& wachspress) {
   report.paragraph("### Stresses (table 1)");
   report.paragraph(
       "kPa at 0.7 s. The original DDA has one stress a block; of Wachspress blocks the largest and least at "
-      "the integration points "
-      "and the area average. In brackets the paper's numbers as printed, in N/mm2: 13 N/mm2 in a block with "
-      "E = 35 MPa would "
-      "be a strain of 38 %, so their unit must be another one, and only ratios can be compared.");
+      "the integration points and the area average. In brackets are the paper's numbers as printed, in "
+      "N/mm2. 13 N/mm2 in a block with E = 35 MPa would be a strain of 38 %, so their unit must be another "
+      "one, and only ratios can be compared.");
   std::vector<std::vector<std::string>> rows{
       {"friction angle", "", "original DDA", "Wachspress mean", "Wachspress max", "Wachspress min"}};
   double worst_mean = 0, spread_at_0 = 0;

@@ -90,17 +90,14 @@ void accuracy(Report& report, bool settled) {
   report.paragraph(settled ? "### Settled first" : "### Under sudden gravity");
   report.paragraph(
       settled ? "The weight's part across the slope acts from the start, its part along the slope grows "
-                "smoothly from 0 to all "
-                "of it between 0.1 and 0.6 s. The distance from 0.7 to 1.4 s, less that by the velocity at "
-                "0.7 s, against half "
-                "the rigid block's acceleration times the time squared: largest relative error over five "
-                "friction angles, 1 to 45 "
-                "degrees below the slope, and its largest change from penalty to penalty:"
-              : "All of gravity from the start, as in the paper: an elastic block is thrown into vibration "
-                "of about "
-                "g h/c = 5 mm/s, loses contact now and then, and friction does not act while it does. That "
-                "is what an elastic "
-                "block does, and (53) knows nothing of it. Large steps do not resolve it. The same errors:");
+                "smoothly from 0 to all of it between 0.1 and 0.6 s. The distance from 0.7 to 1.4 s, less "
+                "that by the velocity at 0.7 s, is compared with half the rigid block's acceleration times "
+                "the time squared. The table has the largest relative error over five friction angles, 1 to "
+                "45 degrees below the slope, and its largest change from penalty to penalty:"
+              : "All of gravity acts from the start, as in the paper. An elastic block is thrown into "
+                "vibration of about g h/c = 5 mm/s, loses contact now and then, and friction does not act "
+                "while it does. That is what an elastic block does, and (53) knows nothing of it. Large "
+                "steps do not resolve it. The same errors:");
   std::vector<std::vector<std::string>> rows{{"slope", "Δt, s"}};
   for (const double p : penalties) rows[0].push_back(fmt::format("p = {:g} E", p));
   rows[0].push_back("spread over p");

@@ -55,15 +55,11 @@ void toppling(Report& report) {
   report.heading("6. Slide or topple");
   report.paragraph(
       "One block of height h and base b on a slope of 30 degrees, released at rest. By statics it slides "
-      "when "
-      "tan φ < tan a and topples when b/h < tan a. Once it moves, inertia has its say: a block that tilts "
-      "about its lower edge "
-      "pushes less along the slope, so it need not slide though φ < a (the boundary is T = N tan φ at the "
-      "start of tilting), "
-      "and a block that slides topples only when b/h < tan φ. Every point of a grid of 3 degrees that is not "
-      "within one "
-      "degree of a boundary; the base edge's lower end has slid, or the block has turned, by more than 1e-3 "
-      "(m, rad) in 0.3 s.");
+      "when tan φ < tan a and topples when b/h < tan a. Once it moves, inertia counts. A block that tilts "
+      "about its lower edge pushes less along the slope, so it need not slide though φ < a. The boundary is "
+      "T = N tan φ at the start of tilting. A block that slides topples only when b/h < tan φ. The points "
+      "are those of a grid of 3 degrees that are not within one degree of a boundary. The base edge's lower "
+      "end has slid, or the block has turned, by more than 1e-3 (m, rad) in 0.3 s.");
   constexpr std::array kinds{Start{false, false}, Start{true, false}, Start{false, true}, Start{true, true}};
   Chart chart{.x_symbol = {"friction angle φ", "", ""},
               .y_symbol = {"atan b/h", "", ""},

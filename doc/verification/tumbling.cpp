@@ -37,10 +37,9 @@ const std::vector<double> time_steps{0.02, 0.01, 0.005, 0.002, 0.001, 0.0005};
 void flight(Report& report) {
   report.paragraph("### In flight");
   report.paragraph(
-      "A pentagon thrown at (4, 6) m/s with 5 rad/s under gravity, touching nothing: after one second its "
-      "centroid is at "
-      "v t + g t²/2 and it has turned by 5 rad, less 5e-6 for the stretch. Distance from there (m), and "
-      "error of the angle (rad):");
+      "A pentagon is thrown at (4, 6) m/s with 5 rad/s under gravity and touches nothing. After one second "
+      "its centroid is at v t + g t²/2 and it has turned by 5 rad, less 5e-6 for the stretch. Distance from "
+      "there (m), and error of the angle (rad):");
   std::vector<std::vector<std::string>> rows{{"Δt, s"}};
   for (const NamedScheme& scheme : schemes) rows[0].push_back(scheme.name);
   double position = 0, order = 0, turned = 0;

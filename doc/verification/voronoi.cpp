@@ -126,9 +126,8 @@ void voronoi_slope(Report& report) {
   const Pair gravity = run_both("voronoi_gravity"), push = run_both("voronoi_push");
   report.paragraph(
       fmt::format("{} Voronoi blocks (`dda make voronoi`; the paper prints neither their shapes nor their "
-                  "sizes) on a held ramp, E = 10 GPa, friction "
-                  "40 degrees, cohesion 1 MPa, static steps of 0.01 s. Scenes: `voronoi_gravity.toml`, "
-                  "`voronoi_push.toml`.",
+                  "sizes) lie on a fixed ramp. They have E = 10 GPa, friction 40 degrees, cohesion 1 MPa, "
+                  "static steps of 0.01 s. Scenes: `voronoi_gravity.toml`, `voronoi_push.toml`.",
                   gravity.wachspress.frame.n_blocks() - 1));
   report.paragraph("### Under gravity (figure 15)");
   picture(report, "voronoi_gravity", "Figure 15: Voronoi blocks under gravity after 55 steps", gravity);

@@ -52,10 +52,9 @@ void arches_walls(Report& report) {
   report.paragraph(
       fmt::format("{} arches and walls that collapse by rocking, so that limit analysis is exact for them "
                   "(`tests/support/random_arches_walls`), at parts of their limit, in static steps. They "
-                  "rest when a step of length "
-                  "Δt leaves less than {:g} g, as its displacement over Δt² says, and collapse when it does "
-                  "not within {} steps or "
-                  "something has moved by {} m. How many are told as they should be:",
+                  "rest when a step of length Δt leaves less than {:g} g, as its displacement over Δt² says. "
+                  "They collapse when it does not within {} steps or something has moved by {} m. How many "
+                  "are told as they should be:",
                   n_structures, at_rest, most_steps, collapsed));
   std::vector<std::string> head{"structures", "Δt, s"};
   for (const double factor : factors) head.push_back(fmt::format("{:g}", factor));

@@ -15,19 +15,15 @@ void factors_of_safety(Report& report) {
   constexpr support::SlopeSize size{20, 40};
   report.heading("Factors of safety");
   report.paragraph(fmt::format(
-      "{} random slopes of {} to {} free blocks, friction {:g} times the limiting tan φ, by "
-      "strength reduction as `dda safety` "
-      "does it (`ddacontact/study`), to {:g} %. All factors are over that of the linear program. "
-      "*interlocked* is the factor of the same "
-      "program where corners that meet at crossings of joints press on each other in every "
-      "direction between them: beyond it no "
-      "admissible forces exist at all, below it some exist once joints have slipped by a hair. A "
-      "*plane* is the mechanism where what moves first slides "
-      "along one plane of the limiting dip. Elsewhere strength reduction is below the program "
-      "where blocks slide on several planes, "
-      "because the program lets them dilate by φ, and up to *interlocked* above it. *rounded* is what "
-      "the trial with rounded corners does with which `dda safety` ends, at 95 % of the factor: it "
-      "warns where that moves.",
+      "{} random slopes of {} to {} free blocks, friction {:g} times the limiting tan φ, by strength "
+      "reduction as `dda safety` does it (`ddacontact/study`), to {:g} %. All factors are over that of the "
+      "linear program. *interlocked* is the factor of the same program where corners that meet at crossings "
+      "of joints press on each other in every direction between them. Beyond it no admissible forces exist "
+      "at all, below it some exist once joints have slipped by a hair. A *plane* is the mechanism where what "
+      "moves first slides along one plane of the limiting dip. Elsewhere strength reduction is below the "
+      "program where blocks slide on several planes, because the program lets them dilate by φ, and up to "
+      "*interlocked* above it. *rounded* is what the trial with rounded corners does with which `dda safety` "
+      "ends, at 95 % of the factor: it warns where that moves.",
       n_slopes, size.least, size.most, known_factor, 100 * tolerance));
   std::vector<std::vector<std::string>> rows{
       {"seed", "free blocks", "limiting φ", "strength reduction", "interlocked", "mechanism", "rounded"}};

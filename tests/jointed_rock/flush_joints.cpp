@@ -133,11 +133,8 @@ void rows_of_bricks(Report& report) {
 void steps_and_softness(Report& report) {
   report.paragraph(
       "The sixth brick and all after it are higher by a step. A corner passes a line when it is further "
-      "behind it "
-      "than "
-      "1e-4 of the smaller block's size, 0.7 m here: steps below that are flush, higher ones stop the block, "
-      "as a "
-      "sharp step does. Speed after 0.3 s of 3 m/s, fixed bricks:");
+      "behind it than 1e-4 of the smaller block's size, 0.7 m here. Steps below that are flush, higher ones "
+      "stop the block, as a sharp step does. Speed after 0.3 s of 3 m/s, fixed bricks:");
   std::vector<std::vector<std::string>> table{{"step up", "Δt = 10 ms", "Δt = 1 ms"}};
   for (const double step : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
     table.push_back({fmt::format("{:g} m", step)});
@@ -193,21 +190,14 @@ std::vector<std::string> rounded_drops(double rounding, std::uint64_t n_drops) {
 void rounded_corners(Report& report) {
   report.heading("Rounded corners");
   report.paragraph(
-      "With `contact.corner_rounding` a corner that meets another block is an arc: gap and normal are "
-      "continuous "
-      "where it leaves an edge or climbs a step, and no rule has to say which line it meets. What it meets "
-      "keeps its "
-      "sharp outline, so that flush joints stay flush. It needs steps in which a block moves less than about "
-      "the "
-      "radius; a smaller one catches on what bricks sink. Soft bricks, which sink by more than the lip of a "
-      "sharp "
-      "corner, slide on. Sharp corners are the default all the same: blocks turn over and arches hinge about "
-      "the "
-      "corner, and a rounded one is as much nearer to the middle as its radius. Final speed in m/s, Δt = 1 "
-      "ms: 0.6 s "
-      "over ten bricks at 3 m/s, 1 GPa and softer; 0.3 s down a crossed plane of 60° (2.5461) and into a "
-      "shaft of its "
-      "own width (2.94):");
+      "With `contact.corner_rounding` a corner that meets another block is an arc. Gap and normal are "
+      "continuous where it leaves an edge or climbs a step, and no rule has to say which line it meets. What "
+      "it meets keeps its sharp outline, so that flush joints stay flush. It needs steps in which a block "
+      "moves less than about the radius; a smaller one catches on what bricks sink. Soft bricks, which sink "
+      "by more than the lip of a sharp corner, slide on. Sharp corners are the default all the same: blocks "
+      "turn over and arches hinge about the corner, and a rounded one is as much nearer to the middle as its "
+      "radius. Final speed in m/s, Δt = 1 ms: 0.6 s over ten bricks at 3 m/s, 1 GPa and softer. Also 0.3 s "
+      "down a crossed plane of 60° (2.5461) and into a shaft of its own width (2.94):");
   std::vector<std::vector<std::string>> table{
       {"rounding", "fixed", "fixed, gaps 1 mm", "free", "free, 100 MPa", "free, 35 MPa", "plane", "shaft"}};
   const double dip = 60 * std::numbers::pi / 180;
@@ -256,10 +246,10 @@ void crossed_planes(Report& report) {
         {fmt::format("{:g}°", dip), fmt::format("{}", of_dip.n), fmt::format("{:.0e}", of_dip.largest)});
   }
   report.paragraph(
-      "Planes made of three fixed blocks' edges, joints crossing them at 30 to 150 degrees, one or two "
-      "blocks of "
-      "1 m × 0.3 m at rest, the front corner at a crossing, 1 mm and 1 nm before it, 1 um and 0.2 m beyond; "
-      "friction of 0 and 10 degrees, 35 GPa. Speed after 0.2 s against g (sin α − cos α tan φ) t:");
+      "Planes are made of three fixed blocks' edges, with joints crossing them at 30 to 150 degrees. One or "
+      "two blocks of 1 m × 0.3 m start from rest, the front corner at a crossing, 1 mm and 1 nm before it, 1 "
+      "um and 0.2 m beyond. Friction is 0 and 10 degrees, E = 35 GPa. Speed after 0.2 s against g (sin α − "
+      "cos α tan φ) t:");
   report.table(table);
   Tally models{0.01};
   for (const BlockModel model :

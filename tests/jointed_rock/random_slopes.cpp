@@ -163,13 +163,10 @@ void held_by_steps(Report& report) {
   constexpr double rounding = 0.01;
   report.paragraph(
       fmt::format("### What comes to rest below the limit\n\nThese slip by millimetres and are then held, in "
-                  "balance, by blocks "
-                  "that met at the start in corners alone, or not at all: where one joint has slipped, the "
-                  "joints that cross it "
-                  "have steps of that height, and sharp corners do not pass steps above the lip. The linear "
-                  "program knows the "
-                  "faces at the start; it is right of the slope as it was cut, not of the one that has "
-                  "moved. Rounded corners "
+                  "balance, by blocks that met at the start in corners alone, or not at all. Where one joint "
+                  "has slipped, the joints that cross it have steps of that height, and sharp corners do not "
+                  "pass steps above the lip. The linear program knows the faces at the start; it is right of "
+                  "the slope as it was cut, not of the one that has moved. Rounded corners "
                   "(`contact.corner_rounding = {:g}`) climb such steps.",
                   rounding));
   std::vector<std::vector<std::string>> rows{{"seed", "slip after 1 s", "unbalanced",
@@ -237,11 +234,10 @@ void random_slopes(Report& report) {
       "under their weight, Δt = {} s. The limiting tan φ is the least at which admissible forces exist: a "
       "linear program of the static theorem, bisected. With less the slope has to move, whatever the law of "
       "flow. A single block on a plane of the limiting angle slides by a = {:.2f} g sin φ with 97 % of its "
-      "tan "
-      "φ. A slope moves when a vertex comes {:g} % as far as a takes that block in {} s, and rests when "
-      "none comes a tenth of that; in brackets is the displacement over a t²/2. Above the limit a "
-      "slope may slide nonetheless, since joints do not dilate by φ. It has to rest where φ is larger than "
-      "every dip as well (120 % of the larger tangent): no block slides by its weight on any face.",
+      "tan φ. A slope moves when a vertex comes {:g} % as far as a takes that block in {} s, and rests when "
+      "none comes a tenth of that. In brackets is the displacement over a t²/2. Above the limit a slope may "
+      "slide nonetheless, since joints do not dilate by φ. It has to rest where φ is larger than every dip "
+      "as well (120 % of the larger tangent): no block slides by its weight on any face.",
       time_step, 1 - below_limit, 100 * moving_part, watched));
   sample(report);
   all(report);

@@ -76,21 +76,16 @@ bool print_table(std::istream& lines) {
     }
   }
   std::printf(
-      "# Drops of polygons of any shape\n\n"
-      "Two to six random simple polygons, convex and concave, of sizes 1:30, fall in a closed box on held "
-      "ground; %ld drops, of the seeds %llu to %llu: `build/tests/performance/any_drops FIRST COUNT >> "
-      "lines; "
-      "any_drops table < lines`. Overlap is the largest common area of two blocks relative to the smaller "
-      "one, after every step; too much is more than %g. Passed is a drop in which a block's centre was out "
-      "of "
-      "the box, or most of a block in another. Stopped is a run that ended early. A rise is a step after "
-      "which "
-      "kinetic, elastic and potential energy together are larger by more than %g of the largest kinetic "
-      "energy "
-      "so far.\n\n"
-      "| ground | drops | blocks | steps | substeps | rejected | for overlap | stopped | passed | too much "
-      "overlap | overlap | rises | largest | ms a drop |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+      "# Drops of polygons of any shape\n\nTwo to six random simple polygons, convex and concave, of sizes "
+      "1:30, fall in a closed box on fixed ground. %ld drops, of the seeds %llu to %llu: "
+      "`build/tests/performance/any_drops FIRST COUNT >> lines; any_drops table < lines`. Overlap is the "
+      "largest common area of two blocks relative to the smaller one, after every step; too much is more "
+      "than %g. Passed is a drop in which a block's centre was out of the box, or most of a block in "
+      "another. Stopped is a run that ended early. A rise is a step after which kinetic, elastic and "
+      "potential energy together are larger by more than %g of the largest kinetic energy so far.\n\n| "
+      "ground | drops | blocks | steps | substeps | rejected | for overlap | stopped | passed | too much "
+      "overlap | overlap | rises | largest | ms a drop "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
       sums["~all"].drops, static_cast<unsigned long long>(least), static_cast<unsigned long long>(most),
       overlap_limit, energy_rise);
   for (const auto& [name, s] : sums)

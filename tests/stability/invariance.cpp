@@ -41,14 +41,12 @@ void show(Page& page, Report& report, const std::vector<NamedScene>& scenes,
   }
   report.paragraph(
       "Some scenes depend on the last digits of their coordinates: sides and corners that touch with a gap "
-      "of "
-      "nothing, of which round-off says which of them bear. The contacts are solved to 1e-6 of a block, and "
-      "two of those that do as well leave blocks about as far apart. The table has all scenes whose ten "
-      "steps "
-      "differ by more than 1e-11 L when nothing but the last digit of each coordinate is changed by lot "
-      "(\"shaken\", the largest of four), and those that are more than 1e-10 L apart. With a penetration "
-      "tolerance of "
-      "1e-12 instead of 1e-6 the frames agree to 1e-10 L: an augmentation more or less is the difference.");
+      "of nothing, of which round-off says which of them bear. The contacts are solved to 1e-6 of a block, "
+      "and two of those that do as well leave blocks about as far apart. The table has all scenes whose ten "
+      "steps differ by more than 1e-11 L when nothing but the last digit of each coordinate is changed by "
+      "lot (\"shaken\", the largest of four). It also has those that are more than 1e-10 L apart. With a "
+      "penetration tolerance of 1e-12 instead of 1e-6 the frames agree to 1e-10 L: an augmentation more or "
+      "less is the difference.");
   report.table(rows);
   claims.push_back(
       {fmt::format("To 1e-10 L after {} steps: scenes that do not depend on their last digits.",

@@ -81,17 +81,13 @@ void ratios(Page& page) {
       page.begin({"Mass or stiffness ratio 1e6",
                   "contact forces within 1e-6 of the weight, no flipping states", "mechanics.md 5"});
   report.paragraph(
-      "Three squares of 1 m upon each other, Δt = 0.01 s: largest error of a contact force over the weight "
-      "it carries "
-      "in the last 500 of 1500 steps, and how often a contact's state is another one than the step before. "
-      "Springs "
-      "start at the softest modulus, and at 40 times the stiffest one as in scenes that state none. What "
-      "flips is a "
-      "light block on a heavy one: the heavy one spreads under its own weight and draws the light one's "
-      "corners apart "
-      "until friction is at its bound, where sticking and slipping are both right. Forces stray in single "
-      "steps, by a spring times the last digits of a coordinate (mechanics.md looks after the last step "
-      "only).");
+      "Three squares of 1 m lie upon each other, Δt = 0.01 s. The table has the largest error of a contact "
+      "force over the weight it carries in the last 500 of 1500 steps. It also has how often a contact's "
+      "state is another one than the step before. Springs start at the softest modulus, and at 40 times the "
+      "stiffest one as in scenes that state none. What flips is a light block on a heavy one. The heavy one "
+      "spreads under its own weight and draws the light one's corners apart until friction is at its bound, "
+      "where sticking and slipping are both right. Forces stray in single steps, by a spring times the last "
+      "digits of a coordinate (mechanics.md looks after the last step only).");
   std::vector<std::vector<std::string>> rows{
       {"stack", "dynamic, soft start", "static, soft start", "dynamic, default", "static, default"}};
   double worst[2] = {0, 0};
@@ -241,11 +237,10 @@ void contact_forces(Page& page) {
     worst.dissipation_falls = std::max(worst.dissipation_falls, check.dissipation_falls);
   }
   report.paragraph(
-      fmt::format("{} random scenes of support/random_scenes, 30 steps each; after every step each closed "
-                  "contact's forces "
-                  "against its cone, over the largest contact force there is, and the work of its friction "
-                  "in the slip of the "
-                  "step, over the friction times the block's size.",
+      fmt::format("{} random scenes of support/random_scenes, 30 steps each. After every step each closed "
+                  "contact's forces are compared with its cone, over the largest contact force there is. So "
+                  "is the work of its friction in the slip of the step, over the friction times the block's "
+                  "size.",
                   n_scenes));
   page.claims({{"Inside the cone to 1e-12.", worst.outside <= 1e-12,
                 fmt::format("{} at {} contacts{}", figure(worst.outside), worst.contacts,
@@ -338,11 +333,10 @@ void overlaps(Page& page) {
       page.begin({"Overlapping start, 1e-12 L to 0.5 L", "no energy created; large: refused by name",
                   "`Rest.AnInitialOverlapMakesNoForce`, `Overlap.*`"});
   report.paragraph(
-      "A square on a held floor, two upon each other, and one on a corner, overlapping by as much, at rest "
-      "without "
-      "gravity, E = 35 GPa, 100 steps of 1 ms, read from a file: energy that appears over a block's weight "
-      "times its "
-      "size, dynamic and static, at most, and how far it moves.");
+      "A square on a fixed floor, two upon each other, and one on a corner overlap by as much. They are read "
+      "from a file and at rest without gravity, E = 35 GPa, for 100 steps of 1 ms. The table has the energy "
+      "that appears over a block's weight times its size, dynamic and static, at most, and how far it "
+      "moves.");
   std::vector<std::vector<std::string>> rows{{"overlap", "energy", "moves, m", "refused"}};
   double gained = 0;
   int wrongly_taken = 0, wrongly_refused = 0;

@@ -180,9 +180,8 @@ void incompressible(Page& page) {
   const double softening = std::abs(sags[2 * n + 3] / sags[2 * n + 2] - 1);
   report.paragraph(
       "A cantilever of 8 x 1 m under its weight, of quads with B-bar where the material is next to "
-      "incompressible: its sag over that of a beam in plane strain with shear, whose end is not hindered "
-      "from becoming wider as a "
-      "clamped one is.");
+      "incompressible. The table has its sag over that of a beam in plane strain with shear, whose end is "
+      "not hindered from becoming wider as a clamped one is.");
   report.table(rows);
 
   int refused = 0, tried = 0;
@@ -232,13 +231,10 @@ void concave_corners(Page& page) {
                   "noticed in that step; falls back or stops, never wrong shape functions",
                   "`CellView.AWachspressCellThatTurnedConcaveIsDrawnAllTheSame`, `CorotationalBlock*`"});
   report.paragraph(
-      "A block of 2 x 1 m with a corner in its top edge that turns by 1e-2 and by 1e-6, pushed in there by a "
-      "force "
-      "that grows, E = 10 MPa. The outline is looked at after every step. (A Wachspress function of a corner "
-      "next to "
-      "straight is a spike along the edge: with the block's rule it is too soft to push in, and has next to "
-      "no mass; "
-      "`auto` gives such blocks mean value functions.)");
+      "A block of 2 x 1 m with a corner in its top edge that turns by 1e-2 and by 1e-6. A force that grows "
+      "pushes it in there; E = 10 MPa. The outline is looked at after every step. (A Wachspress function of "
+      "a corner next to straight is a spike along the edge. With the block's rule it is too soft to push in, "
+      "and has next to no mass. `auto` gives such blocks mean value functions.)");
   bool all_noticed = true, all_sound = true;
   double least_mass = 1, mass_error = 0;
   std::vector<std::vector<std::string>> rows{{"kinematics", "turn", "step of the first concave corner",

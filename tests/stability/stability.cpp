@@ -11,11 +11,12 @@ namespace {
 
 constexpr const char* front = R"(# Invariance, robustness and hard scenes
 
-Made by `bash doc/verification/make.sh`; every number below is computed by it, but for those of the long suite, which
-`build/release/tests/stability/stability_long` (some minutes; `ctest -L long` makes it anew and compares) writes to
-`tests/stability/long.csv`. Scenes of every kind are the paper's examples with the paper's mechanics and the default ones; a drop of
-each kind of `tests/support/random_scenes` and `any_drops`; hard ones of `made_scenes`; a frame of blocks of all models with
-supports, loads, bonds and damping by each time scheme; beams at rest. L is the size of a scene's smallest free block. Of {} checks
+Made by `bash doc/verification/make.sh`; every number below is computed by it, but for those of the long suite.
+`build/release/tests/stability/stability_long` (some minutes; `ctest -L long` makes it anew and compares) writes these to
+`tests/stability/long.csv`. Scenes of every kind are the paper's examples with the paper's mechanics and the default ones, a drop of
+each kind of `tests/support/random_scenes` and `any_drops`, and hard ones of `made_scenes`. They are also a frame of blocks of all
+models with supports, loads, bonds and damping by each time scheme, and beams at rest. L is the size of a scene's smallest
+free block. Of {} checks
 {} pass.
 
 )";

@@ -277,7 +277,7 @@ void pictures(Report& report) {
             .window = Window{{-1.25 * radius, -0.08 * radius}, {1.25 * radius, 1.12 * radius}},
             .vectors = {VectorKind::contact_forces}}),
       "Above: σ2 and contact forces of arches that just stand. The thrust touches the outer edge at the "
-      "crown and the inner one at the haunches; with much friction also the outer one at the springings, "
+      "crown and the inner one at the haunches. With much friction also the outer one at the springings, "
       "with little it is as oblique there as friction allows. Below: how thinner ones fall, by hinges, and "
       "by hinges and sliding at the springings.");
   report.claims(
@@ -293,19 +293,15 @@ void pictures(Report& report) {
 void arch(Report& report) {
   report.heading("A semicircular arch");
   report.paragraph(
-      "A semicircular arch of equal trapezoidal voussoirs with radial joints, mean radius R = 10 m, "
-      "thickness t, on a "
-      "wide base, under its own weight; E = 35 GPa, Δt = 0.02 s. 20 static steps settle it, then it may "
-      "move. It falls when a vertex has moved by "
-      "R/50, and stands when it has come to rest instead. The least t/R that stands is found by bisection.");
+      "A semicircular arch of equal trapezoidal voussoirs with radial joints stands on a wide base under its "
+      "own weight. Its mean radius is R = 10 m, its thickness t; E = 35 GPa, Δt = 0.02 s. 20 static steps "
+      "settle it, then it may move. It falls when a vertex has moved by R/50, and stands when it has come to "
+      "rest instead. The least t/R that stands is found by bisection.");
   report.paragraph(
-      "The reference is a limit analysis of rigid voussoirs: is there a horizontal thrust H and a moment M "
-      "at the "
-      "springing such that at every joint |M| ≤ N t/2 and |T| ≤ μ N? Both are linear in (H, M); the half "
-      "planes are "
-      "intersected exactly, and t is bisected. (Milankovitch 1907; with little friction a necessary "
-      "condition, since "
-      "sliding does not dilate.)");
+      "The reference is a limit analysis of rigid voussoirs. It asks: is there a horizontal thrust H and a "
+      "moment M at the springing such that at every joint |M| ≤ N t/2 and |T| ≤ μ N? Both are linear in (H, "
+      "M); the half planes are intersected exactly, and t is bisected. (Milankovitch 1907; with little "
+      "friction a necessary condition, since sliding does not dilate.)");
   voussoirs(report);
   frictions(report);
   pictures(report);

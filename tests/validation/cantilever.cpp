@@ -113,9 +113,8 @@ std::string percent(double part) {
 void one_block(Report& report) {
   report.paragraph(
       "### One block\n\nTip deflection over the beam's, by cells asked for. With ν = 0 the clamp restrains "
-      "nothing that the beam does not "
-      "know of; with ν = 0.3 it also keeps the end from changing its height, which stiffens the last half "
-      "height or so.");
+      "nothing that the beam does not know of. With ν = 0.3 it also keeps the end from changing its height, "
+      "which stiffens the last half height or so.");
   const std::vector<int> cells{64, 256, 1024, 4096};
   std::vector<std::vector<std::string>> rows{{"beam", "cells"}};
   for (const int n : cells) rows[0].push_back(fmt::format("{}", n));
@@ -159,11 +158,10 @@ void one_block(Report& report) {
 void wall(Report& report) {
   const Beam beam;
   report.paragraph(
-      "### A wall of bonded bricks\n\nThe beam of 8 x 1 m, ν = 0.3, as a wall of bricks 2 : 1 in courses, "
-      "clamped at its left end, held by "
-      "mortar that does not break (cohesion and tensile strength): the joints one above the other, or in "
-      "running bond, each upper "
-      "joint over the middle of a brick. Tip deflection over the beam's:");
+      "### A wall of bonded bricks\n\nThe beam of 8 x 1 m, ν = 0.3, is a wall of bricks 2 : 1 in courses, "
+      "clamped at its left end. Mortar that does not break holds it (cohesion and tensile strength). The "
+      "joints are one above the other, or in running bond, each upper joint over the middle of a brick. Tip "
+      "deflection over the beam's:");
   struct Case {
     const char* name;
     Bond bond;
@@ -207,15 +205,12 @@ void wall(Report& report) {
   report.table(rows);
   report.paragraph(
       "Bonded corner to corner, polygons are the elements of a conforming mesh: too stiff while they are "
-      "few, and right as they "
-      "are many; what is missing is not stiffness of the joints but the bending of the bricks. In running "
-      "bond it does not come: a "
-      "corner bonded to the middle of an edge must stay on the straight line between the ends of that edge, "
-      "in every course, so "
-      "that no brick can bend or shear as its neighbours do, however small the bricks are. Bricks of cells, "
-      "whose edges bend and "
-      "whose cells' corners are bonded too, do not have that. `auto` divides bricks where they are slender "
-      "or their bending counts.");
+      "few, and right as they are many. What is missing is not stiffness of the joints but the bending of "
+      "the bricks. In running bond it does not come. A corner bonded to the middle of an edge must stay on "
+      "the straight line between the ends of that edge, in every course. So no brick can bend or shear as "
+      "its neighbours do, however small the bricks are. Bricks of cells, whose edges bend and whose cells' "
+      "corners are bonded too, do not have that. `auto` divides bricks where they are slender or their "
+      "bending counts.");
   std::vector<std::vector<std::string>> springs{{"bond, four courses of polygons", "p = E", "10 E", "40 E",
                                                  "1000 E", "default, penetration to 1e-6", "to 1e-7",
                                                  "to 1e-8"}};
@@ -269,9 +264,8 @@ void wall(Report& report) {
 void cantilever(Report& report) {
   report.heading("Cantilevers");
   report.paragraph(
-      "A cantilever under its own weight q = ρ g h, clamped at one end, static, E = 35 GPa: w = q L⁴/8E'I + "
-      "q L²/2κG h, κ = 5/6, "
-      "E' = E/(1 − ν²) in plane strain (Timoshenko).");
+      "A cantilever under its own weight q = ρ g h, clamped at one end, static, E = 35 GPa. Its deflection "
+      "is w = q L⁴/8E'I + q L²/2κG h, κ = 5/6, E' = E/(1 − ν²) in plane strain (Timoshenko).");
   one_block(report);
   wall(report);
 }

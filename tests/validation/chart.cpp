@@ -166,21 +166,16 @@ void chart(Report& report) {
   report.heading("Slide or topple");
   report.paragraph(
       "A block of base b and height h on a slope of a, released at rest. By statics it slides when tan φ < "
-      "tan a and topples "
-      "when b/h < tan a. Where both hold, inertia decides (Sagaseta 1986; Newton's laws for a rigid block "
-      "that "
-      "starts): a block that tilts about its lower edge without sliding has the angular acceleration "
-      "α = 3 g (sin a − (b/h) cos a)/(2 h (1 + (b/h)²)), and needs there T/N = (g sin a − α h/2)/(g cos a + "
-      "α b/2) ≤ tan φ; "
-      "a block that slides tilts when b/h < tan φ.");
+      "tan a and topples when b/h < tan a. Where both hold, inertia decides (Sagaseta 1986; Newton's laws "
+      "for a rigid block that starts). A block that tilts about its lower edge without sliding has the "
+      "angular acceleration α = 3 g (sin a − (b/h) cos a)/(2 h (1 + (b/h)²)). There it needs T/N = (g sin a "
+      "− α h/2)/(g cos a + α b/2) ≤ tan φ. A block that slides tilts when b/h < tan φ.");
   report.paragraph(
       fmt::format("Blocks of h = 1, 4 and 0.5 m on slopes of 20, 35 and 50 degrees, E = 35 GPa, Δt = {:g} s, "
-                  "under sudden gravity, until "
-                  "they have turned by 0.01 or for {:g} s; one slides when its lower edge has moved by 2e-5 "
-                  "h along the slope, and "
-                  "topples when it has turned by 1e-3. Places are 2 % to either side of every boundary, in "
-                  "tan φ or in b/h, and on "
-                  "a grid:",
+                  "get gravity at once. A run ends when they have turned by 0.01 or after {:g} s. One slides "
+                  "when its lower edge has moved by 2e-5 h along the slope, and topples when it has turned "
+                  "by 1e-3. Places are 2 % to either side of every boundary, in tan φ or in b/h, and on a "
+                  "grid:",
                   time_step, most_time));
   std::vector<Chart> charts;
   std::vector<Tally> tallies(5);  // of the boundaries, and of the grid

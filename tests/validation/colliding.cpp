@@ -188,8 +188,8 @@ void over_steps(Report& report) {
   const std::vector<double> time_steps{2e-2, 5e-3, 1e-3, 1e-4, 1e-5};
   report.paragraph(
       "Largest error of the velocities two steps after the hit, the speed of edges by spin included, over "
-      "the speed of "
-      "approach; over e = 0, 1/2, 1, friction of 0 and 30°, and 3 phases of the hit within its step:");
+      "the speed of approach. It is the largest over e = 0, 1/2, 1, friction of 0 and 30°, and 3 phases of "
+      "the hit within its step:");
   std::vector<std::vector<std::string>> rows{{"collision"}};
   for (const double dt : time_steps) rows[0].push_back(fmt::format("Δt = {:g} s", dt));
   rows[0].insert(rows[0].end(), {"momentum", "angular", "energy up", "beyond the cone"});
@@ -260,11 +260,9 @@ Setting of(const Peer& peer, double dt) {
 void by_springs(Report& report) {
   report.paragraph(
       "### Restitution of the original method\n\n`classic` blocks bounce off their springs, and off their "
-      "own elasticity; what the "
-      "scheme makes of that within the step is their restitution, an accident of p and Δt (head on, equal "
-      "squares). The "
-      "default's is what is requested. With steps longer than the hit Newmark (1/4, 1/2) throws the blocks "
-      "apart with more energy than they had.");
+      "own elasticity. What the scheme makes of that within the step is their restitution, an accident of p "
+      "and Δt (head on, equal squares). The default's is what is requested. With steps longer than the hit "
+      "Newmark (1/4, 1/2) throws the blocks apart with more energy than they had.");
   Chart chart{.x_symbol = {"Δt", "", ""},
               .y_symbol = {"e", "", ""},
               .x_unit = "s",
@@ -303,9 +301,8 @@ void by_springs(Report& report) {
 void error_against_time(Report& report) {
   report.paragraph(
       "### Error against run time\n\nThe off-centre hit, elastic and without friction (e = 1; of `classic` "
-      "nothing can be asked): error "
-      "of the velocities after it over the speed of approach, against the run time of a collision (2 ms or 4 "
-      "steps).");
+      "nothing can be asked). The chart has the error of the velocities after it over the speed of approach, "
+      "against the run time of a collision (2 ms or 4 steps).");
   Chart chart{.x_symbol = {"run time", "", ""},
               .y_symbol = {"error of the velocity", "", ""},
               .x_unit = "ms",
@@ -351,11 +348,10 @@ void error_against_time(Report& report) {
 void colliding(Report& report) {
   report.heading("Collisions");
   report.paragraph(
-      "Two free blocks of 35 GPa without gravity: a square meets a rectangle at rest, face to face, or "
-      "turned by 45° with a corner on "
-      "the middle of a face or off it, which makes them spin. Rigid bodies by impulses: compression until "
-      "nothing approaches, with friction "
-      "that sticks or slides, |P_T| ≤ P_N tan φ; then e P_N once more, with friction again (Poisson).");
+      "Two free blocks of 35 GPa collide without gravity. A square meets a rectangle at rest, face to face, "
+      "or turned by 45° with a corner on the middle of a face or off it, which makes them spin. Rigid bodies "
+      "by impulses: compression until nothing approaches, with friction that sticks or slides, |P_T| ≤ P_N "
+      "tan φ; then e P_N once more, with friction again (Poisson).");
   over_steps(report);
   by_springs(report);
   error_against_time(report);

@@ -97,14 +97,11 @@ void column(Report& report) {
                             {"clay", 6, 1, {"clay", 1900, 600e6, 0.45}}};
   report.heading("A column under its weight");
   report.paragraph(
-      "A column of height H on a floor without friction, of 1 to 20 blocks of four corners upon each other "
-      "(springs "
-      "between them, Wachspress's or the affine functions) or one block of 100 cells, settled in 300 steps "
-      "of 0.01 s under sudden gravity, with a tolerance of penetration of 1e-9: with the default of 1e-6 "
-      "closed "
-      "contacts keep gaps that are 6e-4 of the settlement. In "
-      "plane strain with free sides σyy = −ρ g (H − y), and the top sinks on average by ρ g H²/(2 E'), E' = "
-      "E/(1 − ν²): the "
+      "A column of height H on a floor without friction is one block of 100 cells or 1 to 20 blocks of four "
+      "corners upon each other. These have springs between them, Wachspress's or the affine functions. It "
+      "settles in 300 steps of 0.01 s under sudden gravity, with a tolerance of penetration of 1e-9. With "
+      "the default of 1e-6 closed contacts keep gaps that are 6e-4 of the settlement. In plane strain with "
+      "free sides σyy = −ρ g (H − y), and the top sinks on average by ρ g H²/(2 E'), E' = E/(1 − ν²). The "
       "latter is exact on a flat floor too, by reciprocity with the uniformly pressed column.");
   std::vector<std::vector<std::string>> rows{{"column", "blocks", "sinking, m", "exact", "error",
                                               "error of the blocks' mean σyy, of ρ g H",

@@ -25,13 +25,11 @@ Scene flight_scene(Scheme scheme, double dt, double time) {
 
 void thrown(Report& report) {
   report.paragraph(fmt::format(
-      "### Free fall and a projectile\n\nA pentagon of 3.3 m2 dropped from rest, and thrown at (7, 11) m/s "
-      "without spin: after {:g} s it "
-      "is at v t + g t²/2 and moves at v + g t. Distance from there (m), and error of the velocity (m/s). "
-      "Schemes with "
-      "constant acceleration within a step are exact; `backward_euler` moves by the velocity at the end of "
-      "each step and "
-      "is g t Δt/2 too low; `newmark` starts from no acceleration, which costs its first step half of g.",
+      "### Free fall and a projectile\n\nA pentagon of 3.3 m2 is dropped from rest, and thrown at (7, 11) "
+      "m/s without spin. After {:g} s it is at v t + g t²/2 and moves at v + g t. Distance from there (m), "
+      "and error of the velocity (m/s). Schemes with constant acceleration within a step are exact. "
+      "`backward_euler` moves by the velocity at the end of each step and is g t Δt/2 too low. `newmark` "
+      "starts from no acceleration, which costs its first step half of g.",
       end_time));
   std::vector<std::vector<std::string>> rows{{"Δt, s"}};
   for (const NamedScheme& scheme : schemes) rows[0].push_back(scheme.name);

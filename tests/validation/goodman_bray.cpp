@@ -247,14 +247,11 @@ void goodman_bray(Report& report) {
       "found by bisection.");
   report.paragraph(
       "The formula knows the forces between columns and on their bases, not those of the riser behind a "
-      "column's foot. "
-      "So the lower uphill corner of every column is drawn in by 1e-4 Δx (feet free). Where it touches the "
-      "riser (feet "
-      "held), the foot is caught between the edge of its tread and the riser and held down by friction "
-      "there, and the "
-      "slope may rest a little below its limit. *Strength reduction* is the angle that the factor of safety "
-      "of the "
-      "slope with 45° and free feet gives, as `dda safety` finds it:");
+      "column's foot. So the lower uphill corner of every column is drawn in by 1e-4 Δx (feet free). Where "
+      "it touches the riser (feet held), the foot is caught between the edge of its tread and the riser. "
+      "Friction holds it down there, and the slope may rest a little below its limit. *Strength reduction* "
+      "is the angle that the factor of safety of the slope with 45° and free feet gives, as `dda safety` "
+      "finds it:");
   std::vector<std::vector<std::string>> rows{{"slope", "columns", "Δx, m", "ψ", "limit", "feet free", "error",
                                               "s", "feet held", "error", "riser's force, of the largest P",
                                               "strength reduction", "error"}};

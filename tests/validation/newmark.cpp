@@ -183,18 +183,13 @@ std::string name(const Shaking& shaking) {
 void newmark(Report& report) {
   report.heading("3. Newmark's block");
   report.paragraph(
-      "The block of chapter 1, E = 35 GPa, settled on a base that then moves by a history of displacements: "
-      "four "
-      "cycles of acceleration a sin 2πft from rest to rest, along the slope or horizontally (level). A rigid "
-      "block "
-      "sticks while "
-      "|g sin a − a_t| ≤ tan φ (g cos a + a_n), a_t and a_n being the base's acceleration down and across "
-      "the slope, and "
-      "otherwise slides with the difference (Newmark 1965). That is integrated in pieces of closed form, "
-      "with the times of slip "
-      "found by bisection. Its permanent way down the slope, how far it slid to and fro, and the error of "
-      "the "
-      "computed way (m) by time step:");
+      "The block of chapter 1, E = 35 GPa, settled on a base that then moves by a history of displacements. "
+      "These are four cycles of acceleration a sin 2πft from rest to rest, along the slope or horizontally "
+      "(level). A rigid block sticks while |g sin a − a_t| ≤ tan φ (g cos a + a_n), and otherwise slides "
+      "with the difference (Newmark 1965). a_t and a_n are the base's acceleration down and across the "
+      "slope. That is integrated in pieces of closed form, with the times of slip found by bisection. Its "
+      "permanent way down the slope, how far it slid to and fro, and the error of the computed way (m) by "
+      "time step:");
   std::vector<std::vector<std::string>> rows{{"slope, friction, a, f", "way, m", "slid, m"}};
   for (const double time_step : time_steps) rows[0].push_back(fmt::format("{:g} s", time_step));
   Chart errors{.x_symbol = {"Δt", "", ""},
@@ -240,13 +235,10 @@ void newmark(Report& report) {
   report.table(rows);
   report.paragraph(
       "On a horizontal base the block slides to and fro, and what remains is a small difference of long "
-      "ways: "
-      "errors are set against all that it slid there; at 5 Hz the 1.4 mm that remain are not found. Friction "
-      "changes its direction at the end of a step, a "
-      "matter of "
-      "first order; sliding one way only, errors fall with the square of the step until the elastic block's "
-      "own "
-      "shear, some 1e-5 m, is reached.");
+      "ways. Errors are set against all that it slid there; at 5 Hz the 1.4 mm that remain are not found. "
+      "Friction changes its direction at the end of a step, a matter of first order. In sliding one way "
+      "only, errors fall with the square of the step until the elastic block's own shear, some 1e-5 m, is "
+      "reached.");
   report.picture("dda_newmark_error",
                  draw({errors}, {.title = "Newmark's block: error of the permanent way", .plot_height = 260}),
                  "Relative error of the permanent way down the slope over the time step.");

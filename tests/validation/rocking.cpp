@@ -189,17 +189,12 @@ void impacts(Report& report) {
   report.paragraph("### Impacts and amplitudes");
   report.paragraph(
       "Housner: the angular momentum about the corner that hits is kept, the other corner leaves without an "
-      "impulse, and "
-      "r = (1 − 3/2 sin² α)² of the energy is left. Contacts of restitution 0 that push but do not pull, and "
-      "whose friction "
-      "holds, make just that: stopping the corner that hits lifts the other one. Energy that the first "
-      "impact leaves, by "
-      "the amplitudes before and after, over Housner's r: least and most over 16 phases of the impact within "
-      "its step "
-      "(R = 1.1 m, θ₀ = 0.6 α). The forces of a step are those of its end, so that gravity brakes the block "
-      "through the "
-      "whole step of the impact, though it drove it until then: up to 4 p² sin α Δt/ω of the energy is "
-      "lost.");
+      "impulse, and r = (1 − 3/2 sin² α)² of the energy is left. Contacts of restitution 0 that push but do "
+      "not pull, and whose friction holds, make just that: stopping the corner that hits lifts the other "
+      "one. Energy that the first impact leaves, by the amplitudes before and after, over Housner's r. The "
+      "columns are least and most over 16 phases of the impact within its step (R = 1.1 m, θ₀ = 0.6 α). The "
+      "forces of a step are those of its end, so that gravity brakes the block through the whole step of the "
+      "impact, though it drove it until then. Up to 4 p² sin α Δt/ω of the energy is lost.");
   std::vector<std::vector<std::string>> rows{{"α", "r", "Δt, s", "least", "most", "4 p² sin α Δt/ω"}};
   double above = -1, beyond = 0, finest = 0;
   const std::vector<double> time_steps{8e-3, 4e-3, 2e-3, 1e-3, 5e-4};
@@ -240,8 +235,8 @@ void swings(Report& report) {
   constexpr int n_impacts = 5;
   report.paragraph(
       fmt::format("One block over {} impacts (R = {} m, α = 18°, θ₀ = {} α): error of the times at which it "
-                  "stands upright against the "
-                  "rigid block with Housner's r, and of the amplitude after the first three impacts.",
+                  "stands upright against the rigid block with Housner's r. Then the error of the amplitude "
+                  "after the first three impacts.",
                   n_impacts, rocker.half_diagonal, rocker.tilt));
   Chart chart{
       .x_symbol = {"t", "", ""}, .y_symbol = {"θ/α", "", ""}, .x_unit = "s", .y_unit = "", .series = {}};

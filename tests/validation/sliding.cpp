@@ -74,10 +74,10 @@ Errors errors(Slider slider, double slope) {
 void stiff_blocks(Report& report) {
   report.paragraph("### Stiff blocks");
   report.paragraph(
-      "E = 35 GPa, friction angles 0 and 20, 10 and 5 degrees below the slope, penalties E, 40 E and 1000 E: "
-      "the "
-      "largest error of the way after one second, without damping and with stiffness-proportional damping of "
-      "ratio 0.3 in the block's first mode, and the largest difference between penalties:");
+      "E = 35 GPa, friction angles 0 and 20, 10 and 5 degrees below the slope, penalties E, 40 E and 1000 E. "
+      "The table has the largest error of the way after one second, without damping and with "
+      "stiffness-proportional damping of ratio 0.3 in the block's first mode. It also has the largest "
+      "difference between penalties:");
   std::vector<std::vector<std::string>> rows{
       {"slope", "Δt, s", "undamped", "between penalties", "damped", "between penalties"}};
   Errors undamped, damped;
@@ -211,16 +211,12 @@ void vibration_by_friction(Report& report) {
   report.paragraph("### Vibration by friction");
   report.paragraph(
       "Without damping an elastic block does not slide steadily. Each corner of its base drags in proportion "
-      "to how it "
-      "presses; so a motion across the slope makes a force along it but not the other way round, the "
-      "equations of small "
-      "vibrations are unsymmetric, and a mode across and one along the slope of nearly one frequency couple "
-      "to a "
-      "vibration that takes energy from the sliding and grows (flutter, as of squealing brakes). For the "
-      "block that slides on both corners, "
-      "M u'' + C u' + K u = Σ N (n − μ t), n·u = 0, its growth is an eigenvalue. E = 35 MPa; the quickest "
-      "growth, 1/s, by friction angle and damping ratio, "
-      "on any slope:");
+      "to how it presses. So a motion across the slope makes a force along it but not the other way round, "
+      "and the equations of small vibrations are unsymmetric. A mode across and one along the slope of "
+      "nearly one frequency couple. The vibration takes energy from the sliding and grows (flutter, as of "
+      "squealing brakes). For the block that slides on both corners, M u'' + C u' + K u = Σ N (n − μ t), n·u "
+      "= 0, its growth is an eigenvalue. E = 35 MPa; the quickest growth, 1/s, by friction angle and damping "
+      "ratio, on any slope:");
   std::vector<std::vector<std::string>> rows{{"φ", "ratio 0", "0.1", "0.2", "0.3", "0.4"}};
   for (const double friction : {0., 10., 20., 25., 30., 35.}) {
     rows.push_back({degrees_text(friction)});
@@ -272,12 +268,10 @@ void vibration_by_friction(Report& report) {
   report.table(rows);
 
   report.paragraph(
-      "Once the corners leave the slope the vibration grows no further; while a corner is in the air, sticks "
-      "or runs back, friction "
-      "is less than on a sliding block, which therefore gets too far. From there on runs are chaotic: their "
-      "ways agree as "
-      "means do, not step by step. Settled and let go on 40 degrees with φ = 35°, way after one second over "
-      "that of a rigid block, less 1:");
+      "Once the corners leave the slope the vibration grows no further. While a corner is in the air, sticks "
+      "or runs back, friction is less than on a sliding block, which therefore gets too far. From there on "
+      "runs are chaotic: their ways agree as means do, not step by step. Settled and let go on 40 degrees "
+      "with φ = 35°, way after one second over that of a rigid block, less 1:");
   rows = {{"scheme", "Δt = 0.005 s", "0.001 s", "5e-4 s", "2e-4 s", "2e-4 s, tighter", "0.001 s, ratio 0.3"}};
   Chart chart{
       .x_symbol = {"t", "", ""}, .y_symbol = {"v", "", ""}, .x_unit = "s", .y_unit = "m/s", .series = {}};
@@ -405,9 +399,8 @@ void convergence(Report& report) {
   report.paragraph("### Convergence and cost");
   report.paragraph(
       "A stiff block (35 GPa) on 30 degrees with φ = 20° under a body force along the slope of 1.5 m/s2 sin "
-      "4πt never "
-      "stops: s = a t²/2 + A (ωt − sin ωt)/ω². Error of the way after one second, relative, its order "
-      "between the last two steps:");
+      "4πt never stops. Its way is s = a t²/2 + A (ωt − sin ωt)/ω². Error of the way after one second, "
+      "relative, its order between the last two steps:");
   std::vector<std::vector<std::string>> rows{{"scheme", "0.02 s", "0.01 s", "0.005 s", "0.0025 s", "order"}};
   Chart chart{.x_symbol = {"run time", "", ""},
               .y_symbol = {"error of the way", "", ""},
@@ -449,9 +442,8 @@ void convergence(Report& report) {
 
   report.paragraph(
       "A soft block (35 MPa, ratio 0.3) clings to 30 degrees under a body force along the slope of 3 m/s2 "
-      "sin² (πt/0.8 s), "
-      "penetration to 1e-10 of the block: error of how far its top has moved after 0.3 s, against midpoint "
-      "steps of 5e-5 s:");
+      "sin² (πt/0.8 s), penetration to 1e-10 of the block. Error of how far its top has moved after 0.3 s, "
+      "against midpoint steps of 5e-5 s:");
   rows = {{"scheme", "0.01 s", "0.005 s", "0.0025 s", "0.00125 s", "order"}};
   const auto lean = [](const Method& method, double time_step) {
     const Slider slider{.angle = radians(30),

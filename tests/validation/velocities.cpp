@@ -137,14 +137,11 @@ void velocities(Report& report) {
   report.heading("2. Sliding with and against an initial velocity");
   report.paragraph(
       "The block of chapter 1 at rest on its slope, E = 35 GPa, gets a velocity v₀ along it. While it moves, "
-      "its "
-      "acceleration is g (sin a ∓ cos a tan φ), friction against its way. Where that slows it down it comes "
-      "to rest at "
-      "t = −v₀/acceleration after −v₀²/(2 acceleration), and stays (tan φ > tan a) or turns back. The way "
-      "where it "
-      "turns, and the way after two seconds, by the formula and its error (m) for three steps; the largest "
-      "error of "
-      "the time of turning (s), and how far it creeps in the last half second (m):");
+      "its acceleration is g (sin a ∓ cos a tan φ), friction against its way. Where that slows it down it "
+      "comes to rest at t = −v₀/acceleration after −v₀²/(2 acceleration), and stays (tan φ > tan a) or turns "
+      "back. The way where it turns, and the way after two seconds, by the formula and its error (m) for "
+      "three steps. Then the largest error of the time of turning (s), and how far it creeps in the last "
+      "half second (m):");
   std::vector<std::vector<std::string>> rows{{"slope, friction, velocity down", "turns at, s", "error",
                                               "after, m", "Δt = 0.02 s", "0.005 s", "0.001 s",
                                               "way in 2 s, m", "0.02 s", "0.005 s", "0.001 s", "creep"}};
@@ -196,9 +193,8 @@ void velocities(Report& report) {
   report.table(rows);
   report.paragraph(
       "Friction has one direction in a step. In the step in which the block turns back it changes it at one "
-      "of its "
-      "ends: the velocity afterwards errs by up to 2 g cos a tan φ Δt, and the way by that times the time "
-      "since.");
+      "of its ends. The velocity afterwards errs by up to 2 g cos a tan φ Δt, and the way by that times the "
+      "time since.");
   picture(report);
   report.claims(
       {{"Sliding on: the way to 1e-6.", down_error <= 1e-6, text(down_error)},

@@ -186,12 +186,9 @@ void plateaus(Report& report) {
   report.paragraph("### Arrival, plateau, ends");
   report.paragraph(
       "80 blocks or cells along the bar, cΔt = 0.7 of one. Arrival (half the plateau) at 1/4, 1/2 and 3/4 of "
-      "the bar over x/c, "
-      "less 1; velocity over p/ρc and stress over p in the middle, behind the front; stress at a fixed end "
-      "over 2p; velocity "
-      "of a free end over 2p/ρc, less 1 each. Means of times between fronts. Pressed blocks: without bonds "
-      "and friction, "
-      "under 2p from the start.");
+      "the bar over x/c, less 1. Velocity over p/ρc and stress over p in the middle, behind the front, less "
+      "1. Stress at a fixed end over 2p; velocity of a free end over 2p/ρc, less 1 each. Means of times "
+      "between fronts. Pressed blocks: without bonds and friction, under 2p from the start.");
   const std::vector<Named> bars{
       {"bonded blocks, midpoint", {}},
       {"bonded blocks, dda", {.scheme = Scheme::dda}},
@@ -264,15 +261,11 @@ void refinement(Report& report) {
   report.paragraph("### Error against blocks, steps and run time");
   report.paragraph(
       "Largest error of the three arrivals, by blocks along the bar and scheme (bonded blocks). Blocks in a "
-      "row are linear "
-      "elements with their consistent mass: with steps by the midpoint a wave of number k runs at c (1 + "
-      "k²h²/24 − k²c²Δt²/12), "
-      "so that short waves run ahead of the front, or behind it, and those of cΔt = 0.71 h hardly do: a "
-      "front spreads as "
-      "(h² x)^(1/3). Damping schemes smear it as (cΔt x)^(1/2) instead, to both sides alike. `classic` has "
-      "its springs in "
-      "series with the blocks: at p = 40 E they slow the wave to 1/√(1 + M/kh), M = λ + 2μ, k the stiffness "
-      "of a joint.");
+      "row are linear elements with their consistent mass. With steps by the midpoint a wave of number k "
+      "runs at c (1 + k²h²/24 − k²c²Δt²/12). So short waves run ahead of the front, or behind it, and those "
+      "of cΔt = 0.71 h hardly do. A front spreads as (h² x)^(1/3). Damping schemes smear it as (cΔt x)^(1/2) "
+      "instead, to both sides alike. `classic` has its springs in series with the blocks. At p = 40 E they "
+      "slow the wave to 1/√(1 + M/kh), where M = λ + 2μ and k is the stiffness of a joint.");
   const std::vector<Named> ways{{"midpoint", {}},
                                 {"dda", {.scheme = Scheme::dda}},
                                 {"backward_euler", {.scheme = Scheme::backward_euler}},
@@ -330,11 +323,10 @@ void refinement(Report& report) {
 void wave(Report& report) {
   report.heading("A pressure wave along a bar");
   report.paragraph(
-      fmt::format("A bar of {:g} x {:g} m, held sideways, E = 35 GPa, ν = 0.25, 2500 kg/m3, is pushed at its "
-                  "left end by p = 20 MPa from "
-                  "t = 0. Behind a front that runs at c = √((λ + 2μ)/ρ) = {:.0f} m/s it moves at p/ρc under "
-                  "the stress p; a fixed end doubles "
-                  "the stress, a free one the velocity.",
+      fmt::format("A bar of {:g} x {:g} m, held sideways, has E = 35 GPa, ν = 0.25 and 2500 kg/m3. It is "
+                  "pushed at its left end by p = 20 MPa from t = 0. Behind a front that runs at c = √((λ + "
+                  "2μ)/ρ) = {:.0f} m/s it moves at p/ρc under the stress p. A fixed end doubles the stress, "
+                  "a free one the velocity.",
                   length, height, wave_speed));
   plateaus(report);
   fronts(report);

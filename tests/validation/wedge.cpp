@@ -90,12 +90,10 @@ void in_a_groove(Report& report) {
   report.paragraph("### In a groove");
   report.paragraph(
       "A wedge 2 m high, E = 35 GPa, set between two fixed planes in a static stage. Without friction its "
-      "forces form "
-      "a triangle: N₁ = W sin b₂/sin(b₁ + b₂), b being the planes' inclinations; in a symmetric groove N = "
-      "W/(2 sin α) "
-      "with α = 90° − b, half the wedge's angle. With friction N is not determined by statics: of a "
-      "symmetric wedge it lies between "
-      "W/(2 (cos b ± sin b tan φ)). Normal and shear forces (up the plane) over the weight:");
+      "forces form a triangle: N₁ = W sin b₂/sin(b₁ + b₂), where b are the planes' inclinations. In a "
+      "symmetric groove N = W/(2 sin α) with α = 90° − b, half the wedge's angle. With friction N is not "
+      "determined by statics: of a symmetric wedge it lies between W/(2 (cos b ± sin b tan φ)). Normal and "
+      "shear forces (up the plane) over the weight:");
   std::vector<std::vector<std::string>> rows{{"planes", "wedge", "φ", "N left", "T", "N right", "T",
                                               "N by formula", "error", "T/(N tan φ)", "out of balance"}};
   double smooth = 0, balance = 0;
@@ -207,13 +205,11 @@ Accelerations rigid_accelerations(const Pushing& pushing, double block_mass, dou
 void pushing_apart(Report& report) {
   report.paragraph("### Pushing two blocks apart");
   report.paragraph(
-      "A wedge between two blocks on a floor, settled with friction of 89 degrees and let go. Rigid bodies "
-      "have, with "
-      "m of the wedge, M of a block, N and μN on the wedge's faces and μ' on the floor, "
-      "m y'' = m g − 2 N (sin α + μ cos α), M x'' = N (cos α − μ sin α) − μ' (M g + N (sin α + μ cos α)), "
-      "x'' = y'' tan α. "
-      "where y'' is not positive it rests. Accelerations from the ways after 0.2 s, m/s2; errors where it "
-      "rests are in m/s2:");
+      "A wedge between two blocks on a floor, settled with friction of 89 degrees and let go. The wedge has "
+      "the mass m, a block M. N and μN act on the wedge's faces, and the floor has the friction μ'. Rigid "
+      "bodies have m y'' = m g − 2 N (sin α + μ cos α). For a block M x'' = N (cos α − μ sin α) − μ' (M g + "
+      "N (sin α + μ cos α)). The two move together: x'' = y'' tan α. where y'' is not positive it rests. "
+      "Accelerations from the ways after 0.2 s, m/s2; errors where it rests are in m/s2:");
   std::vector<std::vector<std::string>> rows{{"half angle", "φ on the wedge", "φ on the floor", "Δt, s",
                                               "wedge, exact", "computed", "error", "blocks, exact",
                                               "computed", "error"}};

@@ -63,11 +63,10 @@ Problem arch() {
   return {.name = "arch",
           .title = "An arch under its weight",
           .description =
-              "A semicircular arch of 15 voussoirs, 10 m of mean radius and 1.5 m thick, E = 1 GPa, friction "
-              "angle "
-              "35 degrees, gets its weight at once; static steps of 0.5 s. How far the crown sinks and the "
-              "thrust on "
-              "an abutment, against 144 cells in every voussoir, penetration to 1e-9 and 6 steps.",
+              "A semicircular arch of 15 voussoirs, 10 m of mean radius and 1.5 m thick, gets its weight at "
+              "once. E = 1 GPa, friction angle 35 degrees; static steps of 0.5 s. How far the crown sinks "
+              "and the thrust on an abutment, against 144 cells in every voussoir, penetration to 1e-9 and 6 "
+              "steps.",
           .quantities = {{"arch_sinking", "error of how far the crown sinks"},
                          {"arch_thrust", "error of the thrust"}},
           .setting = "static steps",

@@ -78,11 +78,10 @@ Problem colliding() {
       .title = "A collision",
       .description =
           "A square of 0.5 m flies with a corner against the face of a block of 0.8 x 1.6 m, 0.55 m off its "
-          "middle, without friction and gravity, E = 35 GPa; all of the speed of approach is given back "
-          "(`restitution = 1`; of `paper` and `classic` nothing can be asked). Where the blocks are and how "
-          "far "
-          "they have turned 63 ms after the hit, against rigid ones, over the way that the square would have "
-          "made.",
+          "middle. There is no friction and no gravity; E = 35 GPa. All of the speed of approach is given "
+          "back (`restitution = 1`; of `paper` and `classic` nothing can be asked). Where the blocks are and "
+          "how far they have turned 63 ms after the hit, against rigid ones, over the way that the square "
+          "would have made.",
       .quantities = {{"colliding", "error of the places after the hit"}},
       .setting = "Δt, s",
       .settings = {0.02, 0.01, 0.005, 0.002, 0.001, 5e-4, 2e-4, 5e-5},

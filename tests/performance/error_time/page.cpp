@@ -20,29 +20,29 @@ using verification::text;
 
 constexpr const char* front = R"(# Error against run time
 
-What a second of computing buys in whole analyses: the error of the number that a user wants over the time that the steps take, for
-the default, for the preset `paper`, for classical DDA, and for the default with one thing changed. Made by
+What a second of computing buys in whole analyses: the error of the number that a user wants over the time that the steps take.
+Compared are the default, the preset `paper`, classical DDA, and the default with one thing changed. Made by
 `bash doc/benchmarks/make_dda_accuracy.sh BUILD_DIRECTORY`, figures and verdicts included. Times are the processor's, of the steps
-alone (a run on one thread of a quiet machine takes as long), medians of 3 to 9 runs unless a run takes more than 2 s; every
+alone: a run on one thread of a quiet machine takes as long. They are medians of 3 to 9 runs unless a run takes more than 2 s. Every
 measurement is in [dda_accuracy.csv](dda_accuracy.csv).
 
 )";
 
 constexpr const char* why_behind =
-    R"(Where it is behind, the cause is the cost of a step: step by step it errs as the classical one does where blocks slide, and less where they
-turn, collide or bear each other; short waves it damps more. Per step it judges residuals on the geometry at the end of the step, sets the
-multipliers anew, solves with friction that follows the normal force, and finds the velocity at the end from the next step. That of a first
+    R"(Where it is behind, the cause is the cost of a step. Step by step it errs as the classical one does where blocks slide, and less where they
+turn, collide or bear each other. Short waves it damps more. Per step it judges residuals on the geometry at the end of the step and sets the
+multipliers anew. It solves with friction that follows the normal force, and finds the velocity at the end from the next step. That of a first
 solution after a change of the step counts where there are few. With small steps both come to the way of the elastic blocks, which for the
-single one is 5e-7 beyond that of a rigid one, and errors near that are not those of the steps.)";
+single one is 5e-7 beyond that of a rigid one. Errors near that are not those of the steps.)";
 
 constexpr const char* what_to_choose =
-    R"(- **Nothing stated** where it is not known which of the following matters: rigid motion is of second order, collisions are exact,
+    R"(- **Nothing stated** where it is not known which of the following matters. Rigid motion is of second order, collisions are exact,
   bending is resolved where it matters, and what should come to rest does. `auto` divides blocks into cells where they bend and nothing
-  moves, and slender ones everywhere; where blocks move squat ones stay polygons, as their ways are the same for a part of the time.
+  moves, and slender ones everywhere. Where blocks move squat ones stay polygons, as their ways are the same for a part of the time.
 - **`block_model = "mesh"`** where stress or deflection is the answer. What a polygon cannot do no step and no tolerance
-  mends: errors of the arch and of the stresses in the slope depend on the model alone, and on the springs in `paper` and `classic`.
+  mends. Errors of the arch and of the stresses in the slope depend on the model alone, and on the springs in `paper` and `classic`.
 - **`block_model = "wachspress"`** where slender blocks move and only their ways are the answer. At rest it is the cheapest for blocks that
-  lie on each other in order (arch), but polygons that bear each other at many corners (slope) take it several times the solutions of meshes.
+  lie on each other in order (arch). But polygons that bear each other at many corners (slope) take it several times the solutions of meshes.
   `affine` has no less to find and is stiffer: nothing here asks for it.
 - **`scheme = "midpoint"`** for waves and vibrations that must live: its fronts are the sharpest. Not for what should come to rest.
 - **`scheme = "explicit"`** for impacts and waves in steps that are short anyway: what is shorter than a step lives, at a few times the run time of
@@ -164,8 +164,8 @@ void write_page(const std::filesystem::path& directory, const std::vector<Measur
                      draw(charts_of(all, name), {.title = problem.title, .width = 760, .plot_height = 250}),
                      fmt::format("The {} over run time, s.", called));
       report.table(table_of(all, problem, name));
-      report.paragraph(fmt::format("At equal run time the default is {}; {}.", ahead(name, all, "classic"),
-                                   ahead(name, all, "paper")));
+      report.paragraph(fmt::format("At equal run time the default is {}. It is {}.",
+                                   ahead(name, all, "classic"), ahead(name, all, "paper")));
       claims.push_back({fmt::format("{}: {}", problem.title, called), never_behind(name, all, "classic"),
                         "default " + ahead(name, all, "classic")});
     }

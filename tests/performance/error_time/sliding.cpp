@@ -40,7 +40,7 @@ Problem sliding() {
       .name = "sliding",
       .title = "A block that slides",
       .description =
-          "A block of 3 x 1.5 m, E = 35 GPa, has settled on a plane of 30 degrees and slides with a friction "
+          "A block of 3 x 1.5 m, E = 35 GPa, has settled on a plane of 30 degrees. It slides with a friction "
           "angle of 20 degrees under a force along the plane of 1.5 m/s2 sin 4πt. Its way after one second "
           "is known: a t²/2 + A (ωt − sin ωt)/ω².",
       .quantities = {{"sliding", "error of the way after one second"}},

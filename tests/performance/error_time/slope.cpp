@@ -104,9 +104,9 @@ Problem resting_slope() {
       .title = "Voronoi blocks on a slope, at rest",
       .description =
           "30 Voronoi cells of a rectangle of 6 x 3 m, E = 1 GPa, on a rigid slope of 25 degrees get their "
-          "weight at once, with a friction angle of 45 degrees; static steps of 0.5 s. The blocks' mean "
+          "weight at once. They have a friction angle of 45 degrees; static steps of 0.5 s. The blocks' mean "
           "stresses (root of the sum over their areas of the squares) against 16 cells in every block, "
-          "penetration to 1e-8 and 8 steps: `mesh` has the same cells, so that its error is that of its "
+          "penetration to 1e-8 and 8 steps. `mesh` has the same cells, so that its error is that of its "
           "steps alone. Friction at rest may be shared out in more than one way: errors of a few per cent do "
           "not tell models apart.",
       .quantities = {{"slope_stress", "error of the blocks' mean stresses"}},
@@ -123,10 +123,9 @@ Problem sliding_slope() {
       .title = "Voronoi blocks that slide",
       .description =
           "8 Voronoi cells of a rectangle of 3 x 2 m, E = 35 GPa, have settled on a rigid slope of 25 "
-          "degrees. "
-          "With a friction angle of 40 degrees between them and 15 on the slope they slide as one under a "
-          "force along it of 1.5 m/s2 sin 4πt on all of them: how far their centre of mass has come after "
-          "one second is known, as that of the block above is.",
+          "degrees. With a friction angle of 40 degrees between them and 15 on the slope they slide as one "
+          "under a force along it of 1.5 m/s2 sin 4πt on all of them. How far their centre of mass has come "
+          "after one second is known, as that of the block above is.",
       .quantities = {{"slope_way", "error of the way of the blocks' centre of mass"}},
       .setting = "Δt, s",
       .settings = {0.05, 0.02, 0.01, 0.005, 0.0025, 0.00125},

@@ -77,13 +77,10 @@ Problem wave() {
       .title = "A wave along a bar of blocks",
       .description =
           "A bar of 20 m made of 12 to 192 bonded squares, held sideways, E = 35 GPa, ν = 0.25, is pushed at "
-          "one "
-          "end by 20 MPa from the start. A front runs along it at √((λ + 2μ)/ρ), behind it the bar moves at "
-          "p/ρc. When it has come to three quarters of the bar, after as many steps as there are blocks: "
-          "where "
-          "half that velocity is passed, over the way of the front; and the mean over the blocks of the "
-          "error "
-          "of their velocities, over p/ρc.",
+          "one end by 20 MPa from the start. A front runs along it at √((λ + 2μ)/ρ), behind it the bar moves "
+          "at p/ρc. When it has come to three quarters of the bar, after as many steps as there are blocks, "
+          "two errors are taken. The first is where half that velocity is passed, over the way of the front. "
+          "The second is the mean over the blocks of the error of their velocities, over p/ρc.",
       .quantities = {{"wave_front", "error of the place of the front"},
                      {"wave_profile", "mean error of the velocity"}},
       .setting = "blocks",
