@@ -9,7 +9,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The libraries polyfem and ddacontact; use the package polydda.";
   module.attr("__version__") = POLYDDA_VERSION;
   py::register_exception<polyfem::Error>(module, "Error", PyExc_ValueError).attr("__doc__") =
-      "What was asked for cannot be done; the message says why, and what to write instead.";
+      "The request cannot be carried out; the message says why, and what to write instead.";
   py::register_exception<ddacontact::OutputError>(module, "OutputError", PyExc_OSError).attr("__doc__") =
       "A result file cannot be read or written.";
   polydda_python::add_running(module);

@@ -16,7 +16,7 @@ import sys
 
 PAGES = ("dda", "mechanics", "blocks", "jointed_rock", "paper", "stability")
 CHECK = re.compile(r"^\| (?P<statement>.*?) \| (?P<passes>yes|\*\*no\*\*) \| (?P<value>.*?) \|$", re.M)
-SECTION = re.compile(r"^#+ (?:\d+\. )?(.*)$", re.M)
+HEADING = re.compile(r"^#+ (.*)$", re.M)
 FIGURE = re.compile(
     r"(?P<open><!-- (?P<what>from|ten hours by) (?P<page>\S+): (?P<row>.*?) #(?P<column>\d+) -->).*?<!-- end -->", re.S
 )
@@ -24,13 +24,25 @@ WITH_FIGURES = ("README.md", "doc/faq.md")
 
 
 def checks(root):
-    """(page, title, section, statement, passes, value) of every check."""
+    """(page, title, heading, statement, passes, value) of every check; "The same" has the statement before in front of it."""
     for page in PAGES:
         text = (root / f"doc/verification/{page}.md").read_text()
         title = text.split("\n", 1)[0].removeprefix("# ")
+        before = ""
         for check in CHECK.finditer(text):
-            section = SECTION.findall(text[: check.start()])[-1]
-            yield page, title, section, check["statement"], check["passes"] == "yes", check["value"]
+            heading = HEADING.findall(text[: check.start()])[-1]
+            statement = check["statement"]
+            if statement.startswith("The same"):
+                statement = f"{before} {statement}"
+            else:
+                before = statement
+            yield page, title, heading, statement, check["passes"] == "yes", check["value"]
+
+
+def link(page, heading):
+    """To a heading of a page, without its number."""
+    anchor = re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+    return f"[{page}: {re.sub(r'^[0-9]+[.] ', '', heading)}]({page}.md#{anchor})"
 
 
 def scorecard(root):
@@ -43,8 +55,8 @@ def scorecard(root):
         good = sum(check[4] for check in mine)
         rows += f"| [{mine[0][1]}]({page}.md) | {len(mine)} | {good} | {len(mine) - good} |\n"
         failures += "".join(
-            f"| [{page}]({page}.md): {section} | {statement} | {value} |\n"
-            for _, _, section, statement, passes, value in mine
+            f"| {link(page, heading)} | {statement} | {value} |\n"
+            for _, _, heading, statement, passes, value in mine
             if not passes
         )
     return f"""# Scorecard

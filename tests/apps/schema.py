@@ -24,7 +24,7 @@ SCENE = {
     "material": [{"name": "rock", "young": "10 GPa", "poisson": 0.2}],
     "joint": [{"friction_angle": "$phi"}],
     "block": [BLOCK | {"grid": {"count": [3, 2], "step": [1, 1], "bond": 0.5}, "mesh": {"cell_size": 0.1}}],
-    "support": [{"block": {"at": [0.1, 0.1]}, "vertices": {"on": [[0, 0], [1, 0]]}, "directions": "xy"}],
+    "support": [{"block": {"at": [0.1, 0.1]}, "vertices": {"on": [[0, 0], [1, 0]]}}],
     "stage": [{"mode": "static", "steps": 3, "until": {"kinetic": 1e-8}, "joints": {"0": {"friction_angle": 20}}, "remove": [{"group": "core"}, 2]}],
 }
 

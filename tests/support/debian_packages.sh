@@ -8,7 +8,7 @@ python_packages=(python3-dev pybind11-dev python3-numpy python3-matplotlib pytho
 viewer_packages=(esbuild node-typescript)
 site_packages=(python3-sphinx furo node-normalize.css python3-myst-parser libjs-mathjax doxygen esbuild)
 test_packages=(clang libomp-dev libgtest-dev libbenchmark-dev libdeal.ii-dev libbox2d-dev libcgal-dev libboost-dev
-  libglpk-dev doxygen python3-vtk9 chromium codespell)
+  libglpk-dev doxygen python3-vtk9 chromium codespell python3-jsonschema)
 
 # Installs those of the named packages that are missing; as root, or through sudo.
 install_packages() {

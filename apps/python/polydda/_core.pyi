@@ -10,7 +10,7 @@ import numpy.typing as npt
 __version__: str
 
 class Error(ValueError):
-    """What was asked for cannot be done; the message says why, and what to write instead."""
+    """The request cannot be carried out; the message says why, and what to write instead."""
 
 class OutputError(OSError):
     """A result file cannot be read or written."""
