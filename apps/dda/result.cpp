@@ -24,9 +24,13 @@ void expect_result_directory(const fs::path& directory) {
   if (!fs::is_directory(status))
     throw Error(
         fmt::format("\"{}\" is a file; name the directory that \"dda run\" wrote", directory.string()));
-  if (!fs::exists(directory / "summary.json", error) && !fs::exists(directory / "results.pvd", error))
-    throw Error(fmt::format("\"{}\" is not a result directory: neither summary.json nor results.pvd is there",
-                            directory.string()));
+  if (fs::exists(directory / "summary.json", error) || fs::exists(directory / "results.pvd", error)) return;
+  for (const auto& [file, holds] : {std::pair{"sweep.csv", "a sweep"}, {"safety.json", "a factor of safety"}})
+    if (fs::exists(directory / file, error))
+      throw Error(fmt::format("\"{}\" holds {}, in \"{}\"; name the directory of one of its runs",
+                              directory.string(), holds, file));
+  throw Error(fmt::format("\"{}\" is not a result directory: neither summary.json nor results.pvd is there",
+                          directory.string()));
 }
 
 std::optional<Scene> scene_of(const fs::path& directory) {

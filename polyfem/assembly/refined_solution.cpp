@@ -1,10 +1,23 @@
 #include <polyfem/assembly/refined_solution.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace polyfem {
 namespace {
+
+/// Of K, not of its lower triangle alone.
+int longest_row(const SparseMatrix& lower) {
+  std::vector<int> length(static_cast<std::size_t>(lower.cols()), 0);
+  for (int c = 0; c < lower.cols(); ++c) {
+    length[c] += lower.outerIndexPtr()[c + 1] - lower.outerIndexPtr()[c];
+    for (int slot = lower.outerIndexPtr()[c] + 1; slot < lower.outerIndexPtr()[c + 1]; ++slot)
+      ++length[lower.innerIndexPtr()[slot]];
+  }
+  return length.empty() ? 0 : *std::max_element(length.begin(), length.end());
+}
 
 /// b - K x in `left`; returns the largest of its entries over the sum of the sizes of what it is made of.
 double residual(const SparseMatrix& lower, const VectorXd& x, const VectorXd& b, VectorXd& left,
@@ -35,7 +48,9 @@ double residual(const SparseMatrix& lower, const VectorXd& x, const VectorXd& b,
 }  // namespace
 
 bool refined_solution(const SparseMatrix& lower, Cholesky& rough, const VectorXd& b, VectorXd& x) {
-  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon(), least_gain = 10;
+  constexpr double least_gain = 10;
+  // Of x, and of each sum that a residual is made of: what is below this is not known.
+  const double round_off = (longest_row(lower) + 2) * std::numeric_limits<double>::epsilon() / 2;
   VectorXd left = b, sizes, step;
   x.setZero(b.size());
   double error = std::numeric_limits<double>::infinity();

@@ -1,47 +1,35 @@
+#include <polyfem/basis/quadratic_monomials.hpp>
 #include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/core/error.hpp>
-
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 #include <string>
 
 namespace polyfem {
 namespace {
 
-using Monomials = Eigen::Matrix<double, Eigen::Dynamic, 6>;
-
-/// Coordinates in which the nodes have mean 0 and covariance 1: monomials are as independent there on thin
-/// cells as on round ones.
-struct Frame {
-  Vec2 centre;
-  Mat2 scale;
-
-  explicit Frame(const PointsRef& nodes) : centre(nodes.rowwise().mean()) {
-    const Points arms = nodes.colwise() - centre;
-    const Mat2 covariance = arms * arms.transpose() / static_cast<double>(nodes.cols());
-    scale = covariance.llt().matrixL().solve(Mat2::Identity());
+/// Q^T = U R by Gram and Schmidt, twice: U is orthonormal to round-off then. Takes Q^T, leaves U.
+Eigen::Matrix<double, 6, 6> orthonormalize(Monomials& U) {
+  Eigen::Matrix<double, 6, 6> R = Eigen::Matrix<double, 6, 6>::Zero();
+  for (Index k = 0; k < 6; ++k) {
+    for (int pass = 0; pass < 2; ++pass)
+      for (Index l = 0; l < k; ++l) {
+        const double along = U.col(l).dot(U.col(k));
+        U.col(k) -= along * U.col(l);
+        R(l, k) += along;
+      }
+    R(k, k) = U.col(k).norm();
+    U.col(k) /= R(k, k);
   }
-};
+  return R;
+}
 
-/// 1, x, y, x^2, x y, y^2 in the frame, and their derivatives by the cell's own coordinates.
-struct QuadraticPolynomials {
-  Monomials values, dx, dy;
-
-  QuadraticPolynomials(const Frame& frame, const PointsRef& points)
-      : values(points.cols(), 6), dx(points.cols(), 6), dy(points.cols(), 6) {
-    for (Index q = 0; q < points.cols(); ++q) {
-      const Vec2 x = frame.scale * (points.col(q) - frame.centre);
-      values.row(q) << 1, x.x(), x.y(), x.x() * x.x(), x.x() * x.y(), x.y() * x.y();
-      Eigen::Matrix<double, 2, 6> slopes;
-      slopes << 0, 1, 0, 2 * x.x(), x.y(), 0,  //
-          0, 0, 1, 0, x.x(), 2 * x.y();
-      const Eigen::Matrix<double, 2, 6> by_cell = frame.scale.transpose() * slopes;
-      dx.row(q) = by_cell.row(0);
-      dy.row(q) = by_cell.row(1);
-    }
-  }
-};
+/// That of the nodes.
+MonomialFrame frame_of(const PointsRef& nodes) {
+  const Vec2 centre = nodes.rowwise().mean();
+  Mat2 covariance = Mat2::Zero();
+  for (const auto node : nodes.colwise()) covariance += (node - centre) * (node - centre).transpose();
+  return {centre, covariance / static_cast<double>(nodes.cols())};
+}
 
 void require_midpoints(const PointsRef& cell) {
   const Index n = cell.cols();
@@ -67,13 +55,15 @@ void neighbour_products(const ShapeTable& corners, ShapeTable& table) {
   table.dy.resize(n_points, 2 * n);
   for (Index i = 0; i < n; ++i) {
     const Index next = i + 1 < n ? i + 1 : 0, previous = i > 0 ? i - 1 : n - 1;
-    const auto combine = [&](const MatrixXd& of) { return of.col(i) - of.col(previous) - of.col(next); };
+    const auto combine = [&](const MatrixXd& of) {
+      return of.col(i).array() - of.col(previous).array() - of.col(next).array();
+    };
     const auto own = corners.values.col(i).array(), neighbour = corners.values.col(next).array();
-    const Eigen::ArrayXd difference = combine(corners.values);
+    const auto difference = combine(corners.values);
     table.values.col(2 * i) = own * difference;
     table.values.col(2 * i + 1) = 4 * own * neighbour;
     const auto differentiate = [&](const MatrixXd& slope, MatrixXd& result) {
-      result.col(2 * i) = slope.col(i).array() * difference + own * combine(slope).array();
+      result.col(2 * i) = slope.col(i).array() * difference + own * combine(slope);
       result.col(2 * i + 1) = 4 * (slope.col(i).array() * neighbour + own * slope.col(next).array());
     };
     differentiate(corners.dx, table.dx);
@@ -95,20 +85,25 @@ void evaluate_quadratic(const PointsRef& cell, const Basis& basis, const PointsR
   neighbour_products(corners, table);
 
   // With Q^T = U R, the correction is U (R^-T p - U^T M).
-  const Frame frame(cell);
-  const Index n = cell.cols();
-  const Eigen::HouseholderQR<Monomials> qr(QuadraticPolynomials(frame, cell).values);
-  const Monomials U = qr.householderQ() * Monomials::Identity(n, 6);
-  const Eigen::Matrix<double, 6, 6> R = qr.matrixQR().topRows<6>();
-  const QuadraticPolynomials p(frame, points);
+  thread_local Monomials U, values, slopes, missing;
+  const MonomialFrame frame = frame_of(cell);
+  frame.evaluate(cell, U);
+  const Eigen::Matrix<double, 6, 6> R = orthonormalize(U);
   const auto correct = [&](const Monomials& exact, MatrixXd& of) {
-    const Monomials missing =
-        R.triangularView<Eigen::Upper>().solve<Eigen::OnTheRight>(exact) - Monomials(of * U);
-    of += missing * U.transpose();
+    missing = exact;
+    for (Index k = 0; k < 6; ++k) {
+      for (Index l = 0; l < k; ++l) missing.col(k) -= R(l, k) * missing.col(l);
+      missing.col(k) /= R(k, k);
+    }
+    missing -= of.lazyProduct(U);
+    of += missing.lazyProduct(U.transpose());
   };
-  correct(p.values, table.values);
-  correct(p.dx, table.dx);
-  correct(p.dy, table.dy);
+  frame.evaluate(points, values);
+  correct(values, table.values);
+  frame.differentiate(values, 0, slopes);
+  correct(slopes, table.dx);
+  frame.differentiate(values, 1, slopes);
+  correct(slopes, table.dy);
 }
 
 }  // namespace polyfem

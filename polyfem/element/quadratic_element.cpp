@@ -1,3 +1,4 @@
+#include <polyfem/basis/quadratic_monomials.hpp>
 #include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/geometry/area_moments.hpp>
@@ -5,27 +6,29 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include <cmath>
-
 namespace polyfem {
 namespace {
 
-/// Changes the weights by the least, relative to them, that makes the integrals of 1, x, y, x^2, x y and y^2
-/// exact.
+/// Changes the weights by the least, relative to them, that makes the integrals of the monomials exact: in a
+/// frame in which second moments over the area are those of a unit square. Points on a conic leave some
+/// undetermined, which the rule has to integrate well enough itself.
 void match_moments(const AreaMoments& exact, PolygonRule& rule) {
-  const double size = std::sqrt(exact.area);
-  Eigen::Matrix<double, 6, Eigen::Dynamic> p(6, rule.weights.size());
-  for (Index q = 0; q < p.cols(); ++q) {
-    const Vec2 x = (rule.points.col(q) - exact.centroid) / size;
-    p.col(q) << 1, x.x(), x.y(), x.x() * x.x(), x.x() * x.y(), x.y() * x.y();
+  thread_local Monomials p;
+  thread_local VectorXd weighted;
+  constexpr double of_unit_square = 1. / 12;
+  MonomialFrame(exact.centroid, exact.second / (of_unit_square * exact.area)).evaluate(rule.points, p);
+  Eigen::Matrix<double, 6, 1> missing;
+  missing << 1, 0, 0, of_unit_square, 0, of_unit_square;
+  missing *= exact.area;
+  Eigen::Matrix<double, 6, 6> products;
+  for (Index k = 0; k < 6; ++k) {
+    weighted = rule.weights.cwiseProduct(p.col(k));
+    missing[k] -= weighted.sum();
+    for (Index l = k; l < 6; ++l) products(l, k) = products(k, l) = weighted.dot(p.col(l));
   }
-  const Mat2 second = exact.second / exact.area;
-  Eigen::Matrix<double, 6, 1> moments;
-  moments << exact.area, 0, 0, second(0, 0), second(0, 1), second(1, 1);
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighted = p * rule.weights.asDiagonal();
-  const Eigen::Matrix<double, 6, 6> products = weighted * p.transpose();
-  const Eigen::Matrix<double, 6, 1> change = products.colPivHouseholderQr().solve(moments - p * rule.weights);
-  rule.weights.array() *= 1 + (p.transpose() * change).array();
+  const Eigen::Matrix<double, 6, 1> change = products.colPivHouseholderQr().solve(missing);
+  weighted = rule.weights;
+  for (Index k = 0; k < 6; ++k) rule.weights += change[k] * p.col(k).cwiseProduct(weighted);
 }
 
 /// The integral of N_i n over the boundary: 1/6, 4/6, 1/6 of each edge's.
@@ -37,8 +40,11 @@ Vec2 quadratic_boundary_integral(const PointsRef& cell, Index i) {
 
 void correct_gradients(const PointsRef& cell, const AreaMoments& exact, TabulatedElement& element) {
   const VectorXd& w = element.rule.weights;
-  const Points arms = element.rule.points.colwise() - exact.centroid;
-  const Points weighted = arms * w.asDiagonal();
+  thread_local VectorXd arm_x, arm_y, weighted_x, weighted_y;
+  arm_x = element.rule.points.row(0).transpose().array() - exact.centroid.x();
+  arm_y = element.rule.points.row(1).transpose().array() - exact.centroid.y();
+  weighted_x = w.cwiseProduct(arm_x);
+  weighted_y = w.cwiseProduct(arm_y);
   const Mat2 inverse_second = exact.second.inverse();
   for (Index i = 0; i < cell.cols(); ++i) {
     const Vec2 normal = quadratic_boundary_integral(cell, i);
@@ -46,9 +52,10 @@ void correct_gradients(const PointsRef& cell, const AreaMoments& exact, Tabulate
     const double integral = w.dot(element.values.col(i));
     const auto correct = [&](Index axis, auto slope) {
       const double constant = (normal[axis] - w.dot(slope)) / exact.area;
-      const Vec2 first = normal[axis] * arm - integral * Vec2::Unit(axis) - weighted * slope;
-      slope.array() += constant;
-      slope += arms.transpose() * (inverse_second * first);
+      const Vec2 first = normal[axis] * arm - integral * Vec2::Unit(axis) -
+                         Vec2(weighted_x.dot(slope), weighted_y.dot(slope)),
+                 linear = inverse_second * first;
+      slope.array() += constant + linear.x() * arm_x.array() + linear.y() * arm_y.array();
     };
     correct(0, element.dx.col(i));
     correct(1, element.dy.col(i));

@@ -31,6 +31,10 @@ TEST_F(Program, SweepWritesARowPerCase) {
     EXPECT_EQ(rows[k][9], "35");
   }
   EXPECT_NE(read_file(directory_ / "result/sweep.svg").find("</svg>"), std::string::npos);
+
+  EXPECT_EQ(dda("info result"), 4);
+  EXPECT_NE(err_.find("holds a sweep, in \"sweep.csv\""), std::string::npos) << err_;
+  EXPECT_EQ(dda("info result/case-1"), 0) << err_;
 }
 
 TEST_F(Program, SweepDrawsAMapOfTwoSettings) {
