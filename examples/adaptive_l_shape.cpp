@@ -34,7 +34,7 @@ Vec2 exact_gradient(const Vec2& x) {
 
 TabulatedElement tabulated(const PointsRef& cell) {
   TabulatedElement element;
-  tabulate(cell, dunavant_rule(4), suitable_basis(cell), GradientCorrection::on, element);
+  tabulate(cell, element);
   return element;
 }
 

@@ -7,7 +7,7 @@
 // grad N_i . grad N_j, and its solution u = exp(-2 pi^2 t) sin(pi x) sin(pi y). Steps and cells of half the
 // size must leave a quarter of the error.
 #include <polyfem/assembly/theta_scheme.hpp>
-#include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/element/default_element.hpp>
 #include <polyfem/element/diffusion.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
 #include <polyfem/mesh/voronoi.hpp>
@@ -29,7 +29,7 @@ double error(int n_cells, int n_steps) {
   ThetaScheme scheme(
       mesh, 1,
       [&](int, const PointsRef& cell, MatrixXd& K, MatrixXd& M, VectorXd&) {
-        tabulate(cell, dunavant_rule(4), suitable_basis(cell), GradientCorrection::on, element);
+        tabulate(cell, element);
         diffusion(element, Mat2::Identity(), K);
         scalar_mass(element, M);
       },

@@ -24,7 +24,7 @@ const Mat3& stiffness_of(const PointsRef& cell) {
   return is_soft(cell) ? inclusion : matrix;
 }
 void tabulate_cell(int, const PointsRef& cell, TabulatedElement& element) {
-  tabulate(cell, dunavant_rule(4), suitable_basis(cell), GradientCorrection::on, element);
+  tabulate(cell, element);
 }
 
 /// The average stress under a uniform strain (xx, yy, 2 xy).
@@ -43,7 +43,7 @@ Vec3 average_stress(const PolygonMesh& mesh, const Vec3& strain) {
 
   const Tensors stresses = stress_field(mesh, problem.solve(), tabulate_cell, [&](int c) {
                              return stiffness_of(mesh.outline(c));
-                           }).of_cells;
+                           }).stress.of_cells;
   Vec3 sum = Vec3::Zero();
   for (int c = 0; c < mesh.n_cells(); ++c) sum += area_moments(mesh.outline(c)).area * stresses.col(c);
   return sum;  // the area is 1

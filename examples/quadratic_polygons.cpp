@@ -5,19 +5,17 @@
 //
 // A quadratic cell has an unknown also in the middle of each edge, and shape functions that contain all
 // quadratic polynomials: cells of half the size leave an eighth of the error in the mean (L2), not a quarter.
-// Three lines differ from the element of first order: the mesh gets midpoints, shape functions are tabulated
-// by `tabulate_quadratic`, and their basis is chosen for the cell's corners.
+// Two lines differ from the element of first order: the mesh gets midpoints, and shape functions are tabulated
+// by `tabulate_quadratic`.
 //
 //        u = (sin(pi x) sin(pi y), 0)
 //
 // is the solution for b = -(lambda + mu) grad div u - mu laplace u, the force below.
 #include <polyfem/assembly/field_problem.hpp>
-#include <polyfem/basis/quadratic_shapes.hpp>
-#include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/core/stopwatch.hpp>
+#include <polyfem/element/default_element.hpp>
 #include <polyfem/element/error_norms.hpp>
 #include <polyfem/element/loads.hpp>
-#include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/voronoi.hpp>
@@ -46,11 +44,10 @@ Vec2 force(const Vec2& x) {
 using Tabulate = void (*)(const PointsRef& cell, TabulatedElement& element);
 
 void first_order(const PointsRef& cell, TabulatedElement& element) {
-  tabulate(cell, dunavant_rule(4), suitable_basis(cell), GradientCorrection::on, element);
+  tabulate(cell, element);
 }
 void second_order(const PointsRef& cell, TabulatedElement& element) {
-  tabulate_quadratic(cell, dunavant_rule(4), suitable_basis(quadratic_corners(cell)), GradientCorrection::on,
-                     element);
+  tabulate_quadratic(cell, element);
 }
 
 VectorXd solve(const PolygonMesh& mesh, Tabulate tabulate) {

@@ -1,6 +1,7 @@
 #include <polyfem/assembly/field_problem.hpp>
 
 #include <polyfem/assembly/elimination_order.hpp>
+#include <polyfem/assembly/field_values.hpp>
 #include <polyfem/assembly/free_motion.hpp>
 #include <polyfem/assembly/refined_solution.hpp>
 #include <polyfem/core/error.hpp>
@@ -262,15 +263,7 @@ const VectorXd& FieldProblem::solve() {
 }
 
 VectorXd FieldProblem::cell_solution(int cell) const {
-  if (cell < 0 || cell >= mesh_->n_cells())
-    throw Error("there is no cell " + std::to_string(cell) + ": cells are numbered 0 to " +
-                std::to_string(mesh_->n_cells() - 1));
-  const std::span<const int> corners = mesh_->cell(cell);
-  VectorXd values(n_components_ * static_cast<Index>(corners.size()));
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    values.segment(n_components_ * static_cast<Index>(k), n_components_) =
-        u_.segment(n_components_ * corners[k], n_components_);
-  return values;
+  return cell_values(*mesh_, cell, u_);
 }
 
 const SparseMatrix& FieldProblem::matrix() {

@@ -26,6 +26,8 @@ class NewmarkScheme {
   NewmarkScheme(const PolygonMesh& mesh, int n_components, const CellMatrices& cell_matrices,
                 double time_step)
       : NewmarkScheme(mesh, n_components, cell_matrices, time_step, Parameters{}) {}
+  NewmarkScheme(PolygonMesh&&, int, const CellMatrices&, double, const Parameters&) = delete;
+  NewmarkScheme(PolygonMesh&&, int, const CellMatrices&, double) = delete;
 
   /// Prescribes an unknown at the end of further steps; once more to change its value.
   void hold(int vertex, int component, double value = 0);

@@ -172,6 +172,14 @@ std::string NonlinearProblem::failure(const Residual& residual, const VectorXd& 
   return reason + "take smaller load steps";
 }
 
+const VectorXd& NonlinearProblem::solve_linear() {
+  try {
+    return linear_.solve();
+  } catch (const Error& error) {
+    throw Error(std::string(error.what()) + "; or take smaller load steps");
+  }
+}
+
 void NonlinearProblem::require_derivative(int vertex, const VectorXd& u) const {
   const int cell = VertexCells(*mesh_)[vertex].front();
   const VectorXd at = of_cell(cell, u);
@@ -199,7 +207,7 @@ NewtonReport NonlinearProblem::solve(double t, double tolerance) {
         report.reason = failure(residual, u);
         return report;
       }
-      const VectorXd step = linear_.solve(), start = u;
+      const VectorXd step = solve_linear(), start = u;
       const double bound = moves ? std::numeric_limits<double>::infinity() : residual_bound(report.residuals);
       double length = 1;
       for (int halvings = 0;; ++halvings, length /= 2) {
@@ -207,8 +215,8 @@ NewtonReport NonlinearProblem::solve(double t, double tolerance) {
         std::optional<Residual> there;
         try {
           there = assemble(u, t);
-        } catch (const Error&) {  // a cell turned inside out, say
-          if (halvings == most_halvings) throw;
+        } catch (const Error& error) {  // a cell turned inside out, say
+          if (halvings == most_halvings) throw Error(std::string(error.what()) + "; take smaller load steps");
         }
         if (there && (there->relative < bound || halvings == most_halvings)) {
           residual = *there;

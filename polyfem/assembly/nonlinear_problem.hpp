@@ -76,6 +76,7 @@ class NonlinearProblem {
   /// Makes what is held or tied go in one step where it is at load factor t. False: it is there.
   bool prescribe(const VectorXd& u, double t);
   VectorXd of_cell(int cell, const VectorXd& u) const;
+  const VectorXd& solve_linear();
   /// Throws Error when the tangent of a cell at this vertex is not the derivative of its forces.
   void require_derivative(int vertex, const VectorXd& u) const;
   std::string failure(const Residual& residual, const VectorXd& u) const;

@@ -23,8 +23,10 @@ Points quadratic_corners(const PointsRef& cell);
 /// sum of squares is taken: with Q the six monomials at the nodes (6 x 2n) and p(x) those at a point,
 ///     N = M + Q^T (Q Q^T)^-1 (p - Q M).
 /// The shares sum to those of Rand et al. in the constraints but are no sparse ones; they do not depend on
-/// affine maps and exist on concave cells as well, as no conic holds all edges of a polygon. On
-/// parallelograms N are the functions of the 8-node quadrilateral, on triangles those of the 6-node triangle.
+/// affine maps and exist on concave cells as well, as no conic holds all edges of a polygon. Published error
+/// estimates are for convex cells; on concave ones the rates are measured, 3 and 2 (`QuadraticConvergence`).
+/// On parallelograms N are the functions of the 8-node quadrilateral, on triangles those of the 6-node
+/// triangle.
 ///
 /// Throws Error when the number of nodes is odd or below six, when a midpoint is off the middle of its edge,
 /// and what the basis throws.

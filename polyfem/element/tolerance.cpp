@@ -1,7 +1,11 @@
+#include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/core/error.hpp>
+#include <polyfem/element/matrices.hpp>
+#include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/tolerance.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
+#include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/graded_rule.hpp>
 
 #include <algorithm>
@@ -13,6 +17,8 @@ namespace {
 
 constexpr Index most_points = 30000;
 constexpr double most_digits = 42;  // beyond, round-off prevails
+/// Rules to compare have so many times the points: of those nearer to each other errors may be alike.
+constexpr double finer = 1.5;
 
 /// The error of the integrals of the gradients, before a correction, over those integrals.
 double gradient_defect(const PointsRef& polygon, const Basis& basis, const TabulatedElement& element) {
@@ -91,6 +97,33 @@ double larger(const ErrorEstimate& error) {
   return Vec2(error.stiffness, error.mass).maxCoeff<Eigen::PropagateNaN>();
 }
 
+/// Rules of growing numbers of digits.
+struct Ladder {
+  std::string_view name;
+  void (*make)(const PointsRef&, double, PolygonRule&);
+  /// How fast estimates fall with the digits, and from where, on random polygons: most are met at once.
+  double start, rate;
+
+  double digits_for(double tolerance) const { return std::log(start / tolerance) / rate; }
+};
+
+const Ladder& ladder_for(const PointsRef& polygon, const Basis& basis) {
+  static const Ladder smooth{"Gauss points graded by the adjoint", make_adjoint_rule, 12, 0.87};
+  static const Ladder singular{"Gauss points collapsed at the vertices", make_vertex_rule, 8, 1.15};
+  return !find_non_convex_corner(polygon) && smooth_at_vertices(polygon, basis) ? smooth : singular;
+}
+
+void require_fit(const PointsRef& polygon, const Basis& basis, double tolerance) {
+  if (!(tolerance > 0 && tolerance < 1))
+    throw Error("tabulate_to_tolerance: the tolerance must lie between 0 and 1");
+  require_usable(polygon);
+  require_suitable(basis, polygon);
+}
+
+double relative_difference(const MatrixXd& a, const MatrixXd& b) {
+  return (a - b).norm() / a.norm();
+}
+
 }  // namespace
 
 ErrorEstimate estimate_errors(const PointsRef& polygon, const Basis& basis, const TabulatedElement& element) {
@@ -101,11 +134,7 @@ ErrorEstimate estimate_errors(const PointsRef& polygon, const Basis& basis, cons
 
 ToleranceReport tabulate_to_tolerance(const PointsRef& polygon, const Basis& basis, double tolerance,
                                       GradientCorrection correction, TabulatedElement& element) {
-  if (!(tolerance > 0 && tolerance < 1))
-    throw Error("tabulate_to_tolerance: the tolerance must lie between 0 and 1");
-  require_usable(polygon);
-  require_suitable(basis, polygon);
-
+  require_fit(polygon, basis, tolerance);
   ToleranceReport report;
   PolygonRule rule;
   const auto meets = [&] {
@@ -120,18 +149,9 @@ ToleranceReport tabulate_to_tolerance(const PointsRef& polygon, const Basis& bas
     make_ear_rule(polygon, hammer_rule(2), rule);
     if (meets()) return report;
   }
-  // How fast estimates fall with the digits, and from where, on random polygons: most are met at once.
-  struct Ladder {
-    std::string_view name;
-    void (*make)(const PointsRef&, double, PolygonRule&);
-    double start, rate;
-  };
-  const Ladder smooth{"Gauss points graded by the adjoint", make_adjoint_rule, 12, 0.87};
-  const Ladder singular{"Gauss points collapsed at the vertices", make_vertex_rule, 8, 1.15};
-  const Ladder& ladder =
-      !find_non_convex_corner(polygon) && smooth_at_vertices(polygon, basis) ? smooth : singular;
+  const Ladder& ladder = ladder_for(polygon, basis);
   report.rule = ladder.name;
-  double digits = std::log(ladder.start / tolerance) / ladder.rate;
+  double digits = ladder.digits_for(tolerance);
   double best_digits = 0, least_error = std::numeric_limits<double>::infinity();
   for (bool last = false; !last;) {
     digits = std::min(digits, most_digits);
@@ -153,6 +173,34 @@ ToleranceReport tabulate_to_tolerance(const PointsRef& polygon, const Basis& bas
   ladder.make(polygon, best_digits, rule);
   meets();
   return report;
+}
+
+ToleranceReport tabulate_quadratic_to_tolerance(const PointsRef& cell, const Basis& basis, double tolerance,
+                                                GradientCorrection correction, TabulatedElement& element) {
+  const Points corners = quadratic_corners(cell);
+  require_fit(corners, basis, tolerance);
+  const Ladder& ladder = ladder_for(corners, basis);
+  ToleranceReport report;
+  report.rule = ladder.name;
+  PolygonRule rule;
+  MatrixXd K, M, K_before, M_before;
+  for (double digits = std::min(ladder.digits_for(tolerance), most_digits);; ++digits) {
+    ladder.make(corners, digits, rule);
+    const auto n_points = static_cast<double>(rule.weights.size());
+    if (digits > most_digits || n_points > most_points) return report;
+    if (n_points < finer * report.n_points) continue;
+    tabulate_quadratic(cell, rule, basis, correction, element);
+    stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), K);
+    mass(element, M);
+    if (report.n_points > 0) {
+      report.error = {relative_difference(K, K_before), relative_difference(M, M_before)};
+      report.met = larger(report.error) <= tolerance;
+    }
+    report.n_points = static_cast<int>(element.n_points());
+    if (report.met) return report;
+    K_before = K;
+    M_before = M;
+  }
 }
 
 }  // namespace polyfem

@@ -15,12 +15,7 @@ struct Located {
 /// Finds points in a mesh. A grid with about as many squares as there are cells knows the cells near each, so
 /// that a search looks at a few cells for points in the mesh or near it, however many cells there are.
 ///
-/// To evaluate a field there:
-///
-///     const Located there = locator.nearest(x);
-///     const Points cell = mesh.outline(there.cell);
-///     suitable_basis(cell)(cell, there.point, shape);
-///     const Vec2 u = problem.cell_solution(there.cell).reshaped(2, cell.cols()) * shape.values;
+/// `field_at(mesh, u, locator.nearest(x))` is a field and its gradient there.
 class PointLocator {
  public:
   /// \param[in] mesh  kept by reference: must live longer and not change. Throws Error when it has no cells,

@@ -19,6 +19,13 @@ foreach(file IN LISTS package)
   endforeach()
 endforeach()
 
+# What is inside stays there.
+foreach(header assembly/refined_solution basis/lanes basis/packets basis/quadratic_monomials io/line_reader quadrature/adjoint_bound)
+  if(EXISTS ${WORK}/prefix/include/polyfem/${header}.hpp)
+    message(SEND_ERROR "polyfem/${header}.hpp is installed: it is not for users")
+  endif()
+endforeach()
+
 # Headers need nothing but each other, Eigen and the standard library; those for tests GoogleTest as well.
 file(GLOB_RECURSE headers ${WORK}/prefix/include/*.hpp)
 foreach(file IN LISTS headers)

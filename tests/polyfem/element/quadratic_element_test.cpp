@@ -1,5 +1,6 @@
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/element/default_element.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/tolerance.hpp>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
+#include <array>
 #include <vector>
 
 using namespace polyfem;
@@ -114,6 +116,52 @@ TEST(QuadraticElement, WeighsQuadraticPolynomialsExactly) {
   EXPECT_NEAR(element.rule.weights.sum(), 1, 1e-14);
   EXPECT_NEAR(x.cwiseProduct(x) * element.rule.weights, 1. / 3, 1e-14);
   EXPECT_NEAR(x.cwiseProduct(y) * element.rule.weights, 1. / 4, 1e-14);
+}
+
+/// Of concave cells the functions are not smooth at the corners: rules converge there, too, with more points.
+TEST(QuadraticElement, IsTabulatedToATolerance) {
+  const auto matrices = [](const TabulatedElement& element) {
+    std::array<MatrixXd, 2> both;
+    stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), both[0]);
+    mass(element, both[1]);
+    return both;
+  };
+  for (const Points& polygon : polygons()) {
+    const Points cell = support::with_middles(polygon);
+    const Basis& basis = suitable_basis(polygon);
+    TabulatedElement element;
+    ASSERT_TRUE(tabulate_quadratic_to_tolerance(cell, basis, 1e-8, GradientCorrection::off, element).met);
+    const auto exact = matrices(element);
+    for (const double tolerance : {1e-3, 1e-6}) {
+      const ToleranceReport report =
+          tabulate_quadratic_to_tolerance(cell, basis, tolerance, GradientCorrection::off, element);
+      EXPECT_TRUE(report.met);
+      EXPECT_EQ(report.n_points, element.n_points());
+      const auto found = matrices(element);
+      for (const std::size_t k : {0u, 1u})
+        EXPECT_LT((found[k] - exact[k]).norm(), tolerance * exact[k].norm()) << polygon.cols() << " corners";
+    }
+  }
+}
+
+TEST(QuadraticElement, HasADefault) {
+  const Points square = support::points({{0, 0}, {2, 0.1}, {1.8, 1}, {0, 1.2}}),
+               pentagon = support::points({{0, 0}, {2, 0}, {2.2, 1}, {1, 1.7}, {0, 1}});
+  TabulatedElement element, chosen;
+  tabulate_quadratic(support::with_middles(square), element);
+  EXPECT_EQ(element.n_points(), 9);
+  tabulate_quadratic(support::with_middles(pentagon), element);
+  tabulate_quadratic(support::with_middles(pentagon), dunavant_rule(4), suitable_basis(pentagon),
+                     GradientCorrection::on, chosen);
+  EXPECT_EQ(element.dx, chosen.dx);
+  tabulate(square, element);
+  EXPECT_EQ(element.n_points(), 4);
+  tabulate(pentagon, element);
+  tabulate(pentagon, dunavant_rule(4), suitable_basis(pentagon), GradientCorrection::on, chosen);
+  EXPECT_EQ(element.dx, chosen.dx);
+  const Points chevron = support::points({{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}});
+  tabulate(chevron, element);
+  EXPECT_NEAR(element.rule.weights.sum(), 1, 1e-14);
 }
 
 }  // namespace
