@@ -179,15 +179,21 @@ ToleranceReport tabulate_quadratic_to_tolerance(const PointsRef& cell, const Bas
                                                 GradientCorrection correction, TabulatedElement& element) {
   const Points corners = quadratic_corners(cell);
   require_fit(corners, basis, tolerance);
-  const Ladder& ladder = ladder_for(corners, basis);
   ToleranceReport report;
-  report.rule = ladder.name;
   PolygonRule rule;
+  if (corners.cols() == 3) {  // K is of degree 2, M of degree 4
+    make_ear_rule(corners, dunavant_rule(4), rule);
+    tabulate_quadratic(cell, rule, basis, correction, element);
+    return {true, {}, static_cast<int>(element.n_points()), "6 points of degree 4"};
+  }
+  const Ladder& ladder = ladder_for(corners, basis);
+  report.rule = ladder.name;
   MatrixXd K, M, K_before, M_before;
   for (double digits = std::min(ladder.digits_for(tolerance), most_digits);; ++digits) {
     ladder.make(corners, digits, rule);
     const auto n_points = static_cast<double>(rule.weights.size());
-    if (digits > most_digits || n_points > most_points) return report;
+    if (digits > 2 * most_digits || n_points > most_points)
+      return report;  // products of two corners' functions
     if (n_points < finer * report.n_points) continue;
     tabulate_quadratic(cell, rule, basis, correction, element);
     stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), K);
