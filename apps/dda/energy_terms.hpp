@@ -1,7 +1,11 @@
 /// \file The terms of the energy balance, as energy.csv and summary.json have them, in words.
 #pragma once
 
+#include <ddacontact/output/csv_table.hpp>
+
 #include <array>
+#include <string>
+#include <vector>
 
 namespace dda {
 
@@ -24,5 +28,14 @@ inline constexpr std::array<EnergyTerm, 9> energy_terms = {{
     {"pushed_out", "pushing out", "penetration", "pushing penetration out", -1},
     {"plastic_dissipated", "bolts", "bolts that yield, slip or tear", "bolts", 1},
 }};
+
+/// One of them over time.
+struct EnergyCurve {
+  std::string name;
+  std::vector<double> values;  ///< J/m
+};
+
+/// Of an energy.csv: those that a chart of them shows, which reach a thousandth of the largest.
+std::vector<EnergyCurve> energy_curves(const ddacontact::CsvTable& table);
 
 }  // namespace dda

@@ -113,7 +113,7 @@ std::vector<Chart> history_charts(const PlotArguments& arguments) {
   return charts;
 }
 
-/// A chart of energies for each directory; what is zero throughout is left out.
+/// A chart of energies for each directory.
 std::vector<Chart> energy_charts(const PlotArguments& arguments) {
   std::vector<Chart> charts;
   for (const std::string& name : arguments.directories) {
@@ -122,11 +122,8 @@ std::vector<Chart> energy_charts(const PlotArguments& arguments) {
     const std::vector<double> time = table.numbers("time");
     Chart chart =
         empty_chart({"energy", "", arguments.directories.size() > 1 ? " of " + name_of(name) : ""}, "J/m");
-    for (const EnergyTerm& term : energy_terms) {
-      const std::vector<double> values = table.numbers(term.column);
-      if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
-        chart.series.push_back({term.curve, time, values});
-    }
+    for (EnergyCurve& curve : energy_curves(table))
+      chart.series.push_back({curve.name, time, std::move(curve.values)});
     charts.push_back(std::move(chart));
   }
   return charts;

@@ -58,7 +58,8 @@ void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
     if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
       histories.push_back({name, unit, group, times, std::move(values)});
   };
-  for (const EnergyTerm& term : energy_terms) add(term.column, term.curve, "J/m", "energy");
+  for (EnergyCurve& curve : energy_curves(table))
+    histories.push_back({curve.name, "J/m", "energy", times, std::move(curve.values)});
   add("unbalanced", "unbalanced", "", "largest force out of balance");
   add("fastest", "fastest", "m/s", "largest velocity");
 }

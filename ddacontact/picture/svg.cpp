@@ -170,9 +170,12 @@ void SvgPage::text(const Vec2& at, const Label& label, const TextStyle& style) {
   body_ += escaped(label.base);
   if (!label.index.empty()) {
     const double drop = 0.22 * style.size;
+    // A space at the start of a tspan is dropped by some programs, at its end by none.
+    const bool spaced = label.rest.starts_with(' ');
     body_ += "<tspan" + attribute("dy", drop) + attribute("font-size", index_size * style.size) + ">" +
-             escaped(label.index) + "</tspan>";
-    body_ += "<tspan" + attribute("dy", -drop) + ">" + escaped(label.rest) + "</tspan></text>\n";
+             escaped(label.index) + (spaced ? " </tspan>" : "</tspan>");
+    body_ += "<tspan" + attribute("dy", -drop) + ">" + escaped(label.rest.substr(spaced ? 1 : 0)) +
+             "</tspan></text>\n";
   } else {
     body_ += escaped(label.rest) + "</text>\n";
   }
