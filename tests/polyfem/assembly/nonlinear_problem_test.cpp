@@ -153,12 +153,13 @@ TEST(NonlinearProblem, KeepsTheLastConvergedSolutionAndSaysWhere) {
   expect_quadratic_convergence(problem.solve(0.1));
 }
 
-TEST(NonlinearProblem, AWrongTangentIsReportedWithItsPlace) {
-  NonlinearProblem problem(mesh, 2,
-                           [](int c, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& f) {
-                             first_order(c, cell, u, K, f);
-                             K *= 20;
-                           });
+/// A pressed bar whose tangents are too large by this factor: not solved, with the cell as the reason.
+void expect_wrong_tangent(double factor) {
+  NonlinearProblem problem(
+      mesh, 2, [factor](int c, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& f) {
+        first_order(c, cell, u, K, f);
+        K *= factor;
+      });
   for (const int v : boundary_vertices(mesh, at_left))
     for (const int axis : {0, 1}) problem.hold(v, axis);
   problem.add_edge_loads(boundary_edges(mesh, at_right), pressure(-0.3));
@@ -168,20 +169,14 @@ TEST(NonlinearProblem, AWrongTangentIsReportedWithItsPlace) {
   EXPECT_TRUE(problem.solution().isZero());
 }
 
+TEST(NonlinearProblem, AWrongTangentIsReportedWithItsPlace) {
+  expect_wrong_tangent(20);
+}
+
 #ifndef NDEBUG
 /// Of a fifth too much Newton's method converges, slowly: the comparison with differences alone tells it.
 TEST(NonlinearProblem, ASlightlyWrongTangentIsReportedWithAssertionsOn) {
-  NonlinearProblem problem(mesh, 2,
-                           [](int c, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& f) {
-                             first_order(c, cell, u, K, f);
-                             K *= 1.2;
-                           });
-  for (const int v : boundary_vertices(mesh, at_left))
-    for (const int axis : {0, 1}) problem.hold(v, axis);
-  problem.add_edge_loads(boundary_edges(mesh, at_right), pressure(-0.3));
-  const NewtonReport report = problem.solve(1);
-  EXPECT_FALSE(report.converged);
-  EXPECT_NE(report.reason.find("the tangent of cell"), std::string::npos) << report.reason;
+  expect_wrong_tangent(1.2);
 }
 #endif
 
