@@ -160,8 +160,7 @@ class Viewer {
     if (choice === "own" && own.every(Number.isFinite)) ends = own;
     else {
       const least = 1e-4 * Math.max(Math.abs(ends[0]), Math.abs(ends[1]));
-      input("low").value = Math.abs(ends[0]) < least ? "0" : plain(ends[0] / factor);
-      input("high").value = Math.abs(ends[1]) < least ? "0" : plain(ends[1] / factor);
+      ["low", "high"].forEach((end, k) => (input(end).value = Math.abs(ends[k]) < least ? "0" : plain(ends[k] / factor)));
     }
     element("ends").hidden = false;
     element("ends-unit").textContent = unit;

@@ -7,30 +7,29 @@
 namespace polyfem {
 namespace {
 
-PolygonRule default_rule(const PointsRef& corners, int n_gauss) {
-  PolygonRule rule;
+void make_default_rule(const PointsRef& corners, int n_gauss, PolygonRule& rule) {
   if (corners.cols() == 4 && !find_non_convex_corner(corners))
     make_quadrilateral_rule(corners, n_gauss, rule);
   else
     make_polygon_rule(corners, dunavant_rule(4), rule);
-  return rule;
 }
 
 }  // namespace
 
 void tabulate(const PointsRef& cell, TabulatedElement& element) {
-  PolygonRule rule;
+  thread_local PolygonRule rule;
   if (cell.cols() == 3)
     make_ear_rule(cell, hammer_rule(2), rule);
   else
-    rule = default_rule(cell, 2);
+    make_default_rule(cell, 2, rule);
   tabulate(cell, rule, suitable_basis(cell), GradientCorrection::on, element);
 }
 
 void tabulate_quadratic(const PointsRef& cell, TabulatedElement& element) {
   const Points corners = quadratic_corners(cell);
-  tabulate_quadratic(cell, default_rule(corners, 3), suitable_basis(corners), GradientCorrection::on,
-                     element);
+  thread_local PolygonRule rule;
+  make_default_rule(corners, 3, rule);
+  tabulate_quadratic(cell, rule, suitable_basis(corners), GradientCorrection::on, element);
 }
 
 }  // namespace polyfem

@@ -4,6 +4,7 @@
 #include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/element/b_bar.hpp>
+#include <polyfem/element/default_element.hpp>
 #include <polyfem/element/error_norms.hpp>
 #include <polyfem/element/loads.hpp>
 #include <polyfem/element/matrices.hpp>
@@ -28,17 +29,6 @@ void tabulate_cell(const PointsRef& polygon, TabulatedElement& element) {
   static PolygonRule rule;
   make_quadrilateral_rule(polygon, 2, rule);
   tabulate(polygon, rule, basis, GradientCorrection::on, element);
-}
-
-/// Three Gauss points in each direction of a quadrilateral, six points on each triangle of another cell.
-void tabulate_quadratic_cell(const PointsRef& polygon, TabulatedElement& element) {
-  const Points corners = quadratic_corners(polygon);
-  const Basis& basis = suitable_basis(corners);
-  if (corners.cols() != 4)
-    return tabulate_quadratic(polygon, dunavant_rule(4), basis, GradientCorrection::on, element);
-  static PolygonRule rule;
-  make_quadrilateral_rule(corners, 3, rule);
-  tabulate_quadratic(polygon, rule, basis, GradientCorrection::on, element);
 }
 
 /// The edges of the boundary, of two or three vertices, each from its first to its last.
@@ -173,7 +163,7 @@ static Run run_with_edges_of(const Problem& problem, const PolygonMesh& mesh, Po
         b_bar_stiffness(element, D, K);
         break;
       case PolyfemElement::quadratic:
-        tabulate_quadratic_cell(polygon, element);
+        tabulate_quadratic(polygon, element);
         stiffness(element, D, K);
         break;
       case PolyfemElement::virtual_element:
