@@ -62,7 +62,7 @@ int main() {
       mesh, 2, [&](int, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
         tabulate_cell(cell, element);
         finite_strain_forces(
-            element, [](const Mat2& F) { return neo_hooke(lambda, mu, F); }, u, K, forces);
+            element, [](Index, const Mat2& F) { return neo_hooke(lambda, mu, F); }, u, K, forces);
       });
   for (const int v : boundary_vertices(mesh, [](const Vec2& x) { return x.x() == 0; }))
     for (const int axis : {0, 1}) problem.hold(v, axis);

@@ -8,6 +8,7 @@
 // what they find becomes history when the step converges. p must be carried up to 0.98 of the limit
 // and not at 1.02. The tangent is that of the backward Euler step, so each iteration squares the residual
 // once the plastic zone is found.
+#include <polyfem/assembly/history.hpp>
 #include <polyfem/assembly/nonlinear_problem.hpp>
 #include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
@@ -39,22 +40,19 @@ int main() {
     if (std::abs(ring.vertices(0, v)) < 1e-12) ring.vertices(0, v) = 0;
   const PolygonMesh mesh = with_edge_midpoints(ring);
 
-  using History = std::vector<std::vector<PlasticState>>;  // of each point of each cell
-  History before(static_cast<std::size_t>(mesh.n_cells())), now = before;
+  History<PlasticState> history(mesh.n_cells());
   TabulatedElement element;
   NonlinearProblem problem(
       mesh, 2, [&](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
         tabulate_quadratic(polygon, dunavant_rule(4), suitable_basis(quadratic_corners(polygon)),
                            GradientCorrection::on, element);
-        auto& old_states = before[static_cast<std::size_t>(cell)];
-        auto& states = now[static_cast<std::size_t>(cell)];
-        old_states.resize(static_cast<std::size_t>(element.n_points()));
-        states.resize(old_states.size());
+        const auto states = history.cell(cell, element.n_points());
         small_strain_forces(
             element,
             [&](Index q, const Vec3& strain, Mat3& tangent) {
-              const PlasticStep step = j2_step(material, strain, old_states[static_cast<std::size_t>(q)]);
-              states[static_cast<std::size_t>(q)] = step.state;
+              const auto at = static_cast<std::size_t>(q);
+              const PlasticStep step = j2_step(material, strain, states.before[at]);
+              states.now[at] = step.state;
               tangent = step.tangent;
               return step.stress;
             },
@@ -83,16 +81,19 @@ int main() {
     for (std::size_t k = 2; k < residuals.size(); ++k)
       if (residuals[k - 1] < 1e-3)
         squares = squares && residuals[k] < std::max(1e3 * residuals[k - 1] * residuals[k - 1], 1e-11);
-    before = now;
+    history.commit();
     int n_points = 0, n_plastic = 0;
-    for (const auto& states : before)
+    for (const auto& states : history.states())
       for (const PlasticState& state : states) {
         ++n_points;
         n_plastic += state.equivalent > 0;
       }
-    std::cout << "p = " << p << " of the limit: " << report.residuals.size() - 1 << " iterations, "
-              << 100 * n_plastic / n_points << " % plastic, the inner side moves by "
-              << problem.solution().reshaped(2, mesh.vertices.cols()).colwise().norm().maxCoeff() << '\n';
+    std::cout << "p = " << p << " of the limit: " << 100 * n_plastic / n_points
+              << " % plastic, the inner side moves by "
+              << problem.solution().reshaped(2, mesh.vertices.cols()).colwise().norm().maxCoeff()
+              << ", residuals";
+    for (const double residual : residuals) std::cout << ' ' << residual;
+    std::cout << '\n';
   }
   return carried == 0.98 && squares ? 0 : 1;
 }

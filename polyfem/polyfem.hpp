@@ -65,6 +65,7 @@
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/assembly/field_problem.hpp>
 #include <polyfem/assembly/field_values.hpp>
+#include <polyfem/assembly/history.hpp>
 #include <polyfem/assembly/newmark_scheme.hpp>
 #include <polyfem/assembly/nonlinear_problem.hpp>
 #include <polyfem/assembly/stress_field.hpp>

@@ -72,6 +72,8 @@ void FieldProblem::add_edge_loads(std::span<const std::array<int, 3>> edges, con
 
 template <std::size_t n>
 void FieldProblem::add_loads_on(std::span<const std::array<int, n>> edges, const EdgeLoad& load) {
+  if (edges.empty())
+    throw Error("a load is on no edge: its region or group has none; compare it with boundary_edges(mesh)");
   const GaussRule& rule = gauss_rule(3);
   VectorXd added = VectorXd::Zero(loads_.size());
   for (const std::array<int, n>& nodes : edges) {

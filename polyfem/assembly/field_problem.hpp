@@ -76,9 +76,9 @@ class FieldProblem {
   void add_loads(const Eigen::Ref<const VectorXd>& loads);
   /// Adds the integrals of N_i times a load over edges of cells: three Gauss points an edge, exact for loads
   /// up to degree 4 along it (shape functions are linear there). Edges run in their cell's direction, as
-  /// `boundary_edges` gives them: the normal is to their right. Throws Error for an edge that no cell has or
-  /// that runs against its cell, for one without length, for loads of the wrong size or not finite, and on
-  /// meshes of quadratic cells; then nothing is added.
+  /// `boundary_edges` gives them: the normal is to their right. Throws Error for no edge at all, for one that
+  /// no cell has or that runs against its cell, for one without length, for loads of the wrong size or not
+  /// finite, and on meshes of quadratic cells; then nothing is added.
   void add_edge_loads(std::span<const std::array<int, 2>> edges, const EdgeLoad& load);
   /// The same for edges (first, middle, last) of quadratic cells, as `quadratic_boundary_edges` gives them:
   /// exact for loads up to degree 3 along an edge. `quadratic_edges` makes them of pairs, as named groups

@@ -25,10 +25,6 @@ NewmarkScheme::NewmarkScheme(const PolygonMesh& mesh, int n_components, const Ce
       v_(u_),
       a_(u_) {}
 
-void NewmarkScheme::hold(int vertex, int component, double value) {
-  effective_.hold(vertex, component, value);
-}
-
 void NewmarkScheme::start(const VectorXd& u, const VectorXd& v, const VectorXd& loads) {
   if (u.size() != u_.size() || v.size() != u_.size() || loads.size() != u_.size())
     throw Error("Newmark's scheme: there are " + std::to_string(u_.size()) +
@@ -38,17 +34,15 @@ void NewmarkScheme::start(const VectorXd& u, const VectorXd& v, const VectorXd& 
   PrescribedDofs prescribed(effective_.n_unknowns());
   for (int k = 0; k < effective_.n_unknowns(); ++k)
     if (effective_.is_prescribed(k)) prescribed.hold(k, 0);
-  SparseMatrix mass = matrices_.lower_mass();
-  prescribed.take_out(mass);
-  Cholesky cholesky;
-  cholesky.analyze(mass);
-  if (!cholesky.factorize(mass))
+  TiedUnknowns tied;  // accelerations follow by the same factors, without constants
+  for (const auto& [unknown, tie] : effective_.tied().ties()) tied.tie(unknown, tie.terms, 0);
+  ReducedSystem system;
+  if (!system.set(matrices_.mass().selfadjointView<Eigen::Lower>(),
+                  tied.reduce(prescribed, effective_.n_unknowns()), true))
     throw Error(
         "Newmark's scheme: the mass matrix is not positive definite; give every cell a density above 0 "
         "and a rule without negative weights");
-  VectorXd f = matrices_.loads() + loads - matrices_.stiffness_times(u);
-  prescribed.move_to_right_hand_side(f);
-  cholesky.solve(f, a_);
+  a_ = system.solve(matrices_.loads() + loads - matrices_.stiffness_times(u));
 }
 
 void NewmarkScheme::step(const VectorXd& loads) {

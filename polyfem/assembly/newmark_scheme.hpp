@@ -30,10 +30,16 @@ class NewmarkScheme {
   NewmarkScheme(PolygonMesh&&, int, const CellMatrices&, double) = delete;
 
   /// Prescribes an unknown at the end of further steps; once more to change its value.
-  void hold(int vertex, int component, double value = 0);
+  void hold(int vertex, int component, double value = 0) { effective_.hold(vertex, component, value); }
+  /// As those of `FieldProblem`, at the end of further steps.
+  void tie(int vertex, int component, const std::vector<Followed>& followed, double constant = 0) {
+    effective_.tie(vertex, component, followed, constant);
+  }
+  void roll(int vertex, const Vec2& normal, double value = 0) { effective_.roll(vertex, normal, value); }
   /// Sets displacements and velocities, zero at first, and the loads at that time beyond those of the cells.
-  /// Accelerations follow from M a = f - K u; those of unknowns that are held so far are zero. Call it after
-  /// `hold`, and also to start from rest where loads act. Throws Error for another size.
+  /// Accelerations follow from M a = f - K u; those of unknowns that are held so far are zero, tied ones
+  /// follow others. Call it after `hold`, and also to start from rest where loads act. Throws Error for
+  /// another size.
   void start(const VectorXd& u, const VectorXd& v, const VectorXd& loads);
 
   /// Goes on by one step; `loads`, beyond those of the cells, are those at its end.
@@ -46,6 +52,7 @@ class NewmarkScheme {
   /// Kinetic and elastic energy, v.Mv / 2 + u.Ku / 2.
   double energy() const;
   double time() const { return n_steps_ * time_step_; }
+  const TimeMatrices& matrices() const { return matrices_; }
 
  private:
   double time_step_;

@@ -19,6 +19,10 @@ class ThetaScheme {
 
   /// Prescribes an unknown at the end of further steps; once more to change its value.
   void hold(int vertex, int component, double value = 0) { effective_.hold(vertex, component, value); }
+  /// As those of `FieldProblem`, at the end of further steps.
+  void tie(int vertex, int component, const std::vector<Followed>& followed, double constant = 0) {
+    effective_.tie(vertex, component, followed, constant);
+  }
   /// Sets u, zero at first; throws Error for another size.
   void set_solution(const VectorXd& u);
 
@@ -28,6 +32,7 @@ class ThetaScheme {
 
   const VectorXd& solution() const { return u_; }
   double time() const { return n_steps_ * time_step_; }
+  const TimeMatrices& matrices() const { return matrices_; }
 
  private:
   double time_step_, theta_;

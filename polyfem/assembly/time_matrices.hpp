@@ -20,7 +20,10 @@ class TimeMatrices {
 
   VectorXd stiffness_times(const VectorXd& u) const;
   VectorXd mass_times(const VectorXd& u) const;
-  const SparseMatrix& lower_mass() const { return mass_.lower(); }
+  /// The lower triangles of K and M, with no unknown held: `stiffness().selfadjointView<Eigen::Lower>()`.
+  const SparseMatrix& stiffness() const { return stiffness_.lower(); }
+  const SparseMatrix& mass() const { return mass_.lower(); }
+  /// Loads of cells.
   const VectorXd& loads() const { return loads_; }
 
  private:

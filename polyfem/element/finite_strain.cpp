@@ -4,7 +4,7 @@
 
 namespace polyfem {
 
-void finite_strain_forces(const TabulatedElement& element, const FiniteMaterial& material,
+void finite_strain_forces(const TabulatedElement& element, const FinitePointStress& material,
                           const Eigen::Ref<const VectorXd>& d, MatrixXd& K, VectorXd& forces) {
   const Index n = element.n_vertices();
   assert(d.size() == 2 * n);
@@ -16,7 +16,7 @@ void finite_strain_forces(const TabulatedElement& element, const FiniteMaterial&
   for (Index q = 0; q < element.n_points(); ++q) {
     gradients << element.dx.row(q), element.dy.row(q);
     const double weight = element.rule.weights[q];
-    const FiniteStress stress = material(Mat2::Identity() + u * gradients.transpose());
+    const FiniteStress stress = material(q, Mat2::Identity() + u * gradients.transpose());
     forces += weight * (stress.P * gradients).reshaped();
     for (Index i = 0; i < n; ++i)
       for (const int axis : {0, 1})

@@ -5,7 +5,7 @@
 /// values at points: one pressure a cell, eliminated (Simo, Taylor and Pister 1985). Forces and tangent of
 /// the rest come from `small_strain_forces` or `finite_strain_forces`, those of the mean are added here:
 ///
-///     finite_strain_forces(element, [](const Mat2& F) { return neo_hooke(0, mu, F); }, d, K, forces);
+///     finite_strain_forces(element, [](Index, const Mat2& F) { return neo_hooke(0, mu, F); }, d, K, forces);
 ///     add_mean_dilatation(element, [](double J) { return neo_hooke_volume(lambda, J); }, d, K, forces);
 ///
 /// The rest has to resist all strains by itself. To scale whole deformation gradients to the mean volume

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace polyfem {
 namespace {
@@ -65,6 +66,13 @@ class Division {
       require_seen(c, part);
     }
     return parts;
+  }
+
+  /// The parts of an edge, in its direction.
+  std::vector<std::array<int, 2>> parts(const std::array<int, 2>& whole) const {
+    const auto middle = middles_.find(edge(whole[0], whole[1]));
+    if (middle == middles_.end()) return {whole};
+    return {{whole[0], middle->second}, {middle->second, whole[1]}};
   }
 
   Points vertices() const {
@@ -135,16 +143,18 @@ class Division {
 
 }  // namespace
 
-PolygonMesh divide_cells(const PolygonMesh& mesh, const std::vector<char>& marked,
-                         std::vector<int>* first_child) {
+NamedMesh divide_cells(const NamedMesh& named, const std::vector<char>& marked,
+                       std::vector<int>* first_child) {
+  const PolygonMesh& mesh = named.mesh;
   if (static_cast<int>(marked.size()) != mesh.n_cells())
     throw Error(std::to_string(marked.size()) + " marks for " + std::to_string(mesh.n_cells()) +
                 " cells: give one for each");
   Division division(mesh);
   for (int c = 0; c < mesh.n_cells(); ++c)
     if (marked[static_cast<std::size_t>(c)]) division.halve_sides(c);
-  PolygonMesh finer;
-  if (first_child) first_child->assign(1, 0);
+  NamedMesh result;
+  PolygonMesh& finer = result.mesh;
+  std::vector<int> first{0};
   const auto add = [&](const std::vector<int>& cell) {
     finer.indices.insert(finer.indices.end(), cell.begin(), cell.end());
     finer.offsets.push_back(static_cast<int>(finer.indices.size()));
@@ -154,10 +164,25 @@ PolygonMesh divide_cells(const PolygonMesh& mesh, const std::vector<char>& marke
       std::ranges::for_each(division.parts(c), add);
     else
       add(division.with_middles(c));
-    if (first_child) first_child->push_back(finer.n_cells());
+    first.push_back(finer.n_cells());
   }
   finer.vertices = division.vertices();
-  return finer;
+  for (const auto& [name, cells] : named.cell_groups)
+    for (const int c : cells)
+      for (int part = first.at(static_cast<std::size_t>(c)); part < first.at(static_cast<std::size_t>(c) + 1);
+           ++part)
+        result.cell_groups[name].push_back(part);
+  for (const auto& [name, edges] : named.edge_groups)
+    for (const auto& edge : edges)
+      for (const auto& part : division.parts(edge)) result.edge_groups[name].push_back(part);
+  if (first_child) *first_child = std::move(first);
+  return result;
+}
+
+PolygonMesh divide_cells(const PolygonMesh& mesh, const std::vector<char>& marked,
+                         std::vector<int>* first_child) {
+  return divide_cells(NamedMesh{.mesh = mesh, .cell_groups = {}, .edge_groups = {}}, marked, first_child)
+      .mesh;
 }
 
 }  // namespace polyfem

@@ -1,7 +1,7 @@
 /// \file Refinement: cells divided into quadrilaterals, one at each corner.
 #pragma once
 
-#include <polyfem/mesh/polygon_mesh.hpp>
+#include <polyfem/mesh/named_mesh.hpp>
 
 #include <vector>
 
@@ -19,5 +19,10 @@ namespace polyfem {
 /// \param[out] first_child  cell c became cells first_child[c] .. first_child[c + 1] - 1; may be null
 PolygonMesh divide_cells(const PolygonMesh& mesh, const std::vector<char>& marked,
                          std::vector<int>* first_child = nullptr);
+
+/// The same of a mesh whose groups go on: the parts of a cell belong to its groups, the two parts of a halved
+/// edge to those of the edge, in its direction.
+NamedMesh divide_cells(const NamedMesh& named, const std::vector<char>& marked,
+                       std::vector<int>* first_child = nullptr);
 
 }  // namespace polyfem

@@ -1,5 +1,6 @@
 // Whole nonlinear problems of each material: against closed forms, without locking, with Newton's method
 // squaring its residual.
+#include <polyfem/assembly/history.hpp>
 #include <polyfem/assembly/nonlinear_problem.hpp>
 #include <polyfem/basis/quadratic_shapes.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
@@ -8,9 +9,7 @@
 #include <polyfem/element/mean_dilatation.hpp>
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/small_strain.hpp>
-#include <polyfem/material/isotropic_damage.hpp>
 #include <polyfem/material/j2_plasticity.hpp>
-#include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/mesh/edge_midpoints.hpp>
 #include <polyfem/mesh/generators.hpp>
 #include <polyfem/mesh/vertex_moves.hpp>
@@ -20,6 +19,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -56,8 +56,8 @@ NonlinearProblem::CellForces rubber(Rubber kind) {
     kind == Rubber::second_order ? tabulate_second_order(cell, element) : tabulate_first_order(cell, element);
     const bool mean = kind == Rubber::first_order_mean_dilatation;
     finite_strain_forces(
-        element, [mean](const Mat2& F) { return neo_hooke(mean ? 0 : rubber_lame, rubber_shear, F); }, u, K,
-        forces);
+        element, [mean](Index, const Mat2& F) { return neo_hooke(mean ? 0 : rubber_lame, rubber_shear, F); },
+        u, K, forces);
     if (mean)
       add_mean_dilatation(
           element, [](double J) { return neo_hooke_volume(rubber_lame, J); }, u, K, forces);
@@ -142,16 +142,16 @@ Vec2 made_up_force(const Vec2& x) {
 /// L2 error of displacements of the made-up solution on the unit square.
 double made_up_error(const PolygonMesh& mesh, bool second_order) {
   const auto tabulate_cell = second_order ? tabulate_second_order : tabulate_first_order;
-  NonlinearProblem problem(mesh, 2,
-                           [&](int, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
-                             TabulatedElement element;
-                             tabulate_cell(cell, element);
-                             finite_strain_forces(
-                                 element, [](const Mat2& F) { return neo_hooke(2, 1, F); }, u, K, forces);
-                             VectorXd load = VectorXd::Zero(forces.size());
-                             body_force(element, made_up_force, load);
-                             forces -= load;
-                           });
+  NonlinearProblem problem(
+      mesh, 2, [&](int, const PointsRef& cell, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+        TabulatedElement element;
+        tabulate_cell(cell, element);
+        finite_strain_forces(
+            element, [](Index, const Mat2& F) { return neo_hooke(2, 1, F); }, u, K, forces);
+        VectorXd load = VectorXd::Zero(forces.size());
+        body_force(element, made_up_force, load);
+        forces -= load;
+      });
   for (const int v : boundary_vertices(mesh))
     for (const int axis : {0, 1}) problem.hold(v, axis, made_up_displacement(mesh.vertices.col(v))[axis]);
   expect_squared_residuals(problem.solve(1, 1e-11), 1e3);
@@ -177,84 +177,84 @@ TEST(MadeUpLargeStrains, ConvergeAtTheRatesOfTheElements) {
   EXPECT_NEAR(std::log(made_up_error(coarse_2, true) / made_up_error(fine_2, true)) / std::log(4.), 3, 0.15);
 }
 
-/// A bar of n columns of cells pulled to `lengthening`: the middle column is weaker and cracks. The
-/// force and the work done, with a fracture energy that does not depend on n.
-class CrackedBar {
- public:
-  static constexpr double young = 1000, onset = 1e-3, length = 1, height = 0.2, fracture_energy = 2e-3;
-  explicit CrackedBar(int n) : mesh_(rectangles({0, 0}, {length, height}, n, 2)) {
-    const double h = length / n;
-    softening_ = fracture_energy / (young * onset * h) - onset / 2;
-    before_.resize(static_cast<std::size_t>(mesh_.n_cells()));
-    now_ = before_;
-    for (int c = 0; c < mesh_.n_cells(); ++c)
-      weak_.push_back(std::abs(mesh_.outline(c).row(0).mean() - length / 2) < h / 2);
+/// Neo-Hooke with damage of the largest energy so far (Simo 1987): P = (1 - d) P0, d = 1 - exp(-W_max / c).
+FiniteStress damaged_rubber(const Mat2& F, double largest_before, double& largest) {
+  constexpr double lame = 2, shear = 1, c = 0.5;
+  const double log_J = std::log(F.determinant());
+  const double energy = shear / 2 * (F.squaredNorm() - 2 - 2 * log_J) + lame / 2 * log_J * log_J;
+  largest = std::max(largest_before, energy);
+  FiniteStress stress = neo_hooke(lame, shear, F);
+  const double left = std::exp(-largest / c);
+  stress.tangent *= left;
+  if (energy > largest_before)
+    stress.tangent -= left / c * stress.P.reshaped() * stress.P.reshaped().transpose();
+  stress.P *= left;
+  return stress;
+}
+
+TEST(LargeStrainsWithHistory, APulledSheetRemembersItsLargestStretch) {
+  const PolygonMesh mesh = voronoi(support::rectangle(2, 1), {.n_cells = 20});
+  History<double> history(mesh.n_cells());
+  NonlinearProblem problem(
+      mesh, 2, [&](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
+        TabulatedElement element;
+        tabulate_first_order(polygon, element);
+        const auto states = history.cell(cell, element.n_points());
+        finite_strain_forces(
+            element,
+            [&](Index q, const Mat2& F) {
+              const auto at = static_cast<std::size_t>(q);
+              return damaged_rubber(F, states.before[at], states.now[at]);
+            },
+            u, K, forces);
+      });
+  for (const int v : boundary_vertices(mesh)) {
+    problem.hold(v, 0, 0.4 * mesh.vertices(0, v));
+    problem.hold(v, 1, 0);
   }
-  void pull(double lengthening, int n_steps) {
-    NonlinearProblem problem(
-        mesh_, 2,
-        [this](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
-          cell_forces(static_cast<std::size_t>(cell), polygon, u, K, forces);
-        },
-        Symmetry::none);  // softening is not positive definite
-    for (const int v : boundary_vertices(mesh_, [](const Vec2& x) { return x.x() == 0 || x.x() == length; }))
-      problem.hold(v, 0, mesh_.vertices(0, v) * lengthening);
-    problem.hold(0, 1);
-    for (int k = 1; k <= n_steps; ++k) {
-      const double t = 1. * k / n_steps;
-      expect_squared_residuals(problem.solve(t, 1e-9), 1e3, 1e-9);
-      before_ = now_;
-      const double force = stress_ * height;
-      work_ += (force_ + force) / 2 * lengthening / n_steps;
-      force_ = force;
-      // Every part of the bar carries the same stress, the crack by the strain that is left for it.
-      const double crack = t * lengthening - force / (height * young) * (length - width());
-      const double strain = crack / width();
-      const double stress =
-          strain < onset ? young * strain : young * onset * std::exp(-(strain - onset) / softening_);
-      EXPECT_NEAR(force / (height * stress), 1, 1e-8) << k;
+  double largest = 0;
+  for (const double t : {0.25, 0.5, 0.75, 1., 0.5, 0.25, 0.75, 1.1}) {
+    expect_squared_residuals(problem.solve(t, 1e-10), 1e3, 1e-10);
+    history.commit();
+    const Mat2 F = Vec2(1 + 0.4 * t, 1).asDiagonal();
+    double now = 0;
+    const double expected = damaged_rubber(F, largest, now).P(0, 0);
+    largest = now;
+    for (const auto& states : history.states())
+      for (const double state : states) EXPECT_NEAR(state, largest, 1e-10) << t;
+    double sum = 0;  // of the forces on the right side, per length of it
+    for (int c = 0; c < mesh.n_cells(); ++c) {
+      TabulatedElement element;
+      tabulate_first_order(mesh.outline(c), element);
+      const auto states = history.cell(c, element.n_points());
+      VectorXd forces;
+      MatrixXd K;
+      const VectorXd u = problem.solution()
+                             .reshaped(2, mesh.vertices.cols())(
+                                 Eigen::all, std::vector<int>(mesh.cell(c).begin(), mesh.cell(c).end()))
+                             .reshaped();
+      finite_strain_forces(
+          element,
+          [&](Index q, const Mat2& gradient) {
+            double unused = 0;
+            return damaged_rubber(gradient, states.before[static_cast<std::size_t>(q)], unused);
+          },
+          u, K, forces);
+      for (Index k = 0; k < element.n_vertices(); ++k)
+        if (mesh.vertices(0, mesh.cell(c)[static_cast<std::size_t>(k)]) == 2) sum += forces[2 * k];
     }
+    EXPECT_NEAR(sum, expected, 1e-10) << t;
   }
-  double force() const { return force_; }
-  double work() const { return work_; }
+}
 
- private:
-  double width() const { return mesh_.vertices(0, 1) - mesh_.vertices(0, 0); }
-  void cell_forces(std::size_t cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K,
-                   VectorXd& forces) {
-    TabulatedElement element;
-    tabulate_first_order(polygon, element);
-    before_[cell].resize(static_cast<std::size_t>(element.n_points()));
-    now_[cell].resize(before_[cell].size());
-    const DamageMaterial material{.elasticity = elasticity_matrix(young, 0, Plane::stress),
-                                  .young = young,
-                                  .onset = weak_[cell] ? onset : 2 * onset,
-                                  .softening = softening_};
-    small_strain_forces(
-        element,
-        [&](Index q, const Vec3& strain, Mat3& tangent) {
-          const auto at = static_cast<std::size_t>(q);
-          const DamageStep step = damage_step(material, strain, before_[cell][at]);
-          now_[cell][at] = step.largest_strain;
-          tangent = step.tangent;
-          stress_ = step.stress[0];
-          return step.stress;
-        },
-        u, K, forces);
-  }
-  PolygonMesh mesh_;
-  std::vector<std::vector<double>> before_, now_;
-  std::vector<bool> weak_;
-  double softening_ = 0, stress_ = 0, force_ = 0, work_ = 0;
-};
-
-TEST(CrackedBarOfDamage, FollowsTheClosedFormWhateverTheMesh) {
-  for (const int n : {5, 15}) {
-    CrackedBar bar(n);
-    bar.pull(0.012, 120);
-    EXPECT_LT(bar.force(), 3e-3 * CrackedBar::young * CrackedBar::onset * CrackedBar::height);
-    EXPECT_NEAR(bar.work() / (CrackedBar::fracture_energy * CrackedBar::height), 1, 0.02);
-  }
+TEST(History, AStepThatFailsLeavesWhatWasRemembered) {
+  History<int> history(2, 7);
+  EXPECT_EQ(history.cell(1, 3).before[2], 7);
+  history.cell(1, 3).now[2] = 8;
+  EXPECT_EQ(history.cell(1, 3).before[2], 7);
+  history.commit();
+  EXPECT_EQ(history.cell(1, 3).before[2], 8);
+  EXPECT_TRUE(history.states()[0].empty());
 }
 
 /// The outer radius' displacement of a ring 1 < r < 2 in plane strain, a quarter of it in n x 2n cells of
@@ -270,21 +270,18 @@ double outer_displacement_over_hills(int n, double c) {
     return Vec2(x.x() * std::cos(angle), x.y() == 1 ? x.x() : x.x() * std::sin(angle));
   });
   const double pressure_to_c = 2 / std::sqrt(3.) * (std::log(c) + (1 - c * c / 4) / 2);
-  std::vector<std::vector<PlasticState>> before(static_cast<std::size_t>(ring.n_cells())), now = before;
+  History<PlasticState> history(ring.n_cells());
   NonlinearProblem problem(
       ring, 2, [&](int cell, const PointsRef& polygon, const VectorXd& u, MatrixXd& K, VectorXd& forces) {
         TabulatedElement element;
         tabulate_first_order(polygon, element);
-        auto &old_states = before[static_cast<std::size_t>(cell)],
-             &states = now[static_cast<std::size_t>(cell)];
-        old_states.resize(static_cast<std::size_t>(element.n_points()));
-        states.resize(old_states.size());
+        const auto states = history.cell(cell, element.n_points());
         small_strain_forces(
             element,
             [&](Index q, const Vec3& strain, Mat3& tangent) {
               const auto at = static_cast<std::size_t>(q);
-              const PlasticStep step = j2_step(deviatoric, strain, old_states[at]);
-              states[at] = step.state;
+              const PlasticStep step = j2_step(deviatoric, strain, states.before[at]);
+              states.now[at] = step.state;
               tangent = step.tangent;
               return step.stress;
             },
@@ -298,7 +295,7 @@ double outer_displacement_over_hills(int n, double c) {
                          pressure(pressure_to_c));
   for (int k = 1; k <= 10; ++k) {
     expect_squared_residuals(problem.solve(k / 10., 1e-9), 1e4, 1e-8);
-    before = now;
+    history.commit();
   }
   return problem.solution()[2 * n] / (c * c / (4 * std::sqrt(3.) * deviatoric.shear));  // at (2, 0)
 }

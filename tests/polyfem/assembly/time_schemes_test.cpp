@@ -2,10 +2,13 @@
 #include <polyfem/assembly/theta_scheme.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/core/error.hpp>
+#include <polyfem/element/default_element.hpp>
 #include <polyfem/element/diffusion.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/material/linear_elastic.hpp>
+#include <polyfem/mesh/generators.hpp>
 #include <polyfem/mesh/mesh_boundary.hpp>
+#include <polyfem/mesh/periodic_vertices.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 #include <tests/support/domains.hpp>
 
@@ -142,6 +145,48 @@ TEST(TimeSchemes, RefuseStepsAndParametersThatAreUnstable) {
   EXPECT_THROW(NewmarkScheme(mesh, 2, elastic, 1, {.beta = 0.2, .gamma = 0.5}), Error);
   EXPECT_THROW(ThetaScheme(mesh, 1, heat, 1, 0.5).set_solution(VectorXd::Zero(3)), Error);
   EXPECT_THROW(ThetaScheme(mesh, 2, heat, 1, 0.5), Error) << "matrices of one component";
+}
+
+TEST(ThetaScheme, ATiedFieldStaysPeriodic) {
+  // Heat that runs through a periodic strip: cos(2 pi x) decays by exp(-4 pi^2 t), left and right alike.
+  const PolygonMesh strip = rectangles({0, 0}, {1, 0.1}, 40, 2);
+  ThetaScheme scheme(
+      strip, 1,
+      [](int, const PointsRef& cell, MatrixXd& K, MatrixXd& M, VectorXd& f) {
+        TabulatedElement element;
+        tabulate(cell, element);
+        diffusion(element, Mat2::Identity(), K);
+        scalar_mass(element, M);
+        f.setZero(element.n_vertices());
+      },
+      0.001, 0.5);
+  for (const auto& [left, right] : periodic_vertices(strip, Vec2(1, 0))) scheme.tie(right, 0, {{left, 0}});
+  const auto wave = [&](double t) {
+    return VectorXd((2 * std::numbers::pi * strip.vertices.row(0).transpose().array()).cos() *
+                    std::exp(-4 * std::numbers::pi * std::numbers::pi * t));
+  };
+  scheme.set_solution(wave(0));
+  for (int k = 0; k < 20; ++k) scheme.step();
+  EXPECT_LT((scheme.solution() - wave(0.02)).lpNorm<Eigen::Infinity>(), 2e-3);
+  for (const auto& [left, right] : periodic_vertices(strip, Vec2(1, 0)))
+    EXPECT_EQ(scheme.solution()[left], scheme.solution()[right]);
+}
+
+TEST(NewmarkScheme, ABodyOnRollersSlidesDownAnInclinedFloor) {
+  const Vec2 normal(std::sin(0.3), std::cos(0.3)), down(std::cos(0.3), -std::sin(0.3));
+  NewmarkScheme scheme(mesh, 2, elastic, 0.05);
+  for (const int v : boundary_vertices(mesh)) scheme.roll(v, normal);
+  const VectorXd none = VectorXd::Zero(2 * mesh.vertices.cols());
+  scheme.start(none, none, none);
+  for (int k = 0; k < 40; ++k) scheme.step();
+  // Nothing acts along the floor but gravity: there the centre of mass falls as Galileo says.
+  const VectorXd along = down.replicate(mesh.vertices.cols(), 1);
+  const auto M = scheme.matrices().mass().selfadjointView<Eigen::Lower>();
+  const double t = scheme.time(), moved = along.dot(M * scheme.displacements()) / along.dot(M * along);
+  EXPECT_NEAR(moved, gravity.dot(down) * t * t / 2, 1e-10);
+  for (const int v : boundary_vertices(mesh))
+    for (const VectorXd& motion : {scheme.displacements(), scheme.velocities(), scheme.accelerations()})
+      EXPECT_NEAR(motion.segment<2>(2 * v).dot(normal), 0, 1e-10);
 }
 
 }  // namespace

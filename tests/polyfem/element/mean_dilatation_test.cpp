@@ -25,7 +25,7 @@ constexpr double lame = 1000, shear = 1;
 
 void rubber_forces(const TabulatedElement& element, const VectorXd& d, MatrixXd& K, VectorXd& forces) {
   finite_strain_forces(
-      element, [](const Mat2& F) { return neo_hooke(0, shear, F); }, d, K, forces);
+      element, [](Index, const Mat2& F) { return neo_hooke(0, shear, F); }, d, K, forces);
   add_mean_dilatation(
       element, [](double J) { return neo_hooke_volume(lame, J); }, d, K, forces);
 }
@@ -101,7 +101,7 @@ TEST_P(MeanDilatation, UniformDeformationHasTheForcesOfTheWholeMaterial) {
   VectorXd forces, whole;
   rubber_forces(element_, d, K, forces);
   finite_strain_forces(
-      element_, [](const Mat2& f) { return neo_hooke(lame, shear, f); }, d, K, whole);
+      element_, [](Index, const Mat2& f) { return neo_hooke(lame, shear, f); }, d, K, whole);
   EXPECT_LT((forces - whole).norm(), 1e-12 * whole.norm());
 }
 

@@ -2,12 +2,14 @@
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/mesh/cell_division.hpp>
 #include <polyfem/mesh/generators.hpp>
+#include <polyfem/mesh/mesh_boundary.hpp>
 #include <polyfem/mesh/mesh_defects.hpp>
 #include <polyfem/mesh/voronoi.hpp>
 #include <tests/support/domains.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace polyfem;
@@ -53,6 +55,27 @@ TEST(CellDivision, RefusesWrongMarksAndCellsThatAreNotSeenWhole) {
   hook.offsets = {0, 6};
   EXPECT_THROW(divide_cells(hook, {1}), Error);
   EXPECT_EQ(divide_cells(hook, {0}).n_cells(), 1);
+}
+
+TEST(CellDivision, GroupsGoOn) {
+  NamedMesh named{.mesh = rectangles({0, 0}, {3, 2}, 3, 2), .cell_groups = {}, .edge_groups = {}};
+  named.cell_groups["lower"] = {0, 1, 2};
+  named.edge_groups["bottom"] = boundary_edges(named.mesh, [](const Vec2& x) { return x.y() == 0; });
+  named.edge_groups["between"] = {{named.mesh.cell(0)[2], named.mesh.cell(0)[3]}};
+  for (const std::vector<char>& marked : {std::vector<char>{1, 0, 0, 0, 0, 1}, std::vector<char>(6, 1)}) {
+    const NamedMesh finer = divide_cells(named, marked);
+    double area = 0, length = 0;
+    for (const int c : finer.cells("lower")) area += signed_area(finer.mesh.outline(c));
+    for (const auto& [a, b] : finer.edges("bottom")) {
+      EXPECT_GT(finer.mesh.vertices(0, b), finer.mesh.vertices(0, a)) << "the direction of its cell";
+      length += finer.mesh.vertices(0, b) - finer.mesh.vertices(0, a);
+    }
+    EXPECT_NEAR(area, 3, 1e-14);
+    EXPECT_NEAR(length, 3, 1e-14);
+    EXPECT_EQ(finer.edges("between").size(), 2);
+    for (const auto& edge : finer.edges("bottom"))
+      EXPECT_TRUE(std::ranges::count(boundary_edges(finer.mesh), edge) == 1);
+  }
 }
 
 }  // namespace

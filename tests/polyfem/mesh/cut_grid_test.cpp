@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
 
 using namespace polyfem;
 
@@ -53,6 +55,56 @@ TEST(CutGrid, SmallCellsAreJoinedToNeighbours) {
   EXPECT_LT(smallest(all), 0.01 * 0.25);
   EXPECT_GE(smallest(joined), 0.2 * 0.25);
   EXPECT_LT(joined.n_cells(), all.n_cells());
+}
+
+TEST(CutGrid, HolesAreLeftOutAndSidesNamed) {
+  Points circle(2, 24);
+  for (int k = 0; k < 24; ++k) {
+    const double angle = std::numbers::pi / 12 * k;
+    circle.col(k) << 1.7 + 0.7 * std::cos(angle), 1.4 + 0.7 * std::sin(angle);
+  }
+  GridDomain plate{.outline = support::rectangle(4, 3),
+                   .holes = {circle, support::polygon_of({{3.3, 2.3}, {3.6, 2.3}, {3.5, 2.6}})},
+                   .sides = {{"left", {{0, 3}}}, {"straight", {{0, 0}, {0, 1}, {0, 2}, {0, 3}}}}};
+  for (int k = 0; k < 24; ++k) plate.sides["round"].push_back({1, k});
+  plate.sides["small"] = {{2, 0}, {2, 1}, {2, 2}};
+  const double area = 12 - signed_area(plate.holes[0]) - signed_area(plate.holes[1]);
+  for (const double spacing : {2., 0.5, 0.11})
+    for (const double smallest : {0., 0.1}) {
+      const NamedMesh named = cut_grid(plate, spacing, Vec2(0.01, -0.02), smallest);
+      EXPECT_NO_THROW(require_valid(named.mesh));
+      EXPECT_NEAR(total_area(named.mesh) / area, 1, 1e-12);
+      const auto length = [&](const std::string& group) {
+        double sum = 0;
+        for (const auto& [a, b] : named.edges(group))
+          sum += (named.mesh.vertices.col(b) - named.mesh.vertices.col(a)).norm();
+        return sum;
+      };
+      EXPECT_NEAR(length("left"), 3, 1e-12);
+      EXPECT_NEAR(length("straight"), 14, 1e-12);
+      EXPECT_NEAR(length("round"), 24 * 2 * 0.7 * std::sin(std::numbers::pi / 24), 1e-12);
+      EXPECT_NEAR(length("small"), 0.3 + std::hypot(0.1, 0.3) + std::hypot(0.2, 0.3), 1e-12);
+      EXPECT_EQ(named.edges("straight").size() + named.edges("round").size() + named.edges("small").size(),
+                boundary_edges(named.mesh).size());
+      for (const Points& hole : plate.holes)
+        for (const auto corner : hole.colwise())
+          EXPECT_EQ((named.mesh.vertices.colwise() - corner).colwise().norm().minCoeff(), 0);
+    }
+}
+
+TEST(CutGrid, RefusesHolesAndSidesThatAreNotThere) {
+  const Points square = support::rectangle(1, 1), half = support::rectangle(0.5, 0.5);
+  const auto cut = [&](const GridDomain& domain) { return cut_grid(domain, 0.2, Vec2::Zero()); };
+  Points shifted = half;
+  shifted.colwise() += Vec2(0.3, 0.3);
+  EXPECT_NO_THROW(cut({square, {shifted}, {}}));
+  EXPECT_THROW(cut({square, {(shifted.array() + 0.4).matrix()}, {}}), Error) << "outside";
+  EXPECT_THROW(cut({square, {shifted, (shifted.array() + 0.1).matrix()}, {}}), Error) << "overlap";
+  EXPECT_THROW(cut({square, {support::polygon_of({{0.2, 0.2}, {0.8, 0.8}, {0.8, 0.2}, {0.2, 0.8}})}, {}}),
+               Error)
+      << "not simple";
+  EXPECT_THROW(cut({square, {shifted}, {{"top", {{0, 4}}}}}), Error);
+  EXPECT_THROW(cut({square, {shifted}, {{"top", {{2, 0}}}}}), Error);
 }
 
 TEST(CutGrid, RefusesImpossibleGrids) {
