@@ -79,8 +79,7 @@ double rise_of_rubber_membrane(const PolygonMesh& mesh, Rubber kind) {
     problem.add_edge_loads(boundary_edges(mesh, at_right), load);
   constexpr int n_steps = 16;  // longer ones turn cells before Newton's method sees how they resist
   for (int k = 1; k <= n_steps; ++k) {
-    const NewtonReport report = problem.solve(1. * k / n_steps, 1e-9);
-    EXPECT_TRUE(report.converged) << report.reason;
+    expect_squared_residuals(problem.solve(1. * k / n_steps, 1e-9), 1e4, 1e-9);
   }
   for (int v = 0; v < static_cast<int>(mesh.vertices.cols()); ++v)
     if (mesh.vertices.col(v) == cook.col(2)) return problem.solution()[2 * v + 1];
