@@ -1,6 +1,7 @@
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/element/default_element.hpp>
+#include <polyfem/element/diffusion.hpp>
 #include <polyfem/element/matrices.hpp>
 #include <polyfem/element/quadratic_element.hpp>
 #include <polyfem/element/tolerance.hpp>
@@ -116,6 +117,30 @@ TEST(QuadraticElement, WeighsQuadraticPolynomialsExactly) {
   EXPECT_NEAR(element.rule.weights.sum(), 1, 1e-14);
   EXPECT_NEAR(x.cwiseProduct(x) * element.rule.weights, 1. / 3, 1e-14);
   EXPECT_NEAR(x.cwiseProduct(y) * element.rule.weights, 1. / 4, 1e-14);
+}
+
+TEST(QuadraticElement, MassAndConductionOfQuadraticFieldsAreExact) {
+  const auto u = [](const Vec2& x) { return 1 + x.x() - 2 * x.y() + 0.5 * x.x() * x.x() - x.x() * x.y(); };
+  const auto gradient = [](const Vec2& x) { return Vec2(1 + x.x() - x.y(), -2 - x.x()); };
+  Mat2 conductivity;
+  conductivity << 2, 0.3, 0.3, 1;
+  MatrixXd M, K;
+  for (const Points& polygon : polygons()) {
+    const Points nodes = support::with_middles(polygon);
+    const TabulatedElement element = elements(polygon)[0];
+    double squares = 0, heat = 0;  // by the rule of degree 4, which is exact for both
+    for (Index q = 0; q < element.n_points(); ++q) {
+      const Vec2 x = element.rule.points.col(q);
+      squares += element.rule.weights[q] * u(x) * u(x);
+      heat += element.rule.weights[q] * gradient(x).dot(conductivity * gradient(x));
+    }
+    VectorXd values(nodes.cols());
+    for (Index i = 0; i < nodes.cols(); ++i) values[i] = u(nodes.col(i));
+    scalar_mass(element, M);
+    diffusion(element, conductivity, K);
+    EXPECT_NEAR(values.dot(M * values) / squares, 1, 1e-12) << polygon.cols() << " corners";
+    EXPECT_NEAR(values.dot(K * values) / heat, 1, 1e-11) << polygon.cols() << " corners";
+  }
 }
 
 /// Of concave cells the functions are not smooth at the corners: rules converge there, too, with more points.
