@@ -183,6 +183,8 @@ class BlockSystem {
   /// Of one point since the start, along an axis.
   double total_displacement(const BlockState& state, int point, int axis) const;
   void count_displacements_from(const BlockState& zero);
+  /// The points as they were drawn, with their blocks' origins.
+  const BlockState& drawn() const { return start_; }
   /// The points that displacements are counted from, with their blocks' origins.
   const BlockState& displacement_zero() const { return zero_.position.cols() > 0 ? zero_ : start_; }
   /// The outline of a block from the origin of another: no digits are lost to where they are.

@@ -4,7 +4,6 @@
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/core/bytes_of.hpp>
-#include <ddacontact/detection/contact_length.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
@@ -67,10 +66,13 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   };
   polyfem::for_ranges(n, blocks_of_range, std::ref(check_blocks));
   nearby_.find(boxes_, margins_, pairs_);
+  const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant);
   std::erase_if(pairs_, [&](const Pair& pair) {
     const auto [a, b] = pair;
-    return (!blocks_.is_movable(a) && !blocks_.is_movable(b)) || !blocks_.is_present(a) ||
-           !blocks_.is_present(b);
+    // Between wholly held blocks a joint with a stiffness alone has forces that one can tell.
+    const bool bears = any_compliant ? !blocks_.is_unchanging(a) || !blocks_.is_unchanging(b)
+                                     : blocks_.is_movable(a) || blocks_.is_movable(b);
+    return !bears || !blocks_.is_present(a) || !blocks_.is_present(b);
   });
 }
 
@@ -123,10 +125,14 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                   {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
   const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
   const bool stiff = any_compliant && !blocks_.has_rounded_corners();
+  if (stiff) leave_one_a_place(state, previous, found, first);
+  const std::vector<VertexEdge> of_blocks(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
   const auto is_idle = [&](const VertexEdge& of) {
-    // A corner that is yet to come over an edge has no part of the length of a joint with a stiffness.
-    return (held && !can_change(state, of)) ||
-           (stiff && properties_.strength(of).is_compliant() && length_of(state, of) == 0);
+    const bool compliant = properties_.strength(of).is_compliant();
+    // Where all is held a rigid contact has no force that one could tell. A corner that is yet to come over
+    // an edge has no part of the length of a joint with a stiffness.
+    return (held && !compliant && !can_change(state, of)) ||
+           (stiff && compliant && length_of(state, of, of_blocks) == 0);
   };
   if (held || stiff) {
     const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
@@ -194,20 +200,12 @@ double ContactBuilder::dashpot(const Contact& contact) const {
   return 2 * ratio * std::sqrt(stiffness * lighter);
 }
 
-double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair) const {
-  const int origin = pair.edge_block;
-  const Block& block = blocks_.block(pair.vertex_block);
-  return contact_length(blocks_.outline_from(state, pair.vertex_block, origin), pair.vertex,
-                        blocks_.outline_from(state, pair.edge_block, origin), pair.edge,
-                        block.reference().leftCols(block.n_vertices()),
-                        properties_.strength(pair).is_compliant() || properties_.strength(pair).crushes());
-}
-
-Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair, double normal) const {
+Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair,
+                                     std::span<const VertexEdge> found, double normal) const {
   Contact contact;
   contact.pair = pair;
   const JointStrength& joint = properties_.strength(pair);
-  if (joint.is_compliant() || joint.crushes()) contact.history.length = length_of(state, pair);
+  if (joint.is_compliant() || joint.crushes()) contact.history.length = length_of(state, pair, found);
   contact.history.normal = normal;
   contact.motion = motion_of(blocks_, state, pair, properties_.inset(contact));
   contact.gap = contact.first_gap().constant;
@@ -232,13 +230,14 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
   contacts.reserve(detect(state, motion, search_margin, {}, false));
   for (const std::vector<VertexEdge>& found : found_in_)
     for (const VertexEdge& pair : found) {
-      Contact contact = make_contact(state, pair);
+      const std::span of_blocks = std::ranges::equal_range(found, block_pair(pair), {}, block_pair);
+      Contact contact = make_contact(state, pair, of_blocks);
       ContactHistory& history = contact.history;
       if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
           contact.is_on_edge(contact.first_slip().constant)) {
         history.bonded = true;
         history.gap_offset = properties_.strength(pair).glued ? contact.gap : std::min(contact.gap, 0.0);
-        history.length = length_of(state, pair);
+        history.length = length_of(state, pair, of_blocks);
         contact.law = properties_.law(contact);
         history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
       }
@@ -282,7 +281,7 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
                                    std::span<const VertexEdge> found,
                                    std::span<const ContactRecord> previous) const {
   const ContactRecord* old = find_predecessor(state, pair, found, previous);
-  Contact contact = make_contact(state, pair, old ? old->history.normal : 0);
+  Contact contact = make_contact(state, pair, found, old ? old->history.normal : 0);
   const double fraction = contact.history.lock;
   if (old && !old->closed()) {
     contact.history.gap_offset = old->history.gap_offset;

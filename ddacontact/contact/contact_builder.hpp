@@ -111,11 +111,20 @@ class ContactBuilder {
   const ContactRecord* find_predecessor(const BlockState& state, const VertexEdge& pair,
                                         std::span<const VertexEdge> found,
                                         std::span<const ContactRecord> previous) const;
+  /// \param[in] found   the contacts of its blocks
   /// \param[in] normal  its force at the end of the last step
-  Contact make_contact(const BlockState& state, const VertexEdge& pair, double normal = 0) const;
+  Contact make_contact(const BlockState& state, const VertexEdge& pair, std::span<const VertexEdge> found,
+                       double normal = 0) const;
   /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
   /// compression at any angle.
-  double length_of(const BlockState& state, const VertexEdge& pair) const;
+  double length_of(const BlockState& state, const VertexEdge& pair, std::span<const VertexEdge> found) const;
+  /// Whether two contacts of a joint with a stiffness are of the same two faces and of one place of them,
+  /// where a vertex of either lies on a vertex of the other: together they would stand for the faces twice.
+  bool are_at_one_place(const BlockState& state, const VertexEdge& a, const VertexEdge& b) const;
+  /// Leaves one of contacts at one place: one that was closed, then one that lies along the other face, then
+  /// one of a corner, where faces end.
+  void leave_one_a_place(const BlockState& state, std::span<const ContactRecord> previous,
+                         std::vector<VertexEdge>& found, std::size_t first) const;
   /// Glues a contact of a glued joint that is closed or touches: it sticks where it is. The gap of one that
   /// only touches counts as none from then on, so that glue adds no force.
   void glue(Contact& contact) const;

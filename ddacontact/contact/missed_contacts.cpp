@@ -5,6 +5,7 @@
 #include <ddacontact/detection/missed_penetrations.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace ddacontact {
 
@@ -50,7 +51,9 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
     find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, lip(a, b, touch), missed_);
   }
   std::erase_if(missed_, [&](const VertexEdge& entry) {
-    return std::ranges::count(of_same_pair(entry, contacts), entry, &Contact::pair) > 0;
+    return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {
+      return of.pair == entry || are_at_one_place(start, of.pair, entry);
+    });
   });
   return !missed_.empty();
 }
@@ -59,8 +62,10 @@ void ContactBuilder::add_missed(const BlockState& start, std::vector<Contact>& c
   for (const VertexEdge& entry : missed_) {
     const std::span<const Contact> same = of_same_pair(entry, contacts);
     if (std::ranges::find(same, entry, &Contact::pair) != same.end()) continue;
+    std::vector<VertexEdge> of_blocks(missed_);
+    std::ranges::transform(same, std::back_inserter(of_blocks), &Contact::pair);
     contacts.insert(std::ranges::upper_bound(contacts, block_pair(entry), {}, pair_of),
-                    make_contact(start, entry));
+                    make_contact(start, entry, of_blocks));
   }
   // The path has told which line these corners pass: for the rest of the step it is not chosen again.
   std::erase_if(choices_, [this](const Choice& choice) {

@@ -7,34 +7,38 @@
 
 namespace ddacontact {
 
-namespace {
-
-/// A vertex nearer to an end of an edge than this part of its length is at that end.
-constexpr double end_part = 1e-6;
-
-}  // namespace
-
-double contact_length(const PointsRef& vertex_polygon, int vertex, const PointsRef& edge_polygon, int edge,
-                      const PointsRef& unstrained, bool at_any_angle) {
-  const Vec2 x = vertex_polygon.col(vertex);
-  const auto length_towards = [&](int neighbour) {
-    const Vec2 y = vertex_polygon.col(neighbour);
-    DirectedEdge e(edge_polygon, edge);
-    if (!at_any_angle && std::abs(e.normal.dot(y - x)) > sin_parallel * (y - x).norm()) return 0.0;
-    // From an end of the edge it goes on along the next one, where that is collinear.
-    const double at = e.tangent.dot(x - e.start), onward = e.tangent.dot(y - x);
-    const int after = next(edge, edge_polygon), before = previous(edge, edge_polygon);
-    if (onward > 0 && at > (1 - end_part) * e.length && goes_straight_on(edge_polygon, edge, after))
-      e = DirectedEdge(edge_polygon, after);
-    else if (onward < 0 && at < end_part * e.length && goes_straight_on(edge_polygon, before, edge))
-      e = DirectedEdge(edge_polygon, before);
-    const double s = e.tangent.dot(x - e.start), t = e.tangent.dot(y - e.start);
-    const double length = (unstrained.col(neighbour) - unstrained.col(vertex)).norm();
-    return (std::min(std::max(s, t), e.length) - std::max(std::min(s, t), 0.0)) / 2 * length / (y - x).norm();
+double contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_polygon,
+                      const VertexEdge& contact, const PointsRef& unstrained,
+                      const std::function<bool(int, int)>& bears, bool at_any_angle) {
+  const Vec2 x = vertex_polygon.col(contact.vertex);
+  const DirectedEdge e(edge_polygon, contact.edge);
+  // The vertex at the end of a straight face, or before it one that bears: from an edge on, forth or back.
+  const auto end_of_face = [&](const PointsRef& polygon, int block, int edge, bool forth) {
+    for (int at = edge;;) {
+      const int end = forth ? next(at, polygon) : at, on = forth ? end : previous(at, polygon);
+      const bool goes_on = forth ? goes_straight_on(polygon, at, on) : goes_straight_on(polygon, on, at);
+      if (!goes_on || bears(block, end)) return end;
+      at = on;
+    }
   };
-  const double forward = std::max(0.0, length_towards(next(vertex, vertex_polygon))),
-               back = std::max(0.0, length_towards(previous(vertex, vertex_polygon)));
-  return corner_at(vertex_polygon, vertex) == Corner::straight ? forward + back : std::max(forward, back);
+  const auto reach = [&](bool along) {
+    const int end = end_of_face(edge_polygon, contact.edge_block, contact.edge, along);
+    return e.tangent.dot(edge_polygon.col(end) - x) * (along ? 1 : -1);
+  };
+  const auto length_towards = [&](int edge, bool forth) {
+    const int neighbour = end_of_face(vertex_polygon, contact.vertex_block, edge, forth);
+    const Vec2 way = vertex_polygon.col(neighbour) - x;
+    if (!at_any_angle && std::abs(e.normal.dot(way)) > sin_parallel * way.norm()) return 0.0;
+    const double onward = e.tangent.dot(way);
+    const bool along = onward > 0;
+    const double overlap = std::min(std::abs(onward), reach(along)) - std::max(0.0, -reach(!along));
+    const double length = (unstrained.col(neighbour) - unstrained.col(contact.vertex)).norm();
+    return std::max(0.0, overlap) / 2 * length / way.norm();
+  };
+  const double forward = length_towards(contact.vertex, true),
+               back = length_towards(previous(contact.vertex, vertex_polygon), false);
+  return corner_at(vertex_polygon, contact.vertex) == Corner::straight ? forward + back
+                                                                       : std::max(forward, back);
 }
 
 }  // namespace ddacontact

@@ -3,7 +3,9 @@
 #include <ddacontact/core/quoted.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace ddacontact {
@@ -14,16 +16,31 @@ constexpr double least_bend = 0.035;  ///< the sine of two degrees: less is no b
 constexpr double at_the_bend = 1e-4;  ///< distance over the size of the block with the face
 
 struct FreeCorner {
-  Vec2 at;
+  Vec2 at, before, after;  ///< and the corners of its block beside it
   int block;
 };
+
+bool points_along(const Vec2& one, const Vec2& other) {
+  return one.dot(other) > 0 && std::abs(cross(one, other)) <= least_bend * one.norm() * other.norm();
+}
+
+/// Of a face that runs `in` to a bend and `out` from it: whether the block with this corner lies on one part
+/// of it alone, so that it slides towards the other part, which goes on forwards.
+bool slides_into(const FreeCorner& corner, const Vec2& in, const Vec2& out) {
+  const bool on_out = points_along(corner.before - corner.at, out),
+             on_in = points_along(corner.after - corner.at, -in);
+  return in.dot(out) > 0 && on_in != on_out;
+}
 
 /// Of all blocks that may move, by x.
 std::vector<FreeCorner> free_corners(const BlockSystem& blocks, const Points& positions) {
   std::vector<FreeCorner> corners;
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    for (int k = 0; blocks.is_movable(b) && k < blocks.block(b).n_vertices(); ++k)
-      corners.push_back({positions.col(blocks.block(b).vertices().first + k), b});
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    const int n = blocks.block(b).n_vertices(), first = blocks.block(b).vertices().first;
+    for (int k = 0; blocks.is_movable(b) && k < n; ++k)
+      corners.push_back({positions.col(first + k), positions.col(first + (k + n - 1) % n),
+                         positions.col(first + (k + 1) % n), b});
+  }
   std::ranges::sort(corners, {}, [](const FreeCorner& corner) { return corner.at.x(); });
   return corners;
 }
@@ -42,16 +59,25 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
       const Vec2 at = vertex(k), in = at - vertex(k + n - 1), out = vertex(k + 1) - at;
       if (cross(in, out) >= -least_bend * in.norm() * out.norm()) continue;
       std::set<int> there;
+      const FreeCorner* sliding = nullptr;
       auto corner =
           std::ranges::lower_bound(corners, at.x() - near, {}, [](const FreeCorner& c) { return c.at.x(); });
-      for (; corner != corners.end() && corner->at.x() <= at.x() + near; ++corner)
-        if (corner->block != b && (corner->at - at).norm() <= near) there.insert(corner->block);
-      if (there.size() < 2) continue;
-      return "the joint between block " + quoted(blocks.names[*there.begin()]) + " and block " +
-             quoted(blocks.names[*std::next(there.begin())]) + " ends where the face of block " +
-             quoted(blocks.names[b]) +
-             " bends: a corner does not slide round the bend, which holds blocks that would fail (let the "
-             "joint end above the bend)";
+      for (; corner != corners.end() && corner->at.x() <= at.x() + near; ++corner) {
+        if (corner->block == b || (corner->at - at).norm() > near) continue;
+        there.insert(corner->block);
+        if (slides_into(*corner, in, out)) sliding = &*corner;
+      }
+      const std::string face = "where the face of block " + quoted(blocks.names[b]) + " bends: ";
+      if (there.size() >= 2)
+        return "the joint between block " + quoted(blocks.names[*there.begin()]) + " and block " +
+               quoted(blocks.names[*std::next(there.begin())]) + " ends " + face +
+               "a corner does not slide round the bend, which holds blocks that would fail (let the "
+               "joint end above the bend)";
+      if (sliding)
+        return "block " + quoted(blocks.names[sliding->block]) + " ends " + face +
+               "its corner does not slide round the bend, which holds a block that would fail (let the face "
+               "go "
+               "on straight below the block)";
     }
   }
   return {};

@@ -1,4 +1,4 @@
-/// \file Joints that end where the face below them bends.
+/// \file Blocks that end where the face below them bends.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -8,9 +8,10 @@
 
 namespace ddacontact {
 
-/// Where a face bends inwards and two free blocks have a corner each at the bend, the upper one cannot slide
-/// round it: its corner meets the lower part of the face. The first such bend in words; nothing where
-/// there is none.
+/// A corner cannot slide round a bend inwards of the face below it: it meets the lower part of the face.
+/// Found are the upper of two free blocks with a corner each at a bend, and a single one on one part of a
+/// face that bends by less than a right angle, as the foot of a sliding body at the level ground below it.
+/// The first such bend in words; nothing where there is none.
 std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const BlockState& initial);
 
 }  // namespace ddacontact

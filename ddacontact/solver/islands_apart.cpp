@@ -1,19 +1,15 @@
 #include <ddacontact/solver/islands_apart.hpp>
 
+#include <ddacontact/core/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 namespace ddacontact {
 
 namespace {
-
-int root(std::vector<int>& parent, int k) {
-  while (parent[k] != k) k = parent[k] = parent[parent[k]];
-  return k;
-}
 
 /// Adds what the contact's forces do to a block that does not move.
 void add_to_prescribed(const Contact& contact, const Range& unknowns, const VectorXd& d,
@@ -38,14 +34,13 @@ struct Members {
 /// Those that move by their first blocks, with what they may touch that rests.
 std::vector<Members> find_islands(const BlockSystem& blocks, const std::vector<Contact>& contacts) {
   const int n_blocks = blocks.n_blocks();
-  std::vector<int> parent(n_blocks);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets islands(n_blocks);
   std::vector<char> meets(n_blocks, 0);
   const auto moves = [&](int b) { return b >= 0 && !blocks.is_unchanging(b); };
   for (const Contact& contact : contacts) {
     const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
     meets[a] = meets[b] = 1;
-    if (moves(a) && moves(b)) parent[root(parent, a)] = root(parent, b);
+    if (moves(a) && moves(b)) islands.join(a, b);
   }
   std::vector<std::pair<const Bolt*, int>> bolts;  // with the first block of each that moves
   for (const Bolt& bolt : blocks.bolts) {
@@ -55,14 +50,14 @@ std::vector<Members> find_islands(const BlockSystem& blocks, const std::vector<C
       if (!moves(node.block)) continue;
       meets[node.block] = 1;
       if (first < 0) first = node.block;
-      parent[root(parent, first)] = root(parent, node.block);
+      islands.join(first, node.block);
     }
     if (first >= 0) bolts.emplace_back(&bolt, first);
   }
   std::vector<int> numbers(n_blocks + 1, -1);  // of islands by their roots; last of those that meet nothing
   std::vector<Members> members;
   const auto island_of = [&](int b) -> Members& {
-    int& number = numbers[meets[b] ? root(parent, b) : n_blocks];
+    int& number = numbers[meets[b] ? islands.root(b) : n_blocks];
     if (number < 0) {
       number = static_cast<int>(members.size());
       members.emplace_back();

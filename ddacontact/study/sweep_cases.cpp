@@ -52,6 +52,8 @@ std::vector<std::string> whole_numbers(std::string_view text, std::string_view o
   const std::size_t dots = text.find("..");
   if (dots == std::string_view::npos) return {};
   const auto first = number_of<long>(text.substr(0, dots)), last = number_of<long>(text.substr(dots + 2));
+  if (number_of<double>(text.substr(0, dots)) && dots + 2 < text.size() && (!first || !last))
+    refuse(of, "has '..' between what are no whole numbers");
   if (!first || !last) return {};
   if (*last < *first || *last - *first >= static_cast<long>(most_cases))
     refuse(of, "is no range of whole numbers");

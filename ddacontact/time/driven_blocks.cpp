@@ -17,8 +17,8 @@ double depth(const BlockSystem& blocks, const BlockState& state, int a, int b) {
 
 }  // namespace
 
-std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& start,
-                                        const BlockState& end) {
+std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
+                                        const std::function<bool(const Pair&)>& gives_way) {
   constexpr double allowed = 1e-6;  // of the size of the smaller block, as of contacts
   std::vector<int> fully_prescribed;
   for (int b = 0; b < blocks.n_blocks(); ++b)
@@ -31,7 +31,9 @@ std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockSt
       if (seen || !touch(box, bounding_box(blocks.outline_from(end, b, a)))) continue;
       const double limit = allowed * std::min(blocks.block(a).size(), blocks.block(b).size()),
                    now = depth(blocks, end, a, b);
-      if (now > limit && now > std::max(0.0, depth(blocks, start, a, b)) + limit) return Pair{a, b};
+      if (now > limit && now > std::max(0.0, depth(blocks, blocks.drawn(), a, b)) + limit &&
+          !gives_way({std::min(a, b), std::max(a, b)}))
+        return Pair{a, b};
     }
   }
   return {};

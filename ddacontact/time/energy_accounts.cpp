@@ -34,10 +34,7 @@ double stored_shear(const ContactProperties& properties, ContactState state, dou
 void account_contact(const ContactProperties& properties, bool means, const Contact& contact,
                      Energy& energy) {
   if (contact.law.compliant) {
-    const JointSpringWork work = account_joint_springs(contact, means);
-    energy.friction_dissipated += work.friction;
-    energy.damping_dissipated += work.damping;
-    energy.numerical_dissipated += work.scheme;
+    account_joint_springs(contact, means, energy);
     return;
   }
   const double by_dashpot = contact.normal != 0 ? -contact.damping * contact.gap_change : 0;

@@ -15,7 +15,8 @@ void EnergyLedger::close_step(double tolerated) {
   tolerated_ = std::max(tolerated_, tolerated);
   const double created =
       (now.total() - now.numerical_dissipated) - (start_.total() - start_.numerical_dissipated);
-  created_ = std::max(created_, created - tolerated_);
+  created_ = std::max(created_, std::min(created, created_last_) - tolerated_);
+  created_last_ = created;
 }
 
 double EnergyLedger::created() const {

@@ -41,7 +41,8 @@ class EnergyLedger {
 
   /// Energy from nowhere: by how much kinetic, elastic, gravity and what friction and damping took rose above
   /// the work of loads and supports at most, beyond what is tolerated, over the largest energy exchanged; 0
-  /// while there was none.
+  /// while there was none. What two steps in sequence end with counts: where the velocity of a support jumps,
+  /// that at the end of the step is the mean of both sides.
   double created() const;
 
   /// Calls visit with every number of the ledger.
@@ -53,6 +54,7 @@ class EnergyLedger {
     visit(ledger.largest_);
     visit(ledger.tolerated_);
     visit(ledger.created_);
+    visit(ledger.created_last_);
   }
 
  private:
@@ -71,7 +73,7 @@ class EnergyLedger {
 
   double exchanged_ = 0, largest_ = 0;
   double tolerated_ = 0;
-  double created_ = 0;  ///< J per m
+  double created_ = 0, created_last_ = 0;  ///< at most, and as the last step ended, J per m
 };
 
 }  // namespace ddacontact

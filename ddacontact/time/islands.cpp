@@ -1,12 +1,6 @@
 #include <ddacontact/time/islands.hpp>
 
-#include <numeric>
-
 namespace ddacontact {
-
-Islands::Islands(const BlockSystem& blocks) : blocks_(&blocks), parent_(blocks.n_blocks()) {
-  std::iota(parent_.begin(), parent_.end(), 0);
-}
 
 int Islands::first_movable(const AffineForm& form) const {
   for (int u : form.unknowns())
@@ -14,19 +8,14 @@ int Islands::first_movable(const AffineForm& form) const {
   return -1;
 }
 
-int Islands::root(int b) const {
-  while (parent_[b] != b) b = parent_[b] = parent_[parent_[b]];
-  return b;
-}
-
 void Islands::join(int a, int b) {
-  if (blocks_->is_movable(a) && blocks_->is_movable(b)) parent_[root(a)] = root(b);
+  if (blocks_->is_movable(a) && blocks_->is_movable(b)) sets_.join(a, b);
 }
 
 void Islands::join(const AffineForm& form) {
   const int first = first_movable(form);
   for (int u : form.unknowns())
-    if (const int b = blocks_->block_of_unknown(u); blocks_->is_movable(b)) parent_[root(b)] = root(first);
+    if (const int b = blocks_->block_of_unknown(u); blocks_->is_movable(b)) sets_.join(b, first);
 }
 
 void Islands::hit(const AffineForm& form) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
+#include <ddacontact/core/disjoint_sets.hpp>
 
 #include <set>
 
@@ -11,14 +12,14 @@ namespace ddacontact {
 /// velocities.
 class Islands {
  public:
-  explicit Islands(const BlockSystem& blocks);
+  explicit Islands(const BlockSystem& blocks) : blocks_(&blocks), sets_(blocks.n_blocks()) {}
 
   const BlockSystem& blocks() const { return *blocks_; }
 
   /// Both are of one island, if both are movable.
   void join(int a, int b);
   /// The block that stands for a block's island.
-  int root(int b) const;
+  int root(int b) const { return sets_.root(b); }
   /// The movable blocks on which a contact's form depends are of one island.
   void join(const AffineForm& form);
   /// Once all are joined: the form's island takes part.
@@ -31,8 +32,7 @@ class Islands {
   int first_movable(const AffineForm& form) const;  ///< -1: none
 
   const BlockSystem* blocks_;
-  mutable std::vector<int>
-      parent_;         ///< towards the block that stands for the island; paths are cut on the way
+  DisjointSets sets_;  ///< of blocks
   std::set<int> hit_;  ///< roots
 };
 

@@ -25,19 +25,19 @@ double energy_of_joint(const ContactProperties& properties, const ContactRecord&
          (2 * history.length);
 }
 
-JointSpringWork account_joint_springs(const Contact& contact, bool means) {
+void account_joint_springs(const Contact& contact, bool means, Energy& energy) {
   const ContactForce end = end_forces_of_joint(contact, means);
   const JointLaw& law = contact.law;
   const double by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change;
-  JointSpringWork work;
-  work.damping = -by_dashpot * contact.gap_change;
-  work.scheme = (square(contact.history.normal) - square(end.normal)) / (2 * law.normal_stiffness) -
-                (contact.normal - by_dashpot) * contact.gap_change;
+  energy.damping_dissipated -= by_dashpot * contact.gap_change;
+  energy.numerical_dissipated +=
+      (square(contact.history.normal) - square(end.normal)) / (2 * law.normal_stiffness) -
+      (contact.normal - by_dashpot) * contact.gap_change;
   const double from_shear =
       (square(contact.history.shear) - square(end.shear)) / (2 * law.tangential_stiffness) -
       contact.shear * contact.slip_change;
-  (is_slipping(contact.history.state) ? work.friction : work.scheme) += from_shear;
-  return work;
+  (is_slipping(contact.history.state) ? energy.friction_dissipated : energy.numerical_dissipated) +=
+      from_shear;
 }
 
 }  // namespace ddacontact

@@ -3,6 +3,7 @@
 
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/solver/contact_term.hpp>
+#include <ddacontact/time/energy_ledger.hpp>
 
 namespace ddacontact {
 
@@ -14,11 +15,8 @@ ContactForce end_forces_of_joint(const Contact& contact, bool means);
 /// history.
 double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact);
 
-/// What a step takes from the springs of a contact and what moves them.
-struct JointSpringWork {
-  double friction = 0, damping = 0, scheme = 0;
-};
-/// Before the contact's history takes the forces of the end. \param[in] means  see `end_forces_of_joint`
-JointSpringWork account_joint_springs(const Contact& contact, bool means);
+/// Adds what friction, damping and the scheme take in a step from the springs of a contact and what moves
+/// them; before its history takes the forces of the end. \param[in] means  see `end_forces_of_joint`
+void account_joint_springs(const Contact& contact, bool means, Energy& energy);
 
 }  // namespace ddacontact

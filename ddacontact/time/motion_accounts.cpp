@@ -20,10 +20,7 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   contact.gap_change = contact.motion.change_along(start.by_gap, straight);
   contact.slip_change = contact.motion.change_along(start.by_slip, straight);
   if (contact.law.compliant) {
-    const JointSpringWork of_joint = account_joint_springs(contact, false);
-    energy.friction_dissipated += of_joint.friction;
-    energy.damping_dissipated += of_joint.damping;
-    energy.numerical_dissipated += of_joint.scheme;
+    account_joint_springs(contact, false, energy);
     return;
   }
   const double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;

@@ -1,7 +1,8 @@
 #include <ddacontact/time/sleeping.hpp>
 
+#include <ddacontact/core/disjoint_sets.hpp>
+
 #include <algorithm>
-#include <numeric>
 
 namespace ddacontact {
 
@@ -11,12 +12,6 @@ namespace {
 constexpr double slow = 5e-8, round_off = 1e-12;
 /// Of those awake at least this part falls asleep at once: every change costs what all of them cost.
 constexpr double worth_while = 0.125;
-
-int root(std::vector<int>& parent, int k) {
-  while (parent[k] != k) k = parent[k] = parent[parent[k]];
-  return k;
-}
-
 }  // namespace
 
 double rest_speed(const BlockSystem& blocks, int b, double dt) {
@@ -36,17 +31,16 @@ std::vector<int> Sleeping::put_to_sleep(const std::vector<int>& awake, std::span
   const auto number = [&](int b) {
     return static_cast<int>(std::ranges::lower_bound(awake, b) - awake.begin());
   };
-  std::vector<int> parent(awake.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& [a, b] : touching) parent[root(parent, number(a))] = root(parent, number(b));
+  DisjointSets islands(static_cast<int>(awake.size()));
+  for (const auto& [a, b] : touching) islands.join(number(a), number(b));
   std::vector<char> at_rest(awake.size(), 1);
   for (int k = 0; k < static_cast<int>(awake.size()); ++k)
-    if (!has_rested(awake[k])) at_rest[root(parent, k)] = 0;
+    if (!has_rested(awake[k])) at_rest[islands.root(k)] = 0;
   std::vector<int> falling;
   for (int k = 0; k < static_cast<int>(awake.size()); ++k)
-    if (at_rest[root(parent, k)]) falling.push_back(awake[k]);
+    if (at_rest[islands.root(k)]) falling.push_back(awake[k]);
   if (falling.empty() || static_cast<double>(falling.size()) < least) return {};
-  for (int b : falling) island_[b] = 1 + awake[root(parent, number(b))];
+  for (int b : falling) island_[b] = 1 + awake[islands.root(number(b))];
   n_asleep_ += static_cast<int>(falling.size());
   return falling;
 }

@@ -1,5 +1,6 @@
 #include <ddacontact/time/sleeping_blocks.hpp>
 
+#include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
@@ -34,10 +35,6 @@ void for_functions(const BlockSystem& blocks, const auto& visit) {
   for (const QuietFace& face : blocks.quiet_faces) visit(face.block, face.incoming);
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 bool covers(const Box& outer, const Box& inner) {
   return (outer.low.array() <= inner.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
 }
@@ -50,10 +47,7 @@ Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double mar
   return box;
 }
 
-Pair block_pair(const ContactRecord& contact) {
-  const auto [first, second] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
-  return {first, second};
-}
+constexpr auto pair_of_record = [](const ContactRecord& of) { return block_pair(of.pair); };
 
 }  // namespace
 
@@ -108,7 +102,7 @@ const std::vector<ContactRecord>& SleepingBlocks::contacts() const {
   if (!all_contacts_known_) {
     all_contacts_.clear();
     std::ranges::merge(contacts_in_whole(), asleep_->contacts, std::back_inserter(all_contacts_), {},
-                       block_pair, block_pair);
+                       pair_of_record, pair_of_record);
     all_contacts_known_ = true;
   }
   return all_contacts_;
@@ -213,7 +207,7 @@ const std::vector<double>& SleepingBlocks::look_around(double dt, double reach) 
         covered = covers(asleep_->around[k++], box) && covered;
       else if (margin[b] > round_off * blocks_.block(b).size())
         for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
-          if (overlap(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
+          if (touch(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
     }
     if (woken) {
       regroup();
@@ -323,7 +317,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
     Box all = boxes.front();
     for (const Box& box : boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
     for (int b = 0; b < n_blocks; ++b)
-      if (blocks_.is_present(b) && !takes_part[b] && overlap(all, asleep.boxes[b])) {
+      if (blocks_.is_present(b) && !takes_part[b] && touch(all, asleep.boxes[b])) {
         near.push_back(b);
         boxes.push_back(asleep.boxes[b]);
       }

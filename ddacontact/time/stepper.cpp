@@ -1,5 +1,6 @@
 #include <ddacontact/time/stepper.hpp>
 
+#include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <polyfem/core/out_of_memory.hpp>
@@ -181,7 +182,11 @@ Stepper::Trial Stepper::make_trial(double dt) {
   TrialEnd end = trial_.advance(dt, solution);
   rejection_ = end.rejection;
   if (!rejection_.empty()) return Trial::rejected;
-  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, state_, end.state)) {
+  const auto gives_way = [&](const Pair& pair) {
+    return std::ranges::any_of(of_pair(pair, trial_.contacts()),
+                               [&](const Contact& of) { return properties_.is_compliant(of); });
+  };
+  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, end.state, gives_way)) {
     rejection_ = "supports drive blocks " + quoted(blocks_.names[(*overlap)[0]]) + " and " +
                  quoted(blocks_.names[(*overlap)[1]]) + " into each other";
     return Trial::rejected;

@@ -102,6 +102,7 @@ void Stepper::apply(const Stage& stage, double start_time) {
   for (BodyLoad load : stage.body_loads) bring(load, load.block, load.force, blocks_.body_loads);
   blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
   for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = true;
+  trial_.forget_islands();
   if (!trial_.has_system() || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty())
     trial_.make_system();
   std::erase_if(contacts_, [&](const ContactRecord& contact) {

@@ -63,7 +63,7 @@ TrialStep::TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<C
 
 void TrialStep::make_system() {
   system_.emplace(blocks_);
-  islands_.clear();
+  forget_islands();
 }
 
 VectorXd TrialStep::predicted_motion(double dt) const {

@@ -57,6 +57,8 @@ class TrialStep {
 
   /// Forgets pairs of blocks that may meet: blocks have other numbers, or others take part.
   void forget_pairs(const ContactProperties& properties) { builder_.emplace(blocks_, properties); }
+  /// Forgets the systems of islands: their loads, water and supports are those of the last stage.
+  void forget_islands() { islands_.clear(); }
   /// (13) anew, for the blocks that take part now.
   void make_system();
 

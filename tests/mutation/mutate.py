@@ -66,6 +66,11 @@ class Build:
         self.root = build
         commands = json.loads((build / "compile_commands.json").read_text())
         self.compile = {entry["file"]: entry for entry in commands}
+        self.combined = {}  # of a file: the one that includes it with others, where files are combined
+        for file in self.compile:
+            if "/Unity/unity_" in file:
+                for included in re.findall(r'#include "([^"]+)"', pathlib.Path(file).read_text()):
+                    self.combined[included] = file
         self.links = {}
         for program in programs:
             lines = subprocess.run(["ninja", "-t", "commands", program], cwd=build, capture_output=True, text=True,
@@ -75,10 +80,15 @@ class Build:
             self.links[program] = link
 
     def compiled(self, source, text, scratch):
-        """The object file of a changed source, None where it does not compile."""
+        """The object file of a changed source and those combined with it, None where it does not compile."""
         changed, made = scratch / "mutant.cpp", scratch / "mutant.o"
         changed.write_text(text)
-        words = shlex.split(self.compile[str(source)]["command"])
+        entry = str(source)
+        if combined := self.combined.get(entry):
+            entry, whole = combined, pathlib.Path(combined).read_text().replace(f'"{source}"', f'"{changed}"')
+            changed = scratch / "combined.cpp"
+            changed.write_text(whole)
+        words = shlex.split(self.compile[entry]["command"])
         if pathlib.Path(words[0]).name == "ccache":
             words = words[1:]
         words[words.index("-o") + 1] = str(made)

@@ -304,8 +304,13 @@ TEST(AnyPolygon, NodesAlongSidesMeetOneEdgeEach) {
       if (!is_over(pair, c)) continue;
       EXPECT_GE(pair.inset(c), -1e-12) << "not the edge that it is over";
       EXPECT_TRUE(vertices.insert({c.vertex_block, c.vertex}).second) << "a node on two edges";
-      length += contact_length(pair.of(c.vertex_block), c.vertex, pair.of(c.edge_block), c.edge,
-                               pair.of(c.vertex_block));
+      const auto bears = [&](int block, int vertex) {
+        return std::ranges::any_of(found, [&](const VertexEdge& of) {
+          return of.vertex_block == block && of.vertex == vertex && is_over(pair, of);
+        });
+      };
+      length +=
+          contact_length(pair.of(c.vertex_block), pair.of(c.edge_block), c, pair.of(c.vertex_block), bears);
     }
     EXPECT_NEAR(length, 2 - std::abs(shift), 1e-9) << "trial " << trial << " nodes " << n << ", " << m;
     if (trial % 3 == 0) {

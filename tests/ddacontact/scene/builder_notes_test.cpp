@@ -52,6 +52,25 @@ TEST(BuilderNotes, AJointThatEndsWhereTheFaceBelowItBends) {
   EXPECT_FALSE(notes(two_slices(-0.1), bend));
 }
 
+/// A wedge on a plane of 35 degrees whose foot is at ground that falls by `fall` over 10 m.
+std::string wedge_at_ground(double fall, const std::string& foot) {
+  return "format = 1\n[analysis]\nsteps = 1\ntime_step = 0.01\n[[material]]\nname = \"rock\"\ndensity = 2600\nyoung = 1e10\n"
+         "poisson = 0.2\n[[joint]]\nfriction_angle = 30\n[[block]]\nmaterial = \"rock\"\nvertices = [[-10, "
+         "-20], "
+         "[30, -20], [30, 7.0021], [10, 7.0021], [0, 0], [-10, " +
+         std::to_string(-fall) +
+         "]]\nfixed = true\n[[block]]\nname = \"wedge\"\nmaterial = \"rock\"\nvertices = [[0, 0], [10, "
+         "7.0021], " +
+         foot + "]\n";
+}
+
+TEST(BuilderNotes, AFootAtTheGroundBelowASlidingBody) {
+  const std::string_view bend = "block \"wedge\" ends where the face of block \"0\" bends";
+  EXPECT_TRUE(notes(wedge_at_ground(0, "[3, 7]"), bend));
+  EXPECT_FALSE(notes(wedge_at_ground(8, "[3, 7]"), bend)) << "the ground falls away";
+  EXPECT_FALSE(notes(wedge_at_ground(0, "[3, 7], [-5, 5], [-10, 0]"), bend)) << "it fills the bend";
+}
+
 TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
   const std::string joint = "[[joint]]\nfriction_angle = 20\n";
   EXPECT_FALSE(notes(two_slices(0), "frictionless"));

@@ -43,6 +43,35 @@ TEST(DrivenBlocks, SupportsThatPartOrSlideBlocksDoNot) {
   EXPECT_EQ(reason_to_stop(driven(0, {0, 0.1}, {0, -0.1})), "");
 }
 
+TEST(DrivenBlocks, ManySmallStepsDriveThemNoFurtherThanALongOne) {
+  Scene slow = driven(0, {1e-4, 0}, {0, 0});
+  slow.analysis.steps = 100;
+  EXPECT_NE(reason_to_stop(slow).find("into each other"), std::string::npos);
+}
+
+/// N = k_n l overlap, T = k_s l slip up to friction: what a direct shear test at constant height prescribes.
+TEST(DrivenBlocks, AJointWithAStiffnessBearsWhatSupportsPrescribe) {
+  for (const double slip : {1e-5, 1e-3}) {
+    Scene scene = driven(0, {1e-4, slip}, {0, 0});
+    scene.analysis.mode = Mode::statics;
+    scene.analysis.time_step = 1;  // what static steps of moving supports add to forces is small then
+    scene.analysis.gravity.setZero();
+    scene.joints[0].friction_angle = 30;
+    scene.joints[0].normal_stiffness = scene.joints[0].shear_stiffness = 1e9;
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 10);
+    double normal = 0, shear = 0;
+    for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) {
+      normal += contact.normal;
+      shear += contact.shear;
+    }
+    const double expected = 1e9 * 1e-4;
+    EXPECT_NEAR(normal, expected, 2e-3 * expected) << "the faces overlap by a little less as they slip";
+    EXPECT_NEAR(std::abs(shear), std::min(1e9 * slip, std::tan(radians(30)) * expected), 2e-3 * expected);
+    EXPECT_NEAR(built.stepper->reactions().row(0).head(4).sum(), expected, 2e-3 * expected);
+  }
+}
+
 TEST(DrivenBlocks, AnOverlapOfTheStartIsNoDrivenOne) {
   EXPECT_EQ(reason_to_stop(driven(-1. / 1024, {0, 0.1}, {0, -0.1})), "");
 }

@@ -98,6 +98,34 @@ TEST(JointSprings, BetweenMeshesHaveTheLengthOfTheJoint) {
 
 /// From one floor onto the next: the corner that the block comes to has a part of the length from then on,
 /// and of the weight.
+/// Where both faces have vertices at the same places, which strains move apart by a little, each place bears
+/// once.
+TEST(JointSprings, BetweenTwoMeshesBearOnceAPlace) {
+  for (const double cell_size : {0.5, 0.25})
+    for (const double young : {1e9, 1e11}) {
+      Scene scene = column(3, 1e8, 5e7);
+      scene.materials[0].young = young;
+      for (BlockDescription& b : scene.blocks) {
+        b.model = BlockModel::mesh;
+        b.mesh.cell_size = cell_size;
+      }
+      scene.analysis.mode = Mode::statics;
+      scene.analysis.time_step = 0.05;
+      scene.analysis.steps = 60;
+      const BuiltScene built = run(scene);
+      for (int below = 0; below < 3; ++below) {
+        double length = 0, force = 0;
+        for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) {
+          if (std::min(contact.pair.vertex_block, contact.pair.edge_block) != below) continue;
+          length += contact.history.length;
+          force += contact.normal;
+        }
+        EXPECT_NEAR(length, 2, 0.01) << cell_size << " m, " << young << " Pa, above block " << below;
+        EXPECT_NEAR(force, 40e3 * (3 - below), 1);
+      }
+    }
+}
+
 TEST(JointSprings, BearABlockThatSlidesOntoAnotherFloor) {
   Scene scene = column(1, 1e9, 1e9);
   scene.joints[0].friction_angle = 5;

@@ -247,6 +247,35 @@ TEST(Stages, BlocksComeInWithTheirStages) {
   EXPECT_LT(std::abs(stepper.energy().balance_error()), 1e-6);
 }
 
+/// Blocks that do not touch are solved apart: what a stage brings reaches them too.
+TEST(Stages, LoadsAndWaterThatComeInReachEveryIsland) {
+  Scene scene = slope_scene(0, 20);
+  scene.blocks.push_back(block(rectangle(5, 0, 2, 1)));
+  scene.loads = {body_load(1, constant({12250, 0}))};  // half of the weight
+  scene.stages = {scene.stage("before"), scene.stage("pushed")};
+  scene.stages[0].analysis.steps = 5;
+  scene.stages[1].analysis.steps = 50;
+  scene.stages[1].loads = {0};
+  const BuiltScene pushed = build(scene);
+  run(*pushed.stepper, 55);
+  const double a = 12250 / 2500. - 9.8 * std::tan(radians(20));
+  EXPECT_NEAR(travel(*pushed.stepper, 1).x(), a * 0.5 * 0.5 / 2, 1e-3 * a);
+  EXPECT_NEAR(travel(*pushed.stepper, 2).x(), 0, 1e-9);
+
+  Scene wet = slope_scene(0, 20);
+  wet.analysis.mode = Mode::statics;
+  wet.blocks.push_back(block(rectangle(5, 0, 2, 1)));
+  wet.stages = {wet.stage("dry"), wet.stage("flooded")};
+  for (StageDescription& stage : wet.stages) stage.analysis.steps = 10;
+  Points table(2, 2);
+  table << -50, 50, 3, 3;
+  wet.stages[1].water = {table, table, 1000};
+  const BuiltScene flooded = build(wet);
+  run(*flooded.stepper, 20);
+  for (const ddacontact::ContactRecord& contact : flooded.stepper->contacts())
+    EXPECT_NEAR(contact.normal, 0.6 * 49000 / 2, 1) << "buoyancy";
+}
+
 /// A rise over 0.1 s counts from when the load comes in.
 TEST(Stages, ALoadThatComesInGrowsFromThenOn) {
   Scene scene = slope_scene(0, 30);

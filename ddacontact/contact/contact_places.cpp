@@ -1,0 +1,62 @@
+// Where contacts of two faces are along them, and the lengths that they stand for.
+#include <ddacontact/contact/contact_builder.hpp>
+#include <ddacontact/contact/contact_positions.hpp>
+#include <ddacontact/detection/contact_length.hpp>
+#include <ddacontact/detection/corner.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace ddacontact {
+
+namespace {
+
+/// Two vertices nearer to each other than this part of the shorter edge that they meet are at one place.
+constexpr double same_place = 0.01;
+
+}  // namespace
+
+bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge& a,
+                                      const VertexEdge& b) const {
+  if (a == b || !properties_.strength(a).is_compliant()) return false;
+  const VertexEdgePositions one = positions_of(blocks_, state, a), other = positions_of(blocks_, state, b);
+  const Vec2 apart = other.i + (state.origin.col(b.edge_block) - state.origin.col(a.edge_block)) - one.i;
+  const Vec2 along = one.k - one.j, along_other = other.k - other.j;
+  return apart.norm() <= same_place * std::min(along.norm(), along_other.norm()) &&
+         std::abs(cross(along, along_other)) <= sin_parallel * along.norm() * along_other.norm();
+}
+
+void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const ContactRecord> previous,
+                                       std::vector<VertexEdge>& found, std::size_t first) const {
+  const std::vector<VertexEdge> of_blocks(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
+  const auto order = [&](const VertexEdge& of) {
+    const bool was_closed = std::ranges::any_of(previous, [&](const ContactRecord& before) {
+      return before.closed() && before.pair.vertex_block == of.vertex_block &&
+             before.pair.vertex == of.vertex;
+    });
+    const bool is_straight = outlines_[of.vertex_block].sides[of.vertex].corner == Corner::straight;
+    return std::tuple(!was_closed, length_of(state, of, {}) == 0, is_straight, of);
+  };
+  for (const VertexEdge& of : of_blocks)
+    if (std::ranges::any_of(of_blocks, [&](const VertexEdge& other) {
+          return are_at_one_place(state, of, other) && order(other) < order(of);
+        }))
+      std::erase(found, of);
+}
+
+double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair,
+                                 std::span<const VertexEdge> found) const {
+  const int origin = pair.edge_block;
+  const Block& block = blocks_.block(pair.vertex_block);
+  const auto bears = [&](int of_block, int vertex) {
+    return std::ranges::any_of(
+        found, [&](const VertexEdge& of) { return of.vertex_block == of_block && of.vertex == vertex; });
+  };
+  return contact_length(blocks_.outline_from(state, pair.vertex_block, origin),
+                        blocks_.outline_from(state, pair.edge_block, origin), pair,
+                        block.reference().leftCols(block.n_vertices()), bears,
+                        properties_.strength(pair).is_compliant() || properties_.strength(pair).crushes());
+}
+
+}  // namespace ddacontact
