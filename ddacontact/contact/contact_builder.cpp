@@ -125,6 +125,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                   {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
   const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
   const bool stiff = any_compliant && !blocks_.has_rounded_corners();
+  if (!held && !stiff) return;
   if (stiff) leave_one_a_place(state, previous, found, first);
   const std::vector<VertexEdge> of_blocks(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
   const auto is_idle = [&](const VertexEdge& of) {
@@ -134,10 +135,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     return (held && !compliant && !can_change(state, of)) ||
            (stiff && compliant && length_of(state, of, of_blocks) == 0);
   };
-  if (held || stiff) {
-    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
-    found.erase(std::remove_if(begin, found.end(), is_idle), found.end());
-  }
+  for (const VertexEdge& of : of_blocks)
+    if (is_idle(of)) std::erase(found, of);
 }
 
 bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair) const {

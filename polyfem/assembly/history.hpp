@@ -39,7 +39,7 @@ class History {
   }
   /// What was found last becomes what is remembered.
   void commit() { before_ = now_; }
-  /// What is remembered, by cell and point; empty for cells that were not asked for.
+  /// What is remembered, by cell and point; empty for cells that were not requested.
   const std::vector<std::vector<State>>& states() const { return before_; }
 
  private:

@@ -54,7 +54,8 @@ TEST(BuilderNotes, AJointThatEndsWhereTheFaceBelowItBends) {
 
 /// A wedge on a plane of 35 degrees whose foot is at ground that falls by `fall` over 10 m.
 std::string wedge_at_ground(double fall, const std::string& foot) {
-  return "format = 1\n[analysis]\nsteps = 1\ntime_step = 0.01\n[[material]]\nname = \"rock\"\ndensity = 2600\nyoung = 1e10\n"
+  return "format = 1\n[analysis]\nsteps = 1\ntime_step = 0.01\n[[material]]\nname = \"rock\"\ndensity = "
+         "2600\nyoung = 1e10\n"
          "poisson = 0.2\n[[joint]]\nfriction_angle = 30\n[[block]]\nmaterial = \"rock\"\nvertices = [[-10, "
          "-20], "
          "[30, -20], [30, 7.0021], [10, 7.0021], [0, 0], [-10, " +
