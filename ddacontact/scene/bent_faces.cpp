@@ -25,11 +25,12 @@ bool points_along(const Vec2& one, const Vec2& other) {
 }
 
 /// Of a face that runs `in` to a bend and `out` from it: whether the block with this corner lies on one part
-/// of it alone, so that it slides towards the other part, which goes on forwards.
-bool slides_into(const FreeCorner& corner, const Vec2& in, const Vec2& out) {
+/// of it alone, from which gravity draws it towards the other part, which goes on forwards.
+bool slides_into(const FreeCorner& corner, const Vec2& in, const Vec2& out, const Vec2& gravity) {
   const bool on_out = points_along(corner.before - corner.at, out),
              on_in = points_along(corner.after - corner.at, -in);
-  return in.dot(out) > 0 && on_in != on_out;
+  const Vec2 way = on_out ? Vec2(-out) : in;
+  return in.dot(out) > 0 && on_in != on_out && way.dot(gravity) > least_bend * way.norm() * gravity.norm();
 }
 
 /// Of all blocks that may move, by x.
@@ -65,7 +66,7 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
       for (; corner != corners.end() && corner->at.x() <= at.x() + near; ++corner) {
         if (corner->block == b || (corner->at - at).norm() > near) continue;
         there.insert(corner->block);
-        if (slides_into(*corner, in, out)) sliding = &*corner;
+        if (slides_into(*corner, in, out, blocks.gravity)) sliding = &*corner;
       }
       const std::string face = "where the face of block " + quoted(blocks.names[b]) + " bends: ";
       if (there.size() >= 2)
@@ -75,9 +76,8 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
                "joint end above the bend)";
       if (sliding)
         return "block " + quoted(blocks.names[sliding->block]) + " ends " + face +
-               "its corner does not slide round the bend, which holds a block that would fail (let the face "
-               "go "
-               "on straight below the block)";
+               "its corner does not slide round the bend, which holds a block that would fail (let the "
+               "face go on straight below the block)";
     }
   }
   return {};

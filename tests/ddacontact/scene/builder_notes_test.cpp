@@ -70,6 +70,10 @@ TEST(BuilderNotes, AFootAtTheGroundBelowASlidingBody) {
   EXPECT_TRUE(notes(wedge_at_ground(0, "[3, 7]"), bend));
   EXPECT_FALSE(notes(wedge_at_ground(8, "[3, 7]"), bend)) << "the ground falls away";
   EXPECT_FALSE(notes(wedge_at_ground(0, "[3, 7], [-5, 5], [-10, 0]"), bend)) << "it fills the bend";
+  EXPECT_FALSE(notes(
+      replaced(wedge_at_ground(0, "[3, 7]"), "[0, 0], [10, 7.0021], [3, 7]", "[-2, 0], [0, 0], [-2, 2]"),
+      bend))
+      << "it lies on the ground";
 }
 
 TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
