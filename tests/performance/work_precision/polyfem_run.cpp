@@ -53,7 +53,7 @@ void apply_boundary_data(const Problem& problem, const PolygonMesh& mesh, FieldP
       if (boundary.fixed_y) field.hold(v, 1, u.y());
     }
   }
-  field.add_edge_loads(loaded, problem.traction);
+  if (!loaded.empty()) field.add_edge_loads(loaded, problem.traction);
 }
 
 /// The displacement at t in (0, 1) along an edge.
