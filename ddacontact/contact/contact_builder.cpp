@@ -125,8 +125,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                   {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
   const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
   const bool stiff = any_compliant && !blocks_.has_rounded_corners();
+  if (any_compliant || blocks_.has_rounded_corners()) leave_one_a_place(state, previous, found, first);
   if (!held && !stiff) return;
-  if (stiff) leave_one_a_place(state, previous, found, first);
   const std::vector<VertexEdge> of_blocks(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
   const auto is_idle = [&](const VertexEdge& of) {
     const bool compliant = properties_.strength(of).is_compliant();

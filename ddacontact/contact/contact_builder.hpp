@@ -118,8 +118,11 @@ class ContactBuilder {
   /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
   /// compression at any angle.
   double length_of(const BlockState& state, const VertexEdge& pair, std::span<const VertexEdge> found) const;
-  /// Whether two contacts of a joint with a stiffness are of the same two faces and of one place of them,
-  /// where a vertex of either lies on a vertex of the other: together they would stand for the faces twice.
+  /// Whether contacts of one place are not told apart by the search: those of joints with a stiffness, which
+  /// strains move apart, and all of rounded blocks.
+  bool has_places(const VertexEdge& of) const;
+  /// Whether two contacts are of the same two faces and of one place along them, where a vertex of either
+  /// lies on a vertex of the other: together they would stand for the faces twice.
   bool are_at_one_place(const BlockState& state, const VertexEdge& a, const VertexEdge& b) const;
   /// Leaves one of contacts at one place: one that was closed, then one that lies along the other face, then
   /// one of a corner, where faces end.

@@ -19,12 +19,20 @@ constexpr double same_place = 0.01;
 
 bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge& a,
                                       const VertexEdge& b) const {
-  if (a == b || !properties_.strength(a).is_compliant()) return false;
+  const bool same_vertex = a.vertex_block == b.vertex_block;
+  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex) || !has_places(a)) return false;
   const VertexEdgePositions one = positions_of(blocks_, state, a), other = positions_of(blocks_, state, b);
   const Vec2 apart = other.i + (state.origin.col(b.edge_block) - state.origin.col(a.edge_block)) - one.i;
-  const Vec2 along = one.k - one.j, along_other = other.k - other.j;
-  return apart.norm() <= same_place * std::min(along.norm(), along_other.norm()) &&
-         std::abs(cross(along, along_other)) <= sin_parallel * along.norm() * along_other.norm();
+  // Edges of one face run the same way, those of two faces that touch against each other.
+  const Vec2 along = one.k - one.j, along_other = (same_vertex ? 1 : -1) * (other.k - other.j);
+  const double length = along.norm(), of_other = along_other.norm();
+  return along.dot(along_other) > 0 &&
+         std::abs(cross(along, along_other)) <= sin_parallel * length * of_other &&
+         std::abs(apart.dot(along)) <= same_place * std::min(length, of_other) * length;
+}
+
+bool ContactBuilder::has_places(const VertexEdge& of) const {
+  return properties_.strength(of).is_compliant() || blocks_.has_rounded_corners();
 }
 
 void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const ContactRecord> previous,

@@ -126,6 +126,28 @@ TEST(JointSprings, BetweenTwoMeshesBearOnceAPlace) {
     }
 }
 
+/// However far the joint closes, under a load in its core: N / (k b) and 12 N e / (k b^3) at its middle.
+TEST(JointSprings, BetweenTwoMeshesFollowALoadOffCentre) {
+  for (const double rounding : {0., 0.003}) {
+    Scene scene = column(1, 1e8, 1e8);
+    scene.contact.corner_rounding = rounding;
+    scene.materials[0].young = 1e12;
+    scene.analysis.gravity.setZero();
+    scene.analysis.mode = Mode::statics;
+    scene.analysis.time_step = 0.02;
+    scene.analysis.steps = 60;
+    for (BlockDescription& b : scene.blocks) {
+      b.model = BlockModel::mesh;
+      b.mesh.cell_size = 0.25;
+    }
+    scene.loads = {point_load(1, Vec2(1.1, 0.999), constant({0, -6e5}))};
+    const BuiltScene built = run(scene);
+    const Stepper& stepper = *built.stepper;
+    EXPECT_NEAR(travel(stepper, 1).y(), -3e-3, 2e-5) << "rounding " << rounding;
+    EXPECT_NEAR(-stepper.state().rotation[1], 12 * 6e5 * 0.1 / (1e8 * 8), 3e-5) << "rounding " << rounding;
+  }
+}
+
 TEST(JointSprings, BearABlockThatSlidesOntoAnotherFloor) {
   Scene scene = column(1, 1e9, 1e9);
   scene.joints[0].friction_angle = 5;
