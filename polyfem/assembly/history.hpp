@@ -31,8 +31,8 @@ class History {
 
   /// Those of a cell, `initial` at first; good until `commit`. Cells may be asked for in parallel.
   Cell cell(int c, Index n_points) {
-    std::vector<State>&before = before_.at(static_cast<std::size_t>(c)),
-    &now = now_[static_cast<std::size_t>(c)];
+    std::vector<State>& before = before_.at(static_cast<std::size_t>(c));
+    std::vector<State>& now = now_[static_cast<std::size_t>(c)];
     before.resize(static_cast<std::size_t>(n_points), initial_);
     now.resize(before.size(), initial_);
     return {before, now};

@@ -46,7 +46,7 @@ std::vector<Points> rings_of(const GridDomain& domain) {
   return rings;
 }
 
-/// Lines of the grid across the domain, in the middle of nothing: none along its box.
+/// Lines of the grid across the domain; none along its box.
 std::vector<Segment> grid_lines(const Points& outline, double spacing, const Vec2& corner) {
   const Vec2 low = outline.rowwise().minCoeff(), high = outline.rowwise().maxCoeff();
   const Vec2 first = ((low - corner) / spacing).array().floor(),
@@ -162,7 +162,7 @@ NamedMesh cut_grid(const GridDomain& domain, double spacing, const Vec2& corner,
     area -= std::abs(signed_area(hole));
   }
   CutCells cut = cut_cells(domain.outline, lines, 0);
-  take_out_holes(cut, domain.holes);
+  if (!domain.holes.empty()) take_out_holes(cut, domain.holes);
   restore_corners(cut, domain.holes);
   double filled = 0;
   for (const CutCell& cell : cut.cells) filled += signed_area(cut.outline(cell));
