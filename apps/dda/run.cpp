@@ -312,7 +312,7 @@ int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point sta
 
 int run(const RunArguments& arguments) {
   const Clock::time_point start = Clock::now();
-  SceneReading reading = read_scene(arguments.scene, arguments.settings);
+  SceneReading reading = read_scene(arguments.scene, arguments.settings, arguments.as_stage);
   if (const int status = report(reading); !reading.scene) return status;
   if (const auto problem = memory_problem(*reading.scene)) {
     fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, *problem);

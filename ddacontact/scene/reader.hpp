@@ -21,12 +21,14 @@ struct SceneReading {
 /// Reads and checks everything a run needs. Each `settings` entry is "PATH=VALUE" with a dotted path, array
 /// elements by index or by name (`joint.0.friction_angle=15`, `block.slider.model=affine`); it replaces or
 /// adds a value before the scene is checked. Never throws for a bad file.
-SceneReading read_scene(const std::string& path, const std::vector<std::string>& settings = {});
+/// \param goes_on  the scene is to be the next stage of a run: there are forces at its start
+SceneReading read_scene(const std::string& path, const std::vector<std::string>& settings = {},
+                        bool goes_on = false);
 
 /// The same for a text; `name` stands in the messages, and files that the text names are looked for from
 /// `directory` (empty: the current one).
 SceneReading read_scene_text(const std::string& text, const std::string& name,
                              const std::vector<std::string>& settings = {},
-                             const std::filesystem::path& directory = {});
+                             const std::filesystem::path& directory = {}, bool goes_on = false);
 
 }  // namespace ddacontact

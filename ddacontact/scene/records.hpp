@@ -455,6 +455,7 @@ struct Document {
   std::vector<BoltRecord> bolts;
   std::vector<MonitorRecord> monitors;
   std::vector<StageRecord> stages;
+  bool goes_on = false;  ///< as the next stage of a run: forces are there at its start
   SolverRecord solver;
   OutputRecord output;
   KeyLocations locations;

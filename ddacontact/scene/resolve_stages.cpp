@@ -146,13 +146,13 @@ void check_n_steps(const StageRecord& record, std::int64_t& n_steps, ProblemList
 }
 
 /// There are forces to relax, and steps to do so.
-void check_relaxation(const StageRecord& record, int index, ProblemList& problems) {
+void check_relaxation(const StageRecord& record, bool has_forces, ProblemList& problems) {
   const KeyLocations& locations = record.locations;
   if (!record.relax || !locations.usable("relax")) return;
   if (!locations.written("remove"))
     problems.error(locations.of("relax"), "'relax' without 'remove'",
                    "it is for the forces of blocks that are taken out: leave it out");
-  else if (index == 0)
+  else if (!has_forces)
     problems.error(locations.of("relax"), "'relax' in the first stage: there are no forces yet",
                    "let a stage before it bring the blocks to rest");
   else if (locations.good("steps") && *record.relax > record.steps)
@@ -189,7 +189,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.water = changed_water(record, document, stage.analysis, problems);
     stage.removed = removals(record.remove, index);
     stage.relax = record.relax;
-    check_relaxation(record, index, problems);
+    check_relaxation(record, document.goes_on || index > 0, problems);
     arrivals(record.add, index, stage);
     if (!stage.removed.empty() && document.has_all_blocks && removals.leave_nothing())
       problems.error(locations.of("remove"), names.title(index) + " leaves no block", "leave one at least");

@@ -163,7 +163,7 @@ std::string resumable_part(const Scene& scene) {
   Scene part = scene;
   part.output = {};
   part.analysis.steps = 1;
-  for (StageDescription& stage : part.stages) stage.analysis.steps = 1;
+  for (StageDescription& stage : part.stages) stage.analysis.steps = std::max(1, stage.relax.value_or(1));
   return text_of(part);
 }
 
@@ -227,6 +227,7 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
   if (made.back().analysis.steps != progress.steps && !progress.came_to_rest)
     made.back().reset_displacements = false;  // it did not come to its end
   made.back().analysis.steps = progress.steps;
+  if (auto& relax = made.back().relax) relax = std::min(*relax, made.back().analysis.steps);
   const auto any_of_made = [&](const auto& contains) { return std::ranges::any_of(made, contains); };
   if (progress.steps == 0)
     return mismatch(scene_file, {1, 1}, "\"" + checkpoint_name + "\" has made no step of its stage",

@@ -267,9 +267,10 @@ TEST_F(Resume, ACheckpointAloneIsEnoughToGoOn) {
   EXPECT_TRUE(read_file(directory_ / "whole/vertices.csv") == read_file(directory_ / "rest/vertices.csv"));
 }
 
-/// The stage of one scene, then the other one's, are what a scene with both has.
+/// The stage of one scene, then the other one's, are what a scene with both has; forces relax in it too.
 TEST_F(Resume, ASceneGoesOnAsTheNextStage) {
-  const std::string both = staged_scene;
+  std::string both = staged_scene;
+  both.insert(both.find("[output]"), "relax = 10\n");
   const std::size_t settle = both.find("[[stage]]"), fall = both.find("[[stage]]", settle + 1),
                     output = both.find("[output]");
   const std::string blocks = both.substr(0, settle), then = both.substr(fall);
