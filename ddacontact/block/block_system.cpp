@@ -237,10 +237,14 @@ void BlockSystem::add_edge_forces(const BlockState& state, double time, const Ad
                 load.pressure.at(time, end_time).x() * inward(load.block, load.edge, state));
   for (const QuietFace& face : quiet_faces) {
     const Vec2 outward = -inward(face.block, face.edge, state);
-    const Vec3& s = face.stress;
-    const Vec2 of_stress(s[0] * outward.x() + s[2] * outward.y(), s[2] * outward.x() + s[1] * outward.y());
-    add_at_ends(face.block, face.edge,
-                of_stress + 4 * impedance_at_ends(face, state) * face.incoming.at(time, end_time));
+    const auto traction = [&](int end) -> Vec2 {
+      const auto s = face.stress.col(end);
+      return {s[0] * outward.x() + s[2] * outward.y(), s[2] * outward.x() + s[1] * outward.y()};
+    };
+    const Vec2 of_wave = 2 * impedance_at_ends(face, state) * face.incoming.at(time, end_time);
+    for (const int end : {0, 1})
+      add(face.block, end == 0 ? face.edge : end_of(face.block, face.edge),
+          (2 * traction(end) + traction(1 - end)) / 6 + of_wave);
   }
   const double unit_weight = -water.water.density * gravity.y();
   for (const WetFace& face : water.faces) {

@@ -31,7 +31,7 @@ struct PressureLoad {
 /// pressure waves normal to the edge and of shear waves along it.
 struct QuietFace {
   int block = 0, edge = 0;
-  Vec3 stress{0, 0, 0};   ///< xx, yy, xy of the surroundings, Pa
+  Tensors stress;         ///< xx, yy, xy of the surroundings at its two ends, linear between them, Pa
   TimeFunction incoming;  ///< velocity of the wave that comes in, m/s
 };
 /// Water at rest on faces.

@@ -81,6 +81,7 @@ BlockDescription block_of(const Part& part, const BlockDescription& block) {
   const Vec2 arm =
       polyfem::area_moments(part.outline).centroid - polyfem::area_moments(block.vertices).centroid;
   result.velocity += block.angular_velocity * Vec2(-arm.y(), arm.x());
+  result.stress += block.stress_gradient * arm.y();
   result.fixed_vertices.clear();
   for (std::size_t k = 0; k < part.sources.size(); ++k)
     if (contains_any(block.fixed_vertices, part.sources[k]))

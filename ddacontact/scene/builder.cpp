@@ -197,11 +197,20 @@ class Builder {
     for (int part = on.point(edge); part < end; ++part) visit(part);
   }
 
+  /// At the start, at points from the centroid.
+  static Tensors stresses_at(const BlockDescription& block, const PointsRef& from_centroid) {
+    return (block.stress_gradient * from_centroid.row(1)).colwise() + block.stress;
+  }
+
   void add_quiet_faces(BlockSystem& system) const {
     for (const QuietBoundary& boundary : scene_.quiet_boundaries)
       for (const auto& [block, edge] : boundary.faces)
         for_parts(system.block(block), placed_[block], edge, [&, b = block](int part) {
-          system.quiet_faces.push_back({b, part, scene_.blocks[b].stress, boundary.incoming});
+          const Block& on = system.block(b);
+          const int ends[] = {part, (part + 1) % on.n_vertices()};
+          const Points from_centroid = on.reference()(Eigen::all, ends).colwise() - on.moments().centroid;
+          system.quiet_faces.push_back(
+              {b, part, stresses_at(scene_.blocks[b], from_centroid), boundary.incoming});
         });
   }
 
@@ -272,14 +281,15 @@ class Builder {
     system.prepare(initial, true);
     bool stressed = false;
     for (int b = 0; b < system.n_blocks(); ++b)
-      stressed = stressed || system.block(b).changes_stress() || !scene_.blocks[b].stress.isZero(0);
+      stressed = stressed || system.block(b).changes_stress() || !scene_.blocks[b].stress.isZero(0) ||
+                 !scene_.blocks[b].stress_gradient.isZero(0);
     if (!stressed) initial.stress.resize(3, 0);
     for (int b = 0; b < system.n_blocks(); ++b) {
       const BlockDescription& description = scene_.blocks[b];
       const Block& block = system.block(b);
       if (stressed)
-        initial.stress.middleCols(block.stress_points().first, block.stress_points().count).colwise() =
-            description.stress;
+        initial.stress.middleCols(block.stress_points().first, block.stress_points().count) =
+            stresses_at(description, block.integration_points());
       if (first_stage().analysis.mode == Mode::statics) continue;
       const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
       initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;

@@ -94,6 +94,7 @@ BlockRecord record_of(const BlockDescription& block, const Scene& scene) {
   record.velocity = block.velocity;
   record.angular_velocity = block.angular_velocity;
   record.stress = block.stress;
+  record.stress_gradient = block.stress_gradient;
   return record;
 }
 

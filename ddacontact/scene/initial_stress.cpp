@@ -13,6 +13,7 @@ void put_initial_stress(Document& document) {
       continue;
     const double height = polyfem::area_moments(block.vertices.points).centroid.y();
     block.stress = given.stress + given.gradient * (height - given.level);
+    block.stress_gradient = given.gradient;
   }
 }
 

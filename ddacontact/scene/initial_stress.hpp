@@ -5,7 +5,7 @@
 
 namespace ddacontact::scene_format {
 
-/// Gives each of them the stress at its centroid, which is the mean over the block.
+/// Gives each of them the stress at its centroid, which is the mean over the block, and its gradient.
 void put_initial_stress(Document& document);
 
 }  // namespace ddacontact::scene_format

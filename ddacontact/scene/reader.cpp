@@ -34,8 +34,8 @@ void read(const std::string& text, const std::vector<std::string>& settings,
 }  // namespace
 
 SceneReading read_scene_text(const std::string& text, const std::string& name,
-                             const std::vector<std::string>& settings,
-                             const std::filesystem::path& directory, bool goes_on) {
+                             const std::vector<std::string>& settings, const std::filesystem::path& directory,
+                             bool goes_on) {
   SceneReading reading;
   ProblemList problems(name);
   try {

@@ -247,7 +247,7 @@ struct BlockRecord {
   FixedVertices fixed;
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
-  Vec3 stress{0, 0, 0};
+  Vec3 stress{0, 0, 0}, stress_gradient{0, 0, 0};
   std::string origin;  ///< of a geometry file: "feature 7"; empty for a [[block]]
   KeyLocations locations;
 };

@@ -110,6 +110,7 @@ BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analy
     block.velocity = record.velocity;
     block.angular_velocity = record.angular_velocity;
     block.stress = record.stress;
+    block.stress_gradient = record.stress_gradient;
 
     PositionedOutline& placed = table.outlines.emplace_back();
     placed.location = locations.of("vertices");

@@ -60,7 +60,8 @@ struct BlockDescription {
   std::vector<int> fixed_vertices;  ///< held in x and y, when not all are
   Vec2 velocity{0, 0};              ///< initial, m/s
   double angular_velocity = 0;      ///< initial, about the centroid, rad/s
-  Vec3 stress{0, 0, 0};             ///< initial (xx, yy, xy), Pa
+  Vec3 stress{0, 0, 0};             ///< initial (xx, yy, xy), at the centroid, Pa
+  Vec3 stress_gradient{0, 0, 0};    ///< its change per metre upwards, Pa/m
 };
 
 /// Vertices of a block whose displacement is prescribed.

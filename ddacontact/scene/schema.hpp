@@ -316,7 +316,10 @@ void describe(BlockRecord& r, Visit&& visit) {
             .what = "At the start, about the centroid, counter-clockwise.",
             .unit = "rad/s"},
         r.angular_velocity);
-  visit(Key{.name = "stress", .what = "At the start, tension positive.", .unit = "Pa"}, r.stress);
+  visit(Key{.name = "stress", .what = "At the start, at the centroid, tension positive.", .unit = "Pa"},
+        r.stress);
+  visit(Key{.name = "stress_gradient", .what = "Change of `stress` per metre upwards.", .unit = "Pa/m"},
+        r.stress_gradient);
 }
 
 template <class Visit>

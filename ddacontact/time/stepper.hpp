@@ -134,8 +134,6 @@ class Stepper {
   void apply(const Stage& stage, double start_time);
   void leave_stage();
   void start_accounts();
-  /// Newmark's scheme carries accelerations on: those of blocks that fly are known.
-  void set_flight_acceleration();
   Trial make_trial(double dt);
   /// With half steps: solves the next substep, for the velocity at the present time lies between that in the
   /// middle of the last one and of this. Closes the accounts of the last one.

@@ -77,7 +77,6 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());
   accepted_ = {substep_, counts_};
   sleepers_.accept();
-  set_flight_acceleration();
   start_accounts();
 }
 
@@ -152,7 +151,6 @@ bool Stepper::enter_stage(int stage) {
     return false;
   }
   stage_ends_.push_back(stage_end());
-  const AnalysisOptions before = analysis_;
   forget_ahead();
   if (const Stage& next = stages_[stage]; next.relax > 0)
     blocks_.fading = {forces_of(next.removed), state_.time,
@@ -178,7 +176,7 @@ bool Stepper::enter_stage(int stage) {
   const Stage &last = stages_[stage - 1], &next = stages_[stage];
   if (is_static() || !next.removed.empty() || !next.added.empty() || !next.bolts.empty() ||
       next.has_new_loads() || !have_same_forces(last, next)) {
-    // Half of the impulse of the next step would be that of forces that were not there before.
+    // Half of the impulse of the next step, or what accelerates it, would be of forces that act no more.
     state_.carried.setZero();
     state_.carried_dt = 0;
   }
@@ -187,26 +185,9 @@ bool Stepper::enter_stage(int stage) {
     e.numerical_dissipated += kinetic;
     e.kinetic = 0;
   }
-  if (analysis_.scheme != before.scheme || analysis_.mode != before.mode ||
-      analysis_.gravity != before.gravity)
-    set_flight_acceleration();
   accepted_ = {substep_, counts_};
   sleepers_.accept();
   return true;
-}
-
-void Stepper::set_flight_acceleration() {
-  if (is_static() || has_motions()) return;
-  std::vector<bool> touches(static_cast<std::size_t>(blocks_.n_blocks()), false);
-  for (const ContactRecord& contact : contacts_)
-    if (contact.closed())
-      for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
-        touches[static_cast<std::size_t>(b)] = true;
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (touches[static_cast<std::size_t>(b)] || !blocks_.is_free(b)) continue;
-    const Range& u = blocks_.block(b).unknowns();
-    state_.carried.segment(u.first, u.count) = blocks_.block(b).translations() * blocks_.gravity;
-  }
 }
 
 bool Stepper::is_at_rest() const {

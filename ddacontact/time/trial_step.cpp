@@ -2,7 +2,6 @@
 
 #include <ddacontact/contact/for_contacts.hpp>
 #include <ddacontact/core/quoted.hpp>
-#include <ddacontact/time/step_from.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/core/stopwatch.hpp>
 

@@ -8,6 +8,7 @@
 #include <ddacontact/solver/islands_apart.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/step_counts.hpp>
+#include <ddacontact/time/step_from.hpp>
 
 #include <optional>
 #include <string>
@@ -94,7 +95,7 @@ class TrialStep {
  private:
   bool is_static() const { return analysis_.mode == Mode::statics; }
   bool is_classic() const { return builder_->properties().method == ContactMethod::classic; }
-  StepRule rule(double dt) const { return step_rule(analysis_, dt, state_.carried_dt); }
+  StepRule rule(double dt) const { return rule_from(analysis_, state_, dt, state_.carried_dt); }
   /// Keeps the part of the contacts that a solution changes.
   void keep_start();
   /// Restores the contacts to before the last solution, if there was one.

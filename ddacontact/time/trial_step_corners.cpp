@@ -1,5 +1,4 @@
 // Which lines corners meet, by the motion of the step itself.
-#include <ddacontact/time/step_from.hpp>
 #include <ddacontact/time/trial_step.hpp>
 
 #include <algorithm>

@@ -186,6 +186,7 @@ TEST(InitialStress, ChangesWithHeight) {
   EXPECT_NEAR(scene.blocks[0].stress[0], -1000 - 750, 1e-9);
   EXPECT_NEAR(scene.blocks[0].stress[1], -1500, 1e-9);
   EXPECT_NEAR(scene.blocks[3].stress[0], -1000 - 250, 1e-9);
+  EXPECT_EQ(scene.blocks[3].stress_gradient, ddacontact::Vec3(1000, 2000, 0));
 }
 
 TEST(InitialStress, LeavesBlocksThatStateTheirOwn) {

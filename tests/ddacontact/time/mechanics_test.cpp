@@ -315,3 +315,22 @@ TEST(Newmark, FallsFreelyFromTheFirstStepOn) {
     scene.stages[0].analysis.steps = 5;
   }
 }
+
+/// So are they from the step on in which a load comes in, whatever gamma.
+TEST(Newmark, FollowsALoadThatComesInFromItsFirstStepOn) {
+  for (const double gamma : {0.5, 0.7}) {
+    Scene scene = stiff_scene(0.01, 0.5, Scheme::newmark);
+    scene.analysis.gamma = gamma;
+    scene.analysis.beta = (gamma + 0.5) * (gamma + 0.5) / 4;
+    scene.blocks = {block(rectangle(0, 0, 1, 1))};
+    scene.loads = {body_load(0, constant({5000, 0}))};
+    scene.stages = {scene.stage("falling"), scene.stage("pushed")};
+    scene.stages[0].analysis.steps = 5;
+    scene.stages[1].loads = {0};
+    const BuiltScene built = run(scene);
+    const double t = 0.5, a = 5000 / scene.materials[0].density;
+    EXPECT_NEAR(rigid(*built.stepper, 0).linear.x(), a * t, 1e-9 * a);
+    EXPECT_NEAR(travel(*built.stepper, 0).x(), a * t * t / 2, 1e-9 * a);
+    EXPECT_NEAR(rigid(*built.stepper, 0).linear.y(), -g * (t + 0.05), 1e-9 * g);
+  }
+}
