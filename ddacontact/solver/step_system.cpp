@@ -146,7 +146,8 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   add_fixtures(d, residual.external);
   find_own_forces(d);
   residual.force = -residual.external;
-  sums_.assign(static_cast<std::size_t>(blocks_.n_blocks()), {0, std::numeric_limits<double>::infinity(), 0});
+  sums_.assign(static_cast<std::size_t>(blocks_.n_blocks()),
+               {0, 0, std::numeric_limits<double>::infinity(), 0});
   for_blocks(static_cast<int>(active_.size()), [&](int a) { sums_[active_[a]] = sum_up(a, residual.force); });
   measure(residual);
 }
@@ -192,13 +193,14 @@ StepSystem::Sums StepSystem::sum_up(int a, VectorXd& force) const {
   const double length = (rule_.has_half_steps() ? of_gaps : 1) * block.size() + furthest;
   const double round_off = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
                                            rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
-  double largest = 0;
+  double largest = 0, left = 0;
   for (int k = 0; k < u.count; ++k) {
     if (blocks_.equation()[u.first + k] < 0) continue;
     const double size = std::abs(r[k]) / lengths[k];
     if (!(size <= largest)) largest = size;  // lets a NaN through
+    left += std::max(size - round_off, 0.0);
   }
-  return {largest, magnitude_[b] + own, round_off};
+  return {largest, left, magnitude_[b] + own, round_off};
 }
 
 void StepSystem::measure(Residual& residual) const {
@@ -206,13 +208,11 @@ void StepSystem::measure(Residual& residual) const {
   residual.largest = residual.scale = residual.round_off = residual.block_relative = residual.over_round_off =
       0;
   for (const int b : active_) {
-    const auto [largest, sum, round_off] = sums_[b];
+    const auto [largest, left, sum, round_off] = sums_[b];
     residual.scale = std::max(residual.scale, sum);
     residual.round_off = std::max(residual.round_off, round_off);
     if (!(largest <= residual.largest)) residual.largest = largest;
-    const double own = largest <= round_off ? 0
-                       : sum > 0            ? (largest - round_off) / sum
-                                            : std::numeric_limits<double>::infinity();
+    const double own = left == 0 ? 0 : sum > 0 ? left / sum : std::numeric_limits<double>::infinity();
     if (!(own <= residual.block_relative)) {
       residual.block_relative = own;
       residual.worst_block = b;

@@ -18,8 +18,8 @@ struct Residual {
   double largest = 0;         ///< over the free unknowns, forces (moments over the block's size), N per m
   double scale = 0;           ///< the largest sum over a block of the magnitudes of the forces on it, N per m
   double round_off = 0;       ///< bound of the round-off in r, N per m
-  double block_relative = 0;  ///< the largest over the free unknowns over the force sum of its block, the
-                              ///< round-off bound subtracted
+  double block_relative = 0;  ///< the largest part of the forces on a block that is left: its sum over the
+                              ///< free unknowns, less the round-off bound of each, over the force sum
   int worst_block = -1;       ///< that `block_relative` is of; -1: all are below their bounds
   double over_round_off = 0;  ///< the largest over the free unknowns over the round-off bound of its block
 
@@ -100,7 +100,7 @@ class StepSystem {
  private:
   /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
   struct Sums {
-    double largest, sum, round_off;
+    double largest, left, sum, round_off;
   };
   double largest_relative_move(const VectorXd& change) const;
   /// Counts a force on a block, and the stiffness it comes from.

@@ -46,3 +46,23 @@ TEST(Tolerance, OneForcedIsHeldInEveryStep) {
     EXPECT_LE(wall.stepper->counts().max_residual, tolerance);
   }
 }
+
+/// What is left over counts as a whole, not node by node: a block of more cells than the tolerance is small
+/// fell only at finer tolerances.
+TEST(Tolerance, ACoarseOneMovesBlocksOfManyCells) {
+  Scene scene;
+  scene.analysis.time_step = 0.01;
+  scene.analysis.steps = 10;
+  scene.analysis.gravity = Vec2(0, -10);
+  scene.materials = {{"rock", 2500, 1e10, 0.2}};
+  scene.joints = {{"joint", 35, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 4e11;
+  scene.contact.tangential_stiffness = 1.6e11;
+  scene.contact.tolerance = 1e-2;
+  BlockDescription one = support::block(support::rectangle(0, 0, 2, 1));
+  one.model = BlockModel::mesh;
+  one.mesh.cells = 200;
+  scene.blocks = {one};
+  const BuiltScene built = support::run(scene);
+  EXPECT_NEAR(support::travel(*built.stepper, 0).y(), -10 * 0.1 * 0.1 / 2, 0.01 * 0.05);
+}
