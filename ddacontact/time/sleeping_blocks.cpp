@@ -19,12 +19,20 @@ bool is_steady(const TimeFunction& function) {
   return function.kind == TimeFunction::Kind::constant && function.rise == 0;
 }
 
-bool varies(const TimeFunction& function, double from, double to, double end_time) {
-  if (is_steady(function)) return false;
-  const Vec2 before = function.at(from, end_time);
+/// Whether a vector that is `at` a time changes from one to another, by more than round-off.
+bool varies(const auto& at, double from, double to) {
+  const Vec2 before = at(from);
   const double round_off = 8 * std::numeric_limits<double>::epsilon() * before.norm();
-  return (function.at((from + to) / 2, end_time) - before).norm() > round_off ||
-         (function.at(to, end_time) - before).norm() > round_off;
+  return (at((from + to) / 2) - before).norm() > round_off || (at(to) - before).norm() > round_off;
+}
+
+bool varies(const TimeFunction& function, double from, double to, double end_time) {
+  return !is_steady(function) && varies([&](double time) { return function.at(time, end_time); }, from, to);
+}
+
+/// Of records that begin and end with a jump too.
+bool ground_varies(const BlockSystem& blocks, double from, double to) {
+  return varies([&](double time) { return blocks.ground_acceleration(time); }, from, to);
 }
 
 /// Calls visit with the block and the function of all loads and waves.
@@ -118,8 +126,7 @@ std::vector<char> SleepingBlocks::find_restless(double dt) const {
     const Range& u = blocks_.block(b).unknowns();
     if (!blocks_.fading.forces.segment(u.first, u.count).isZero(0)) restless[b] = 1;
   }
-  for (const TimeFunction& of_record : blocks_.ground)
-    if (varies(of_record, from, to, end_time)) restless.assign(restless.size(), 1);
+  if (ground_varies(blocks_, from, to)) restless.assign(restless.size(), 1);
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
     if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_point(held.vertex)] = 1;
   for (const FixedVertex& held : blocks_.fixed_vertices) restless[held.block] = 1;
@@ -180,8 +187,14 @@ bool SleepingBlocks::wake(int b) {
 bool SleepingBlocks::wake_changing(double dt) {
   if (!asleep_) return false;
   bool woken = false;
+  const double now = state_.time, then = now + dt;
+  if (ground_varies(blocks_, now, then)) {
+    remember();
+    sleeping_.wake_all();
+    woken = true;
+  }
   for (const auto& [block, function] : asleep_->watched) {
-    if (!varies(*function, state_.time, state_.time + dt, blocks_.end_time)) continue;
+    if (!varies(*function, now, then, blocks_.end_time)) continue;
     woken = wake(block) || woken;
     for (const ContactRecord& contact : asleep_->contacts) {
       const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
@@ -292,8 +305,6 @@ void SleepingBlocks::survey() {
     watch(b, held.motion);
   }
   for_functions(blocks_, watch);
-  for (const TimeFunction& of_record : blocks_.ground)
-    for (int b = 0; b < blocks_.n_blocks(); ++b) watch(b, of_record);
 }
 
 void SleepingBlocks::form_part(const std::vector<Box>* around) {

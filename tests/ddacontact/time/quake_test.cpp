@@ -163,3 +163,31 @@ TEST(Quake, OverturnsASlenderBlockAtTheKnownAccelerations) {
     EXPECT_TRUE(overturns(1.01 * known, duration)) << duration;
   }
 }
+
+/// A record is 0 outside its entries: where it begins or ends with a jump, blocks that sleep feel that.
+TEST(Quake, ARecordThatBeginsWithAJumpWakesBlocks) {
+  Scene scene = block_on_ground(0.01);
+  scene.analysis.scheme = Scheme::decaying;
+  scene.analysis.steps = 150;
+  const double push = 1.5 * friction * fall;
+  scene.quakes = {
+      {ddacontact::history_function(TimeFunction::Kind::history, {{0.5, -push, 0}, {1.5, -push, 0}})}};
+  const double exact = (push - friction * fall) / 2;
+  EXPECT_NEAR(slid(scene), exact, 0.03 * exact);
+  scene.analysis.skip.sleep = false;
+  EXPECT_NEAR(slid(scene), exact, 0.03 * exact);
+}
+
+/// By friction that held it against the record, and is gone with its end.
+TEST(Quake, ARecordThatEndsWithAJumpWakesBlocks) {
+  Scene scene = block_on_ground(0.01);
+  scene.analysis.scheme = Scheme::decaying;
+  scene.analysis.steps = 150;
+  const double held = 0.5 * friction * fall;
+  scene.quakes = {
+      {ddacontact::history_function(TimeFunction::Kind::history, {{0, -held, 0}, {1, -held, 0}})}};
+  const BuiltScene built = run(scene);
+  double shear = 0;
+  for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) shear += contact.shear;
+  EXPECT_NEAR(shear, 0, 1);
+}
