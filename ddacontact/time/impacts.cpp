@@ -142,7 +142,15 @@ class Flight {
     double time = infinity, approach = 0;
   };
 
-  /// Finds meetings of these blocks.
+  /// How long the impact of a contact takes: blocks pass on what they got when waves have crossed them.
+  double duration(std::size_t c) const {
+    double least = infinity;
+    for (int b : {contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block})
+      if (blocks_.is_movable(b)) least = std::min(least, transit_time(blocks_.block(b)));
+    return least;
+  }
+
+  /// Finds meetings of these blocks, those after the step included that are part of an impact within it.
   void look_ahead(const std::vector<char>& of_blocks) {
     velocity_ = start_.going_on();
     if (rule_.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
@@ -170,9 +178,9 @@ class Flight {
       passing = from_corner(motion.moved(velocity_), *motion.rounding);
       apart = from_corner(positions, *motion.rounding) + since * passing;
     }
-    double time = motion.is_at_corner() && !near
-                      ? first_touch(apart, passing, motion.rounding->radius, dt_ - since)
-                      : first_touch(near ? 0 : gap, rate, growth, dt_ - since);
+    const double ahead = dt_ + duration(c) - since;
+    double time = motion.is_at_corner() && !near ? first_touch(apart, passing, motion.rounding->radius, ahead)
+                                                 : first_touch(near ? 0 : gap, rate, growth, ahead);
     if (!std::isfinite(time) && !also_.empty() && also_[c] && !result_.hit[c] && rate < 0)
       time = std::min(dt_ - since, std::max(gap, 0.0) / -rate);
     if (!std::isfinite(time)) return {};
@@ -212,12 +220,10 @@ class Flight {
     bool any = false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       if (!std::isfinite(meetings_[c].time)) continue;
-      double duration = infinity;  // of an impact: blocks pass on what they got when waves have crossed them
-      for (int b : {contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block})
-        if (blocks_.is_movable(b)) duration = std::min(duration, transit_time(blocks_.block(b)));
       bool is_first = true;
-      for_movable(contacts_[c].pair,
-                  [&](int root) { is_first = is_first && meetings_[c].time <= earliest[root] + duration; });
+      for_movable(contacts_[c].pair, [&](int root) {
+        is_first = is_first && earliest[root] <= dt_ && meetings_[c].time <= earliest[root] + duration(c);
+      });
       if (!is_first) continue;
       first[c] = 1;
       any = true;

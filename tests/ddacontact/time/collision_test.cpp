@@ -165,3 +165,27 @@ TEST(BarAgainstAWall, StopsBehindItsWave) {
     EXPECT_NEAR(velocity(n - 1), -speed, 1e-3 * speed) << part;
   }
 }
+
+/// Both corners of a level face touch at the end of a step, one of them after it by round-off: that is one
+/// impact, which does not turn the block.
+TEST(FlatImpact, AtTheEndOfAStepDoesNotTurnABlock) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint, Scheme::dda})
+    for (const double restitution : {0.5, 1.0}) {
+      SCOPED_TRACE(std::to_string(static_cast<int>(scheme)) + ' ' + std::to_string(restitution));
+      Scene scene;
+      scene.analysis.time_step = 0.01;
+      scene.analysis.steps = 40;
+      scene.analysis.max_displacement_ratio = 1;
+      scene.materials = {{"rock", 2500, 20e9, 0.2}};
+      scene.joints = {{"joint", 0, 0, 0, std::nullopt}};
+      scene.contact.normal_stiffness = 8e11;
+      scene.contact.tangential_stiffness = 3.2e11;
+      scene.analysis.scheme = scheme;
+      scene.analysis.gravity = Vec2(0, -10);
+      scene.joints[0].restitution = restitution;
+      scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, 0.2, 1, 1))};
+      const BuiltScene built = run(scene);
+      EXPECT_LT(std::abs(built.stepper->state().rotation[1]), 1e-7);
+      EXPECT_LT(std::abs(travel(*built.stepper, 1).x()), 1e-7);
+    }
+}
