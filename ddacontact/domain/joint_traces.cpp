@@ -75,6 +75,8 @@ class TraceMaker {
 
  private:
   void add_line(double level, bool is_odd) {
+    if (set_.gap == 0 && set_.gap_deviation == 0)  // a persistent joint: its traces go on into each other
+      return add_trace(level, extent_.begin, extent_.end);
     const double period = set_.trace + set_.gap, shift = is_odd ? period / 2 : 0;
     const double first = std::floor((extent_.begin - shift + set_.trace / 2) / period);
     double beyond = 0;

@@ -71,7 +71,7 @@ class DomainReader {
       if (region.material) material = region.material;
       if (region.model) block.model = region.model;
       if (region.group) add_group(*region.group, block);
-      block.fixed.all = block.fixed.all || region.fixed;
+      if (region.fixed) block.fixed.all = *region.fixed;
     }
     for (const int o : cut.openings) {
       if (record_.openings[o].excavated) return std::nullopt;

@@ -389,7 +389,7 @@ struct RegionRecord : InnerTable {
   bool cut = false;
   std::optional<Reference> joint, material;
   std::optional<BlockModel> model;
-  bool fixed = false;
+  std::optional<bool> fixed;
   std::optional<std::string> group;
 };
 

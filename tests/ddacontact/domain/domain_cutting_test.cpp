@@ -131,6 +131,16 @@ TEST(DomainCutting, TheSameSeedGivesTheSameBytes) {
   EXPECT_NE(cut_domain(domain).blocks[0].outline, one.blocks[0].outline);
 }
 
+/// A joint without rock bridges is one line, wherever the domain is: its angle scatters as a whole.
+TEST(DomainCutting, PersistentJointsOfScatteredAnglesCutThrough) {
+  for (const double from : {-50., 0., 1e5}) {
+    Domain domain;
+    domain.boundary = rectangle(100, 10).colwise() + Vec2(from, -5);
+    domain.joint_sets = {{.angle = 90, .angle_deviation = 0.1, .spacing = 4, .origin = {1, 0}}};
+    EXPECT_EQ(cut_domain(domain).counts.blocks, 26) << from;
+  }
+}
+
 TEST(DomainCutting, JointsEndAtTheLastJointThatTheyCross) {
   Domain domain = box(4, 2);
   domain.traces = {trace({{2, -1}, {2, 3}}), trace({{1, 1}, {3, 1}}), trace({{0.2, 0.5}, {0.7, 1.5}})};

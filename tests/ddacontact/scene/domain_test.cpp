@@ -160,6 +160,17 @@ model = "affine"
   EXPECT_EQ(cut.blocks[3].groups, std::vector<std::string>{"base"});
 }
 
+TEST(Domain, OfSeveralRegionsTheLastOneDecidesWhatIsHeld) {
+  const std::string held =
+      std::string(squares) +
+      "[[domain.region]]\nname = \"all\"\npolygon = [[-1, -1], [5, -1], [5, 5], [-1, 5]]\n"
+      "fixed = true\n[[domain.region]]\nname = \"left\"\n"
+      "polygon = [[-1, -1], [1, -1], [1, 5], [-1, 5]]\n";
+  EXPECT_TRUE(scene(held).blocks[0].fixed);
+  const Scene cut = scene(held + "fixed = false\n");
+  EXPECT_TRUE(!cut.blocks[0].fixed && cut.blocks[3].fixed);
+}
+
 TEST(Domain, OpeningsAreGroupsOrEmpty) {
   const std::string opening = std::string(squares) + R"([[domain.opening]]
 name = "shaft"
