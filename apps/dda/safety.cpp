@@ -82,6 +82,30 @@ void warn_of_brittle_joints(const Scene& scene, const std::vector<int>& joints, 
           file, name_of(scene, j));
 }
 
+/// Blocks that vibrate slip below their limit, at the moments at which they press least.
+void warn_of_vibrations(const Scene& scene, const std::string& file) {
+  const AnalysisOptions& last = scene.stages.back().analysis;
+  const bool keeps_them = last.scheme == Scheme::midpoint || last.scheme == Scheme::central_difference ||
+                          (last.scheme == Scheme::newmark && last.gamma == 0.5);
+  if (last.mode == Mode::dynamic && keeps_them && last.damping.stiffness == 0)
+    fmt::print(
+        stderr,
+        "{}: warning: the scheme of the last stage keeps vibrations, under which blocks slip below "
+        "their limit: the factor may be much too low (scheme = \"decaying\", or damping = {{ stiffness "
+        "= 1e-3 }})\n",
+        file);
+}
+
+/// Glue bears whatever comes, so that a strength that is reduced does not count.
+void warn_of_glue(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
+  for (const int j : joints)
+    if (scene.stages.back().joints[j].glued)
+      fmt::print(stderr,
+                 "{}: warning: joint \"{}\" is glued in the last stage, where its strength does not count "
+                 "(glue the stage before it)\n",
+                 file, name_of(scene, j));
+}
+
 void tell(const StrengthTrial& trial, const Scene& scene) {
   fmt::print(stderr, "F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict),
              trial.steps, trial.reason,
@@ -153,6 +177,8 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
     fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
                arguments.scene, reduction.unsettled());
   warn_of_brittle_joints(reduction.scene(), joints, arguments.scene);
+  warn_of_vibrations(reduction.scene(), arguments.scene);
+  warn_of_glue(reduction.scene(), joints, arguments.scene);
   if (!arguments.force)
     if (const auto kept = keep_older_results(arguments.directory); kept && !arguments.quiet)
       fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());

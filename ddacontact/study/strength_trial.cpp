@@ -85,16 +85,18 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
   const long stage_steps = std::max(stepper.stages().back().analysis.steps, limits.fewest_steps),
              most_steps = limits.time_factor * stage_steps;
   double first_half = 0, second_half = 0;
+  long unchanged = 0;  // steps since the last change
   int at_rest = 0, slipped = 0;
   const auto changes = [&] { return stepper.state().time < last_change(stepper.blocks()); };
-  while (trial.steps < most_steps || changes()) {
+  while (unchanged < most_steps) {
     if (!stepper.step()) return decide(Verdict::stopped, stepper.stop_reason());
     ++trial.steps;
+    unchanged = changes() ? 0 : unchanged + 1;
     const Equilibrium& e = stepper.equilibrium();
     const std::vector<double> ways = way.of_blocks();
     const double relative = way.relative(ways, way.furthest(ways));
     const bool rests = e.in_balance() && e.relative_speed <= limits.rest_speed;
-    at_rest = rests && !changes() ? at_rest + 1 : 0;
+    at_rest = rests && unchanged > 0 ? at_rest + 1 : 0;
     if (at_rest >= limits.steps_at_rest && relative > limits.slip)
       return decide(Verdict::moves, "at rest after a vertex went further than " + figure(limits.slip) +
                                         " sizes of its block");
@@ -110,10 +112,10 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
       return decide(Verdict::moves, "a vertex further than " + figure(limits.slip) +
                                         " sizes of its block for " + std::to_string(slipped) +
                                         " steps in a row");
-    double& furthest = trial.steps <= most_steps / 2 ? first_half : second_half;
+    double& furthest = unchanged <= most_steps / 2 ? first_half : second_half;
     furthest = std::max(furthest, relative);
   }
-  const std::string when = " in the second half of " + figure(stepper.state().time - start_time) + " s";
+  const std::string when = " in the last " + std::to_string(most_steps / 2) + " steps";
   return second_half <= first_half ? decide(Verdict::rests, "no vertex went further" + when)
                                    : decide(Verdict::moves, "vertices went further" + when);
 }

@@ -16,8 +16,9 @@ namespace ddacontact {
 /// has failed and found another place, where water, loads or joints may bear less on it. It moves when a
 /// vertex is further than `displacement` and forces are not in balance, or when some vertex has been further
 /// than `slip` for half of the steps of the stage in a row: what creeps or rocks there has failed as well.
-/// Where none of these comes true in `time_factor` times the steps of the stage (of `fewest_steps` at least),
-/// it rests if no vertex went further in the second half of the trial than in the first, else it moves.
+/// Where none of these comes true in `time_factor` times the steps of the stage (of `fewest_steps` at least)
+/// since the last change, it rests if no vertex went further in the second half of these steps than before,
+/// else it moves.
 struct TrialLimits {
   double displacement = 0.05;  ///< sizes of its block
   double slip = 0.02;  ///< sizes of its block: soft blocks slide by a hundredth as they settle near the limit

@@ -142,6 +142,19 @@ TEST_F(Program, SafetySaysHowLittleMoves) {
   EXPECT_NE(read_file(directory_ / "result/safety_moved.svg").find("moves furthest"), std::string::npos);
 }
 
+TEST_F(Program, SafetyWarnsOfWhatMakesFactorsMeaningless) {
+  const std::string coarsely =
+      "safety " + slope + " -o result --set analysis.preset=default --range 0.3:0.9 --tolerance 0.5 --quiet ";
+  EXPECT_EQ(dda(coarsely), 0) << err_;
+  EXPECT_EQ(err_.find("warning"), std::string::npos) << err_;
+  EXPECT_EQ(dda(coarsely + "--set analysis.scheme=midpoint"), 0) << err_;
+  EXPECT_NE(err_.find("keeps vibrations, under which blocks slip below their limit"), std::string::npos)
+      << err_;
+  EXPECT_EQ(dda(coarsely + "--set analysis.scheme=midpoint --set analysis.damping.stiffness=1e-3"), 0)
+      << err_;
+  EXPECT_EQ(err_.find("keeps vibrations"), std::string::npos) << err_;
+}
+
 TEST_F(Program, SafetyRefusesWrongCalls) {
   for (const auto& [arguments, word] :
        {std::pair{"--joints interfase", "did you mean \"interface\"?"}, std::pair{"--range 2:1", "0 < A < B"},

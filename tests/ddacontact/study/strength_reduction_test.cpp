@@ -68,6 +68,23 @@ TEST(StrengthReduction, WaitsForLoadsThatAreYetToCome) {
   EXPECT_NEAR(bracket.high, 2, 0.02);
 }
 
+/// A trial goes on as long after the last change as it would without changes, however late that is.
+TEST(StrengthReduction, WaitsForALoadThatGrowsLongerThanItsTrialsTake) {
+  const double friction = 35, weight = 3 * density * gravity, push = weight * std::tan(radians(friction)) / 3;
+  Scene scene = rock({"floor", friction, 0, 0, std::nullopt});
+  add(scene, rectangle(-5, -1, 15, 1), true);
+  add(scene, rectangle(0, 0, 3, 1));
+  scene.loads = {point_load(1, {0, 0.2}, constant({push, 0}))};
+  scene.loads[0].force.rise = 12;
+  scene.stages = {scene.stage("settled"), scene.stage("pushed")};
+  for (StageDescription& stage : scene.stages) stage.analysis.mode = ddacontact::Mode::statics;
+  scene.stages[0].analysis.steps = 10;
+  scene.stages[1].analysis.steps = 50;
+  const StrengthReduction reduction(scene, {0});
+  EXPECT_EQ(reduction.try_factor(2.9).verdict, Verdict::rests);
+  EXPECT_EQ(reduction.try_factor(3.1).verdict, Verdict::moves);
+}
+
 /// Straight vertices of the base at the toe of a block and ahead of it meet its face as it slips, and have no
 /// part in the cohesion, which counted up to three times.
 TEST(StrengthReduction, StraightVerticesAheadAddNoCohesion) {
