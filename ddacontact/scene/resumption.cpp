@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <variant>
 
@@ -228,28 +229,37 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
     made.back().reset_displacements = false;  // it did not come to its end
   made.back().analysis.steps = progress.steps;
   if (auto& relax = made.back().relax) relax = std::min(*relax, made.back().analysis.steps);
-  const auto any_of_made = [&](const auto& contains) { return std::ranges::any_of(made, contains); };
   if (progress.steps == 0)
     return mismatch(scene_file, {1, 1}, "\"" + checkpoint_name + "\" has made no step of its stage",
                     cure_as_stage);
-  const auto location_of_add = [&](std::size_t k) { return find_in_file(scene_file, {"stage", k, "add"}); };
+  const auto location_of = [&](std::size_t k, const char* key) {
+    return find_in_file(scene_file, {"stage", k, key});
+  };
+  std::set<int> absent, waiting;  // blocks and bolts that come in after the stage of the checkpoint
+  for (std::size_t k = made.size(); k < before.stages.size(); ++k) {
+    absent.insert(before.stages[k].added.begin(), before.stages[k].added.end());
+    waiting.insert(before.stages[k].bolts.begin(), before.stages[k].bolts.end());
+  }
   for (std::size_t k = 0; k < stages.size(); ++k) {
     for (int block : stages[k].removed)
-      if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.removed, block) > 0; }))
-        return mismatch(scene_file, find_in_file(scene_file, {"stage", k, "remove"}),
+      if (std::ranges::any_of(made,
+                              [&](const auto& stage) { return std::ranges::count(stage.removed, block); }))
+        return mismatch(scene_file, location_of(k, "remove"),
                         "block '" + scene.block_name(block) + "' is gone in \"" + checkpoint_name + "\"",
                         "leave it out of 'remove'");
     for (int bolt : stages[k].bolts)
-      if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.bolts, bolt) > 0; }))
-        return mismatch(scene_file, location_of_add(k),
+      if (!waiting.erase(bolt))
+        return mismatch(scene_file, location_of(k, "add"),
                         "bolt '" + scene.bolts[bolt].name + "' is there in \"" + checkpoint_name + "\"",
                         "leave it out of 'add'");
     for (int block : stages[k].added)
-      if (any_of_made([&](const auto& stage) { return std::ranges::count(stage.added, block) > 0; }))
-        return mismatch(scene_file, location_of_add(k),
+      if (!absent.contains(block))
+        return mismatch(scene_file, location_of(k, "add"),
                         "block '" + scene.block_name(block) + "' is there in \"" + checkpoint_name + "\"",
                         "leave it out of 'add'");
   }
+  // As loads and blocks, bolts that no stage adds are there from its start.
+  stages.front().bolts.insert(stages.front().bolts.end(), waiting.begin(), waiting.end());
   stages.insert(stages.begin(), made.begin(), made.end());
   return going_on;
 }

@@ -317,6 +317,28 @@ TEST_F(Resume, TheNextStageMayHaveOtherLoads) {
   EXPECT_GT(summary["fastest"], 1);
 }
 
+/// What the scene of the checkpoint would have added later is there from the start of the next stage, or
+/// comes in with that of its stages that adds it.
+TEST_F(Resume, TheNextStageBringsBoltsThatHaveNotComeYet) {
+  const std::string blocks =
+                        std::string(staged_scene, std::string(staged_scene).find("[[stage]]")) +
+                        "[[bolt]]\nname = \"tie\"\npoints = [[0.5, 0.5], [0.5, -0.5]]\narea = \"4 cm2\"\n"
+                        "young = \"200 GPa\"\npretension = \"10 kN\"\n",
+                    stage = "[[stage]]\nmode = \"static\"\nsteps = 5\n", add = "add = [\"tie\"]\n";
+  write("settle.toml", blocks + stage + stage + add);
+  ASSERT_EQ(dda("run settle.toml -o settled --quiet --steps 5"), 0) << err_;
+  for (const std::string& text : {stage, stage + add}) {
+    write("next.toml", blocks + text);
+    ASSERT_EQ(dda("run next.toml -o next --quiet --force --as-stage --resume settled/checkpoint.bin"), 0)
+        << err_;
+    const auto rows = read_csv(directory_ / "next/bolts.csv");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_NEAR(std::stod(rows[1][4]), 10e3, 100);
+  }
+  EXPECT_EQ(dda("run next.toml -o none --quiet --as-stage --resume next/checkpoint.bin"), 2);
+  EXPECT_NE(err_.find("bolt 'tie' is there"), std::string::npos) << err_;
+}
+
 TEST_F(Resume, RefusesWhatIsNoCheckpointOfTheScene) {
   write("staged.toml", staged_scene);
   ASSERT_EQ(dda("run staged.toml -o part --quiet --steps 50"), 0) << err_;
