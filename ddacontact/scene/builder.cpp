@@ -157,7 +157,9 @@ class Builder {
 
   /// What scenes are rarely meant to be without.
   void note_omissions(const BlockSystem& system) {
-    if (scene_.joints.size() == 1 && scene_.joints[0].name == "default")
+    const Joint& joint = scene_.joints[0];
+    if (scene_.joints.size() == 1 && joint.name == "default" && joint.friction_angle == 0 &&
+        joint.cohesion == 0)
       built_.notes.push_back("without any [[joint]] all contacts are frictionless");
     bool held = scene_.water.any() || !system.bolts.empty() || !system.quiet_faces.empty() ||
                 !system.fixed_vertices.empty() || !system.prescribed_dofs().empty();

@@ -72,6 +72,17 @@ void check_dilation(const Joint& joint, const KeyLocations& locations, ContactMe
                    "friction has to do the work that lifts the block: make it smaller");
 }
 
+/// By the law of Coulomb a bond without cohesion bears no shear where it is pulled.
+void warn_of_bond(const Joint& joint, const KeyLocations& locations, ContactMethod method,
+                  ProblemList& problems) {
+  if (method == ContactMethod::staged && joint.tensile_strength > 0 && joint.friction_angle > 0 &&
+      joint.cohesion == 0 && locations.good("tensile_strength"))
+    problems.warning(
+        locations.of("tensile_strength"),
+        "'tensile_strength' without 'cohesion': where it is pulled such a bond breaks by the least shear",
+        "add 'cohesion', of bonded faces at least tensile_strength x tan(friction_angle)");
+}
+
 /// What is crushed at corners moves the forces of sharp ones, and of blocks that have nothing between them.
 void check_crushing(const Joint& joint, const KeyLocations& locations, const Document& document,
                     ContactMethod method, ProblemList& problems) {
@@ -128,6 +139,7 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     check_springs(joint, locations, method, problems);
     check_residual(joint, locations.of("residual_friction_angle"), problems);
     check_dilation(joint, locations, method, problems);
+    warn_of_bond(joint, locations, method, problems);
     check_crushing(joint, locations, document, method, problems);
     if (record.between && locations.good("between")) {
       const int a = materials.find((*record.between)[0], locations.of("between"), problems);

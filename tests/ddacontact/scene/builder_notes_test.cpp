@@ -80,6 +80,8 @@ TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
   const std::string joint = "[[joint]]\nfriction_angle = 20\n";
   EXPECT_FALSE(notes(two_slices(0), "frictionless"));
   EXPECT_TRUE(notes(replaced(two_slices(0), joint, ""), "frictionless"));
+  EXPECT_FALSE(notes(replaced(two_slices(0), joint, "[[joint]]\nname = \"default\"\nfriction_angle = 20\n"),
+                     "frictionless"));
   EXPECT_FALSE(notes(two_slices(0), "nothing is held"));
   EXPECT_TRUE(notes(replaced(two_slices(0), "fixed = true\n", ""), "nothing is held"));
 }

@@ -259,4 +259,16 @@ TEST(Reading, DensitiesOfNoUsualMaterialAreWarnedOf) {
   EXPECT_EQ(text_of("density = 2.5", {"analysis.gravity=[0, 0]"}), "");
 }
 
+/// By the law of Coulomb it bears no shear where it is pulled.
+TEST(Reading, TensileStrengthWithoutCohesionIsWarnedOf) {
+  const auto text_of = [](const std::string& joint) {
+    return all_text(read(std::string(minimal) + "[[joint]]\n" + joint).problems);
+  };
+  EXPECT_NE(text_of("friction_angle = 30\ntensile_strength = 1e5\n")
+                .find("warning: 'tensile_strength' without 'cohesion'"),
+            std::string::npos);
+  EXPECT_EQ(text_of("friction_angle = 30\ntensile_strength = 1e5\ncohesion = 6e4\n"), "");
+  EXPECT_EQ(text_of("tensile_strength = 1e5\n"), "");
+}
+
 }  // namespace
