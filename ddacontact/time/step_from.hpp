@@ -19,6 +19,7 @@ inline StepRule rule_from(const AnalysisOptions& analysis, const BlockState& fro
   return rule;
 }
 
+/// The step itself, with what goes on from the state.
 inline StepStart step_from(const AnalysisOptions& analysis, const BlockState& from, double dt,
                            double previous_dt) {
   const bool is_static = analysis.mode == Mode::statics;
