@@ -50,15 +50,18 @@ std::vector<Segment> segments_of(const PointsRef& domain, const std::vector<Segm
 /// How firmly a vertex stays where it is.
 enum class Hold { unused, none, outline, corner };
 
-/// Calls visit(vertex, corner) for the vertices of the outline that noding made of corners of the domain.
+/// Calls visit(vertex, corner) for the vertices of the outline that noding made of corners of the domain: the
+/// nearest, since a line through a corner may have made another one beside it, by round-off.
 template <class Visit>
 void visit_corners(const NodedLines& lines, const PointsRef& domain, Visit&& visit) {
   std::set<int> on_outline;
   for (const NodedLines::Edge& edge : lines.edges)
     if (edge.mark == outline_mark) on_outline.insert({edge.from, edge.to});
-  for (Index k = 0; k < domain.cols(); ++k)
-    for (const int v : on_outline)
-      if ((lines.vertices[v] - domain.col(k)).cwiseAbs().maxCoeff() <= lines.grid) visit(v, k);
+  for (Index k = 0; k < domain.cols(); ++k) {
+    const auto distance = [&](int v) { return (lines.vertices[v] - domain.col(k)).cwiseAbs().maxCoeff(); };
+    const auto nearest = std::ranges::min_element(on_outline, {}, distance);
+    if (nearest != on_outline.end() && distance(*nearest) <= lines.grid) visit(*nearest, k);
+  }
 }
 
 std::vector<Hold> hold_of(const NodedLines& lines, const PointsRef& domain) {

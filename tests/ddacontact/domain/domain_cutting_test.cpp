@@ -131,6 +131,18 @@ TEST(DomainCutting, TheSameSeedGivesTheSameBytes) {
   EXPECT_NE(cut_domain(domain).blocks[0].outline, one.blocks[0].outline);
 }
 
+/// By round-off its line has a point of its own beside the corner.
+TEST(DomainCutting, AJointMayPassThroughACornerOfTheDomainAnywhere) {
+  for (const double angle : {91., 95., 100., 120., 135.})
+    for (double x = 0; x < 400; x += 10) {
+      Domain domain;
+      domain.boundary = rectangle(20, 12).colwise() + Vec2(x, 0);
+      domain.joint_sets = {{.angle = angle, .spacing = 3, .origin = {x, 0}}};
+      for (const CutBlock& block : cut_domain(domain).blocks)
+        EXPECT_FALSE(polyfem::find_defect(block.outline)) << angle << ' ' << x;
+    }
+}
+
 /// A joint without rock bridges is one line, wherever the domain is: its angle scatters as a whole.
 TEST(DomainCutting, PersistentJointsOfScatteredAnglesCutThrough) {
   for (const double from : {-50., 0., 1e5}) {
