@@ -37,7 +37,10 @@ void account_contact(const ContactProperties& properties, bool means, const Cont
     account_joint_springs(contact, means, energy);
     return;
   }
-  const double by_dashpot = contact.normal != 0 ? -contact.damping * contact.gap_change : 0;
+  // Of a contact that closes within the step no more than what it does.
+  const double by_dashpot =
+      contact.normal == 0 ? 0
+                          : std::min(-contact.damping * contact.gap_change, std::max(contact.normal, 0.0));
   energy.damping_dissipated -= by_dashpot * contact.gap_change;
   const ContactState before = contact.start_state, after = contact.history.state;
   const double offset = contact.history.gap_offset;

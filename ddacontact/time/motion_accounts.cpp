@@ -26,14 +26,13 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   const double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;
   energy.friction_dissipated += by_friction;
   energy.numerical_dissipated -= contact.shear * contact.slip_change + by_friction;
-  const double by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change;
-  energy.damping_dissipated -= by_dashpot * contact.gap_change;
-  // An impulse changes kinetic energy by p times the mean of the rates before and after.
+  // An impulse, that of a dashpot included, changes kinetic energy by p times the mean of the rates before
+  // and after.
   const double before =
                    contact.motion.change_along(start.by_gap, from.going_on()) * (rule.starts_at_rest ? 0 : 1),
                exchanged = contact.normal * rule.impulse_time * (dt * before + contact.gap_change) / 2;
   (exchanged > 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(exchanged);
-  energy.numerical_dissipated -= (contact.normal - by_dashpot) * contact.gap_change - exchanged;
+  energy.numerical_dissipated -= contact.normal * contact.gap_change - exchanged;
 }
 
 }  // namespace

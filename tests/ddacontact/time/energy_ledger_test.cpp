@@ -153,3 +153,29 @@ TEST(EnergyLedger, OfEverythingAtOnceCloses) {
     EXPECT_GT(now.damping_dissipated, 1e3);
   }
 }
+
+/// A dashpot takes no more than a falling block has, however fast it closes within a step.
+TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
+  for (const Scheme scheme :
+       {Scheme::decaying, Scheme::central_difference, Scheme::backward_euler, Scheme::midpoint}) {
+    SCOPED_TRACE(static_cast<int>(scheme));
+    Scene scene;
+    scene.analysis.time_step = 0.002;
+    scene.analysis.steps = 100;
+    scene.analysis.gravity = Vec2(0, -10);
+    scene.analysis.max_displacement_ratio = 1;
+    scene.analysis.scheme = scheme;
+    scene.materials = {{"rock", 2000, 1e9, 0.2}};
+    scene.joints = {{"joint", 20, 0, 0, std::nullopt}};
+    scene.joints[0].dashpot = 0.5;
+    scene.contact.normal_stiffness = 4e10;
+    scene.contact.tangential_stiffness = 1.6e10;
+    scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, 0.05, 1, 1))};
+    const BuiltScene built = run(scene);
+    const Energy& now = built.stepper->energy().now;
+    const double fall = 2000 * 10 * 0.05;
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
+    EXPECT_LE(now.damping_dissipated, 1.05 * fall);
+    EXPECT_GE(now.numerical_dissipated, -0.05 * fall);
+  }
+}
