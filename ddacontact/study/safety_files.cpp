@@ -156,6 +156,10 @@ void SafetyFiles::write_json(const FactorBracket& bracket, const std::optional<R
     const MovedPart part = moved_part(scene_, *first);
     json["moved_count"] = part.blocks;
     json["moved_area_share"] = part.area_share;
+  } else {
+    for (const char* key :
+         {"max_displacement", "kinetic", "first_block", "moved_blocks", "moved_count", "moved_area_share"})
+      json[key] = nullptr;
   }
   write(directory_ / "safety.json",
         json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
