@@ -148,10 +148,12 @@ BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
                                momentum.cwiseProduct(array<Of>(deforming)).sum();
     Losses losses;
     const double damped = is_explicit_ ? elastic.cwiseProduct(array<Of>(deforming)).sum() : stretched / dt_;
-    losses.damping = damping_.mass / dt_ * quadratic + damping_.stiffness * damped;
+    // An impulse takes itself times the mean of the velocities before and after.
+    const double by_mass = damping_.mass * impulse_time_ / dt_ * (with_before + quadratic / dt_) / 2;
+    losses.damping = by_mass + damping_.stiffness * damped;
     // Backward Euler takes K (d u)^2 / 2 of what a change of the deformation stores; forces of the start give
     // as much.
-    losses.scheme = (is_explicit_ ? -stretched : stretched) / 2 +
+    losses.scheme = (is_explicit_ ? -stretched : stretched) / 2 + damping_.mass / dt_ * quadratic - by_mass +
                     (quadratic / dt_ - with_before) / impulse_time_ -
                     angular_before_ * angular_before_ * momentum.cwiseProduct(array<Of>(shape_now)).sum();
     return losses;

@@ -179,3 +179,26 @@ TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
     EXPECT_GE(now.numerical_dissipated, -0.05 * fall);
   }
 }
+
+/// A block that only slows down gains nothing: what damping by mass takes is what its velocity loses.
+TEST(EnergyLedger, DampingByMassTakesWhatAFlightLoses) {
+  Scene scene;
+  scene.analysis.time_step = 0.02;
+  scene.analysis.steps = 50;
+  scene.analysis.gravity.setZero();
+  scene.analysis.max_displacement_ratio = 10;
+  scene.analysis.damping = {2, 0};
+  scene.materials = {{"rock", 2000, 1e9, 0.2}};
+  scene.joints = {{"joint", 20, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 4e10;
+  scene.contact.tangential_stiffness = 1.6e10;
+  scene.blocks = {block(rectangle(0, 0, 1, 1))};
+  scene.blocks[0].velocity = {4, 0};
+  scene.blocks[0].angular_velocity = 1;
+  const BuiltScene built = run(scene);
+  const Energy& now = built.stepper->energy().now;
+  const double start = 2000 * (16 + 1. / 6) / 2;
+  EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9);
+  EXPECT_NEAR(now.damping_dissipated, start - now.kinetic, 2e-3 * start);
+  EXPECT_NEAR(now.kinetic, start * std::exp(-4), 0.1 * start * std::exp(-4));
+}
