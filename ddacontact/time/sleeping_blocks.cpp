@@ -144,8 +144,8 @@ std::vector<char> SleepingBlocks::find_restless(double dt) const {
         trial_.contacts()[c].start_state == ContactState::open && trial_.contacts()[c].closed();
     for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
       if ((has_closed && trial_.contacts()[c].normal > force_of_rest(b)) ||
-          (trial_.contacts()[c].closed() && !blocks_.is_movable(other) && restless[other]))
-        restless[b] = 1;
+          (trial_.contacts()[c].closed() && !blocks_.is_movable(other) && !blocks_.is_unchanging(other)))
+        restless[b] = 1;  // what is driven takes part in every step, and so do its contacts
   }
   return restless;
 }

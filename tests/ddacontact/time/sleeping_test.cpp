@@ -296,3 +296,25 @@ TEST(Sleeping, AnInterruptedRunIsTheSameToTheBit) {
   }
   EXPECT_TRUE(stopped);
 }
+
+/// A support that has come to its end takes part in every step all the same: what rests on it keeps its
+/// contacts, and its bond.
+TEST(Sleeping, BlocksOnADrivenBaseKeepTheirContacts) {
+  Scene scene = stack_scene(2);
+  scene.joints = {{"joint", 35, 1e6, 1e6, std::nullopt}};
+  scene.blocks[0].fixed = false;
+  Support table{0, {0, 1, 2, 3}, true, true, {}};
+  table.displacement = ddacontact::history_function(TimeFunction::Kind::history, {{0, 0, 0}, {0.3, 0, 0}});
+  scene.supports = {table};
+  const double weight = 2500 * 9.8;
+  scene.loads = {point_load(2, Vec2(0.5, 2), {})};
+  scene.loads[0].force =
+      ddacontact::history_function(TimeFunction::Kind::history, {{1, 0, 0}, {1.2, 0, 2.5 * weight}});
+  BuiltScene built = build(scene);
+  run(*built.stepper, 100);
+  EXPECT_EQ(built.stepper->counts().contacts, 4);
+  EXPECT_NEAR(built.stepper->reactions().row(1).sum(), (30 + 2) * weight, 1);
+  run(*built.stepper, 100);
+  EXPECT_LT(std::abs(travel(*built.stepper, 1).y()), 1e-4);
+  EXPECT_NEAR(built.stepper->reactions().row(1).sum(), (30 + 2 - 2.5) * weight, 1);
+}
