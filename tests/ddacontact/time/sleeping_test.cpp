@@ -154,20 +154,18 @@ TEST(Sleeping, LoadsThatChangeWake) {
   expect_closed_ledger(*sleepy.stepper);
 }
 
-TEST(Sleeping, SupportsThatMoveWakeWhatTheyTouch) {
+TEST(Sleeping, BlocksOnSupportsThatMoveStayAwake) {
   Scene scene = stack_scene(1);
   scene.blocks[0].fixed = false;
   TimeFunction shake{TimeFunction::Kind::history, {}, {}};
   shake.history = {{0, 0, 0}, {1, 0, 0}, {1.2, 0.2, 0}, {1.4, 0.2, 0}};
   scene.supports = {{0, {0, 1, 2, 3}, true, true, shake}};
   BuiltScene sleepy = build(scene), awake = build(always_awake(scene));
-  run_both(sleepy, awake, 99);
-  EXPECT_EQ(n_asleep(*sleepy.stepper), 1);
-  run_both(sleepy, awake, 105);
-  EXPECT_EQ(n_asleep(*sleepy.stepper), 0);
-  run_both(sleepy, awake, 200);
+  for (const int steps : {99, 105, 200}) {
+    run_both(sleepy, awake, steps);
+    EXPECT_EQ(n_asleep(*sleepy.stepper), 0);
+  }
   expect_same_places(*sleepy.stepper, *awake.stepper, 1e-6);
-  EXPECT_EQ(n_asleep(*sleepy.stepper), 1);
   expect_closed_ledger(*sleepy.stepper);
 }
 
