@@ -16,8 +16,7 @@ struct JointSet {
   double angle = 0, angle_deviation = 0;      ///< of the traces, counter-clockwise from x
   double spacing = 1, spacing_deviation = 0;  ///< normal to them
   double trace = 1e9, trace_deviation = 0;    ///< length of a trace
-  double gap = 0,
-         gap_deviation = 0;  ///< between the ends of two traces of a line: rock bridges; 0: persistent
+  double gap = 0, gap_deviation = 0;  ///< between the traces of a line: rock bridges; 0: a persistent joint
   /// Of an undisturbed set: the middle of a trace. Those of the next line are shifted by half of trace + gap.
   Vec2 origin{0, 0};
   int region = -1;  ///< where; -1: everywhere

@@ -100,7 +100,7 @@ void describe(RegionRecord& r, Visit&& visit) {
         r.polygon);
   visit(Key{.name = "material", .what = "Of its blocks.", .default_text = "`domain.material`"}, r.material);
   visit(Key{.name = "model", .what = "Of its blocks.", .default_text = "`analysis.block_model`"}, r.model);
-  visit(Key{.name = "fixed", .what = "Whether its blocks are held."}, r.fixed);
+  visit(Key{.name = "fixed", .what = "Whether its blocks are held.", .default_text = "`false`"}, r.fixed);
   visit(Key{.name = "group", .what = "That its blocks belong to."}, r.group);
   visit(Key{.name = "cut", .what = "Whether its outline is a joint."}, r.cut);
   visit(law_of_joint, r.joint);

@@ -193,15 +193,8 @@ bool SleepingBlocks::wake_changing(double dt) {
     sleeping_.wake_all();
     woken = true;
   }
-  for (const auto& [block, function] : asleep_->watched) {
-    if (!varies(*function, now, then, blocks_.end_time)) continue;
-    woken = wake(block) || woken;
-    for (const ContactRecord& contact : asleep_->contacts) {
-      const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
-      if (contact.closed() && (vertex_block == block || edge_block == block))
-        woken = wake(vertex_block + edge_block - block) || woken;
-    }
-  }
+  for (const auto& [block, function] : asleep_->watched)
+    if (varies(*function, now, then, blocks_.end_time)) woken = wake(block) || woken;
   if (woken) regroup();
   return woken;
 }
@@ -287,17 +280,14 @@ void SleepingBlocks::survey() {
         takes_part(b) || !blocks_.is_present(b) ? 0 : blocks_.block(b).elastic_energy(state_));
   }
   VectorXd forces = VectorXd::Zero(blocks_.n_unknowns());
-  std::vector<char> watched(blocks_.n_blocks(), 0);
-  for (int b = 0; b < blocks_.n_blocks(); ++b) watched[b] = sleeping_.is_asleep(b);
   for (const ContactRecord& contact : asleep.contacts) {
     if (!contact.closed()) continue;
     ++asleep.n_closed;
     properties_.add_forces(blocks_, state_, contact, forces);
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) watched[b] = 1;
   }
   asleep.reactions = Points::Zero(2, state_.position.cols());
   const auto watch = [&](int block, const TimeFunction& function) {
-    if (watched[block] && !is_steady(function)) asleep.watched.push_back({block, &function});
+    if (sleeping_.is_asleep(block) && !is_steady(function)) asleep.watched.push_back({block, &function});
   };
   for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
     const int b = blocks_.block_of_point(held.vertex);

@@ -7,8 +7,9 @@
 namespace ddacontact {
 
 /// The scheme of a step from a state. Where there are no accelerations that Newmark's scheme could go on
-/// from, at the start of a run and when what acts has changed, they are constant in the step. \param[in]
-/// previous_dt  of the step before, s; see step_rule
+/// from, at the start of a run and when what acts has changed, they are constant in the step.
+///
+/// \param[in] previous_dt  of the step before, s; see step_rule
 inline StepRule rule_from(const AnalysisOptions& analysis, const BlockState& from, double dt,
                           double previous_dt) {
   StepRule rule = step_rule(analysis, dt, previous_dt);
