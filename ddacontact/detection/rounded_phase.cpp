@@ -53,11 +53,23 @@ struct OverEdge {
   }
 };
 
+bool was_closed(std::span<const EarlierContact> earlier, const VertexEdge& contact) {
+  return std::ranges::any_of(earlier,
+                             [&](const EarlierContact& of) { return of.closed && of.pair == contact; });
+}
+
 class CirclesOnOutline {
  public:
   CirclesOnOutline(const RoundedOutline& a, const RoundedOutline& b, const PairLimits& limits,
-                   std::vector<VertexEdge>& contacts, std::vector<Choice>& choices)
-      : a_(a), b_(b), limits_(limits), radius_(a.radius()), contacts_(contacts), choices_(choices) {}
+                   std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
+                   std::vector<Choice>& choices)
+      : a_(a),
+        b_(b),
+        limits_(limits),
+        radius_(a.radius()),
+        earlier_(earlier),
+        contacts_(contacts),
+        choices_(choices) {}
 
   void find() {
     for (int i = 0; i < a_.size(); ++i) {
@@ -86,10 +98,13 @@ class CirclesOnOutline {
   }
 
   void add_edge(int i, int e, double time) {
+    const VertexEdge contact{a_.block(), i, b_.block(), e};
     const OverEdge over(a_, i, b_, e, time);
-    if (over.gap > limits_.search_margin || over.gap <= -radius_) return;
+    // A joint with stiffness may close by more than the radius.
+    const double deepest = was_closed(earlier_, contact) ? std::max(limits_.max_depth, radius_) : radius_;
+    if (over.gap > limits_.search_margin || over.gap <= -deepest) return;
     const double from_end = std::min(over.along, over.length - over.along);
-    if (from_end >= -limits_.coincidence) add({a_.block(), i, b_.block(), e}, from_end);
+    if (from_end >= -limits_.coincidence) add(contact, from_end);
   }
   void add_corner(int i, int j, double time) {
     const Vec2 apart = a_.centre(i, time) - b_.vertex(j, time);
@@ -106,6 +121,7 @@ class CirclesOnOutline {
   const RoundedOutline &a_, &b_;
   const PairLimits& limits_;
   double radius_;
+  std::span<const EarlierContact> earlier_;
   std::vector<VertexEdge>& contacts_;
   std::vector<Choice>& choices_;
 };
@@ -131,17 +147,13 @@ void find_rounded_contacts(const Outline& a, const RoundedBlock& rounded_a, cons
                            std::vector<Choice>& choices) {
   const RoundedOutline of_a(a, rounded_a), of_b(b, rounded_b);
   std::vector<VertexEdge> found;
-  CirclesOnOutline(of_a, of_b, limits, found, choices).find();
-  CirclesOnOutline(of_b, of_a, limits, found, choices).find();
-  const auto is_kept = [&](const VertexEdge& contact) {
-    return std::ranges::any_of(earlier,
-                               [&](const EarlierContact& of) { return of.closed && of.pair == contact; });
-  };
+  CirclesOnOutline(of_a, of_b, limits, earlier, found, choices).find();
+  CirclesOnOutline(of_b, of_a, limits, earlier, found, choices).find();
   std::vector<char> dropped(found.size(), 0);
   for (std::size_t p = 0; p < found.size(); ++p)
     for (std::size_t q = 0; q < found.size(); ++q)
       if (!dropped[p] && !dropped[q] && are_one_place(found[p], of_a, found[q], of_b, limits.coincidence))
-        dropped[is_kept(found[q]) && !is_kept(found[p]) ? p : q] = 1;
+        dropped[was_closed(earlier, found[q]) && !was_closed(earlier, found[p]) ? p : q] = 1;
   for (std::size_t k = 0; k < found.size(); ++k)
     if (!dropped[k]) contacts.push_back(found[k]);
 }

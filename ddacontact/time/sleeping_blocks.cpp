@@ -4,6 +4,7 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -157,7 +158,12 @@ bool SleepingBlocks::fall_asleep(double dt) {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     awake.push_back(in_whole(b));
-    sleeping_.note(in_whole(b), !restless[b] && blocks_.block(b).furthest_vertex(state_.going_on()) <=
+    const Block& block = blocks_.block(b);
+    const VectorXd& velocity = state_.going_on();
+    // Inside a mesh, whose vertices may be held, by the mean.
+    const auto of_block = velocity.segment(block.unknowns().first, block.unknowns().count);
+    const double inside = std::sqrt(2 * block.kinetic_energy(of_block) / block.mass_total());
+    sleeping_.note(in_whole(b), !restless[b] && std::max(block.furthest_vertex(velocity), inside) <=
                                                     rest_speed(blocks_, b, dt));
   }
   std::vector<Pair> touching;

@@ -316,3 +316,20 @@ TEST(Sleeping, BlocksOnADrivenBaseKeepTheirContacts) {
   EXPECT_LT(std::abs(travel(*built.stepper, 1).y()), 1e-4);
   EXPECT_NEAR(built.stepper->reactions().row(1).sum(), (30 + 2 - 2.5) * weight, 1);
 }
+
+/// All vertices of a mesh are held; what vibrates inside is awake, and the reaction is not that of a moment.
+TEST(Sleeping, MeshesThatVibrateInsideStayAwake) {
+  Scene scene = stack_scene(1);
+  scene.analysis.scheme = Scheme::midpoint;
+  scene.analysis.time_step = 1e-4;
+  scene.analysis.steps = 100;
+  scene.blocks = {block(rectangle(0, 0, 5, 1))};
+  scene.blocks[0].model = BlockModel::mesh;
+  scene.blocks[0].mesh.cells = 16;
+  scene.supports = {{0, {0, 1, 2, 3}, true, true, {}}};
+  BuiltScene sleepy = build(scene), awake = build(always_awake(scene));
+  run_both(sleepy, awake, 100);
+  EXPECT_EQ(n_asleep(*sleepy.stepper), 0);
+  EXPECT_GT(sleepy.stepper->energy().now.kinetic + sleepy.stepper->energy().now.elastic, 0.01);
+  expect_same_forces(*sleepy.stepper, *awake.stepper, 1e-6);
+}
