@@ -4,7 +4,6 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -54,6 +53,13 @@ Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double mar
   box.low += state.origin.col(b);
   box.high += state.origin.col(b);
   return box;
+}
+
+/// Its vertices, and what is inside a mesh, whose vertices may be held, by the mean.
+bool is_slow(const Block& block, const VectorXd& velocity, double speed) {
+  const Range& u = block.unknowns();
+  return block.furthest_vertex(velocity) <= speed &&
+         2 * block.kinetic_energy(velocity.segment(u.first, u.count)) <= block.mass_total() * speed * speed;
 }
 
 constexpr auto pair_of_record = [](const ContactRecord& of) { return block_pair(of.pair); };
@@ -158,13 +164,8 @@ bool SleepingBlocks::fall_asleep(double dt) {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_movable(b)) continue;
     awake.push_back(in_whole(b));
-    const Block& block = blocks_.block(b);
-    const VectorXd& velocity = state_.going_on();
-    // Inside a mesh, whose vertices may be held, by the mean.
-    const auto of_block = velocity.segment(block.unknowns().first, block.unknowns().count);
-    const double inside = std::sqrt(2 * block.kinetic_energy(of_block) / block.mass_total());
-    sleeping_.note(in_whole(b), !restless[b] && std::max(block.furthest_vertex(velocity), inside) <=
-                                                    rest_speed(blocks_, b, dt));
+    sleeping_.note(in_whole(b),
+                   !restless[b] && is_slow(blocks_.block(b), state_.going_on(), rest_speed(blocks_, b, dt)));
   }
   std::vector<Pair> touching;
   for (const Contact& contact : trial_.contacts())

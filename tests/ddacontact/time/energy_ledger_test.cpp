@@ -154,22 +154,32 @@ TEST(EnergyLedger, OfEverythingAtOnceCloses) {
   }
 }
 
+namespace {
+
+/// Rock of 2 t/m3 and 1 GPa.
+Scene rock_at(double time_step, int steps) {
+  Scene scene;
+  scene.analysis.time_step = time_step;
+  scene.analysis.steps = steps;
+  scene.analysis.max_displacement_ratio = 10;
+  scene.analysis.gravity = Vec2(0, -10);
+  scene.materials = {{"rock", 2000, 1e9, 0.2}};
+  scene.joints = {{"joint", 20, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 4e10;
+  scene.contact.tangential_stiffness = 1.6e10;
+  return scene;
+}
+
+}  // namespace
+
 /// A dashpot takes no more than a falling block has, however fast it closes within a step.
 TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
   for (const Scheme scheme :
        {Scheme::decaying, Scheme::central_difference, Scheme::backward_euler, Scheme::midpoint}) {
     SCOPED_TRACE(static_cast<int>(scheme));
-    Scene scene;
-    scene.analysis.time_step = 0.002;
-    scene.analysis.steps = 100;
-    scene.analysis.gravity = Vec2(0, -10);
-    scene.analysis.max_displacement_ratio = 1;
+    Scene scene = rock_at(0.002, 100);
     scene.analysis.scheme = scheme;
-    scene.materials = {{"rock", 2000, 1e9, 0.2}};
-    scene.joints = {{"joint", 20, 0, 0, std::nullopt}};
     scene.joints[0].dashpot = 0.5;
-    scene.contact.normal_stiffness = 4e10;
-    scene.contact.tangential_stiffness = 1.6e10;
     scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, 0.05, 1, 1))};
     const BuiltScene built = run(scene);
     const Energy& now = built.stepper->energy().now;
@@ -182,16 +192,9 @@ TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
 
 /// A block that only slows down gains nothing: what damping by mass takes is what its velocity loses.
 TEST(EnergyLedger, DampingByMassTakesWhatAFlightLoses) {
-  Scene scene;
-  scene.analysis.time_step = 0.02;
-  scene.analysis.steps = 50;
+  Scene scene = rock_at(0.02, 50);
   scene.analysis.gravity.setZero();
-  scene.analysis.max_displacement_ratio = 10;
   scene.analysis.damping = {2, 0};
-  scene.materials = {{"rock", 2000, 1e9, 0.2}};
-  scene.joints = {{"joint", 20, 0, 0, std::nullopt}};
-  scene.contact.normal_stiffness = 4e10;
-  scene.contact.tangential_stiffness = 1.6e10;
   scene.blocks = {block(rectangle(0, 0, 1, 1))};
   scene.blocks[0].velocity = {4, 0};
   scene.blocks[0].angular_velocity = 1;

@@ -278,21 +278,14 @@ TEST(JointSprings, LiftABlockThatIsThrown) {
 
 /// Rounded corners that sink by less than their radius and by more: as the joint's stiffness says.
 TEST(JointSprings, MayCloseByMoreThanTheRadiusOfCorners) {
-  for (const double stiffness : {1e7, 5.5e6, 2e6}) {
-    Scene scene;
-    scene.analysis.mode = ddacontact::Mode::statics;
+  for (const double stiffness : {1e7, 4e6, 2e6, 1e6}) {
+    Scene scene = column(1, stiffness, stiffness);
+    scene.analysis.mode = Mode::statics;
     scene.analysis.time_step = 0.1;
-    scene.analysis.steps = 40;
-    scene.materials = {{"rock", 2500, 5e9, 0.2}};
-    scene.joints = {{"joint", 30, 0, 0, std::nullopt}};
-    scene.joints[0].normal_stiffness = scene.joints[0].shear_stiffness = stiffness;
-    scene.contact.normal_stiffness = 2e11;
-    scene.contact.tangential_stiffness = 8e10;
+    scene.materials[0].young = 5e9;
     scene.contact.corner_rounding = 0.005;
-    scene.blocks = {block(rectangle(0, 0, 4, 1), true), block(rectangle(1, 1, 1, 1))};
-    for (BlockDescription& b : scene.blocks) b.model = BlockModel::affine;
     const BuiltScene built = run(scene);
-    EXPECT_NEAR(travel(*built.stepper, 1).y(), -24500 / stiffness, 1e-2 * 24500 / stiffness);
+    EXPECT_NEAR(travel(*built.stepper, 1).y(), -20e3 / stiffness, 1e-2 * 20e3 / stiffness);
     EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
   }
 }

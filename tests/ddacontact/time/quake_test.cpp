@@ -164,15 +164,24 @@ TEST(Quake, OverturnsASlenderBlockAtTheKnownAccelerations) {
   }
 }
 
-/// A record is 0 outside its entries: where it begins or ends with a jump, blocks that sleep feel that.
-TEST(Quake, ARecordThatBeginsWithAJumpWakesBlocks) {
+namespace {
+
+/// For 1.5 s, the ground accelerated from one time to another; at rest before and after.
+Scene pushed_ground(double from, double to, double acceleration) {
   Scene scene = block_on_ground(0.01);
   scene.analysis.scheme = Scheme::decaying;
   scene.analysis.steps = 150;
-  const double push = 1.5 * friction * fall;
-  scene.quakes = {
-      {ddacontact::history_function(TimeFunction::Kind::history, {{0.5, -push, 0}, {1.5, -push, 0}})}};
-  const double exact = (push - friction * fall) / 2;
+  scene.quakes = {{ddacontact::history_function(TimeFunction::Kind::history,
+                                                {{from, acceleration, 0}, {to, acceleration, 0}})}};
+  return scene;
+}
+
+}  // namespace
+
+/// A record is 0 outside its entries: where it begins or ends with a jump, blocks that sleep feel that.
+TEST(Quake, ARecordThatBeginsWithAJumpWakesBlocks) {
+  const double push = 1.5 * friction * fall, exact = (push - friction * fall) / 2;
+  Scene scene = pushed_ground(0.5, 1.5, -push);
   EXPECT_NEAR(slid(scene), exact, 0.03 * exact);
   scene.analysis.skip.sleep = false;
   EXPECT_NEAR(slid(scene), exact, 0.03 * exact);
@@ -180,13 +189,7 @@ TEST(Quake, ARecordThatBeginsWithAJumpWakesBlocks) {
 
 /// By friction that held it against the record, and is gone with its end.
 TEST(Quake, ARecordThatEndsWithAJumpWakesBlocks) {
-  Scene scene = block_on_ground(0.01);
-  scene.analysis.scheme = Scheme::decaying;
-  scene.analysis.steps = 150;
-  const double held = 0.5 * friction * fall;
-  scene.quakes = {
-      {ddacontact::history_function(TimeFunction::Kind::history, {{0, -held, 0}, {1, -held, 0}})}};
-  const BuiltScene built = run(scene);
+  const BuiltScene built = run(pushed_ground(0, 1, -0.5 * friction * fall));
   double shear = 0;
   for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) shear += contact.shear;
   EXPECT_NEAR(shear, 0, 1);
