@@ -62,7 +62,7 @@ void tell_motion(Answer& answer, const fs::path& directory) {
     answer.line(fmt::format("largest displacement {}: block {}, vertex {}", quantity_text(moved[i], "m"),
                             vertices.texts("block")[i], vertices.texts("vertex")[i]));
   else
-    answer.line("nothing moved");
+    answer.line("no displacement at the end");
 }
 
 void tell_stress(Answer& answer, const fs::path& directory) {

@@ -159,7 +159,7 @@ void tell_energy(Answer& answer, const SummaryTable& summary) {
   };
   for (const EnergyTerm& term : energy_terms) count(term.sign * number(term.column), term.into, term.from);
   const double total = std::max(sum_of(came), sum_of(went));
-  if (!(total > 0)) return answer.line("none: nothing moved");
+  if (!(total > 0)) return answer.line("none was exchanged");
   count(sum_of(came) - sum_of(went), "what there was less than at the start", "the state at the start");
   tell_parts(answer, "from", came, total);
   tell_parts(answer, "into", went, total);

@@ -91,6 +91,18 @@ Curve second_integral(const std::vector<Vec3>& entries) {
   return curve;
 }
 
+/// The time of the entry from which on nothing changes.
+double first_of_rest(const TimeFunction& function) {
+  using Kind = TimeFunction::Kind;
+  const std::vector<Vec3>& history = function.history;
+  double first = history.back()[0];
+  if (function.kind != Kind::history && function.kind != Kind::velocity_history) return first;
+  const Vec2 rest = function.kind == Kind::history ? Vec2(history.back().tail<2>()) : Vec2::Zero();
+  for (auto entry = history.rbegin(); entry != history.rend() && entry->tail<2>() == rest; ++entry)
+    first = (*entry)[0];
+  return first;
+}
+
 }  // namespace
 
 Vec2 TimeFunction::at(double time, double end_time) const {
@@ -112,7 +124,7 @@ Vec2 TimeFunction::at(double time, double end_time) const {
 double TimeFunction::last_change(double end_time) const {
   const double risen = rise > 0 ? start + rise : 0;
   if (kind == Kind::ramp && !value.isZero(0)) return std::max(risen, end_time);
-  return is_history() ? std::max(risen, history.back()[0]) : risen;
+  return is_history() ? std::max(risen, first_of_rest(*this)) : risen;
 }
 
 TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries) {

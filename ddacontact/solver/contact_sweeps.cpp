@@ -353,6 +353,7 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
     if (report.settled) break;
     const VectorXd by_force = forces() - force, by = change_ - change;
     const double now = by_force.squaredNorm(), further = now / before;
+    if (!std::isfinite(now)) break;
     before = now;
     if (!(further <= 1)) {
       along_force = by_force;
@@ -367,6 +368,7 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
     along_force = further * along_force + by_force;
     along = further * along + by;
   }
+  report.settled = report.settled && change_.allFinite();
   for (const Row& row : rows_) forces_of_all[static_cast<std::size_t>(row.contact)] = row.force;
   for (std::size_t k = 0; k < unknown_.size(); ++k)
     if (unknown_[k] >= 0) d[unknown_[k]] += change_[static_cast<Index>(k)];

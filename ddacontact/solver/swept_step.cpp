@@ -92,6 +92,7 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
       stop.quiet = coarse;
     }
     if (!options.local && !changes_many) return false;
+    if (!swept.settled) break;  // d stays as it was: where sweeps do not converge they lead anywhere
     const VectorXd change = swept_d - d;
     system.move(change, d);
     const bool is_straight =
@@ -99,7 +100,6 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
     if (!is_straight) contacts.evaluate(d);
     contacts.find_springs(d);
     contacts.take_states_of_forces();
-    if (!swept.settled) break;
     if (drop_forces_beyond_edges(contacts) ||
         (!is_straight && (round == 0 || swept.sweeps > (changes_many ? 2 : 1))))
       continue;

@@ -72,6 +72,15 @@ TEST(TimeFunction, HistoryOfAnAccelerationIsItsDoubleIntegral) {
   EXPECT_NEAR((f.at(4, 9) - Vec2(17 + 15, 6 + 6)).norm(), 0, 1e-14);
 }
 
+/// Records end in zeros, and loads stay: what only goes on does not change.
+TEST(TimeFunction, LastChangeIsWhereTheRestBegins) {
+  const std::vector<Vec3> tail{{0, 0, 0}, {1, 3, 4}, {2, 0, 0}, {5, 0, 0}, {9, 0, 0}};
+  EXPECT_EQ(history_function(Kind::history, tail).last_change(20), 2);
+  EXPECT_EQ(history_function(Kind::velocity_history, tail).last_change(20), 2);
+  EXPECT_EQ(history_function(Kind::history, {{0, 0, 0}, {1, 3, 4}, {2, 3, 4}}).last_change(20), 1);
+  EXPECT_EQ(history_function(Kind::velocity_history, {{0, 0, 0}, {1, 3, 4}, {2, 3, 4}}).last_change(20), 2);
+}
+
 /// Of a smooth motion at rest at both ends a spline is accurate to fourth order, its velocity to third.
 TEST(TimeFunction, SmoothHistoryConvergesToTheMotionThatWasSampled) {
   const auto motion = [](double t) { return std::pow(std::sin(t), 4); };
