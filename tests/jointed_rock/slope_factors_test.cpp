@@ -1,5 +1,6 @@
 // Factors of safety of a few random slopes against limit analysis; doc/verification/jointed_rock.md has 50.
 #include "slope_factors.hpp"
+#include "sudden_weight.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,14 @@ TEST(SlopeFactors, ATrialWithRoundedCornersTellsWhatInterlockingHolds) {
     const Slope slope = slope_of(seed);
     EXPECT_EQ(rounded_trial(slope, factor_of(slope, 0.01)).verdict, verdict) << seed;
   }
+}
+
+/// With so much friction sweeps may diverge; the step is then solved from where it was.
+TEST(SlopeFactors, ASlopeInWhichSweepsDivergeRests) {
+  constexpr double limit = 0.726112916, steepest = 2.03059741;
+  const Outcome outcome =
+      let_go(support::random_slope(59, {20, 60}), above_both * steepest, least_acceleration(limit));
+  EXPECT_EQ(outcome.verdict, Verdict::rests);
 }
 
 }  // namespace

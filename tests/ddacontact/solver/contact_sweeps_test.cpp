@@ -194,19 +194,13 @@ TEST(ContactSweeps, GiveTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(found[2], found[0]);
 }
 
-/// Where friction is large, forces of contacts may drive each other up, to numbers that are none.
-TEST(ContactSweeps, ThatDivergeSaySo) {
-  int n_diverged = 0;
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    Swept s(seed, 8, 40);
-    for (ContactTerm& term : s.blocks.contacts) term.normal_stiffness *= 1e6;
-    for (JointLaw& joint : s.joints) joint.friction *= 100;
-    const bool settled = s.sweep(1e-8, 5000).settled;
-    if (s.d.allFinite()) continue;
-    ++n_diverged;
-    EXPECT_FALSE(settled) << seed;
-  }
-  EXPECT_GT(n_diverged, 0);
+TEST(ContactSweeps, WhereNumbersAreNoneHaveNotSettled) {
+  Swept s(7, 20, 40);
+  s.load[s.blocks.unknowns[1][0]] = std::numeric_limits<double>::quiet_NaN();
+  s.load[s.blocks.unknowns[2][1]] = std::numeric_limits<double>::quiet_NaN();
+  const ContactSweeps::Report report = s.sweep(1e-8, 2000);
+  EXPECT_FALSE(report.settled);
+  EXPECT_LT(report.sweeps, 10);
 }
 
 TEST(ContactSweeps, RefuseABlockWithoutInverseOrTooLargeOrOdd) {
