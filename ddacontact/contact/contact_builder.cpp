@@ -133,7 +133,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     // Where all is held a rigid contact has no force that one could tell. A corner that is yet to come over
     // an edge has no part of the length of a joint with a stiffness.
     return (held && !compliant && !can_change(state, of)) ||
-           (stiff && compliant && length_of(state, of, of_blocks) == 0);
+           (stiff && compliant && length_of(state, of, of_blocks).total() == 0);
   };
   for (const VertexEdge& of : of_blocks)
     if (is_idle(of)) std::erase(found, of);
@@ -204,7 +204,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   Contact contact;
   contact.pair = pair;
   const JointStrength& joint = properties_.strength(pair);
-  if (joint.is_compliant() || joint.crushes()) contact.history.length = length_of(state, pair, found);
+  if (joint.is_compliant() || joint.crushes()) set_length(state, found, contact);
   contact.history.normal = normal;
   contact.motion = motion_of(blocks_, state, pair, properties_.inset(contact));
   contact.gap = contact.first_gap().constant;
@@ -235,12 +235,12 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
       if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
           contact.is_on_edge(contact.first_slip().constant)) {
         history.bonded = true;
-        history.gap_offset = properties_.strength(pair).glued ? contact.gap : std::min(contact.gap, 0.0);
-        history.length = length_of(state, pair, of_blocks);
+        set_length(state, of_blocks, contact);
+        history.gap_offset = properties_.is_glued(contact) ? contact.gap : std::min(contact.gap, 0.0);
         contact.law = properties_.law(contact);
         history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
       }
-      if (properties_.strength(pair).glued) glue(contact);
+      if (properties_.is_glued(contact)) glue(contact);
       contacts.push_back(contact);
     }
   return contacts;
@@ -291,7 +291,9 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
       // What a joint's springs bear is a stress: it stays where neighbours take over a part of the length.
       for (double* force : {&contact.history.normal, &contact.history.shear})
         *force *= length / old->history.length;
-      contact.history.length = length;
+      set_length(state, found, contact);
+    } else if (old->pair != pair && old->history.length_beyond > 0) {
+      set_length(state, found, contact);
     }
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
@@ -306,7 +308,7 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
     if (contact.law.compliant)
       contact.history.normal = contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap);
   }
-  if (properties_.strength(pair).glued) glue(contact);
+  if (properties_.is_glued(contact)) glue(contact);
   return contact;
 }
 

@@ -3,6 +3,7 @@
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact_properties.hpp>
+#include <ddacontact/detection/contact_length.hpp>
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
@@ -117,7 +118,10 @@ class ContactBuilder {
                        double normal = 0) const;
   /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
   /// compression at any angle.
-  double length_of(const BlockState& state, const VertexEdge& pair, std::span<const VertexEdge> found) const;
+  ContactLength length_of(const BlockState& state, const VertexEdge& pair,
+                          std::span<const VertexEdge> found) const;
+  /// Writes it into the history of the contact, what lies on another joint apart.
+  void set_length(const BlockState& state, std::span<const VertexEdge> found, ContactRecord& contact) const;
   /// Whether contacts of one place are not told apart by the search: those of joints with a stiffness, which
   /// strains move apart, and all of rounded blocks.
   bool has_places(const VertexEdge& of) const;

@@ -44,7 +44,7 @@ void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const 
              before.pair.vertex == of.vertex;
     });
     const bool is_straight = outlines_[of.vertex_block].sides[of.vertex].corner == Corner::straight;
-    return std::tuple(!was_closed, length_of(state, of, {}) == 0, is_straight, of);
+    return std::tuple(!was_closed, length_of(state, of, {}).total() == 0, is_straight, of);
   };
   for (const VertexEdge& of : of_blocks)
     if (std::ranges::any_of(of_blocks, [&](const VertexEdge& other) {
@@ -53,8 +53,8 @@ void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const 
       std::erase(found, of);
 }
 
-double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair,
-                                 std::span<const VertexEdge> found) const {
+ContactLength ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair,
+                                        std::span<const VertexEdge> found) const {
   const int origin = pair.edge_block;
   const Block& block = blocks_.block(pair.vertex_block);
   const auto bears = [&](int of_block, int vertex) {
@@ -65,6 +65,19 @@ double ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair
                         blocks_.outline_from(state, pair.edge_block, origin), pair,
                         block.reference().leftCols(block.n_vertices()), bears,
                         properties_.strength(pair).is_compliant() || properties_.strength(pair).crushes());
+}
+
+void ContactBuilder::set_length(const BlockState& state, std::span<const VertexEdge> found,
+                                ContactRecord& contact) const {
+  const ContactLength length = length_of(state, contact.pair, found);
+  ContactHistory& history = contact.history;
+  history.length = length.total();
+  history.length_beyond = 0;
+  if (length.edge_beyond < 0) return;
+  VertexEdge beyond = contact.pair;
+  beyond.edge = length.edge_beyond;
+  history.joint_beyond = properties_.joint_of(beyond);
+  if (history.joint_beyond != properties_.joint_of(contact.pair)) history.length_beyond = length.beyond;
 }
 
 }  // namespace ddacontact

@@ -10,19 +10,29 @@ namespace ddacontact {
 JointLaw ContactProperties::law(const ContactRecord& contact) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const JointStrength& joint = strength(contact.pair);
-  const bool glued = joint.glued && contact.closed();
+  const bool glued = is_glued(contact) && contact.closed();
   const bool compliant = is_compliant(contact);
-  return {
-      .normal_stiffness = compliant ? joint.normal_stiffness * contact.history.length : normal_stiffness,
-      .tangential_stiffness =
-          compliant ? joint.shear_stiffness * contact.history.length : tangential_stiffness,
-      .friction = contact.history.bonded ? joint.friction : joint.residual_friction.value_or(joint.friction),
-      .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
-      .cohesion = glued ? infinity : joint.cohesion * contact.history.length,
-      .tension = glued ? infinity : joint.tensile_strength * contact.history.length,
-      .compliant = compliant,
-      .glued = glued,
-      .ductile = joint.ductile};
+  const auto over = [&](double JointStrength::*stress) { return over_length(contact, stress); };
+  return {.normal_stiffness = compliant ? over(&JointStrength::normal_stiffness) : normal_stiffness,
+          .tangential_stiffness = compliant ? over(&JointStrength::shear_stiffness) : tangential_stiffness,
+          .friction = friction_of(contact),
+          .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
+          .cohesion = glued ? infinity : over(&JointStrength::cohesion),
+          .tension = glued ? infinity : over(&JointStrength::tensile_strength),
+          .compliant = compliant,
+          .glued = glued,
+          .ductile = joint.ductile || (beyond(contact) && beyond(contact)->ductile)};
+}
+
+double ContactProperties::friction_of(const ContactRecord& contact) const {
+  const JointStrength& joint = strength(contact.pair);
+  if (!contact.history.bonded) return joint.residual_friction.value_or(joint.friction);
+  if (!beyond(contact)) return joint.friction;
+  const bool compliant = is_compliant(contact);
+  const double length_beyond = contact.history.length_beyond,
+               here = (compliant ? joint.normal_stiffness : 1) * (contact.history.length - length_beyond),
+               there = (compliant ? beyond(contact)->normal_stiffness : 1) * length_beyond;
+  return (here * joint.friction + there * beyond(contact)->friction) / (here + there);
 }
 
 double ContactProperties::inset(const ContactRecord& contact) const {

@@ -40,9 +40,19 @@ struct ContactProperties {
   const JointStrength& strength(const VertexEdge& pair) const {
     return joints.entries()[joint_of(pair)].strength;
   }
-  /// Whether a joint's own stiffness makes its forces.
+  /// Whether a joint's own stiffness makes its forces; where two joints meet, that of both.
   bool is_compliant(const ContactRecord& contact) const {
-    return strength(contact.pair).is_compliant() && contact.history.length > 0;
+    return strength(contact.pair).is_compliant() && contact.history.length > 0 &&
+           (!beyond(contact) || beyond(contact)->is_compliant());
+  }
+  bool is_glued(const ContactRecord& contact) const {
+    return strength(contact.pair).glued || (beyond(contact) && beyond(contact)->glued);
+  }
+  /// What a stress is over the length of a contact, N/m: that of each joint over its part.
+  double over_length(const ContactRecord& contact, double JointStrength::*stress) const {
+    const ContactHistory& history = contact.history;
+    const double here = strength(contact.pair).*stress * (history.length - history.length_beyond);
+    return beyond(contact) ? here + beyond(contact)->*stress * history.length_beyond : here;
   }
   /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
   /// contact of a glued joint that strength is infinite.
@@ -52,6 +62,15 @@ struct ContactProperties {
   /// F += what a contact's forces do to the unknowns of its blocks.
   void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
                   VectorXd& F) const;
+
+ private:
+  /// Of the part of a contact's length beyond its edge, if there is one.
+  const JointStrength* beyond(const ContactRecord& contact) const {
+    return contact.history.length_beyond > 0 ? &joints.entries()[contact.history.joint_beyond].strength
+                                             : nullptr;
+  }
+  /// tan(phi); where two joints meet the mean, by what each bears of the normal force.
+  double friction_of(const ContactRecord& contact) const;
 };
 
 }  // namespace ddacontact

@@ -7,9 +7,9 @@
 
 namespace ddacontact {
 
-double contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_polygon,
-                      const VertexEdge& contact, const PointsRef& unstrained,
-                      const std::function<bool(int, int)>& bears, bool at_any_angle) {
+ContactLength contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_polygon,
+                             const VertexEdge& contact, const PointsRef& unstrained,
+                             const std::function<bool(int, int)>& bears, bool at_any_angle) {
   const Vec2 x = vertex_polygon.col(contact.vertex);
   const DirectedEdge e(edge_polygon, contact.edge);
   // The vertex at the end of a straight face, or before it one that bears: from an edge on, forth or back.
@@ -25,20 +25,28 @@ double contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_pol
     const int end = end_of_face(edge_polygon, contact.edge_block, contact.edge, along);
     return e.tangent.dot(edge_polygon.col(end) - x) * (along ? 1 : -1);
   };
-  const auto length_towards = [&](int edge, bool forth) {
+  // Half of the way to a neighbour: on this edge or, beyond its end, on the next one, where its middle is.
+  const auto half = [&](double length, bool along) -> ContactLength {
+    const double from_start = e.tangent.dot(x - e.start), to_end = along ? e.length - from_start : from_start;
+    if (length / 2 <= to_end) return {length, 0, -1};
+    return {0, length, along ? next(contact.edge, edge_polygon) : previous(contact.edge, edge_polygon)};
+  };
+  const auto length_towards = [&](int edge, bool forth) -> ContactLength {
     const int neighbour = end_of_face(vertex_polygon, contact.vertex_block, edge, forth);
     const Vec2 way = vertex_polygon.col(neighbour) - x;
-    if (!at_any_angle && std::abs(e.normal.dot(way)) > sin_parallel * way.norm()) return 0.0;
+    if (!at_any_angle && std::abs(e.normal.dot(way)) > sin_parallel * way.norm()) return {};
     const double onward = e.tangent.dot(way);
     const bool along = onward > 0;
     const double overlap = std::min(std::abs(onward), reach(along)) - std::max(0.0, -reach(!along));
     const double length = (unstrained.col(neighbour) - unstrained.col(contact.vertex)).norm();
-    return std::max(0.0, overlap) / 2 * length / way.norm();
+    return half(std::max(0.0, overlap) / 2 * length / way.norm(), along);
   };
-  const double forward = length_towards(contact.vertex, true),
-               back = length_towards(previous(contact.vertex, vertex_polygon), false);
-  return corner_at(vertex_polygon, contact.vertex) == Corner::straight ? forward + back
-                                                                       : std::max(forward, back);
+  const ContactLength forward = length_towards(contact.vertex, true),
+                      back = length_towards(previous(contact.vertex, vertex_polygon), false);
+  if (corner_at(vertex_polygon, contact.vertex) != Corner::straight)
+    return back.total() > forward.total() ? back : forward;
+  return {forward.on_edge + back.on_edge, forward.beyond + back.beyond,
+          std::max(forward.edge_beyond, back.edge_beyond)};
 }
 
 }  // namespace ddacontact

@@ -7,14 +7,24 @@
 
 namespace ddacontact {
 
+/// The length of a contact, m. Where an edge goes straight on beyond its end, a vertex there stands for a
+/// part of the neighbour too.
+struct ContactLength {
+  double on_edge = 0, beyond = 0;
+  int edge_beyond = -1;  ///< that neighbour; -1: nothing lies beyond
+
+  double total() const { return on_edge + beyond; }
+};
+
 /// The length over which a vertex contact stands for two touching faces: half of the way to the next contact
 /// on either side, at a vertex of either polygon, or to where one of the faces ends, so that the lengths of
 /// all contacts of two faces add up to their overlap. 0 for a vertex alone on an edge.
 /// \param[in] unstrained    the polygon of the vertex before it was strained: it has the lengths of its edges
 /// \param[in] bears         whether a vertex of this block has a contact with the other one
 /// \param[in] at_any_angle  neighbouring edges that do not lie along the edge count with their projections
-double contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_polygon,
-                      const VertexEdge& contact, const PointsRef& unstrained,
-                      const std::function<bool(int block, int vertex)>& bears, bool at_any_angle = false);
+ContactLength contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_polygon,
+                             const VertexEdge& contact, const PointsRef& unstrained,
+                             const std::function<bool(int block, int vertex)>& bears,
+                             bool at_any_angle = false);
 
 }  // namespace ddacontact

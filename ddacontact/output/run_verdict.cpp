@@ -111,7 +111,7 @@ std::map<Pair, Pressing> find_pressing(const Stepper& stepper) {
   for (const ContactRecord& contact : stepper.contacts()) {
     const auto [a, b] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
     Pressing& of_pair = pressing[Pair{a, b}];
-    of_pair.strength += properties.strength(contact.pair).compressive_strength * contact.history.length;
+    of_pair.strength += properties.over_length(contact, &JointStrength::compressive_strength);
     if (contact.normal <= 0) continue;
     ++of_pair.n_contacts;
     of_pair.force += contact.normal;

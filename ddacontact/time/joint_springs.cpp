@@ -18,11 +18,11 @@ ContactForce end_forces_of_joint(const Contact& contact, bool means) {
 }
 
 double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact) {
-  const JointStrength& joint = properties.strength(contact.pair);
-  const ContactHistory& history = contact.history;
   if (!contact.closed()) return 0;
-  return (square(history.normal) / joint.normal_stiffness + square(history.shear) / joint.shear_stiffness) /
-         (2 * history.length);
+  return square(contact.history.normal) /
+             (2 * properties.over_length(contact, &JointStrength::normal_stiffness)) +
+         square(contact.history.shear) /
+             (2 * properties.over_length(contact, &JointStrength::shear_stiffness));
 }
 
 void account_joint_springs(const Contact& contact, bool means, Energy& energy) {

@@ -310,7 +310,8 @@ TEST(AnyPolygon, NodesAlongSidesMeetOneEdgeEach) {
         });
       };
       length +=
-          contact_length(pair.of(c.vertex_block), pair.of(c.edge_block), c, pair.of(c.vertex_block), bears);
+          contact_length(pair.of(c.vertex_block), pair.of(c.edge_block), c, pair.of(c.vertex_block), bears)
+              .total();
     }
     EXPECT_NEAR(length, 2 - std::abs(shift), 1e-9) << "trial " << trial << " nodes " << n << ", " << m;
     if (trial % 3 == 0) {

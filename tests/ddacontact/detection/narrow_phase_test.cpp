@@ -235,7 +235,8 @@ TEST(NarrowPhase, ContactLengthsOfAnOverlapAddUpToIt) {
     double sum = 0;
     for (const VertexEdge& c : pair.contacts(0.05)) {
       const double length = contact_length(pair.of(c.vertex_block), pair.of(c.edge_block), c,
-                                           pair.of(c.vertex_block), [](int, int) { return true; });
+                                           pair.of(c.vertex_block), [](int, int) { return true; })
+                                .total();
       EXPECT_NEAR(length, (std::min(w, shift + v) - std::max(0., shift)) / 2, 1e-12);
       sum += length;
     }
@@ -244,7 +245,8 @@ TEST(NarrowPhase, ContactLengthsOfAnOverlapAddUpToIt) {
   Points wedge(2, 3);
   wedge << 1, 2, 0,  //
       0, 1, 1;
-  EXPECT_EQ(contact_length(wedge, box(0, -1, 2, 1), {0, 0, 1, 2}, wedge, [](int, int) { return true; }), 0);
+  EXPECT_EQ(
+      contact_length(wedge, box(0, -1, 2, 1), {0, 0, 1, 2}, wedge, [](int, int) { return true; }).total(), 0);
 }
 
 /// Flush faces of two squares that only lie at each other, shifted by what round-off may leave: each corner
