@@ -10,6 +10,7 @@
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -144,12 +145,10 @@ bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair)
   contact.motion = motion_of(blocks_, state, pair);
   const VertexEdgePositions positions = contact.motion.slip_positions();
   contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
-  for (const VertexEdgeForm& of : {contact.first_gap(), contact.first_slip()}) {
-    const AffineForm form = contact.motion.form(of.gradient);
-    for (std::size_t k = 0; k < form.unknowns().size(); ++k)
-      if (blocks_.equation()[form.unknowns()[k]] >= 0 && std::abs(form.coefficients()[k]) > coincidence)
-        return true;
-  }
+  const AffineForm gap = contact.motion.form(contact.first_gap().gradient);
+  for (std::size_t k = 0; k < gap.unknowns().size(); ++k)
+    if (blocks_.equation()[gap.unknowns()[k]] >= 0 && std::abs(gap.coefficients()[k]) > coincidence)
+      return true;
   return false;
 }
 
@@ -194,6 +193,7 @@ double ContactBuilder::dashpot(const Contact& contact) const {
   double lighter = std::numeric_limits<double>::infinity();
   for (int b : {pair.vertex_block, pair.edge_block})
     if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
+  if (!std::isfinite(lighter)) return 0;  // both go where supports lead them
   const double stiffness =
       contact.law.compliant ? contact.law.normal_stiffness : properties_.normal_stiffness;
   return 2 * ratio * std::sqrt(stiffness * lighter);

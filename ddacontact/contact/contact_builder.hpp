@@ -90,9 +90,8 @@ class ContactBuilder {
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
-  /// Whether free unknowns move the vertex and the edge against each other, by more than the
-  /// tolerance of positions. Between prescribed points there is nothing to solve: their force is that of the
-  /// supports.
+  /// Whether free unknowns move the vertex off the edge, by more than the tolerance of positions. Where only
+  /// supports do there is nothing to solve: the force between them is theirs.
   bool can_change(const BlockState& state, const VertexEdge& pair) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);

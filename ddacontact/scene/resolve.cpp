@@ -198,6 +198,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
     for (const int b : scene.stages[k].added) blocks.outlines[b].comes = k;
     for (const int b : scene.stages[k].removed) blocks.outlines[b].goes = k;
   }
+  bring_bolts(document, bolts, blocks, scene.stages, problems);
   const bool apart = check_overlaps(blocks.outlines, blocks.names, problems);
   scene.joints = std::move(joints.joints);
   if (apart && !problems.has_errors()) warn_of_two_joints_on_a_face(scene, blocks, problems);

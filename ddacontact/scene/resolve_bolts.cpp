@@ -182,4 +182,24 @@ ResolvedBolts resolve_bolts(const Document& document, const BlockTable& blocks,
   return resolved;
 }
 
+void bring_bolts(const Document& document, const ResolvedBolts& bolts, const BlockTable& blocks,
+                 std::vector<StageDescription>& stages, ProblemList& problems) {
+  for (int bolt = 0; bolt < static_cast<int>(bolts.blocks.size()); ++bolt) {
+    const std::vector<int>& held = bolts.blocks[bolt];
+    if (held.empty()) continue;
+    const auto comes = [&](int block) { return blocks.outlines[block].comes; };
+    const int last = std::ranges::max(held, {}, comes);
+    const auto own = std::ranges::find_if(
+        stages, [&](const StageDescription& stage) { return std::ranges::count(stage.bolts, bolt) > 0; });
+    if (own == stages.end()) {
+      if (comes(last) >= 0) stages[comes(last)].bolts.push_back(bolt);
+    } else if (own - stages.begin() < comes(last)) {
+      problems.error(
+          document.stages[own - stages.begin()].locations.of("add"),
+          bolts.names.title(bolt) + " comes in before " + blocks.names.title(last) + ", which it is fixed in",
+          "add it in the stage that adds the block, or later");
+    }
+  }
+}
+
 }  // namespace ddacontact::scene_format

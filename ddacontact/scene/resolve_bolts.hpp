@@ -18,4 +18,9 @@ ResolvedBolts resolve_bolts(const Document& document, const BlockTable& blocks,
                             const std::vector<BlockDescription>& descriptions, ContactMethod method,
                             ProblemList& problems);
 
+/// A bolt that no stage names in `add` comes in with the last of its blocks; none may be there before them.
+/// \param[in] blocks  with the stages that they come in with
+void bring_bolts(const Document& document, const ResolvedBolts& bolts, const BlockTable& blocks,
+                 std::vector<StageDescription>& stages, ProblemList& problems);
+
 }  // namespace ddacontact::scene_format

@@ -35,6 +35,22 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   energy.numerical_dissipated -= contact.normal * contact.gap_change - exchanged;
 }
 
+/// By how much more loads work that change within the step, with their values in its middle, than with those
+/// that the step was computed with.
+double work_of_change(const StepSystem& system, const BlockState& from, const VectorXd& straight) {
+  const BlockSystem& blocks = system.blocks();
+  const double computed = from.time + system.rule().load_time() * system.dt(),
+               middle = from.time + system.dt() / 2;
+  const bool changes = std::ranges::any_of(blocks.time_functions(), [&](const TimeFunction* function) {
+    return function->changes_between(computed, middle, blocks.end_time);
+  });
+  if (!changes && blocks.fading.part_left(computed) == blocks.fading.part_left(middle)) return 0;
+  VectorXd then = VectorXd::Zero(blocks.n_unknowns()), loads = then;
+  blocks.add_loads(from, computed, then);
+  blocks.add_loads(from, middle, loads);
+  return (loads - then).dot(straight);
+}
+
 }  // namespace
 
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
@@ -42,6 +58,9 @@ void account_motion_step(const StepSystem& system, const BlockState& from, const
   const BlockSystem& blocks = system.blocks();
   energy.gravity -= system.gravity_forces().dot(straight);
   energy.external += system.load_forces().dot(straight);
+  const double by_change = work_of_change(system, from, straight);
+  energy.external += by_change;
+  energy.numerical_dissipated += by_change;
   if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(straight).dot(straight);
   for (const PrescribedDof& held : blocks.prescribed_dofs()) {
     const double reaction = residual.force[held.unknown], moved = system.prescribed()[held.unknown];

@@ -36,13 +36,17 @@ NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& v
   return rates;
 }
 
-/// The rigid motions in the velocities of the blocks that the terms depend on; 0 for all others.
-VectorXd rigid_part(const Islands& islands, const std::vector<ContactTerm>& terms, const VectorXd& v) {
+/// The rigid motions in the velocities of the blocks that the terms depend on; 0 for all others. Of a block
+/// that is held in part those that its supports allow: impulses change no others.
+VectorXd rigid_part(const RigidMotions& motions, const Islands& islands,
+                    const std::vector<ContactTerm>& terms, const VectorXd& v) {
   std::set<int> touched;
   for (const ContactTerm& term : terms)
     for (int u : term.gap.unknowns()) touched.insert(islands.blocks().block_of_unknown(u));
   VectorXd rigid = VectorXd::Zero(v.size());
+  motions.add_motion(motions.coefficients(v), rigid);
   for (int b : touched) {
+    if (!islands.blocks().is_free(b) && islands.blocks().is_movable(b)) continue;
     const Block& block = islands.blocks().block(b);
     const auto [linear, angular] = rigid_velocity(block, v);
     rigid.segment(block.unknowns().first, block.n_unknowns()) =
@@ -73,7 +77,7 @@ struct Setting {
       : motions(blocks, islands.hit_blocks()),
         problem(motions, rigid_terms(motions, terms)),
         rates(rates_of(terms, v)),
-        rigid_rates(rates_of(terms, rigid_part(islands, terms, v))) {}
+        rigid_rates(rates_of(terms, rigid_part(motions, islands, terms, v))) {}
 
   /// What the impulses take from the kinetic energy and from what moves the supports: -P . (rates before and
   /// after) / 2. Rates of deformation have no part: no rigid motion has kinetic energy in common with them.

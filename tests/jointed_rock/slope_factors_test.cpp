@@ -52,7 +52,7 @@ TEST(SlopeFactors, ASlopeInWhichSweepsDivergeRests) {
   constexpr double limit = 0.726112916, steepest = 2.03059741;
   const Outcome outcome =
       let_go(support::random_slope(59, {20, 60}), above_both * steepest, least_acceleration(limit));
-  EXPECT_EQ(outcome.verdict, Verdict::rests);
+  EXPECT_EQ(outcome.verdict, jointed_rock::Verdict::rests);
 }
 
 }  // namespace
