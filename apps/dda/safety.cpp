@@ -18,6 +18,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <thread>
 
 namespace dda {
@@ -186,6 +187,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   const DirectoryLock lock(arguments.directory);
   const int at_once =
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  std::map<double, std::string> pulled_bonds;  // of trials, by their factors
   const FactorBracket bracket = bracket_factor_ahead(
       [&](double factor, const std::function<bool()>& given_up) {
         return reduction.try_factor(factor, {}, given_up);
@@ -193,8 +195,14 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
       at_once, range, arguments.tolerance,
       [&](const StrengthTrial& trial) {
         files.add(trial);
+        pulled_bonds[trial.factor] = trial.pulled_bonds;
         if (!arguments.quiet) tell(trial, scene);
       });
+  if (const std::string& pulled = pulled_bonds[bracket.low]; !pulled.empty())
+    fmt::print(stderr,
+               "{}: warning: at F = {:.4g} {}: limit equilibrium gives a smaller factor (compare one without "
+               "'tensile_strength')\n",
+               arguments.scene, bracket.low, pulled);
   std::optional<RoundedTrial> rounded;
   if (!bracket.stopped && bracket.low > 0)
     rounded = try_with_rounded_corners(reduction.scene(), joints, bracket.low);

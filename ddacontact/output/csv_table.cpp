@@ -9,12 +9,14 @@ namespace ddacontact {
 
 namespace {
 
-/// The rows of a text; a quoted cell may hold commas, line ends and doubled quotes.
+/// The rows of a text, those without anything left out; a quoted cell may hold commas, line ends and doubled
+/// quotes. Spreadsheets begin a text by a byte order mark.
 std::vector<std::vector<std::string>> parsed(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row(1);
   bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  for (std::size_t i = text.starts_with(mark) ? mark.size() : 0; i < text.size(); ++i) {
     const char c = text[i];
     if (quoted) {
       if (c != '"')
@@ -28,7 +30,7 @@ std::vector<std::vector<std::string>> parsed(const std::string& text) {
     } else if (c == ',') {
       row.emplace_back();
     } else if (c == '\n') {
-      rows.push_back(std::move(row));
+      if (row.size() > 1 || !row[0].empty()) rows.push_back(std::move(row));
       row.assign(1, {});
     } else if (c != '\r') {
       row.back() += c;

@@ -3,6 +3,7 @@
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -241,6 +242,26 @@ FurthestMove furthest_move(const Stepper& stepper) {
   return furthest;
 }
 
+std::string describe_pulled_bonds(const Stepper& stepper) {
+  const ContactProperties& properties = stepper.contact_properties();
+  std::map<Pair, int> n_of_pair;
+  int n = 0;
+  for (const ContactRecord& contact : stepper.contacts()) {
+    if (!contact.history.bonded || contact.normal >= 0) continue;
+    const JointLaw law = properties.law(contact);
+    if (law.glued || std::abs(contact.shear) <= std::max(0.0, law.cohesion + law.friction * contact.normal))
+      continue;
+    ++n;
+    const auto [a, b] = std::minmax(contact.pair.vertex_block, contact.pair.edge_block);
+    ++n_of_pair[Pair{a, b}];
+  }
+  if (n == 0) return "";
+  const Pair most = std::ranges::max_element(n_of_pair, {}, [](const auto& of) { return of.second; })->first;
+  return std::to_string(n) + (n == 1 ? " bonded contact is" : " bonded contacts are") +
+         " pulled and bear more shear than cohesion less tension times tan(phi), most " +
+         between(stepper, most) + ": cohesion acts whole until a bond breaks";
+}
+
 std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<std::string>& reasons) {
   std::vector<std::string> warnings;
   for (const StageEnd& end : stepper.stage_ends()) add_unmet_until(stepper, end, warnings);
@@ -266,6 +287,8 @@ std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<s
   const std::map<Pair, Pressing> pressing = find_pressing(stepper);
   add_crushed(stepper, pressing, warnings);
   add_coarse_patches(stepper, pressing, reasons, warnings);
+  if (const std::string pulled = describe_pulled_bonds(stepper); !pulled.empty())
+    warnings.push_back(pulled + " (compare a run without 'tensile_strength')");
   add_seen(stepper, warnings);
   return warnings;
 }

@@ -11,6 +11,11 @@ namespace ddacontact {
 /// When the last load, support or shaking stops changing, s.
 double last_change(const BlockSystem& blocks);
 
+/// Bonded contacts at the end that are pulled and bear more shear than c + sigma tan(phi), with the two
+/// blocks that have most of them: cohesion acts whole until a bond breaks, which limit equilibrium does not
+/// grant. Empty: there are none.
+std::string describe_pulled_bonds(const Stepper& stepper);
+
 /// A block of which a vertex has gone furthest, and how far in sizes of the block; -1 and 0: none has moved.
 struct FurthestMove {
   int block = -1;

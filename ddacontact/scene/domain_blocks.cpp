@@ -7,6 +7,7 @@
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/scene/memory_estimate.hpp>
 #include <ddacontact/scene/names.hpp>
+#include <ddacontact/scene/outline_check.hpp>
 #include <ddacontact/scene/spelling.hpp>
 #include <ddacontact/scene/text.hpp>
 
@@ -33,6 +34,7 @@ class DomainReader {
       joints_.add(joint.name, joint.locations, told_later);
     }
     for (const RegionRecord& region : record_.regions) regions_.add(region.name, region.locations, problems);
+    check_outlines();
     domain_.boundary = record_.boundary.outline.points;
     domain_.seed = static_cast<std::uint64_t>(record_.seed);
     domain_.keep_t_vertices = record_.t_vertices == TVertices::keep;
@@ -49,6 +51,7 @@ class DomainReader {
       JointSet& added = domain_.joint_sets.emplace_back(set.set);
       added.joint = joint_of(set);
       added.region = region_of(set);
+      check_origin(set);
     }
     for (const VoronoiRecord& cells : record_.voronoi)
       domain_.voronoi.push_back({joint_of(cells), region_of(cells), cells.cells});
@@ -86,6 +89,30 @@ class DomainReader {
   }
 
  private:
+  void check_outlines() {
+    const auto check = [&](const Outline& outline, const KeyLocations& locations, const std::string& title) {
+      check_simple(outline, locations, title, problems_);
+    };
+    check(record_.boundary.outline, record_.locations, "the boundary of the domain");
+    for (const RegionRecord& region : record_.regions)
+      check(region.polygon, region.locations, "the region '" + excerpt(region.name) + "'");
+    for (const OpeningRecord& opening : record_.openings)
+      if (opening.polygon)
+        check(*opening.polygon, opening.locations, "the opening '" + excerpt(opening.name) + "'");
+  }
+
+  /// Lines are counted from the origin of their set.
+  void check_origin(const JointSetRecord& record) {
+    constexpr double told_apart = 1e-12;
+    if (domain_.boundary.cols() == 0) return;
+    const double distance = (domain_.boundary.colwise() - record.set.origin).colwise().norm().maxCoeff();
+    if (told_apart * distance > record.set.spacing)
+      problems_.error(record.locations.of("origin"),
+                      "this 'origin' is " + rounded(distance) +
+                          " m from the domain: where its joints are is lost in round-off",
+                      "give a point in the domain or near it");
+  }
+
   template <class Record>
   int joint_of(const Record& record) {
     return record.joint ? joints_.find(*record.joint, record.locations.of("joint"), problems_) : -1;
