@@ -313,4 +313,51 @@ TEST(StrengthReduction, TellsThatItDidNotSettle) {
   EXPECT_NE(StrengthReduction(scene, {0}).unsettled(), "");
 }
 
+/// A bridge of cohesive rock in a joint without strength, whose ends are vertices of both faces. Each part of
+/// the face acts over its own length, wherever the bridge lies and from whichever side one counts.
+TEST(StrengthReduction, ABridgeInAJointBearsItsCohesionOverItsLength) {
+  constexpr double length = 6, cohesion = 1e5;
+  for (const auto& [from, to] : {std::pair{2.9, 3.1}, {1., 2.}, {2., 4.}, {0., 3.}})
+    for (const double sense : {1., -1.}) {
+      SCOPED_TRACE(std::to_string(from) + " to " + std::to_string(sense * to));
+      const auto x = [&, from = from, to = to](double at) { return sense > 0 ? at : length - at; };
+      std::vector<double> ends{0, from, to, length};
+      ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+      for (double& at : ends) at = x(at);
+      std::ranges::sort(ends);
+      const auto joint_at = [&, from = from, to = to](double middle) {
+        return middle > std::min(x(from), x(to)) && middle < std::max(x(from), x(to)) ? 1 : 0;
+      };
+      Scene scene = rock({"open", 0, 0, 0, std::nullopt});
+      scene.joints.push_back({"bridge", 0, cohesion, 0, std::nullopt});
+      const auto n = static_cast<Eigen::Index>(ends.size());
+      Points upper(2, n + 2), lower(2, n + 4);
+      std::vector<int> of_upper, of_lower{0, 0, 0};
+      for (Eigen::Index k = 0; k < n; ++k) upper.col(k) << ends[k], 0;
+      upper.rightCols(2) << length, 0, 3, 3;
+      lower.leftCols(3) << -5, 15, 15, -2, -2, 0;
+      for (Eigen::Index k = 0; k < n; ++k) lower.col(3 + k) << ends[n - 1 - k], 0;
+      lower.col(n + 3) << -5, 0;
+      for (Eigen::Index k = 0; k + 1 < n; ++k) {
+        of_upper.push_back(joint_at((ends[k] + ends[k + 1]) / 2));
+        of_lower.push_back(joint_at((ends[n - 1 - k] + ends[n - 2 - k]) / 2));
+      }
+      of_upper.resize(static_cast<std::size_t>(n + 2), 0);
+      of_lower.resize(static_cast<std::size_t>(n + 4), 0);
+      add(scene, lower, true);
+      add(scene, upper);
+      scene.blocks[0].model = BlockModel::mean_value;
+      scene.blocks[0].edge_joints = of_lower;
+      scene.blocks[1].edge_joints = of_upper;
+      Load load;
+      load.block = 1;
+      load.at = {length / 2, 0};
+      load.force.value = {cohesion * (to - from), 0};
+      scene.loads = {load};
+      const StrengthReduction reduction(scene, {1});
+      EXPECT_EQ(reduction.try_factor(0.98).verdict, Verdict::rests);
+      EXPECT_EQ(reduction.try_factor(1.02).verdict, Verdict::moves);
+    }
+}
+
 }  // namespace

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace {
 
 using namespace ddacontact;
@@ -55,6 +58,16 @@ TEST(SweepCases, AreRefusedWhenTheyAreNoneManyOrDouble) {
   EXPECT_THROW(sweep_cases({}, {}), Error);
   EXPECT_THROW(sweep_cases({parse_variation("a=1,2"), parse_variation("a=3")}, {}), Error);
   EXPECT_THROW(sweep_cases({parse_variation("a=1..2000"), parse_variation("b=1..2000")}, {}), Error);
+}
+
+/// A byte order mark, carriage returns and lines without anything, as spreadsheets write them.
+TEST(SweepCases, ReadTheTableOfASpreadsheet) {
+  const std::filesystem::path path = testing::TempDir() + "/spreadsheet.csv";
+  std::ofstream(path, std::ios::binary)
+      << "\xEF\xBB\xBFjoint.0.friction_angle,analysis.steps\r\n30,5\r\n\r\n35,6\r\n\r\n";
+  const SweepCases cases = sweep_cases({}, path);
+  ASSERT_EQ(cases.rows.size(), 2u);
+  EXPECT_EQ(cases.settings(1), (Values{"joint.0.friction_angle=35", "analysis.steps=6"}));
 }
 
 }  // namespace

@@ -435,3 +435,51 @@ TEST(Bolts, HangTheWedgeOfTheExampleInItsRoof) {
   EXPECT_TRUE(built.stepper->is_at_rest());
   EXPECT_LT(-travel(*built.stepper, 2).y(), 2e-3);
 }
+
+/// A bolt comes with the last of its blocks, without elongation.
+TEST(Bolts, ComeInWithTheirBlocks) {
+  const std::string_view text = R"(format = 1
+[analysis]
+mode = "static"
+steps = 1
+time_step = 1
+gravity = [0, -10]
+[[material]]
+name = "rock"
+density = 2000
+young = 1e12
+poisson = 0.25
+[[block]]
+name = "roof"
+material = "rock"
+fixed = true
+vertices = [[0, 9.5], [2, 9.5], [2, 10.5], [0, 10.5]]
+[[block]]
+name = "late"
+material = "rock"
+vertices = [[0, 4.5], [2, 4.5], [2, 5.5], [0, 5.5]]
+[[bolt]]
+name = "b1"
+points = [[1, 10], [1, 5]]
+area = 4e-4
+young = 2e11
+[[stage]]
+name = "before"
+steps = 3
+[[stage]]
+name = "after"
+steps = 40
+add = ["late"]
+)";
+  const SceneReading reading = ddacontact::read_scene_text(std::string(text), "scene.toml", {});
+  ASSERT_TRUE(reading.scene);
+  EXPECT_EQ(reading.scene->stages.at(1).bolts, std::vector<int>{0});
+  const BuiltScene built = build(*reading.scene);
+  run(*built.stepper, 43);
+  EXPECT_NEAR(axial(*built.stepper), weight, 1e-6 * weight);
+  const SceneReading early =
+      ddacontact::read_scene_text(std::string(text), "scene.toml", {"stage.0.add=[\"b1\"]"});
+  ASSERT_EQ(early.problems.size(), 1u);
+  EXPECT_NE(early.problems.front().message.find("comes in before block \"late\""), std::string::npos)
+      << early.problems.front().message;
+}

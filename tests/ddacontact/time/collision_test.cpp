@@ -189,3 +189,65 @@ TEST(FlatImpact, AtTheEndOfAStepDoesNotTurnABlock) {
       EXPECT_LT(std::abs(travel(*built.stepper, 1).x()), 1e-7);
     }
 }
+
+/// A round block that lands rolls on: its lowest vertex is stopped by friction, and the others, which would
+/// have come while a wave crosses the block, do not come any more. By hand: v' = v - v / (1 + m r^2 / I).
+TEST(RoundBlock, RollsWhenItLandsHoweverManyVerticesItHas) {
+  for (const int n : {16, 64}) {
+    Scene scene = rock_scene(1e-3, 60);
+    scene.analysis.kinematics = Kinematics::corotational;
+    scene.analysis.scheme = Scheme::decaying;
+    scene.contact.method = ContactMethod::staged;
+    scene.contact.penetration_tolerance = 1e-6;
+    scene.analysis.block_model = BlockModel::affine;
+    scene.analysis.max_displacement_ratio = 1;
+    scene.materials = {{"rock", 2500, 2e10, 0.25}};
+    scene.joints[0].friction_angle = 35;
+    scene.joints[0].restitution = 0.5;
+    const double r = 0.5, v = 3, fall = 9;
+    Points disk(2, n);
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n - std::numbers::pi / 2;
+      disk.col(k) << r * std::cos(angle), r * std::sin(angle) + r + 0.1;
+    }
+    scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(disk)};
+    scene.blocks[1].velocity = {v, -fall};
+    const BuiltScene built = run(scene);
+    const Block& block = built.stepper->blocks().block(1);
+    const double m = block.mass_total(), inertia = m * r * r * (2 + std::cos(2 * std::numbers::pi / n)) / 6;
+    const RigidVelocity after = ddacontact::rigid_velocity(block, built.stepper->state().velocity);
+    EXPECT_NEAR(after.linear.x(), v * (1 - 1 / (1 + m * r * r / inertia)), 0.01 * v) << n;
+    EXPECT_NEAR(after.linear.y(), 0.5 * std::hypot(fall, std::sqrt(2 * 10 * 0.1)) - 10 * (0.06 - 0.1 / fall),
+                0.1)
+        << n;
+  }
+}
+
+/// A roller above the corner that meets the floor: next to nothing of the block's motion is free to stop
+/// there, and an impulse for what only deformation could stop would turn the block the faster.
+TEST(Roller, AboveTheCornerThatLandsTakesNoEnergyFromNowhere) {
+  for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying, Scheme::dda, Scheme::central_difference}) {
+    Scene scene;
+    scene.analysis.time_step = 1e-3;
+    scene.analysis.steps = 40;
+    scene.analysis.scheme = scheme;
+    scene.analysis.gravity = Vec2(0, -9.8);
+    scene.materials = {{"rock", 2500, 5e9, 0.2}};
+    scene.joints = {{"joint", 0, 0, 0, std::nullopt}};
+    scene.contact.normal_stiffness = 2e11;
+    scene.contact.tangential_stiffness = 8e10;
+    Points tilted(2, 4);
+    tilted << 0, 1, 1.03, 0.03,  //
+        0.03, 0, 1, 1.03;
+    scene.blocks = {block(rectangle(-2, -1, 8, 1), true), block(tilted)};
+    scene.blocks[1].angular_velocity = 1;
+    scene.supports = {{1, {2}, false, true, {}}};
+    const BuiltScene built = build(scene);
+    const double start = built.stepper->energy().now.kinetic;
+    for (int k = 0; k < scene.analysis.steps; ++k) {
+      run(*built.stepper, 1);
+      ASSERT_LE(built.stepper->energy().now.kinetic, 1.5 * start)
+          << static_cast<int>(scheme) << " step " << k;
+    }
+  }
+}

@@ -289,3 +289,46 @@ TEST(JointSprings, MayCloseByMoreThanTheRadiusOfCorners) {
     EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
   }
 }
+
+/// A footing whose middle third is stiffer, with vertices of both faces where the joint changes: it sinks
+/// level, by its weight over the sum of all stiffness.
+TEST(JointSprings, WhereTwoJointsMeetEachBearsOverItsLength) {
+  for (const double ratio : {50., 0.1}) {
+    Scene scene = column(0, 1e7, 1e6);
+    scene.analysis.mode = Mode::statics;
+    scene.analysis.scheme = Scheme::decaying;
+    scene.analysis.time_step = 1;
+    scene.analysis.steps = 60;
+    scene.analysis.block_model = BlockModel::affine;
+    scene.materials[0].young = 1e13;
+    scene.joints.push_back(scene.joints[0]);
+    scene.joints[1].name = "middle";
+    scene.joints[1].normal_stiffness = 1e7 * ratio;
+    scene.joints[1].shear_stiffness = 1e6 * ratio;
+    Points upper(2, 6), lower(2, 8);
+    upper << 0, 1, 2, 3, 3, 0,  //
+        0, 0, 0, 0, 1, 1;
+    lower << -1, 4, 4, 3, 2, 1, 0, -1,  //
+        -1, -1, 0, 0, 0, 0, 0, 0;
+    scene.blocks = {block(lower, true), block(upper)};
+    scene.blocks[0].edge_joints = {0, 0, 0, 0, 1, 0, 0, 0};
+    scene.blocks[1].edge_joints = {0, 1, 0, 0, 0, 0};
+    const BuiltScene built = run(scene);
+    const double closure = 60e3 / (2e7 + 1e7 * ratio);
+    for (const ContactRecord& contact : built.stepper->contacts())
+      EXPECT_NEAR(contact.end_gap, -closure, 1e-4 * closure);
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-10);
+  }
+}
+
+/// A dashpot between two blocks that supports lead has no mass to be measured by.
+TEST(JointSprings, BetweenBlocksThatSupportsLeadHaveNoDashpot) {
+  Scene scene = column(1, 1e7, 1e6);
+  scene.joints[0].dashpot = 0.3;
+  scene.supports = {{1, {0, 1, 2, 3}, true, true, {TimeFunction::Kind::rate, {1e-4, -1e-4}, {}}}};
+  const BuiltScene built = run(scene);
+  EXPECT_TRUE(std::isfinite(built.stepper->energy().now.total()));
+  double normal = 0;
+  for (const ContactRecord& contact : built.stepper->contacts()) normal += contact.normal;
+  EXPECT_NEAR(normal, 1e7 * 2 * 1e-4 * 1, 1e-3 * normal);
+}

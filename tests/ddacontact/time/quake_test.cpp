@@ -194,3 +194,15 @@ TEST(Quake, ARecordThatEndsWithAJumpWakesBlocks) {
   for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) shear += contact.shear;
   EXPECT_NEAR(shear, 0, 1);
 }
+
+/// The work of a force that changes within the steps, against the velocity that it gives a free block.
+TEST(Quake, WorksWhatItGivesAFreeBlock) {
+  Scene scene = shaken_ground(0.01);
+  scene.analysis.gravity = Vec2::Zero();
+  scene.blocks.erase(scene.blocks.begin());
+  scene.analysis.steps = 100;
+  const BuiltScene built = run(scene);
+  const Energy& energy = built.stepper->energy().now;
+  EXPECT_NEAR(energy.external, energy.kinetic, 1e-3 * energy.kinetic);
+  EXPECT_LT(built.stepper->energy().created(), 1e-3);
+}

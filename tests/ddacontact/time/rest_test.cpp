@@ -236,3 +236,29 @@ TEST(Rest, HeldVerticesCarryABlock) {
       EXPECT_NEAR(reactions(1, 2), weight_above / 2, 1e-5 * weight_above);
     }
 }
+
+/// A vertex that a support holds upright stands on the corner of a fixed block: what both bear cannot be told
+/// apart, and the support bears it.
+TEST(Rest, AHeldVertexOnACornerLeavesItsForceToTheSupport) {
+  for (const Mode mode : {Mode::statics, Mode::dynamic})
+    for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value}) {
+      Scene scene;
+      scene.analysis.time_step = 0.01;
+      scene.analysis.steps = 100;
+      scene.analysis.mode = mode;
+      scene.analysis.gravity = Vec2(0, -9.8);
+      scene.analysis.scheme = Scheme::decaying;
+      scene.materials = {{"rock", 2500, 5e9, 0.2}};
+      scene.joints = {{"joint", 30, 0, 0, std::nullopt}};
+      scene.contact.normal_stiffness = 2e11;
+      scene.contact.tangential_stiffness = 8e10;
+      scene.blocks = {block(rectangle(0, -1, 1, 1), true), block(rectangle(0, 0, 1, 1))};
+      scene.blocks[1].model = model;
+      scene.supports = {{1, {0}, false, true, {}}};
+      const BuiltScene built = run(scene);
+      double normal = 0;
+      for (const ContactRecord& contact : built.stepper->contacts()) normal += contact.normal;
+      EXPECT_NEAR(normal, 12250, 1) << static_cast<int>(mode) << static_cast<int>(model);
+      EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9);
+    }
+}
