@@ -287,14 +287,14 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   } else if (old) {
     const double length = contact.history.length;
     contact.history = old->history;
-    if (properties_.is_compliant(*old) && is_slipping(old->history.state) && length > 0) {
-      // What a joint's springs bear is a stress: it stays where neighbours take over a part of the length.
+    const bool shares_anew = properties_.is_compliant(*old) && is_slipping(old->history.state) && length > 0;
+    if (shares_anew)  // what a joint's springs bear is a stress: it stays where neighbours take over a part
       for (double* force : {&contact.history.normal, &contact.history.shear})
         *force *= length / old->history.length;
+    if (shares_anew ||
+        (old->pair != pair && old->history.length > 0 &&
+         (old->history.length_beyond > 0 || properties_.joint_of(old->pair) != properties_.joint_of(pair))))
       set_length(state, found, contact);
-    } else if (old->pair != pair && old->history.length_beyond > 0) {
-      set_length(state, found, contact);
-    }
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks. Of a rounded corner another point touches now.
