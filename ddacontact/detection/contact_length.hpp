@@ -7,8 +7,8 @@
 
 namespace ddacontact {
 
-/// The length of a contact, m. Where an edge goes straight on beyond its end, a vertex there stands for a
-/// part of the neighbour too.
+/// The length of a contact, m. A vertex at an end of the edge, where a collinear one follows, stands for a
+/// part of that too.
 struct ContactLength {
   double on_edge = 0, beyond = 0;
   int edge_beyond = -1;  ///< that neighbour; -1: nothing lies beyond

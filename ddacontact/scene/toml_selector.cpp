@@ -136,12 +136,7 @@ bool ValueReader::operator()(const toml::node& node, LineSegment& value) const {
   const Key metres{.name = key_.name, .what = "", .unit = "m"};
   const ValueReader read(metres, problems_);
   const bool from = read((*ends)[0], value.from), to = read((*ends)[1], value.to);
-  if (!from || !to) return false;
-  if (value.from == value.to)
-    problems_.error(location_of(node, problems_),
-                    "'" + std::string(key_.name) + "' has no length: its ends are one point",
-                    "write two points of the line");
-  return value.from != value.to;
+  return from && to;
 }
 
 bool ValueReader::operator()(const toml::node& node, VertexSelection& value) const {

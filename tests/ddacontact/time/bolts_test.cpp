@@ -480,6 +480,6 @@ add = ["late"]
   const SceneReading early =
       ddacontact::read_scene_text(std::string(text), "scene.toml", {"stage.0.add=[\"b1\"]"});
   ASSERT_EQ(early.problems.size(), 1u);
-  EXPECT_NE(early.problems.front().what.find("comes in before block \"late\""), std::string::npos)
+  EXPECT_NE(early.problems.front().what.find("comes in before block 'late'"), std::string::npos)
       << early.problems.front().what;
 }

@@ -239,7 +239,7 @@ TEST(Rest, HeldVerticesCarryABlock) {
 
 /// A vertex that a support holds upright stands on the corner of a fixed block: what both bear cannot be told
 /// apart, and the support bears it.
-TEST(Rest, AHeldVertexOnACornerLeavesItsForceToTheSupport) {
+TEST(Rest, AFixedVertexOnACornerLeavesItsForceToTheSupport) {
   for (const Mode mode : {Mode::statics, Mode::dynamic})
     for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value}) {
       Scene scene;
