@@ -198,7 +198,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   MatrixXd K;
   polyfem::stiffness(element, material.elasticity, K);
 
-  MatrixXd mass = MatrixXd::Zero(3, 3);
+  MatrixXd mass = Mat3::Zero();
   mass(0, 0) = material.density * moments.area;
   mass.bottomRightCorner<2, 2>() = material.density / (size * size) * moments.second;
   shape.cells.push_back({{},

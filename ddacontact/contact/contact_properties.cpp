@@ -27,12 +27,8 @@ JointLaw ContactProperties::law(const ContactRecord& contact) const {
 double ContactProperties::friction_of(const ContactRecord& contact) const {
   const JointStrength& joint = strength(contact.pair);
   if (!contact.history.bonded) return joint.residual_friction.value_or(joint.friction);
-  if (!beyond(contact)) return joint.friction;
-  const bool compliant = is_compliant(contact);
-  const double length_beyond = contact.history.length_beyond,
-               here = (compliant ? joint.normal_stiffness : 1) * (contact.history.length - length_beyond),
-               there = (compliant ? beyond(contact)->normal_stiffness : 1) * length_beyond;
-  return (here * joint.friction + there * beyond(contact)->friction) / (here + there);
+  return beyond(contact) ? over_length(contact, &JointStrength::friction) / contact.history.length
+                         : joint.friction;
 }
 
 double ContactProperties::inset(const ContactRecord& contact) const {

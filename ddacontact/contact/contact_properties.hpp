@@ -69,7 +69,7 @@ struct ContactProperties {
     return contact.history.length_beyond > 0 ? &joints.entries()[contact.history.joint_beyond].strength
                                              : nullptr;
   }
-  /// tan(phi); where two joints meet the mean, by what each bears of the normal force.
+  /// tan(phi); where two joints meet the mean over the length.
   double friction_of(const ContactRecord& contact) const;
 };
 

@@ -200,9 +200,9 @@ class Flight {
     return result_.hit[c] && then.gap - contact.history.gap_offset <= contact.end_tolerance();
   }
 
-  /// The meetings that come first for all blocks that they concern, those that touch these included, and
-  /// those that come soon after, while waves cross the blocks. False: there are none.
-  bool find_first(std::vector<double>& times, std::vector<char>& first, std::vector<char>& soon) const {
+  /// The meetings that come first for all blocks that they concern, those that touch these included. False:
+  /// there are none.
+  bool find_first(std::vector<double>& times, std::vector<char>& first) const {
     Islands joined(blocks_);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       if (contacts_[c].closed() || result_.hit[c])
@@ -217,16 +217,12 @@ class Flight {
                   [&](int root) { earliest[root] = std::min(earliest[root], meetings_[c].time); });
     times.assign(blocks_.n_blocks(), infinity);
     first.assign(contacts_.size(), 0);
-    soon.assign(contacts_.size(), 0);
     bool any = false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       if (!std::isfinite(meetings_[c].time)) continue;
-      bool is_first = true, is_soon = true;
-      for_movable(contacts_[c].pair, [&](int root) {
-        is_first = is_first && earliest[root] <= dt_ && meetings_[c].time <= earliest[root];
-        is_soon = is_soon && earliest[root] <= dt_ && meetings_[c].time <= earliest[root] + duration(c);
-      });
-      soon[c] = is_soon;
+      bool is_first = meetings_[c].time <= dt_;
+      for_movable(contacts_[c].pair,
+                  [&](int root) { is_first = is_first && meetings_[c].time <= earliest[root]; });
       if (!is_first) continue;
       first[c] = 1;
       any = true;
@@ -240,8 +236,8 @@ class Flight {
   /// Everyone collides where he is when he is hit, turned by then. False: nobody meets any more.
   bool collide() {
     std::vector<double> times;
-    std::vector<char> first, soon;
-    if (!find_first(times, first, soon)) return false;
+    std::vector<char> first;
+    if (!find_first(times, first)) return false;
     std::vector<RigidVelocity> at_start;
     for (int b = 0; b < blocks_.n_blocks(); ++b)
       at_start.push_back(rigid_velocity(blocks_.block(b), velocity_));
@@ -258,7 +254,7 @@ class Flight {
     do {
       const auto [taking_part, least] = find_participants(then, times, first);
       report = impact(blocks_, taking_part, before, {.least_approach = least / 2});
-    } while (add_soon(then, before + report.jump, soon, first));
+    } while (add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
     result_.normal_loss += report.normal_loss;
     result_.limited = result_.limited || report.limited;
@@ -273,14 +269,18 @@ class Flight {
     return true;
   }
 
-  /// Adds to the meetings that come first those that come soon with these velocities too: where the first
-  /// ones part the blocks before, as where a round block lands, the others do not take place. False: none.
-  bool add_soon(const BlockState& then, const VectorXd& velocity, const std::vector<char>& soon,
+  /// Adds to the meetings that come first those of the same blocks that come with these velocities too, while
+  /// waves cross the blocks: where the first ones part them before, as where a round block lands, the others
+  /// do not take place. False: none.
+  bool add_soon(const BlockState& then, const VectorXd& velocity, const std::vector<double>& times,
                 std::vector<char>& first) const {
     bool any = false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      if (!soon[c] || first[c]) continue;
       const Contact& contact = contacts_[c];
+      const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
+      if (first[c] || !std::isfinite(meetings_[c].time) ||
+          !std::isfinite(std::min(times[vertex_block], times[edge_block])))
+        continue;
       const GapAndSlip rates =
           contact.motion.rates_at(positions_of(blocks_, then, contact.pair), contact.history.lock);
       const double gap = rates.gap - contact.history.gap_offset,

@@ -37,7 +37,6 @@ class ImpulseProblem {
   double largest_rate() const;
   /// Problems of penalties and Newton iterations so far.
   int n_rounds() const { return n_rounds_; }
-  int n_iterations() const { return problem_.n_iterations(); }
 
  private:
   void set_rates(const NormalAndShear& rates, const VectorXd& w);

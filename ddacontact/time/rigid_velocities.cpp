@@ -105,7 +105,6 @@ struct Setting {
     motions.add_motion(w, report.jump);
     report.n_contacts = static_cast<int>(P.normal.size());
     report.rounds = problem.n_rounds();
-    report.iterations = problem.n_iterations();
   }
 };
 
@@ -202,7 +201,6 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const double tolerance = options.tolerance * of.approach;
   const NormalAndShear none = zeros(of.restitution.size());
   report.settled = solve_with_friction(setting.rates, of, none.normal, tolerance, problem, report.solves);
-  report.largest_rate = problem.largest_rate();
   const NormalAndShear compression = problem.impulses();
   const double compressed = setting.largest_part(none, compression);
   report.limited = compressed < 1;

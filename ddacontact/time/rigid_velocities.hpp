@@ -41,11 +41,9 @@ struct JumpReport {
   /// The same of normal impulses. Rates are those of rigid motions here; the two are what the kinetic energy
   /// and the work of moving supports lose.
   double normal_loss = 0;
-  double largest_rate = 0;  ///< that should have vanished, in an impact at the end of compression, m/s
-  int n_contacts = 0;       ///< that took part
-  int solves = 0;           ///< problems with frozen friction bounds
-  int rounds = 0;           ///< of multipliers in all of them
-  int iterations = 0;       ///< of Newton's method in all of them
+  int n_contacts = 0;  ///< that took part
+  int solves = 0;      ///< problems with frozen friction bounds
+  int rounds = 0;      ///< of multipliers in all of them
 };
 
 /// The jump of the velocities v when contacts collide: impulses P_N >= 0 that leave no approach, P_N u_N = 0,
