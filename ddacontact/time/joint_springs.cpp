@@ -25,6 +25,19 @@ double energy_of_joint(const ContactProperties& properties, const ContactRecord&
              (2 * properties.over_length(contact, &JointStrength::shear_stiffness));
 }
 
+double lost_by_joints(const ContactProperties& properties, const std::vector<ContactRecord>& before,
+                      const std::vector<Contact>& contacts) {
+  if (!properties.joints.any(&JointStrength::is_compliant)) return 0;
+  double lost = 0;
+  for (const ContactRecord& contact : before)
+    if (properties.is_compliant(contact)) lost += energy_of_joint(properties, contact);
+  for (const Contact& contact : contacts)
+    if (contact.law.compliant)
+      lost -= square(contact.history.normal) / (2 * contact.law.normal_stiffness) +
+              square(contact.history.shear) / (2 * contact.law.tangential_stiffness);
+  return lost;
+}
+
 void account_joint_springs(const Contact& contact, bool means, Energy& energy) {
   const ContactForce end = end_forces_of_joint(contact, means);
   const JointLaw& law = contact.law;

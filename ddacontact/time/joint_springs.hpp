@@ -19,4 +19,10 @@ double energy_of_joint(const ContactProperties& properties, const ContactRecord&
 /// them; before its history takes the forces of the end. \param[in] means  see `end_forces_of_joint`
 void account_joint_springs(const Contact& contact, bool means, Energy& energy);
 
+/// What the springs of joints stored at the end of the step before, less what those of this one start with:
+/// where contacts of other vertices stand for a part of a face, or a joint is closed that nobody saw closing.
+/// \param[in] contacts  of the step, before their histories end
+double lost_by_joints(const ContactProperties& properties, const std::vector<ContactRecord>& before,
+                      const std::vector<Contact>& contacts);
+
 }  // namespace ddacontact

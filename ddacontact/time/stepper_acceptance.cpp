@@ -2,6 +2,7 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
+#include <ddacontact/time/joint_springs.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <ddacontact/time/trial_accounts.hpp>
 
@@ -16,6 +17,8 @@ void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
   record_reactions(solution.straight, solution.residual);
   const AcceptedTrial accepted{blocks_, state_, trial_, solution};
   account(accepted, energy_.now);
+  energy_.now.numerical_dissipated +=
+      lost_by_joints(trial_.builder().properties(), contacts_, trial_.contacts());
   for (const std::string& bolt : end_bolts(accepted, next, energy_.now))
     notes_.push_back("bolt " + quoted(bolt) + " has torn at time " + std::to_string(next.time) + " s");
   assess(dt, solution, next);
