@@ -185,6 +185,21 @@ TEST(JointSprings, LetABlockPassTheSeamOfLevelFloorsHoweverFarTheyHaveClosed) {
   const double way = 1.5 * 1.5 / (2 * 10 * std::tan(radians(5)));
   EXPECT_NEAR(travel(*built.stepper, 2).x(), way, 0.02 * way);
   EXPECT_NEAR(travel(*built.stepper, 2).y(), -40e3 / (4e7 * 2), 1e-5);
+  EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9) << "contacts are taken over";
+}
+
+TEST(JointSprings, KeepTheLedgerClosedWhereContactsOpenAndCloseAgain) {
+  for (const Scheme scheme : {Scheme::midpoint, Scheme::newmark, Scheme::decaying}) {
+    Scene scene = column(1, 1e9, 4e8);
+    scene.joints[0].friction_angle = 20;
+    scene.materials[0].young = 5e9;
+    scene.analysis.scheme = scheme;
+    scene.analysis.time_step = 0.002;
+    scene.blocks[1].velocity = {0.5, 0};
+    const BuiltScene built = build(scene);
+    run(*built.stepper, 60);
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9) << static_cast<int>(scheme);
+  }
 }
 
 /// The midpoint rule keeps the energy of a linear spring and turns its phase by 2 atan(w dt / 2) a step.
