@@ -90,15 +90,15 @@ class DomainReader {
 
  private:
   void check_outlines() {
-    const auto check = [&](const Outline& outline, const KeyLocations& locations, const std::string& title) {
-      check_simple(outline, locations, title, problems_);
-    };
-    check(record_.boundary.outline, record_.locations, "the boundary of the domain");
+    check_simple(record_.boundary.outline, record_.locations.of("boundary"), "the boundary of the domain",
+                 problems_);
     for (const RegionRecord& region : record_.regions)
-      check(region.polygon, region.locations, "the region '" + excerpt(region.name) + "'");
+      check_simple(region.polygon, region.locations.of("polygon"),
+                   "the region '" + excerpt(region.name) + "'", problems_);
     for (const OpeningRecord& opening : record_.openings)
       if (opening.polygon)
-        check(*opening.polygon, opening.locations, "the opening '" + excerpt(opening.name) + "'");
+        check_simple(*opening.polygon, opening.locations.of("polygon"),
+                     "the opening '" + excerpt(opening.name) + "'", problems_);
   }
 
   /// Lines are counted from the origin of their set.

@@ -167,14 +167,14 @@ double CheckedOutline::distance_outside(const Vec2& point) const {
   return polyfem::distance_outside(polygon, point);
 }
 
-bool check_simple(const Outline& outline, const KeyLocations& locations, const std::string& title,
+void check_simple(const Outline& outline, const SourceLocation& location, const std::string& title,
                   ProblemList& problems) {
   const auto defect = polyfem::find_defect(outline.points);
-  if (!defect) return true;
+  if (!defect) return;
   const Complaint complaint = complaint_about(*defect, outline.points);
-  problems.error(location_of_vertex(outline, complaint.vertex, locations), title + ' ' + complaint.what,
+  const bool is_placed = complaint.vertex >= 0 && !outline.locations.empty();
+  problems.error(is_placed ? outline.locations[complaint.vertex] : location, title + ' ' + complaint.what,
                  complaint.cure);
-  return false;
 }
 
 CheckedOutline check_outline(const Outline& outline, BlockModel model, const KeyLocations& locations,
@@ -188,7 +188,8 @@ CheckedOutline check_outline(const Outline& outline, BlockModel model, const Key
   if (n > most_vertices)
     return refuse(
         {-1, "has " + number(n) + " vertices", "at most " + number(most_vertices) + " are possible"});
-  if (!check_simple(outline, locations, title, problems)) return {};
+  if (const auto defect = polyfem::find_defect(outline.points))
+    return refuse(complaint_about(*defect, outline.points));
 
   CheckedOutline checked;
   const double area = polyfem::signed_area(outline.points);

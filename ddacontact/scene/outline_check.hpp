@@ -35,9 +35,9 @@ inline constexpr double narrowest_of_mesh = 1e-6;
 CheckedOutline check_outline(const Outline& outline, BlockModel model, const KeyLocations& locations,
                              const std::string& title, ProblemList& problems);
 
-/// Whether an outline of any number of vertices is a simple polygon with an area; else a problem says why
-/// not.
-bool check_simple(const Outline& outline, const KeyLocations& locations, const std::string& title,
+/// Where an outline of any number of vertices is no simple polygon with an area a problem says why, at one of
+/// its vertices or at `location`.
+void check_simple(const Outline& outline, const SourceLocation& location, const std::string& title,
                   ProblemList& problems);
 
 }  // namespace ddacontact::scene_format
