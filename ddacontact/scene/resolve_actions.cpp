@@ -241,9 +241,11 @@ std::vector<QuietBoundary> resolve_quiet_boundaries(const Document& document, Bl
     QuietBoundary& boundary = boundaries.emplace_back();
     boundary.from = record.on.from;
     boundary.to = record.on.to;
-    if (boundary.from == boundary.to && record.locations.good("on"))
+    if (boundary.from == boundary.to && record.locations.good("on")) {
       problems.error(record.locations.of("on"), "the line 'on' has no length: its ends are one point",
                      "write two points of the boundary");
+      continue;
+    }
     boundary.faces = record.faces;
     check_columns(record.incoming, "incoming", 3, record.locations, problems);
     if (record.locations.good("incoming")) {
