@@ -17,10 +17,11 @@ struct ContactHistory {
                           ///< stress-free, as far as the blocks have not come apart since; > 0: a gap below
                           ///< the coincidence tolerance that glue has filled
   double length = 0;      ///< over which cohesion and tensile strength act, m
-  double length_beyond = 0;  ///< the part of it that lies beyond the end of the edge, on another joint, m
-  double normal = 0;         ///< N at the end of the last step: where the multipliers start
-  double shear = 0;          ///< T at the end of the last step
-  int joint_beyond = -1;     ///< that joint, of the joint table
+  double normal = 0;      ///< N at the end of the last step: where the multipliers start
+  double shear = 0;       ///< T at the end of the last step
+  /// The part of `length` on another joint, m: beyond the end of the edge, or, < 0, before its start. In
+  /// single precision, which keeps contacts small.
+  float length_beyond = 0;
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
 };

@@ -293,7 +293,7 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
         *force *= length / old->history.length;
     if (shares_anew ||
         (old->pair != pair && old->history.length > 0 &&
-         (old->history.length_beyond > 0 || properties_.joint_of(old->pair) != properties_.joint_of(pair))))
+         (old->history.length_beyond != 0 || properties_.joint_of(old->pair) != properties_.joint_of(pair))))
       set_length(state, found, contact);
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of

@@ -76,8 +76,9 @@ void ContactBuilder::set_length(const BlockState& state, std::span<const VertexE
   if (length.edge_beyond < 0) return;
   VertexEdge beyond = contact.pair;
   beyond.edge = length.edge_beyond;
-  history.joint_beyond = properties_.joint_of(beyond);
-  if (history.joint_beyond != properties_.joint_of(contact.pair)) history.length_beyond = length.beyond;
+  if (properties_.joint_of(beyond) == properties_.joint_of(contact.pair)) return;
+  const bool is_next = beyond.edge == (contact.pair.edge + 1) % blocks_.block(beyond.edge_block).n_vertices();
+  history.length_beyond = static_cast<float>(is_next ? length.beyond : -length.beyond);
 }
 
 }  // namespace ddacontact

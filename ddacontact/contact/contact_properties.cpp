@@ -24,6 +24,14 @@ JointLaw ContactProperties::law(const ContactRecord& contact) const {
           .ductile = joint.ductile || (beyond(contact) && beyond(contact)->ductile)};
 }
 
+const JointStrength* ContactProperties::beyond(const ContactRecord& contact) const {
+  if (contact.history.length_beyond == 0) return nullptr;
+  VertexEdge there = contact.pair;
+  const auto n_edges = static_cast<int>(edge_joints[there.edge_block].size());
+  there.edge = (there.edge + (contact.history.length_beyond > 0 ? 1 : n_edges - 1)) % n_edges;
+  return &strength(there);
+}
+
 double ContactProperties::friction_of(const ContactRecord& contact) const {
   const JointStrength& joint = strength(contact.pair);
   if (!contact.history.bonded) return joint.residual_friction.value_or(joint.friction);

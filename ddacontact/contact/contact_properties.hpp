@@ -6,6 +6,7 @@
 #include <ddacontact/contact/joint_table.hpp>
 #include <ddacontact/core/options.hpp>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -51,8 +52,8 @@ struct ContactProperties {
   /// What a stress is over the length of a contact, N/m: that of each joint over its part.
   double over_length(const ContactRecord& contact, double JointStrength::*stress) const {
     const ContactHistory& history = contact.history;
-    const double here = strength(contact.pair).*stress * (history.length - history.length_beyond);
-    return beyond(contact) ? here + beyond(contact)->*stress * history.length_beyond : here;
+    const double here = strength(contact.pair).*stress * (history.length - std::abs(history.length_beyond));
+    return beyond(contact) ? here + beyond(contact)->*stress * std::abs(history.length_beyond) : here;
   }
   /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
   /// contact of a glued joint that strength is infinite.
@@ -65,10 +66,7 @@ struct ContactProperties {
 
  private:
   /// Of the part of a contact's length beyond its edge, if there is one.
-  const JointStrength* beyond(const ContactRecord& contact) const {
-    return contact.history.length_beyond > 0 ? &joints.entries()[contact.history.joint_beyond].strength
-                                             : nullptr;
-  }
+  const JointStrength* beyond(const ContactRecord& contact) const;
   /// tan(phi); where two joints meet the mean over the length.
   double friction_of(const ContactRecord& contact) const;
 };

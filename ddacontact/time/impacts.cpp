@@ -220,9 +220,10 @@ class Flight {
     bool any = false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       if (!std::isfinite(meetings_[c].time)) continue;
-      bool is_first = meetings_[c].time <= dt_;
+      const double flush = contacts_[c].end_tolerance() / meetings_[c].approach;  // at one time, to round-off
+      bool is_first = meetings_[c].time <= dt_ + flush;
       for_movable(contacts_[c].pair,
-                  [&](int root) { is_first = is_first && meetings_[c].time <= earliest[root]; });
+                  [&](int root) { is_first = is_first && meetings_[c].time <= earliest[root] + flush; });
       if (!is_first) continue;
       first[c] = 1;
       any = true;

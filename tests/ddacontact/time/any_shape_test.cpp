@@ -196,6 +196,8 @@ TEST(RoundBlock, IsAsStiffAsMeanValueFunctionsHaveIt) {
       return -built.stepper->blocks().displacements(built.stepper->state()).row(1).minCoeff();
     };
     const double by_mean_value = settlement(BlockModel::mean_value);
-    EXPECT_NEAR(settlement(BlockModel::wachspress), by_mean_value, 0.25 * by_mean_value) << n;
+    const double ratio = settlement(BlockModel::wachspress) / by_mean_value;
+    EXPECT_GT(ratio, 0.6) << n;
+    EXPECT_LT(ratio, 1.2) << n;
   }
 }
