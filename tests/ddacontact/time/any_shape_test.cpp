@@ -174,7 +174,7 @@ TEST(AnyShape, NothingPassesThroughAnything) {
   }
 }
 
-/// Round blocks of many vertices under a load on top are as stiff as by mean value functions, to a fourth;
+/// Round blocks of many vertices under a load on top are about as stiff as by mean value functions;
 /// four points a triangle left a hundredth of that with 30 vertices.
 TEST(RoundBlock, IsAsStiffAsMeanValueFunctionsHaveIt) {
   for (const int n : {8, 16, 24, 30, 48}) {
