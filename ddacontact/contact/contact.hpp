@@ -103,10 +103,10 @@ struct ContactRecord {
 
 /// A vertex of one block against an edge of another, through one step.
 struct Contact : ContactRecord {
+  [[no_unique_address]] JointLaw law;  ///< flags stand where it would be padded
   bool start_bonded = false;  ///< `history.bonded` and `history.state` before a trial, which changes them
   ContactState start_state = ContactState::open;
   bool meets = false;  ///< on the edge in an impact within the step
-  JointLaw law;
   MovingVertexEdge motion;
   // At the end of the last trial of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
