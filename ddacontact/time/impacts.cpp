@@ -221,9 +221,10 @@ class Flight {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       if (!std::isfinite(meetings_[c].time)) continue;
       const double flush = contacts_[c].end_tolerance() / meetings_[c].approach;  // at one time, to round-off
-      bool is_first = meetings_[c].time <= dt_ + flush;
-      for_movable(contacts_[c].pair,
-                  [&](int root) { is_first = is_first && meetings_[c].time <= earliest[root] + flush; });
+      bool is_first = true;
+      for_movable(contacts_[c].pair, [&](int root) {
+        is_first = is_first && earliest[root] <= dt_ && meetings_[c].time <= earliest[root] + flush;
+      });
       if (!is_first) continue;
       first[c] = 1;
       any = true;
