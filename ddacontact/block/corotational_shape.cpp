@@ -23,7 +23,7 @@ namespace {
 /// neither hexagons nor the gradients at concave corners.
 constexpr double fine = 1e-3;
 /// Of more vertices Wachspress functions are integrated as finely: their gradients decay inwards from the
-/// edges, and four points a triangle miss most of the stiffness (13 % of it are left with 24 vertices).
+/// edges, and four points a triangle miss most of the stiffness (with 24 vertices a thirteenth is left).
 constexpr int few_vertices = 8;
 /// lambda over the shear modulus from which on displacements of polygons lock.
 constexpr double nearly_incompressible = 9;
