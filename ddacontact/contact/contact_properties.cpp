@@ -33,10 +33,14 @@ const JointStrength* ContactProperties::beyond(const ContactRecord& contact) con
 }
 
 double ContactProperties::friction_of(const ContactRecord& contact) const {
-  const JointStrength& joint = strength(contact.pair);
-  if (!contact.history.bonded) return joint.residual_friction.value_or(joint.friction);
-  return beyond(contact) ? over_length(contact, &JointStrength::friction) / contact.history.length
-                         : joint.friction;
+  const auto friction = [&](const JointStrength& joint) {
+    return contact.history.bonded ? joint.friction : joint.residual_friction.value_or(joint.friction);
+  };
+  const double here = friction(strength(contact.pair));
+  const JointStrength* there = beyond(contact);
+  if (!there) return here;
+  const double part = std::abs(contact.history.length_beyond) / contact.history.length;
+  return (1 - part) * here + part * friction(*there);
 }
 
 double ContactProperties::inset(const ContactRecord& contact) const {

@@ -80,9 +80,15 @@ std::string TableReader::cure_of_unknown(std::string_view name) {
 void TableReader::refuse_other_keys() {
   for (const auto& [name, node] : table_) {
     if (std::find(known_.begin(), known_.end(), name.str()) != known_.end()) continue;
+    const std::string cure = cure_of_unknown(name.str());
     problems_.error(location_of(name, problems_),
-                    "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_),
-                    cure_of_unknown(name.str()));
+                    "unknown key '" + excerpt(name.str()) + "' in " + std::string(title_), cure);
+    // The key that it was meant to be is neither missing nor left out.
+    const auto meant = std::ranges::find_if(known_, [&](std::string_view key) {
+      return is_near(name.str(), key) || cure.starts_with("write '" + std::string(key) + "'");
+    });
+    if (meant != known_.end() && !locations_.written(*meant))
+      locations_.add(meant->data(), location_of(name, problems_), false);
   }
   for (const MissingKey& key : missing_)
     problems_.error(locations_.table, "missing key '" + key.name + "' in " + std::string(title_),

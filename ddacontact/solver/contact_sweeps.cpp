@@ -116,7 +116,6 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
       seen[static_cast<std::size_t>(row.n_entries++)] = first;
       if (block != one.block) (one.block < 0 ? one : other).block = block;
     }
-    if (row.n_entries == 0) continue;
     n_entries += row.n_entries;
     if (other.block >= 0 && other.block < one.block) std::swap(one, other);
     for (Side& side : row.sides) {
@@ -149,7 +148,7 @@ void ContactSweeps::order_rows() {
   std::vector<std::vector<int>> neighbours(n_blocks);
   for (const Row& row : rows_) {
     const int a = row.sides[0].block, b = row.sides[1].block;
-    if (b < 0) continue;
+    if (b < 0) continue;  // beside a block that does not move, or between two
     neighbours[static_cast<std::size_t>(a)].push_back(b);
     neighbours[static_cast<std::size_t>(b)].push_back(a);
   }
@@ -172,7 +171,7 @@ void ContactSweeps::order_rows() {
   first_of_group_.assign(static_cast<std::size_t>(n_groups) + 2, 0);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const int a = rows_[r].sides[0].block, b = rows_[r].sides[1].block;
-    const int of_a = group[static_cast<std::size_t>(a)];
+    const int of_a = a < 0 ? 0 : group[static_cast<std::size_t>(a)];
     const bool within = b < 0 || group[static_cast<std::size_t>(b)] == of_a;
     keys[r] = {within ? of_a : n_groups, static_cast<int>(r)};
     ++first_of_group_[static_cast<std::size_t>(keys[r][0]) + 1];
