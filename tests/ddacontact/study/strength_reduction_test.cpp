@@ -360,4 +360,41 @@ TEST(StrengthReduction, ABridgeInAJointBearsItsCohesionOverItsLength) {
     }
 }
 
+/// With vertices of both faces where the joint changes, elastic motion leads these apart and parts of the
+/// face slip before the rest. Three vertices with the moment of the weight about the middle one, which has
+/// the mean of both joints.
+TEST(StrengthReduction, ABlockOnTwoJointsSlidesWhereTheirFrictionTogetherIsUsed) {
+  constexpr double length = 6, height = 2, angle = 25;
+  for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value})
+    for (const bool rougher_below : {true, false})
+      for (const double sense : {1., -1.}) {
+        SCOPED_TRACE(std::string(rougher_below ? "rougher below" : "smoother below") +
+                     (sense > 0 ? "" : ", mirrored"));
+        const double above = rougher_below ? 10 : 40, below = 50 - above;
+        Scene scene = rock({"above", above, 0, 0, std::nullopt});
+        scene.joints.push_back({"below", below, 0, 0, std::nullopt});
+        const double slope = radians(angle);
+        scene.analysis.gravity = 9.81 * Vec2(sense * std::sin(slope), -std::cos(slope));
+        Points upper(2, 5), lower(2, 5);
+        upper << -3, 0, 3, 3, -3,  //
+            0, 0, 0, height, height;
+        lower << -9, 9, 9, 0, -9,  //
+            -2, -2, 0, 0, 0;
+        add(scene, lower, true);
+        add(scene, upper);
+        const int left = sense > 0 ? 0 : 1, right = 1 - left;
+        scene.blocks[0].edge_joints = {0, right, right, left, left};
+        scene.blocks[1].edge_joints = {left, right, right, 0, left};
+        scene.blocks[1].model = model;
+        const auto tan_of = [](double degrees) { return std::tan(radians(degrees)); };
+        const double off_middle = height / 2 * std::tan(slope) / (length / 2),
+                     factor = ((tan_of(above) + tan_of(below)) / 2 +
+                               (tan_of(below) - tan_of(above)) / 2 * off_middle) /
+                              std::tan(slope);
+        const StrengthReduction reduction(scene, {0, 1});
+        EXPECT_EQ(reduction.try_factor(0.98 * factor).verdict, Verdict::rests);
+        EXPECT_EQ(reduction.try_factor(1.02 * factor).verdict, Verdict::moves);
+      }
+}
+
 }  // namespace
