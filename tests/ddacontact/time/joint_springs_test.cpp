@@ -362,7 +362,7 @@ TEST(JointSprings, BetweenBlocksThatSupportsLeadFollowTheirLaw) {
       scene.analysis.time_step = step;
       scene.analysis.steps = 5;
       scene.joints[0].cohesion = 20;
-      scene.joints[0].tension = 400;
+      scene.joints[0].tensile_strength = 400;
       scene.supports = {
           {1,
            {0, 1, 2, 3},
