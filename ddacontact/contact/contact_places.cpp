@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace ddacontact {
@@ -20,7 +21,7 @@ constexpr double same_place = 0.01;
 bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge& a,
                                       const VertexEdge& b) const {
   const bool same_vertex = a.vertex_block == b.vertex_block;
-  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex) || !has_places(a)) return false;
+  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex)) return false;
   const VertexEdgePositions one = positions_of(blocks_, state, a), other = positions_of(blocks_, state, b);
   const Vec2 apart = other.i + (state.origin.col(b.edge_block) - state.origin.col(a.edge_block)) - one.i;
   // Edges of one face run the same way, those of two faces that touch against each other.
@@ -48,7 +49,7 @@ void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const 
   };
   for (const VertexEdge& of : of_blocks)
     if (std::ranges::any_of(of_blocks, [&](const VertexEdge& other) {
-          return are_at_one_place(state, of, other) && order(other) < order(of);
+          return has_places(of) && are_at_one_place(state, of, other) && order(other) < order(of);
         }))
       std::erase(found, of);
 }
@@ -69,16 +70,21 @@ ContactLength ContactBuilder::length_of(const BlockState& state, const VertexEdg
 
 void ContactBuilder::set_length(const BlockState& state, std::span<const VertexEdge> found,
                                 ContactRecord& contact) const {
-  const ContactLength length = length_of(state, contact.pair, found);
   ContactHistory& history = contact.history;
-  history.length = length.total();
+  history.length = length_of(state, contact.pair, found).total();
   history.length_beyond = 0;
+  // Where a vertex of the other face is beside this one either may bear the force: both have both joints.
+  std::vector<VertexEdge> apart;
+  std::ranges::copy_if(found, std::back_inserter(apart),
+                       [&](const VertexEdge& of) { return !are_at_one_place(state, contact.pair, of); });
+  const ContactLength length = length_of(state, contact.pair, apart);
   if (length.edge_beyond < 0) return;
   VertexEdge beyond = contact.pair;
   beyond.edge = length.edge_beyond;
   if (properties_.joint_of(beyond) == properties_.joint_of(contact.pair)) return;
   const bool is_next = beyond.edge == (contact.pair.edge + 1) % blocks_.block(beyond.edge_block).n_vertices();
-  history.length_beyond = static_cast<float>(is_next ? length.beyond : -length.beyond);
+  const double part = history.length * length.beyond / length.total();
+  history.length_beyond = static_cast<float>(is_next ? part : -part);
 }
 
 }  // namespace ddacontact

@@ -17,17 +17,17 @@ int find_block(const Reference& reference, const KeyLocations& locations, const 
   return locations.good("block") ? blocks.names.find(reference, locations.of("block"), problems) : -1;
 }
 
-/// Complains when more than one of the keys is written; says whether any is.
+/// Complains when more than one of the keys is written well; says whether any is written.
 bool at_most_one(std::initializer_list<const char*> keys, const KeyLocations& locations,
                  ProblemList& problems) {
   const char* first = nullptr;
   for (const char* key : keys) {
     if (!locations.written(key)) continue;
-    if (first)
+    if (!first)
+      first = key;
+    else if (locations.good(first) && locations.good(key))
       problems.error(locations.of(key), "both '" + std::string(first) + "' and '" + key + "' are given",
                      "leave one of them out");
-    else
-      first = key;
   }
   return first != nullptr;
 }
