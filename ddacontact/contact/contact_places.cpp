@@ -73,6 +73,7 @@ void ContactBuilder::set_length(const BlockState& state, std::span<const VertexE
   ContactHistory& history = contact.history;
   history.length = length_of(state, contact.pair, found).total();
   history.length_beyond = 0;
+  if (properties_.edge_joints.empty()) return;
   // Where a vertex of the other face is beside this one either may bear the force: both have both joints.
   std::vector<VertexEdge> apart;
   std::ranges::copy_if(found, std::back_inserter(apart),
