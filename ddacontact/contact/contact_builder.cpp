@@ -214,9 +214,9 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   const PointsRef outline = state.position.middleCols(v.first, v.count);
   const auto sides = outlines_[pair.edge_block].sides;
   if (sides[pair.edge].corner == Corner::straight)
-    contact.straight_before = straight_before_start(outline, pair.edge);
+    contact.straight_before = straight_length(outline, pair.edge, false);
   if (sides[next(pair.edge, outline)].corner == Corner::straight)
-    contact.straight_after = straight_beyond_end(outline, pair.edge);
+    contact.straight_after = straight_length(outline, pair.edge, true);
   if (pair.corner) contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);

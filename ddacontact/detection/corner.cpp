@@ -54,27 +54,15 @@ bool turns_left(const PointsRef& polygon, int from, int to) {
   return true;
 }
 
-double straight_beyond_end(const PointsRef& polygon, int edge) {
+double straight_length(const PointsRef& polygon, int edge, bool forth) {
+  const auto step = [&](int e) { return forth ? next(e, polygon) : previous(e, polygon); };
   double length = 0;
-  const Vec2 of_edge = along(polygon, edge);
-  for (int e = next(edge, polygon); e != edge; e = next(e, polygon)) {
-    const Vec2 of_this = along(polygon, e);
-    if (corner_at(polygon, e) != Corner::straight || turn_between(of_edge, of_this) != Corner::straight)
+  for (int e = step(edge); e != edge; e = step(e)) {
+    const int first = forth ? edge : e, last = forth ? e : edge;
+    if (corner_at(polygon, forth ? e : next(e, polygon)) != Corner::straight ||
+        turn_between(along(polygon, first), along(polygon, last)) != Corner::straight)
       break;
-    length += of_this.norm();
-  }
-  return length;
-}
-
-double straight_before_start(const PointsRef& polygon, int edge) {
-  double length = 0;
-  const Vec2 of_edge = along(polygon, edge);
-  for (int e = previous(edge, polygon); e != edge; e = previous(e, polygon)) {
-    const Vec2 of_this = along(polygon, e);
-    if (corner_at(polygon, next(e, polygon)) != Corner::straight ||
-        turn_between(of_this, of_edge) != Corner::straight)
-      break;
-    length += of_this.norm();
+    length += along(polygon, e).norm();
   }
   return length;
 }

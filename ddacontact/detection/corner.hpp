@@ -40,9 +40,7 @@ bool goes_straight_on(const PointsRef& polygon, int from, int to);
 /// turn: a point beyond both edges can enter through one of them only.
 bool turns_left(const PointsRef& polygon, int from, int to);
 
-/// Length of the collinear outline beyond the end of an edge, m.
-double straight_beyond_end(const PointsRef& polygon, int edge);
-/// Length of the collinear outline before the start of an edge, m.
-double straight_before_start(const PointsRef& polygon, int edge);
+/// Length of the collinear outline beyond the end of an edge (`forth`) or before its start, m.
+double straight_length(const PointsRef& polygon, int edge, bool forth);
 
 }  // namespace ddacontact

@@ -97,8 +97,8 @@ bool is_over(const PolygonPair& pair, const VertexEdge& c) {
   const Vec2 along = (pair.end(c) - pair.start(c)).normalized();
   const double at = along.dot(pair.vertex(c) - pair.start(c)), length = (pair.end(c) - pair.start(c)).norm();
   const Points& polygon = pair.of(c.edge_block);
-  return at >= -1e-9 - straight_before_start(polygon, c.edge) &&
-         at <= length + 1e-9 + straight_beyond_end(polygon, c.edge);
+  return at >= -1e-9 - straight_length(polygon, c.edge, false) &&
+         at <= length + 1e-9 + straight_length(polygon, c.edge, true);
 }
 
 double smaller_size(const PolygonPair& pair) {
