@@ -204,7 +204,8 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   Contact contact;
   contact.pair = pair;
   const JointStrength& joint = properties_.strength(pair);
-  if (joint.is_compliant() || joint.crushes()) set_length(state, found, contact);
+  if (joint.is_compliant() || joint.crushes() || !properties_.edge_joints.empty())
+    set_length(state, found, contact);
   contact.history.normal = normal;
   contact.motion = motion_of(blocks_, state, pair, properties_.inset(contact));
   contact.gap = contact.first_gap().constant;
@@ -287,11 +288,12 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   } else if (old) {
     const double length = contact.history.length;
     contact.history = old->history;
-    const bool shares_anew = properties_.is_compliant(*old) && is_slipping(old->history.state) && length > 0;
+    const bool slides = is_slipping(old->history.state),
+               shares_anew = properties_.is_compliant(*old) && slides && length > 0;
     if (shares_anew)  // what a joint's springs bear is a stress: it stays where neighbours take over a part
       for (double* force : {&contact.history.normal, &contact.history.shear})
         *force *= length / old->history.length;
-    if (shares_anew ||
+    if (shares_anew || (slides && !properties_.edge_joints.empty()) ||
         (old->pair != pair && old->history.length > 0 &&
          (old->history.length_beyond != 0 || properties_.joint_of(old->pair) != properties_.joint_of(pair))))
       set_length(state, found, contact);

@@ -70,14 +70,18 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
                                       largest_stiffness_ratio * lower_stiffness);
   law.tangential_stiffness = ratio * law.normal_stiffness;
+  contact.gap_correction = contact.slip_correction = 0;
   if (!contact.closed()) return;
   multiplier.normal = history.normal;
   multiplier.shear = history.shear;
   multiplier.sliding = is_slipping(history.state);
-  multiplier.normal +=
-      law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset, contact.size);
-  if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
-    multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, contact.size);
+  const double gap = contact.first_gap().constant - history.gap_offset;
+  contact.gap_correction = correction(gap, history.gap_halvings, contact.size);
+  multiplier.normal += law.normal_stiffness * (gap - contact.gap_correction);
+  if (multiplier.sliding || !(law.has_friction() || multiplier.bonded)) return;
+  const double slip = contact.first_slip().constant;
+  contact.slip_correction = correction(slip, history.slip_halvings, contact.size);
+  multiplier.shear += law.tangential_stiffness * (slip - contact.slip_correction);
 }
 
 /// The joint's own springs: forces of the end of the step, or the means of both ends.
@@ -88,12 +92,14 @@ void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& mult
   multiplier.normal = contact.history.normal / 2;
 }
 
-/// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
-double AugmentedContacts::kept(double length, double size) const {
-  const double most = options_.penetration_tolerance * size, least = uncorrected_part * most,
-               within = std::min(std::abs(length), most),
-               left = options_.is_static ? 0 : (1 - corrected_part) * within;
-  return std::copysign(within <= least ? within : std::max(least, left), length);
+/// What a step is to take off the gap or slip that a closed contact of blocks of this size starts with.
+double AugmentedContacts::correction(double length, int halvings, double size) const {
+  const double most = options_.penetration_tolerance * size, within = std::min(std::abs(length), most),
+               part = std::ldexp(options_.is_static ? 1 : corrected_part, -halvings),
+               left = within <= uncorrected_part * most
+                          ? within
+                          : std::max(uncorrected_part * most, (1 - part) * within);
+  return length - std::copysign(left, length);
 }
 
 void AugmentedContacts::evaluate(VectorXd& d) {

@@ -84,7 +84,7 @@ class AugmentedContacts {
   double shear_stiffness(const JointLaw& law) const {
     return law.tangential_stiffness * (law.compliant && has_means() ? 1. / 2 : 1);
   }
-  double kept(double length, double size) const;
+  double correction(double length, int halvings, double size) const;
   int follows_bound(std::size_t c, unsigned char state) const;
   bool yields(std::size_t c, const VectorXd& d) const;
   bool is_sliding(std::size_t c) const { return law_states_[c] & (at_upper | at_lower); }

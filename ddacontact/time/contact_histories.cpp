@@ -41,6 +41,15 @@ void hand_on_forces(bool hands_on, bool means, Contact& contact) {
   history.shear = end.shear;
 }
 
+/// A correction that has not taken half of what it was to take is halved, one that has is doubled again:
+/// contacts of one corner may ask for what cannot be, and each correction adds to their forces.
+void adapt(double before, double after, double correction, std::uint8_t& halvings) {
+  constexpr int most = 30;
+  const bool helps = std::abs(before) - std::abs(after) >= std::abs(correction) / 2;
+  if (correction != 0)
+    halvings = static_cast<std::uint8_t>(helps ? std::max(halvings - 1, 0) : std::min(halvings + 1, most));
+}
+
 }  // namespace
 
 ContactEnds end_histories(const ContactProperties& properties, bool means, std::vector<Contact>& contacts,
@@ -49,6 +58,9 @@ ContactEnds end_histories(const ContactProperties& properties, bool means, std::
   for (Contact& contact : contacts) {
     ContactHistory& history = contact.history;
     contact.end_gap = contact.gap - history.gap_offset;
+    adapt(contact.motion.start_gap() - history.gap_offset, contact.end_gap, contact.gap_correction,
+          history.gap_halvings);
+    adapt(contact.first_slip().constant, contact.end_slip, contact.slip_correction, history.slip_halvings);
     const double shear_before = history.shear;
     hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant), means,
                    contact);

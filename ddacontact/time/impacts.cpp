@@ -120,7 +120,7 @@ class Flight {
     result_.hit.assign(contacts.size(), 0);
     std::vector<char> touches(blocks.n_blocks(), 0);
     for (const Contact& contact : contacts)
-      if (contact.closed()) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
+      if (bears(contact)) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
     for (int b = 0; b < blocks.n_blocks(); ++b) {
       if (touches[b] || !blocks.is_free(b)) continue;
       const Range& u = blocks.block(b).unknowns();
@@ -141,6 +141,16 @@ class Flight {
   struct Meeting {
     double time = infinity, approach = 0;
   };
+
+  /// Whether a contact is bonded, or pressed by a force that changes velocities in a step by what counts: one
+  /// that only touches passes on what it gets.
+  bool bears(const Contact& contact) const {
+    double mass = infinity;
+    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+      if (blocks_.is_movable(b)) mass = std::min(mass, blocks_.block(b).mass_total());
+    return contact.closed() && (contact.has_bond() ||
+                                contact.history.normal * dt_ > mass * least_approach(blocks_, contact, dt_));
+  }
 
   /// How long the impact of a contact takes: blocks pass on what they got when waves have crossed them.
   double duration(std::size_t c) const {
@@ -163,7 +173,7 @@ class Flight {
   Meeting next_meeting(std::size_t c) const {
     const Contact& contact = contacts_[c];
     if (!restitution_of(properties_, contact.pair, rule_)) return {};
-    if (contact.closed() && (rule_.has_half_steps() || carries_waves(blocks_, contact, dt_))) return {};
+    if (bears(contact) && (rule_.has_half_steps() || carries_waves(blocks_, contact, dt_))) return {};
     const MovingVertexEdge& motion = contact.motion;
     const RoundedPositions positions = positions_of(blocks_, start_, contact.pair);
     const GapAndSlip at_start = motion.rates_at(positions, contact.history.lock);
@@ -196,7 +206,7 @@ class Flight {
   /// since an impact in it.
   bool touches(std::size_t c, const GapAndSlip& then) const {
     const Contact& contact = contacts_[c];
-    if (contact.closed()) return rule_.has_half_steps() || !carries_waves(blocks_, contact, dt_);
+    if (bears(contact)) return rule_.has_half_steps() || !carries_waves(blocks_, contact, dt_);
     return result_.hit[c] && then.gap - contact.history.gap_offset <= contact.end_tolerance();
   }
 
@@ -205,7 +215,7 @@ class Flight {
   bool find_first(std::vector<double>& times, std::vector<char>& first) const {
     Islands joined(blocks_);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      if (contacts_[c].closed() || result_.hit[c])
+      if (bears(contacts_[c]) || result_.hit[c])
         joined.join(contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block);
     std::vector<double> earliest(blocks_.n_blocks(), infinity);
     const auto for_movable = [&](const VertexEdge& pair, const auto& visit) {

@@ -34,7 +34,7 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 /// pressure wave takes through a block are one impact, by Poisson's law: impulses stop the approach of all
 /// its contacts, then a hitting contact gets `restitution` times its own once more, so that one alone
 /// separates with `restitution` times its approach. Of a row of blocks that touch without force each passes
-/// on to the next what it got. Contacts that are closed, or have met in the step and touch since, take part,
+/// on to the next what it got. Contacts that bear, or have met in the step and touch since, take part,
 /// without restitution. A contact hits when its approach is faster than what gravity makes in a tenth of the
 /// step; its restitution counts when it is faster than what gravity makes in two steps: bounces that short
 /// are not resolved. After as many impacts as there are contacts the step's own contact forces take what

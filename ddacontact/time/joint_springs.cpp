@@ -1,5 +1,7 @@
 #include <ddacontact/time/joint_springs.hpp>
 
+#include <algorithm>
+
 namespace ddacontact {
 
 namespace {
@@ -13,7 +15,8 @@ double square(double x) {
 ContactForce end_forces_of_joint(const Contact& contact, bool means) {
   if (!contact.closed()) return {};
   const bool doubled = means && contact.history.state == ContactState::stick;
-  return {contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap),
+  const double strength = contact.has_bond() ? contact.law.tension : 0;  // a bond that yields bears no more
+  return {std::max(-strength, contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap)),
           doubled ? 2 * contact.shear - contact.history.shear : contact.shear};
 }
 
