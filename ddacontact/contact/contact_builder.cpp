@@ -133,23 +133,11 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     const bool compliant = properties_.strength(of).is_compliant();
     // Where all is held a rigid contact has no force that one could tell. A corner that is yet to come over
     // an edge has no part of the length of a joint with a stiffness.
-    return (held && !compliant && !can_change(state, of)) ||
+    return (held && !compliant && !can_change(state, of, previous)) ||
            (stiff && compliant && length_of(state, of, of_blocks).total() == 0);
   };
   for (const VertexEdge& of : of_blocks)
     if (is_idle(of)) std::erase(found, of);
-}
-
-bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair) const {
-  Contact contact;
-  contact.motion = motion_of(blocks_, state, pair);
-  const VertexEdgePositions positions = contact.motion.slip_positions();
-  contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
-  const AffineForm gap = contact.motion.form(contact.first_gap().gradient);
-  for (std::size_t k = 0; k < gap.unknowns().size(); ++k)
-    if (blocks_.equation()[gap.unknowns()[k]] >= 0 && std::abs(gap.coefficients()[k]) > coincidence)
-      return true;
-  return false;
 }
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,

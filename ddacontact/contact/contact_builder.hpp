@@ -90,9 +90,10 @@ class ContactBuilder {
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
-  /// Whether free unknowns move the vertex off the edge, by more than the tolerance of positions. Where only
-  /// supports do there is nothing to solve: the force between them is theirs.
-  bool can_change(const BlockState& state, const VertexEdge& pair) const;
+  /// Whether free unknowns move the vertex off the edge, or along it where a bond bears that. Where only
+  /// supports do, as at a held end of the edge, there is nothing to solve: the force between them is theirs.
+  bool can_change(const BlockState& state, const VertexEdge& pair,
+                  std::span<const ContactRecord> previous) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// What a contact is of one of the step before: the same; of its vertex, with an edge that is collinear

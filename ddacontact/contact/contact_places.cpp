@@ -13,7 +13,8 @@ namespace ddacontact {
 
 namespace {
 
-/// Two vertices nearer to each other than this part of the shorter edge that they meet are at one place.
+/// Two vertices nearer to each other than this part of the shorter edge that they meet are at one place. What
+/// moves a contact by less of its own motion does not.
 constexpr double same_place = 0.01;
 
 }  // namespace
@@ -30,6 +31,27 @@ bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge&
   return along.dot(along_other) > 0 &&
          std::abs(cross(along, along_other)) <= sin_parallel * length * of_other &&
          std::abs(apart.dot(along)) <= same_place * std::min(length, of_other) * length;
+}
+
+bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair,
+                                std::span<const ContactRecord> previous) const {
+  Contact contact;
+  contact.motion = motion_of(blocks_, state, pair);
+  const VertexEdgePositions positions = contact.motion.slip_positions();
+  contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
+  const auto is_free = [&](const VertexEdgeForm& of) {
+    const AffineForm form = contact.motion.form(of.gradient);
+    for (std::size_t k = 0; k < form.unknowns().size(); ++k)
+      if (blocks_.equation()[form.unknowns()[k]] >= 0 && std::abs(form.coefficients()[k]) > same_place)
+        return true;
+    return false;
+  };
+  const JointStrength& joint = properties_.strength(pair);
+  const bool bonded = joint.glued || ((joint.cohesion > 0 || joint.tensile_strength > 0) &&
+                                      (previous.empty() || std::ranges::any_of(previous, [&](const auto& of) {
+                                         return of.pair == pair && of.history.bonded;
+                                       })));
+  return is_free(contact.first_gap()) || (bonded && is_free(contact.first_slip()));
 }
 
 bool ContactBuilder::has_places(const VertexEdge& of) const {
