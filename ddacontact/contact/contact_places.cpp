@@ -101,7 +101,7 @@ void ContactBuilder::set_length(const BlockState& state, std::span<const VertexE
   std::ranges::copy_if(found, std::back_inserter(apart),
                        [&](const VertexEdge& of) { return !are_at_one_place(state, contact.pair, of); });
   const ContactLength length = length_of(state, contact.pair, apart);
-  if (length.edge_beyond < 0) return;
+  if (length.edge_beyond < 0 || length.total() == 0) return;
   VertexEdge beyond = contact.pair;
   beyond.edge = length.edge_beyond;
   if (properties_.joint_of(beyond) == properties_.joint_of(contact.pair)) return;
