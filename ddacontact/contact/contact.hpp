@@ -23,7 +23,7 @@ struct ContactHistory {
   /// The part of `length` on another joint, m: beyond the end of the edge, or, < 0, before its start. In
   /// single precision, which keeps contacts small.
   float length_beyond = 0;
-  /// How often corrections of its gap and its slip have been halved, since they did not reduce them.
+  /// How often static corrections of its gap and its slip have been halved, since they changed nothing.
   std::uint8_t gap_halvings = 0, slip_halvings = 0;
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
@@ -115,7 +115,7 @@ struct Contact : ContactRecord {
   double gap = 0;                                  ///< without its offset
   double gap_change = 0, slip_change = 0;          ///< within the step
   double straight_before = 0, straight_after = 0;  ///< length of the collinear outline beyond its ends, m
-  double gap_correction = 0, slip_correction = 0;  ///< that the step is to make, m
+  double gap_correction = 0, slip_correction = 0;  ///< that a static step is to make, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m
 

@@ -134,7 +134,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     // Where all is held a rigid contact has no force that one could tell. A corner that is yet to come over
     // an edge has no part of the length of a joint with a stiffness.
     return (held && !compliant && !can_change(state, of, previous)) ||
-           (stiff && compliant && length_of(state, of, of_blocks).total() == 0);
+           (stiff && compliant && length_of(state, of, bearing(of_blocks)).total() == 0);
   };
   for (const VertexEdge& of : of_blocks)
     if (is_idle(of)) std::erase(found, of);

@@ -118,8 +118,11 @@ class ContactBuilder {
                        double normal = 0) const;
   /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
   /// compression at any angle.
+  /// \param[in] bears  whether a vertex of a block counts as a neighbour along the face
   ContactLength length_of(const BlockState& state, const VertexEdge& pair,
-                          std::span<const VertexEdge> found) const;
+                          const std::function<bool(int block, int vertex)>& bears) const;
+  /// Those that have a contact do.
+  static std::function<bool(int, int)> bearing(std::span<const VertexEdge> found);
   /// Writes it into the history of the contact, what lies on another joint apart.
   void set_length(const BlockState& state, std::span<const VertexEdge> found, ContactRecord& contact) const;
   /// Whether contacts of one place are not told apart by the search: those of joints with a stiffness, which

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 namespace ddacontact {
@@ -22,7 +21,7 @@ constexpr double same_place = 0.01;
 bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge& a,
                                       const VertexEdge& b) const {
   const bool same_vertex = a.vertex_block == b.vertex_block;
-  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex)) return false;
+  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex) || !has_places(a)) return false;
   const VertexEdgePositions one = positions_of(blocks_, state, a), other = positions_of(blocks_, state, b);
   const Vec2 apart = other.i + (state.origin.col(b.edge_block) - state.origin.col(a.edge_block)) - one.i;
   // Edges of one face run the same way, those of two faces that touch against each other.
@@ -67,23 +66,26 @@ void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const 
              before.pair.vertex == of.vertex;
     });
     const bool is_straight = outlines_[of.vertex_block].sides[of.vertex].corner == Corner::straight;
-    return std::tuple(!was_closed, length_of(state, of, {}).total() == 0, is_straight, of);
+    return std::tuple(!was_closed, length_of(state, of, bearing({})).total() == 0, is_straight, of);
   };
   for (const VertexEdge& of : of_blocks)
     if (std::ranges::any_of(of_blocks, [&](const VertexEdge& other) {
-          return has_places(of) && are_at_one_place(state, of, other) && order(other) < order(of);
+          return are_at_one_place(state, of, other) && order(other) < order(of);
         }))
       std::erase(found, of);
 }
 
+std::function<bool(int, int)> ContactBuilder::bearing(std::span<const VertexEdge> found) {
+  return [found](int block, int vertex) {
+    return std::ranges::any_of(
+        found, [&](const VertexEdge& of) { return of.vertex_block == block && of.vertex == vertex; });
+  };
+}
+
 ContactLength ContactBuilder::length_of(const BlockState& state, const VertexEdge& pair,
-                                        std::span<const VertexEdge> found) const {
+                                        const std::function<bool(int, int)>& bears) const {
   const int origin = pair.edge_block;
   const Block& block = blocks_.block(pair.vertex_block);
-  const auto bears = [&](int of_block, int vertex) {
-    return std::ranges::any_of(
-        found, [&](const VertexEdge& of) { return of.vertex_block == of_block && of.vertex == vertex; });
-  };
   return contact_length(blocks_.outline_from(state, pair.vertex_block, origin),
                         blocks_.outline_from(state, pair.edge_block, origin), pair,
                         block.reference().leftCols(block.n_vertices()), bears,
@@ -93,19 +95,19 @@ ContactLength ContactBuilder::length_of(const BlockState& state, const VertexEdg
 void ContactBuilder::set_length(const BlockState& state, std::span<const VertexEdge> found,
                                 ContactRecord& contact) const {
   ContactHistory& history = contact.history;
-  history.length = length_of(state, contact.pair, found).total();
+  const VertexEdge& pair = contact.pair;
+  history.length = length_of(state, pair, bearing(found)).total();
   history.length_beyond = 0;
   if (properties_.edge_joints.empty()) return;
-  // Where a vertex of the other face is beside this one either may bear the force: both have both joints.
-  std::vector<VertexEdge> apart;
-  std::ranges::copy_if(found, std::back_inserter(apart),
-                       [&](const VertexEdge& of) { return !are_at_one_place(state, contact.pair, of); });
-  const ContactLength length = length_of(state, contact.pair, apart);
+  // Where a vertex of the other face is near either may bear the force: the joints that a vertex meets are
+  // those between its neighbours on its own face.
+  const ContactLength length =
+      length_of(state, pair, [&](int block, int) { return block == pair.vertex_block; });
   if (length.edge_beyond < 0 || length.total() == 0) return;
-  VertexEdge beyond = contact.pair;
+  VertexEdge beyond = pair;
   beyond.edge = length.edge_beyond;
-  if (properties_.joint_of(beyond) == properties_.joint_of(contact.pair)) return;
-  const bool is_next = beyond.edge == (contact.pair.edge + 1) % blocks_.block(beyond.edge_block).n_vertices();
+  if (properties_.joint_of(beyond) == properties_.joint_of(pair)) return;
+  const bool is_next = beyond.edge == (pair.edge + 1) % blocks_.block(beyond.edge_block).n_vertices();
   const double part = history.length * length.beyond / length.total();
   history.length_beyond = static_cast<float>(is_next ? part : -part);
 }

@@ -52,7 +52,7 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
   }
   std::erase_if(missed_, [&](const VertexEdge& entry) {
     return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {
-      return of.pair == entry || (has_places(of.pair) && are_at_one_place(start, of.pair, entry));
+      return of.pair == entry || are_at_one_place(start, of.pair, entry);
     });
   });
   return !missed_.empty();

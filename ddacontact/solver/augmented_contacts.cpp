@@ -75,13 +75,16 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   multiplier.normal = history.normal;
   multiplier.shear = history.shear;
   multiplier.sliding = is_slipping(history.state);
-  const double gap = contact.first_gap().constant - history.gap_offset;
-  contact.gap_correction = correction(gap, history.gap_halvings, contact.size);
-  multiplier.normal += law.normal_stiffness * (gap - contact.gap_correction);
-  if (multiplier.sliding || !(law.has_friction() || multiplier.bonded)) return;
-  const double slip = contact.first_slip().constant;
-  contact.slip_correction = correction(slip, history.slip_halvings, contact.size);
-  multiplier.shear += law.tangential_stiffness * (slip - contact.slip_correction);
+  const auto kept = [&](double length, int halvings, double& of_static_step) {
+    const double by = correction(length, halvings, contact.size);
+    of_static_step = options_.is_static ? by : 0;
+    return length - by;
+  };
+  multiplier.normal += law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset,
+                                                   history.gap_halvings, contact.gap_correction);
+  if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
+    multiplier.shear += law.tangential_stiffness *
+                        kept(contact.first_slip().constant, history.slip_halvings, contact.slip_correction);
 }
 
 /// The joint's own springs: forces of the end of the step, or the means of both ends.
@@ -95,7 +98,7 @@ void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& mult
 /// What a step is to take off the gap or slip that a closed contact of blocks of this size starts with.
 double AugmentedContacts::correction(double length, int halvings, double size) const {
   const double most = options_.penetration_tolerance * size, within = std::min(std::abs(length), most),
-               part = std::ldexp(options_.is_static ? 1 : corrected_part, -halvings),
+               part = options_.is_static ? std::ldexp(1, -halvings) : corrected_part,
                left = within <= uncorrected_part * most
                           ? within
                           : std::max(uncorrected_part * most, (1 - part) * within);
