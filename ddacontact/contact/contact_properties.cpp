@@ -39,7 +39,7 @@ double ContactProperties::friction_of(const ContactRecord& contact) const {
   const double here = friction(strength(contact.pair));
   const JointStrength* there = beyond(contact);
   if (!there) return here;
-  const double part = std::abs(contact.history.length_beyond) / contact.history.length;
+  const double part = part_beyond(contact);
   return (1 - part) * here + part * friction(*there);
 }
 

@@ -6,6 +6,7 @@
 #include <ddacontact/contact/joint_table.hpp>
 #include <ddacontact/core/options.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -51,9 +52,9 @@ struct ContactProperties {
   }
   /// What a stress is over the length of a contact, N/m: that of each joint over its part.
   double over_length(const ContactRecord& contact, double JointStrength::*stress) const {
-    const ContactHistory& history = contact.history;
-    const double here = strength(contact.pair).*stress * (history.length - std::abs(history.length_beyond));
-    return beyond(contact) ? here + beyond(contact)->*stress * std::abs(history.length_beyond) : here;
+    const double length = contact.history.length, part = part_beyond(contact),
+                 here = strength(contact.pair).*stress * length * (1 - part);
+    return part > 0 ? here + beyond(contact)->*stress * length * part : here;
   }
   /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
   /// contact of a glued joint that strength is infinite.
@@ -67,6 +68,10 @@ struct ContactProperties {
  private:
   /// Of the part of a contact's length beyond its edge, if there is one.
   const JointStrength* beyond(const ContactRecord& contact) const;
+  static double part_beyond(const ContactRecord& contact) {
+    const double beyond = std::abs(contact.history.length_beyond);
+    return beyond == 0 ? 0 : std::min(1., beyond / contact.history.length);
+  }
   /// tan(phi); where two joints meet the mean over the length.
   double friction_of(const ContactRecord& contact) const;
 };
