@@ -29,6 +29,11 @@ void tell(const CutArguments& arguments, const ddacontact::Scene& before, const 
   if (counts.lost_holds > 0)
     fmt::print(stderr, "{}: warning: {} in lists 'fixed' went with the cut\n", arguments.blocks,
                counted(counts.lost_holds, "vertex", "vertices"));
+  if (counts.mixed_edges > 0)
+    fmt::print(
+        stderr,
+        "{}: warning: {} on edges of different joints: each follows the joint of the greatest length\n",
+        arguments.blocks, counted(counts.mixed_edges, "new edge lies", "new edges lie"));
   if (!before.supports.empty() || !before.loads.empty() || !before.monitors.empty())
     fmt::print(
         stderr,
@@ -45,8 +50,9 @@ int cut_file(const CutArguments& arguments) {
   if (!reading.scene.scene) return status;
   ddacontact::CutCounts counts;
   const ddacontact::Scene scene = ddacontact::cut_blocks(*reading.scene.scene, options, counts);
-  ddacontact::write_blocks(arguments.file, scene, reading.n_unnamed_materials);
+  const auto kept = ddacontact::write_blocks(arguments.file, scene, reading.n_unnamed_materials);
   tell(arguments, *reading.scene.scene, scene, counts);
+  tell_of_older(arguments.file, kept);
   fmt::print("{}: {} blocks\n", arguments.file, scene.blocks.size());
   return done;
 }
@@ -74,8 +80,10 @@ void add_cut(CLI::App& app, CutArguments& arguments) {
       0, 1);
   cut->add_flag("--drop-straight", arguments.options.drop_straight,
                 "Leave out vertices on straight edges: the sine of their turn is at most 1e-9");
-  cut->add_flag("--convex", arguments.options.convex,
-                "Split concave blocks into few convex ones: NAME.1, NAME.2, ...");
+  cut->add_flag(
+      "--convex", arguments.options.convex,
+      "Split concave blocks into few convex ones: NAME.1, NAME.2, ...; the joint of a cut is that of "
+      "the materials");
 }
 
 int cut(const CutArguments& arguments) {

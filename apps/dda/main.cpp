@@ -18,9 +18,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -59,7 +63,8 @@ void declare_run_and_check(CLI::App& app, Call& call) {
   run->add_option("SCENE", call.run.scene, "Scene file (TOML)")->required();
   run->add_option("-o,--output", call.run.directory,
                   "Result directory; left out: SCENE without its ending, plus -out")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check([](const std::string& word) { return word.empty() ? "needs a name" : ""; }, "");
   dda::expect_whole_number(
       run->add_option("--steps", call.steps, "Stop after this many steps from the start of the scene"), 1);
   run->add_option("--set", call.run.settings, "Replace a value of the scene; may be repeated")
@@ -134,10 +139,16 @@ int parse_and_execute(int argc, char** argv) {
 int main(int argc, char** argv) {
   dda::keep_freed_memory();
   try {
-    return parse_and_execute(argc, argv);
+    const int status = parse_and_execute(argc, argv);
+    if (std::fflush(stdout) == 0 || status != dda::done) return status;
+    dda::print_error(std::string("cannot write to stdout: ") + std::strerror(errno));
+    return dda::file_error;
   } catch (const std::bad_alloc&) {
     dda::print_error("out of memory");
     return dda::analysis_stopped;
+  } catch (const std::system_error& error) {  // of files, and of stdout
+    dda::print_error(error.what());
+    return dda::file_error;
   } catch (const std::exception& error) {
     dda::print_error(error.what());
     return dda::analysis_stopped;

@@ -6,13 +6,14 @@
 #include "plain_help.hpp"
 
 #include <fmt/format.h>
-#include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 #include <ddacontact/scene/available_memory.hpp>
 #include <ddacontact/scene/geometry_writer.hpp>
 #include <ddacontact/scene/memory_estimate.hpp>
 #include <ddacontact/scene/reader.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <sstream>
@@ -67,7 +68,8 @@ void make_voronoi(const MakeArguments& arguments) {
   std::vector<Points> blocks;
   blocks.reserve(mesh.n_cells());
   for (int c = 0; c < mesh.n_cells(); ++c) blocks.push_back(mesh.outline(c));
-  ddacontact::write_geometry(arguments.file, blocks, fmt::format("{} Voronoi blocks", blocks.size()));
+  tell_of_older(arguments.file, ddacontact::write_geometry(arguments.file, blocks,
+                                                           fmt::format("{} Voronoi blocks", blocks.size())));
   fmt::print("{}: {} Voronoi blocks, seed {}\n", arguments.file, blocks.size(), arguments.voronoi.seed);
 }
 
@@ -85,14 +87,14 @@ void make_scene(const MakeArguments& arguments) {
   const ddacontact::GeometryFormat format = ddacontact::geometry_format(arguments.file);
   const std::string text = scene_of(arguments);
   const ddacontact::SceneReading reading = ddacontact::read_scene_text(text, arguments.file);
-  if (!reading.scene) throw Error(fmt::format("{} (choose other measures)", reading.problems.front().text()));
-  if (format == ddacontact::GeometryFormat::toml) {
-    if (const auto kept = ddacontact::keep_older_file(arguments.file, text))
-      fmt::print("the older {} is {} now\n", arguments.file, kept->string());
-    ddacontact::write_text(arguments.file, text);
-  } else {
-    ddacontact::write_blocks(arguments.file, *reading.scene, 0);
+  if (!reading.scene) {
+    const auto error = std::ranges::find(reading.problems, ddacontact::Problem::Severity::error,
+                                         &ddacontact::Problem::severity);
+    throw Error(fmt::format("{} (choose other measures)", error->text()));
   }
+  tell_of_older(arguments.file, format == ddacontact::GeometryFormat::toml
+                                    ? ddacontact::write_and_keep_older(arguments.file, text)
+                                    : ddacontact::write_blocks(arguments.file, *reading.scene, 0));
   fmt::print("{}: {} blocks\n", arguments.file, reading.scene->blocks.size());
 }
 
@@ -125,7 +127,7 @@ void add_rock(CLI::App& make, MakeArguments& arguments) {
   ddacontact::MadeSlope& slope = arguments.slope;
   CLI::App* app = add_kind(make, arguments, "joints", "A rock slope with two joint sets");
   add_length(app, "--height", slope.height, "Of the face, m");
-  expect_number(app->add_option("--face", slope.face, "Angle of the face, degrees"), 20, 90)
+  expect_number(app->add_option("--face", slope.face, "Angle of the face, degrees"), 27, 90)
       ->capture_default_str();
   expect_number(app->add_option("--dip", slope.dip, "Of the bedding, out of the face, degrees"), -89, 89)
       ->capture_default_str();

@@ -10,6 +10,10 @@ void print_error(const std::string& text) {
   fmt::print(stderr, "dda: error: {}\n", text);
 }
 
+void tell_of_older(const std::string& file, const std::optional<std::filesystem::path>& kept) {
+  if (kept) fmt::print("the older {} is {} now\n", file, kept->string());
+}
+
 int report(const ddacontact::SceneReading& reading) {
   for (const ddacontact::Problem& problem : reading.problems) fmt::print(stderr, "{}\n", problem.text());
   if (reading.unreadable) return file_error;

@@ -4,12 +4,9 @@
 #include "rendered_svg.hpp"
 
 #include <fmt/format.h>
-#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 namespace dda {
 
@@ -29,13 +26,7 @@ void write_picture(const std::string& path, const std::string& svg) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending == ".png") return write_png(path, svg);
   if (ending == ".pdf") return write_pdf(path, svg);
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out << svg;
-  out.close();
-  if (!out)
-    throw ddacontact::OutputError(
-        fmt::format("cannot write \"{}\": {}", path, std::strerror(errno != 0 ? errno : EIO)));
+  ddacontact::write_whole(path, [&](std::ostream& out) { out << svg; });
 }
 
 }  // namespace dda

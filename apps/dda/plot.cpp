@@ -15,6 +15,7 @@
 #include <ddacontact/study/scene_picture.hpp>
 
 #include <filesystem>
+#include <limits>
 
 namespace dda {
 
@@ -135,11 +136,27 @@ PictureOptions picture_options(const PlotArguments& arguments, const std::vector
   return options;
 }
 
+/// A picture of nothing is a window in other coordinates.
+void expect_in_window(const std::vector<Shown>& all, const Window& window, const std::string& text) {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Shown& shown : all) {
+    if (shown.drawn.position.cols() == 0) continue;
+    low = low.cwiseMin(shown.drawn.position.rowwise().minCoeff());
+    high = high.cwiseMax(shown.drawn.position.rowwise().maxCoeff());
+  }
+  if ((window.low.array() > high.array()).any() || (window.high.array() < low.array()).any())
+    throw CallError(
+        fmt::format("--window \"{}\" shows nothing: the blocks are between {:.4g} and {:.4g} in x, "
+                    "{:.4g} and {:.4g} in y",
+                    text, low.x(), high.x(), low.y(), high.y()));
+}
+
 std::string blocks_picture(const PlotArguments& arguments) {
   for (const std::string& name : arguments.fields) field_called(name);  // a wrong call before a wrong file
   const std::vector<Shown> all = read_frames(arguments);
   const std::vector<Field> fields = fields_to_show(arguments, all.front().frame);
   const PictureOptions options = picture_options(arguments, fields);
+  if (options.window) expect_in_window(all, *options.window, arguments.window);
   std::vector<Panel> panels;
   for (const Shown& shown : all) {
     expect_overlays(arguments, shown);

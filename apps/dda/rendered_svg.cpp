@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 #include <librsvg/rsvg.h>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 namespace dda {
@@ -64,9 +63,13 @@ Size size_of(const std::string& path, RsvgHandle* document) {
   return size;
 }
 
-/// Where a file could not be written the system knows why, and cairo does not.
+/// Takes what cairo writes, which would not notice a full disk.
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
 void expect_success(const std::string& path, cairo_status_t status) {
-  if (status == CAIRO_STATUS_WRITE_ERROR && errno != 0) fail(path, std::strerror(errno));
   if (status != CAIRO_STATUS_SUCCESS) fail(path, cairo_status_to_string(status));
 }
 
@@ -86,21 +89,23 @@ void write_png(const std::string& path, const std::string& svg) {
       cairo_surface_destroy);
   expect_success(path, cairo_surface_status(surface.get()));
   render(path, document.get(), surface.get(), width, height);
-  errno = 0;
-  expect_success(path, cairo_surface_write_to_png(surface.get(), path.c_str()));
+  std::string bytes;
+  expect_success(path, cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+  ddacontact::write_whole(path, [&](std::ostream& out) { out << bytes; });
 }
 
 void write_pdf(const std::string& path, const std::string& svg) {
   const Document document = parsed(path, svg);
   const Size size = size_of(path, document.get());
   const double width = points_per_pixel * size.width, height = points_per_pixel * size.height;
-  errno = 0;
-  const Surface surface(cairo_pdf_surface_create(path.c_str(), width, height), cairo_surface_destroy);
+  std::string bytes;
+  const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, width, height),
+                        cairo_surface_destroy);
   expect_success(path, cairo_surface_status(surface.get()));
   render(path, document.get(), surface.get(), width, height);
-  errno = 0;
   cairo_surface_finish(surface.get());
   expect_success(path, cairo_surface_status(surface.get()));
+  ddacontact::write_whole(path, [&](std::ostream& out) { out << bytes; });
 }
 
 }  // namespace dda

@@ -1,11 +1,10 @@
 #include "run_output.hpp"
 
-#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 #include <ddacontact/scene/words.hpp>
 #include <ddacontact/scene/writer.hpp>
 
 #include <algorithm>
-#include <fstream>
 
 namespace dda {
 
@@ -25,16 +24,7 @@ FrameOptions frame_options(const Scene& scene, int n_threads) {
 }
 
 void write_scene_file(const std::filesystem::path& path, const Scene& scene) {
-  std::filesystem::path part = path;
-  std::ofstream out(part += ".part", std::ios::binary);
-  write_scene(out, scene);
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (!out || error) {
-    std::filesystem::remove(part, error);
-    throw OutputError("cannot write \"" + path.string() + "\"");
-  }
+  write_whole(path, [&](std::ostream& out) { write_scene(out, scene); });
 }
 
 std::string scheme_word(const Stepper& stepper) {

@@ -23,6 +23,7 @@
 #include <ddacontact/study/sweep_cases.hpp>
 #include <ddacontact/study/sweep_map.hpp>
 #include <ddacontact/study/sweep_results.hpp>
+#include <polyfem/io/write_error.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -52,7 +53,7 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw OutputError(fmt::format("cannot write \"{}\"", path.string()));
+  if (!out) throw polyfem::write_error(path);
 }
 
 /// Names between quotes in a text.
@@ -95,8 +96,24 @@ class Sweep {
     for (const std::string& text : arguments.outcomes) outcomes_.push_back(parse_outcome(text));
     if (arguments.only > n_cases())
       throw Error(fmt::format("--case {}: there are {} cases", arguments.only, n_cases()));
+    check_settings();
+    check_names();
     scene_text_ = text_of(arguments.scene);
     scene_text_ += files_named_by(quoted_words(scene_text_));
+  }
+
+  /// Throws Error where no case is a scene, as with a path that is not there: nothing is written then.
+  void expect_a_scene() const {
+    std::string first;
+    const int n_tried = std::min(n_cases(), most_tried);
+    for (int i = 0; i < n_tried; ++i) {
+      const auto k = static_cast<int>(static_cast<long>(n_cases()) * i / n_tried) + 1;
+      const SceneReading reading = read_scene(arguments_.scene, settings_of(k));
+      if (reading.scene) return;
+      const auto error = std::ranges::find(reading.problems, Problem::Severity::error, &Problem::severity);
+      if (first.empty() && error != reading.problems.end()) first = error->text();
+    }
+    throw Error("no case could be run: " + first);
   }
 
   void make_directory() const {
@@ -194,6 +211,27 @@ class Sweep {
   }
 
  private:
+  /// Scenes are read in so many cases at most, spread over all, to find one that can be run.
+  static constexpr int most_tried = 100;
+
+  /// A value is set or varied.
+  void check_settings() const {
+    for (const std::string& setting : arguments_.settings)
+      if (const std::string path = setting.substr(0, setting.find('='));
+          std::ranges::count(cases_.paths, path))
+        throw Error(fmt::format("'{}' is set and varied (leave out --set {})", path, setting));
+  }
+  /// A name is of one column.
+  void check_names() const {
+    const std::vector<std::string> names = columns();
+    for (const Outcome& outcome : outcomes_)
+      if (std::ranges::count(names, outcome.name) > 1)
+        throw Error(
+            fmt::format("sweep.csv has a column \"{0}\" besides that of --outcome {0}={1} (write "
+                        "another name)",
+                        outcome.name, outcome.path));
+  }
+
   static std::size_t n_processors() { return std::max(1u, std::thread::hardware_concurrency()); }
   /// Cases at a time.
   std::size_t n_jobs() const {
@@ -306,6 +344,7 @@ int sweep_all(const SweepArguments& arguments) {
     for (const std::string& column : {curve->first, curve->second}) sweep.check_column(column);
   if (map)
     for (const std::string& column : {map->x, map->y, map->value}) sweep.check_column(column);
+  sweep.expect_a_scene();
   sweep.make_directory();
   if (arguments.slurm) {
     sweep.write_slurm();

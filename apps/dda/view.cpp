@@ -8,13 +8,10 @@
 #include "view_page.hpp"
 
 #include <fmt/format.h>
-#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 #include <ddacontact/page/page_data.hpp>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 namespace dda {
 
@@ -71,15 +68,6 @@ void write_page(std::ostream& out, const PageData& data) {
   out << page.substr(more + more_data_mark.size());
 }
 
-void write_file(const std::string& path, const PageData& data) {
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  write_page(out, data);
-  out.close();
-  if (!out)
-    throw OutputError(fmt::format("cannot write \"{}\": {}", path, std::strerror(errno != 0 ? errno : EIO)));
-}
-
 void check_call(const ViewArguments& call) {
   const fs::path ending = fs::path(call.output).extension();
   if (ending != ".html" && ending != ".htm")
@@ -100,7 +88,8 @@ int view(const ViewArguments& call) {
   try {
     check_call(call);
     expect_result_directory(call.directory);
-    write_file(call.output, data_of(call.directory));
+    const PageData data = data_of(call.directory);
+    write_whole(call.output, [&](std::ostream& out) { write_page(out, data); });
     return done;
   } catch (const CallError& error) {
     print_error(error.what());

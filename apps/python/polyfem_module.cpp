@@ -17,7 +17,8 @@
 #include <polyfem/mesh/voronoi.hpp>
 #include <polyfem/quadrature/polygon_rule.hpp>
 
-#include <memory>
+#include <cmath>
+#include <string>
 
 namespace polydda_python {
 
@@ -69,6 +70,8 @@ MatrixXd stiffness_of(const PointArray& vertices, double young, double poisson, 
 }
 
 MatrixXd mass_of(const PointArray& vertices, double density, double tolerance) {
+  if (!(density >= 0) || !std::isfinite(density))
+    throw Error("density is " + std::to_string(density) + " kg/m3 but must be finite and not negative");
   MatrixXd M;
   mass(element_on(points_of(vertices, "vertices"), tolerance), M);
   return density * M;
@@ -96,11 +99,15 @@ py::tuple voronoi_of(const PointArray& boundary, int cells, std::uint64_t seed) 
 class Problem {
  public:
   Problem(const PointArray& vertices, const std::vector<std::vector<int>>& cells, int n_components)
-      : mesh_(mesh_of(vertices, cells)), problem_(mesh_, n_components) {}
+      : n_components_(n_components), mesh_(mesh_of(vertices, cells)), problem_(mesh_, n_components) {}
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
   void assemble(double young, double poisson, const Vec2& body, const std::string& plane, double tolerance) {
+    if (n_components_ != 2)
+      throw Error("assemble is of elasticity, whose field has two components, and this one has " +
+                  std::to_string(n_components_) +
+                  ": make Problem(..., components=2), or assemble_cells for another equation");
     const Mat3 D = elasticity_matrix(young, poisson, plane_of(plane));
     problem_.assemble([&](int, const PointsRef& cell, MatrixXd& K, VectorXd& f) {
       const TabulatedElement element = element_on(cell, tolerance);
@@ -134,6 +141,7 @@ class Problem {
     return array;
   }
 
+  int n_components_;
   PolygonMesh mesh_;
   FieldProblem problem_;
 };

@@ -2,6 +2,7 @@
 
 #include <ddacontact/output/output_error.hpp>
 #include <polyfem/io/checksum.hpp>
+#include <polyfem/io/write_error.hpp>
 
 #include <charconv>
 
@@ -46,12 +47,12 @@ CsvFile::CsvFile(const std::string& path, std::string_view header, const std::fi
     file_ << kept;
   }
   mark_ = mark;
-  if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
+  if (!file_) throw polyfem::write_error(path_);
 }
 
 FileMark CsvFile::mark() {
   file_.flush();
-  if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
+  if (!file_) throw polyfem::write_error(path_);
   return mark_;
 }
 
@@ -65,6 +66,13 @@ void CsvFile::append(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value + 0.0, std::chars_format::general, 17).ptr;
   line_.append(text, end);
+}
+
+void CsvFile::append(const std::optional<double>& value) {
+  if (value)
+    append(*value);
+  else
+    append(std::string_view());
 }
 
 void CsvFile::append(long value) {
@@ -91,12 +99,12 @@ void CsvFile::write_line() {
   mark_.bytes += line_.size();
   mark_.checksum = polyfem::checksum(line_, mark_.checksum);
   file_ << line_;
-  if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
+  if (!file_) throw polyfem::write_error(path_);
 }
 
 void CsvFile::close() {
   file_.close();
-  if (!file_) throw OutputError("cannot write \"" + path_ + "\"");
+  if (!file_) throw polyfem::write_error(path_);
 }
 
 }  // namespace ddacontact

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ class CsvFile {
 
  private:
   void append(double value);
+  /// An empty cell where there is no number.
+  void append(const std::optional<double>& value);
   void append(long value);
   void append(int value) { append(static_cast<long>(value)); }
   void append(std::string_view text);

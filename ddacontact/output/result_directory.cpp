@@ -4,6 +4,7 @@
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/run_verdict.hpp>
 #include <polyfem/basis/mean_value.hpp>
+#include <polyfem/io/write_error.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -380,7 +381,7 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
   std::ofstream out(path, std::ios::binary);
   out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   out.close();
-  if (!out) throw OutputError("cannot write \"" + path + "\"");
+  if (!out) throw polyfem::write_error(path);
 }
 
 }  // namespace ddacontact

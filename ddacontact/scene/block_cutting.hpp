@@ -16,13 +16,16 @@ struct CutOptions {
 /// What was done.
 struct CutCounts {
   int short_edges = 0, straight_vertices = 0;
-  int split = 0;       ///< blocks that became several
-  int lost_holds = 0;  ///< vertices in a list `fixed` that are in no block any more
+  int split = 0;        ///< blocks that became several
+  int lost_holds = 0;   ///< vertices in a list `fixed` that are in no block any more
+  int mixed_edges = 0;  ///< edges that lie on several, of different joints, or in part on none
 };
 
 /// The scene with its blocks cut, without supports, loads and monitors, which count vertices and edges as
 /// they were. The parts of a block called NAME are NAME.1, NAME.2, ...; they have its material, model, mesh
 /// and stress, move with it at the start, are held where it was, and go with it in a stage that takes it out.
+/// An edge follows the joint of the edge that it lies on, of several the one of the greatest length; a cut
+/// that of the materials.
 /// Throws Error when such a name is taken.
 Scene cut_blocks(const Scene& scene, const CutOptions& options, CutCounts& counts);
 

@@ -1,14 +1,14 @@
 #include <ddacontact/scene/geometry_writer.hpp>
 
-#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 #include <ddacontact/scene/text.hpp>
 #include <ddacontact/scene/value_text.hpp>
 #include <ddacontact/scene/writer.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <string_view>
 
 namespace ddacontact {
@@ -127,25 +127,20 @@ GeometryFormat geometry_format(const std::string& path) {
   throw Error("\"" + path + "\" has an unknown ending (known: .geojson, .wkt, .dxf, .toml)");
 }
 
-void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title) {
+std::optional<std::filesystem::path> write_geometry(const std::string& path,
+                                                    const std::vector<Points>& polygons,
+                                                    const std::string& title) {
   const GeometryFormat format = geometry_format(path);
-  std::ofstream out(path, std::ios::binary);
+  std::ostringstream out;
   if (format == GeometryFormat::geojson) write_geojson(out, polygons, {});
   if (format == GeometryFormat::wkt) write_wkt(out, polygons);
   if (format == GeometryFormat::dxf) write_dxf(out, polygons, {});
   if (format == GeometryFormat::toml) write_scene(out, polygons, title);
-  out.close();
-  if (!out) throw OutputError("cannot write \"" + path + "\"");
+  return write_and_keep_older(path, out.view());
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw OutputError("cannot write \"" + path + "\"");
-}
-
-void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials) {
+std::optional<std::filesystem::path> write_blocks(const std::string& path, const Scene& scene,
+                                                  int n_unnamed_materials) {
   const GeometryFormat format = geometry_format(path);
   std::vector<Points> polygons;
   std::vector<std::string> properties, layers;
@@ -154,13 +149,12 @@ void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_mat
     properties.push_back(properties_of(block, scene, n_unnamed_materials));
     layers.push_back(block.groups.empty() ? "" : block.groups.front());
   }
-  std::ofstream out(path, std::ios::binary);
+  std::ostringstream out;
   if (format == GeometryFormat::geojson) write_geojson(out, polygons, properties);
   if (format == GeometryFormat::wkt) write_wkt(out, polygons);
   if (format == GeometryFormat::dxf) write_dxf(out, polygons, layers);
   if (format == GeometryFormat::toml) write_scene(out, scene);
-  out.close();
-  if (!out) throw OutputError("cannot write \"" + path + "\"");
+  return write_and_keep_older(path, out.view());
 }
 
 }  // namespace ddacontact

@@ -3,6 +3,8 @@
 
 #include <ddacontact/scene/scene.hpp>
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,16 +24,17 @@ GeometryFormat geometry_format(const std::string& path);
 /// Writes counter-clockwise polygons in their order; numbers read back to the same doubles.
 ///
 /// The scene has one material, one joint and gravity; blocks that reach down to the lowest vertex of all are
-/// held. Throws Error as `geometry_format` does and OutputError when the file cannot be written.
-void write_geometry(const std::string& path, const std::vector<Points>& polygons, const std::string& title);
-
-/// Writes a file. Throws OutputError when it cannot.
-void write_text(const std::string& path, const std::string& text);
+/// held. An older file with another text gets a number; returns its new name. Throws Error as
+/// `geometry_format` does and OutputError when the file cannot be written; the older one is as it was then.
+std::optional<std::filesystem::path> write_geometry(const std::string& path,
+                                                    const std::vector<Points>& polygons,
+                                                    const std::string& title);
 
 /// Writes the blocks of a scene: to .toml the whole scene, to .geojson features with `name`, `material`,
 /// `model`, `group` and `fixed` where these are not what a feature without them has, to .wkt and .dxf the
-/// polygons alone. The first `n_unnamed_materials` are not written to features. Throws as `write_geometry`
-/// does.
-void write_blocks(const std::string& path, const Scene& scene, int n_unnamed_materials);
+/// polygons alone. The first `n_unnamed_materials` are not written to features. Keeps an older file and
+/// throws as `write_geometry` does.
+std::optional<std::filesystem::path> write_blocks(const std::string& path, const Scene& scene,
+                                                  int n_unnamed_materials);
 
 }  // namespace ddacontact

@@ -79,6 +79,12 @@ class HistoryReader {
   }
 
   void read_header(const std::vector<Cell>& cells, int line) {
+    if (const auto other = cells[0].text.find_first_of(";\t");
+        cells.size() == 1 && other != std::string_view::npos)
+      return problems_.error(
+          {source_, line, 1},
+          cells[0].text[other] == ';' ? "';' separates the columns" : "tabs separate the columns",
+          "write commas between them, and points in decimal numbers");
     if (cells.size() < 2 || cells.size() > 3)
       return problems_.error({source_, line, 1},
                              "the header has " + std::to_string(cells.size()) + " columns",

@@ -1,5 +1,6 @@
 #include <ddacontact/scene/made_scenes.hpp>
 #include <ddacontact/scene/scene_text.hpp>
+#include <ddacontact/scene/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +36,30 @@ std::vector<double> brick_ends(const MadeWall& o, int course, double left, doubl
   return ends;
 }
 
+/// Before any is made.
+void expect_few(double blocks, const std::string& cure) {
+  if (blocks > most_made_blocks)
+    throw Error("there would be about " + scene_format::rounded(blocks) + " blocks (at most " +
+                scene_format::short_number(most_made_blocks) + ": " + cure + ")");
+}
+
+/// Bricks are counted before they are laid, and the piece beside the lintel is a quarter of a brick at least.
+void check(const MadeWall& o) {
+  const double n = (std::floor(o.height / o.brick_height) + 1) * (std::floor(o.length / o.brick_length) + 1);
+  expect_few(n, "longer and higher bricks or a smaller wall make fewer");
+  const double beside = 1.5 * o.brick_length, widest = o.length - beside;
+  if (o.door_width > 0 && o.door_width > widest)
+    throw Error("a wall of the length " + text_of(o.length) + " m has no room for a door of " +
+                text_of(o.door_width) + " m and bricks of " + text_of(o.brick_length) +
+                " m beside it (make the length at least " + text_of(o.door_width + beside) +
+                " m, or the door width " + (widest > 0 ? "at most " + text_of(widest) + " m, or " : "") +
+                "0 for none)");
+}
+
 }  // namespace
 
 std::string made_scene(const MadeWall& o) {
+  check(o);
   const int n_courses = std::max(1, static_cast<int>(std::lround(o.height / o.brick_height))),
             n_door = o.door_width > 0 ? static_cast<int>(std::lround(o.door_height / o.brick_height)) : 0;
   const double door = (o.length - o.door_width) / 2, bearing = o.brick_length / 2;
@@ -71,6 +93,7 @@ std::string made_scene(const MadeWall& o) {
 }
 
 std::string made_scene(const MadeArch& o) {
+  expect_few(o.voussoirs * (o.fill ? 2. : 1.), "fewer voussoirs, each with its fill");
   const double inner = o.span / 2, outer = inner + o.thickness, foot = -o.thickness / 2,
                top = outer + o.thickness / 2;
   std::vector<Vec2> intrados, extrados;  // from the right

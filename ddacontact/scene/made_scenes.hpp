@@ -47,6 +47,11 @@ struct MadeHeap {
   int seed = 1;
 };
 
+/// More blocks would not be of use to start from.
+inline constexpr double most_made_blocks = 1e6;
+
+// Each throws Error for measures of which no scene, or one of more blocks, would come.
+
 /// A slope as the text of a scene file.
 std::string made_scene(const MadeSlope& options);
 /// A tunnel as the text of a scene file.

@@ -5,6 +5,7 @@
 #include <ddacontact/scene/text.hpp>
 #include <ddacontact/study/scene_picture.hpp>
 #include <polyfem/geometry/area_moments.hpp>
+#include <polyfem/io/write_error.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw OutputError("cannot write \"" + path.string() + "\"");
+  if (!out) throw polyfem::write_error(path);
 }
 
 const Colour first_colour{178, 24, 43}, moved_colour{244, 165, 130}, removed_colour{255, 255, 255};

@@ -107,6 +107,10 @@ SweepCases sweep_cases(const std::vector<Variation>& variations, const std::file
   if (!table.empty()) {
     const CsvTable rows(table);
     cases.paths = rows.header();
+    if (const std::size_t other = cases.paths[0].find_first_of(";\t");
+        cases.paths.size() == 1 && other != std::string::npos)
+      throw Error("\"" + table.string() + "\" has " + (cases.paths[0][other] == ';' ? "';'" : "tabs") +
+                  " between its columns (write commas, and points in decimal numbers)");
     cases.rows.resize(rows.n_rows());
     for (const std::string& path : cases.paths) {
       const std::vector<std::string> values = rows.texts(path);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace ddacontact {
 
@@ -16,6 +17,7 @@ namespace {
 constexpr double margin = 12, text_size = 11, label_size = 12, tick_gap = 6, bar_width = 14, bar_gap = 18;
 constexpr double map_width = 480, map_height = 360;
 constexpr int n_bands = 10;
+const Colour dark{34, 34, 34};
 
 struct Mean {
   double sum = 0;
@@ -30,8 +32,10 @@ class Map {
                                    values = table.texts(columns.value), status = table.texts("status");
     for (std::size_t k = 0; k < values.size(); ++k) {
       const auto x = number_of(xs[k]), y = number_of(ys[k]), value = number_of(values[k]);
-      if (!x || !y || !value || status[k] == "failed") continue;
+      if (!x || !y) continue;
       column_[*x] = row_[*y] = 0;
+      if (status[k] == "failed") failed_.insert({*x, *y});
+      if (!value || status[k] == "failed") continue;
       Mean& mean = cells_[{*x, *y}];
       mean.sum += *value;
       ++mean.n;
@@ -78,18 +82,28 @@ class Map {
   }
   static Colour colour(int band) { return sequential_colour((band + 0.5) / n_bands); }
 
+  Vec2 place_of(const std::pair<double, double>& at) const {
+    return corner_ +
+           Vec2(column_.at(at.first) * cell_.x(), map_height - (row_.at(at.second) + 1) * cell_.y());
+  }
+  bool has_room(const std::string& text) const {
+    return text_width(text, text_size) + 6 <= cell_.x() && text_size + 4 <= cell_.y();
+  }
+  void write_in_cell(const Vec2& place, const std::string& text, const Colour& ink) {
+    if (has_room(text))
+      page_.text(place + cell_ / 2 + Vec2(0, 0.35 * text_size), text,
+                 {.size = text_size, .anchor = Anchor::middle, .colour = ink});
+  }
+
   void draw_cells() {
+    for (const auto& at : failed_)
+      if (!cells_.contains(at)) write_in_cell(place_of(at), "failed", dark);
     for (const auto& [at, mean] : cells_) {
-      const Vec2 place =
-          corner_ + Vec2(column_.at(at.first) * cell_.x(), map_height - (row_.at(at.second) + 1) * cell_.y());
+      const Vec2 place = place_of(at);
       const int shade = band(mean.value());
       page_.rectangle(place, cell_,
                       "fill=\"" + hex(colour(shade)) + "\" stroke=\"#fff\" stroke-width=\"0.5\"");
-      const std::string text = number_text(mean.value(), 3);
-      if (text_width(text, text_size) + 6 > cell_.x() || text_size + 4 > cell_.y()) continue;
-      const Colour ink = shade < n_bands / 2 ? Colour{34, 34, 34} : Colour{255, 255, 255};
-      page_.text(place + cell_ / 2 + Vec2(0, 0.35 * text_size), text,
-                 {.size = text_size, .anchor = Anchor::middle, .colour = ink});
+      write_in_cell(place, number_text(mean.value(), 3), shade < n_bands / 2 ? dark : Colour{255, 255, 255});
     }
     page_.rectangle(corner_, {map_width, map_height}, "fill=\"none\" stroke=\"#222\" stroke-width=\"0.8\"");
   }
@@ -129,6 +143,7 @@ class Map {
   MapColumns columns_;
   std::map<double, int> column_, row_;  ///< places of the numbers
   std::map<std::pair<double, double>, Mean> cells_;
+  std::set<std::pair<double, double>> failed_;
   double low_ = 0, high_ = 0;
   Vec2 cell_, corner_;  ///< px
   SvgPage page_;

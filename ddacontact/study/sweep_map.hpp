@@ -15,8 +15,8 @@ struct MapColumns {
 MapColumns parse_map(const std::string& text);
 
 /// SVG: a cell for each pair of different numbers in `x` and `y`, evenly spaced in ascending order. Cells of
-/// several cases show the mean; those without a number are left white. Throws Error when a column is not
-/// there or no row has three numbers.
+/// several cases show the mean; those without a number are left white, and say so where a case failed. Throws
+/// Error when a column is not there or no row has three numbers.
 std::string map_of(const std::filesystem::path& table, const MapColumns& columns);
 
 }  // namespace ddacontact

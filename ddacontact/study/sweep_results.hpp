@@ -21,7 +21,8 @@ Outcome parse_outcome(const std::string& text);
 struct CaseResult {
   std::string status;  ///< as in summary.json; "failed" without one
   std::string reason;
-  double steps_completed = 0, time = 0, max_displacement = 0, kinetic = 0, wall_seconds = 0;
+  /// None where the case failed.
+  std::optional<double> steps_completed, time, max_displacement, kinetic, wall_seconds;
   std::vector<std::string> outcomes;  ///< as text; empty where the result has no such number
 };
 

@@ -18,6 +18,7 @@ namespace {
 const PolygonMesh& checked(const PolygonMesh& mesh, int n_components) {
   if (n_components < 1)
     throw Error("a field of " + std::to_string(n_components) + " components: it needs one at least");
+  if (mesh.vertices.cols() == 0) throw Error("the mesh has no vertices: a field needs some");
   require_numbering(mesh);
   std::vector<int> last_cell(static_cast<std::size_t>(mesh.vertices.cols()), -1);
   for (int c = 0; c < mesh.n_cells(); ++c)

@@ -51,8 +51,8 @@ class FieldProblem {
   using EdgeLoad = std::function<VectorXd(const Vec2& x, const Vec2& outward_normal)>;
 
   /// \param[in] mesh  kept by reference: must live longer and not change. Checked for what would break this
-  ///                  class (see `require_numbering`; a vertex twice in a cell): throws Error, as for less
-  ///                  than one component. See `require_valid` for the rest.
+  ///                  class (no vertices; see `require_numbering`; a vertex twice in a cell): throws Error,
+  ///                  as for less than one component. See `require_valid` for the rest.
   FieldProblem(const PolygonMesh& mesh, int n_components, Symmetry symmetry = Symmetry::symmetric);
   FieldProblem(PolygonMesh&&, int, Symmetry = Symmetry::symmetric) = delete;
 

@@ -2,9 +2,11 @@
 
 #include <polyfem/core/error.hpp>
 #include <polyfem/io/text_file.hpp>
+#include <polyfem/io/write_error.hpp>
 
 #include <pugixml.hpp>
 
+#include <cerrno>
 #include <charconv>
 
 namespace polyfem {
@@ -51,8 +53,10 @@ PvdFile::PvdFile(const std::filesystem::path& path, const std::vector<PvdEntry>&
   if (whole) std::filesystem::rename(part, path, error);
   if (whole && !error) out_.open(path, std::ios::binary | std::ios::in | std::ios::out);
   if (whole && !error && out_) return;
+  if (error) errno = error.value();
+  const FileError reason = write_error(path_);
   std::filesystem::remove(part, error);
-  throw FileError("cannot write \"" + path_.string() + "\"");
+  throw reason;
 }
 
 void PvdFile::add(const PvdEntry& entry) {
@@ -60,8 +64,9 @@ void PvdFile::add(const PvdEntry& entry) {
   out_.seekp(end_);
   out_ << line + tail << std::flush;
   if (!out_) {
+    const FileError reason = write_error(path_);
     restore_end();
-    throw FileError("cannot write \"" + path_.string() + "\"");
+    throw reason;
   }
   end_ += static_cast<std::streamoff>(line.size());
 }

@@ -2,6 +2,7 @@
 
 #include <polyfem/core/error.hpp>
 #include <polyfem/io/vtu_types.hpp>
+#include <polyfem/io/write_error.hpp>
 
 #include <fstream>
 
@@ -63,7 +64,7 @@ template void VtuFile::append(VtuSection, std::string_view, std::span<const std:
 
 void VtuFile::write(const std::filesystem::path& path) const {
   std::ofstream out(path, std::ios::binary);
-  if (!out) throw FileError("cannot write \"" + path.string() + "\"");
+  if (!out) throw write_error(path);
   out << "<?xml version=\"1.0\"?>\n<VTKFile"
       << attribute("type", "UnstructuredGrid") + attribute("version", "1.0") +
              attribute("byte_order", "LittleEndian") + attribute("header_type", "UInt64") +
@@ -80,9 +81,10 @@ void VtuFile::write(const std::filesystem::path& path) const {
   out << "\n</AppendedData>\n</VTKFile>\n";
   out.close();
   if (out) return;
+  const FileError error = write_error(path);
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
-  throw FileError("cannot write \"" + path.string() + "\"");
+  throw error;
 }
 
 }  // namespace polyfem

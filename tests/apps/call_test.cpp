@@ -38,6 +38,8 @@ TEST_F(Call, ThatIsWrongIsToldInPlainWords) {
       {"run x.toml y.toml", "\"y.toml\" is one word too many (try dda run --help)"},
       {"make voronoi", "--output FILE is missing (try dda make voronoi --help)"},
 
+      {"run x.toml -o ''", "--output needs a name"},
+      {"make joints -o a.toml --face 20", "--face takes a number from 27 to 90, not \"20\""},
       {"run x.toml --steps", "--steps needs a value (write --steps N)"},
       {"run x.toml --steps --quiet", "--steps needs a value (write --steps N)"},
       {"run x.toml -o --quiet", "--output needs a value (write --output DIR)"},

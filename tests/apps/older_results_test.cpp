@@ -2,11 +2,14 @@
 #include "program.hpp"
 
 #include <ddacontact/output/older_results.hpp>
+#include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 
 namespace {
 
 using support::Program;
 using support::read_file;
+namespace fs = std::filesystem;
 
 class OlderResults : public Program {
  protected:
@@ -90,6 +93,55 @@ TEST_F(OlderResults, StayWhereTheSceneIsWrong) {
   ASSERT_EQ(run("--quiet --steps 2"), 0);
   ASSERT_EQ(run("--set analysis.stps=3"), 2);
   EXPECT_EQ(steps_of("result"), 2);
+}
+
+TEST_F(OlderResults, OfCutAreKeptUnderANumber) {
+  for (const std::string file : {"a.toml", "a.wkt"}) {
+    ASSERT_EQ(dda("make voronoi --cells 5 -o " + file), 0) << err_;
+    const std::string older = read_file(directory_ / file);
+    ASSERT_EQ(dda("cut " + file + " -o " + file + " --shortest-edge 0.5"), 0) << err_;
+    const std::string kept = "a.1" + file.substr(1);
+    EXPECT_NE(out_.find("the older " + file + " is " + kept + " now"), std::string::npos) << out_;
+    EXPECT_EQ(read_file(directory_ / kept), older);
+    EXPECT_NE(read_file(directory_ / file), older);
+  }
+}
+
+TEST_F(OlderResults, StayWhereAFileCannotBeWritten) {
+  write("a.svg", "older");
+  const auto half = [](std::ostream& out) { (out << "half").setstate(std::ios::badbit); };
+  EXPECT_THROW(ddacontact::write_whole(directory_ / "a.svg", half), ddacontact::OutputError);
+  EXPECT_EQ(read_file(directory_ / "a.svg"), "older");
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory_), {}), 1) << "the half is gone";
+  fs::create_symlink("a.svg", directory_ / "b.svg");
+  ddacontact::write_whole(directory_ / "b.svg", [](std::ostream& out) { out << "newer"; });
+  EXPECT_EQ(read_file(directory_ / "a.svg"), "newer");
+  EXPECT_TRUE(fs::is_symlink(directory_ / "b.svg"));
+}
+
+TEST_F(OlderResults, OfAFullDiskAreToldWithTheReason) {
+  ASSERT_EQ(run("--quiet --steps 2"), 0);
+  const std::string scene = " '" POLYDDA_EXAMPLES "/paper/sliding_30.toml' ";
+  for (const std::string& call : std::vector<std::string>{
+           "make column -o x.toml", "make voronoi -o x.wkt", "cut" + scene + "-o x.wkt",
+           "plot result -o x.svg", "plot result -o x.png", "plot result -o x.pdf", "view result -o x.html"}) {
+    const fs::path name = directory_ / call.substr(call.rfind(' ') + 1);
+    fs::remove(name);
+    fs::create_symlink("/dev/full", name);
+    const int status = dda(call);
+    if (status == 2) continue;  // built without librsvg
+    EXPECT_EQ(status, 4) << call;
+    EXPECT_NE(err_.find("cannot write"), std::string::npos) << err_;
+    EXPECT_NE(err_.find("No space left on device"), std::string::npos) << err_;
+  }
+  for (const std::string file : {"scene.toml", "monitors.csv"}) {
+    fs::create_directory(directory_ / file);
+    fs::create_symlink("/dev/full", directory_ / file / file);
+    EXPECT_EQ(dda("run" + scene + "--steps 2 --quiet --force -o " + file), 4) << file;
+    EXPECT_NE(err_.find("No space left on device"), std::string::npos) << file << ": " << err_;
+  }
+  EXPECT_EQ(dda("schema > /dev/full 2> problem; exit $?; true"), 4);
+  EXPECT_NE(read_file(directory_ / "problem").find("No space left on device"), std::string::npos);
 }
 
 TEST_F(OlderResults, OtherFilesAreNoResults) {

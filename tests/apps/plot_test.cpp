@@ -129,6 +129,7 @@ TEST_F(Results, WrongCallsAreRefusedWithACure) {
   expect_refused("plot result --range 1kN,2 -o x.svg", 2, {"1kN"});
   expect_refused("plot result --field block --range 1,2 -o x.svg", 2, {"--range"});
   expect_refused("plot result --window 0,1,2 -o x.svg", 2, {"4 numbers"});
+  expect_refused("plot result --window 900,901,0,1 -o x.svg", 2, {"shows nothing", "in x"});
   expect_refused("plot result --history uz -o x.svg", 2, {"\"uz\"", "ux"});
   expect_refused("plot result --history ux --monitor crwn -o x.svg", 2, {"crwn", "crown"});
   expect_refused("plot result --monitor crown -o x.svg", 2, {"--history"});

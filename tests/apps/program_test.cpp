@@ -336,6 +336,14 @@ TEST_F(Program, CutSplitsConcaveBlocksAndSaysSo) {
   EXPECT_EQ(std::count(wkt.begin(), wkt.end(), '\n'), 4) << wkt;
 }
 
+TEST_F(Program, CutKeepsTheJointsOfEdgesOfADomain) {
+  ASSERT_EQ(dda("make joints -o a.toml"), 0) << err_;
+  ASSERT_EQ(dda("cut a.toml -o b.toml"), 0) << err_;
+  ASSERT_EQ(dda("cut b.toml -o c.toml --convex --shortest-edge 0.05 --drop-straight"), 0) << err_;
+  EXPECT_EQ(dda("check c.toml"), 0) << err_;
+  EXPECT_NE(read_file(directory_ / "c.toml").find("edge_joints"), std::string::npos);
+}
+
 TEST_F(Program, CutRefusesWhatMakesNoSense) {
   write("a.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))\n");
   write("bad.wkt", "\nPOLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\n");

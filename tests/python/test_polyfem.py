@@ -81,5 +81,13 @@ def test_errors_are_exceptions_with_the_cure():
         polyfem.wachspress([[0, 0], [2, 0], [0.5, 0.5], [0, 2]], [[0.2, 0.2]])
     with pytest.raises(ValueError, match=r"shape \(n, 2\)"):
         polyfem.wachspress([0, 1, 2], [[0, 0]])
+    square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    with pytest.raises(ValueError, match="components=2"):
+        polyfem.Problem(square, [[0, 1, 2, 3]], components=1).assemble(young=1.0, poisson=0.3)
+    with pytest.raises(ValueError, match="no vertices"):
+        polyfem.Problem(np.zeros((0, 2)), [])
+    for density in (-1.0, float("nan")):
+        with pytest.raises(ValueError, match="density"):
+            polyfem.mass(square, density)
     with pytest.raises(ValueError, match="strain"):
         polyfem.stiffness(PENTAGON, 1e9, 0.3, plane="strian")

@@ -149,6 +149,12 @@ def test_ctrl_c_ends_the_set_up_before_anything_is_written(tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+def test_threads_are_as_many_as_on_the_command_line():
+    for threads in (0, 1025):
+        with pytest.raises(ValueError, match="from 1 to 1024"):
+            polydda.run(slide(), threads=threads)
+
+
 def test_settings_are_a_list():
     with pytest.raises(TypeError, match="settings="):
         polydda.run(slide(), settings="output.every=0")

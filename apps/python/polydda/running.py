@@ -95,8 +95,8 @@ def run(
     if out is None:
         keep = tempfile.TemporaryDirectory(prefix="polydda-")
         out = keep.name
-    if threads < 1:
-        raise ValueError(f"threads is {threads}: at least 1")
+    if not 1 <= threads <= 1024:
+        raise ValueError(f"threads is {threads}: from 1 to 1024")
     call = None if on_step is None else lambda *step: on_step(Step(*step))
     is_scene, problems, notes, found_warnings = _core.run_text(*_text(scene, settings), os.fspath(out), threads, force, call)
     found = [Problem(*problem) for problem in problems]

@@ -100,6 +100,8 @@ TEST_F(ActionsInTime, FilesAreRefusedWithTheirLineAndCure) {
   refuses("t,NS,UD\n0,0,0\n",
           {"record.csv:1:3", "'NS' does not say which component", "end its name in x or y"});
   refuses("t,az\n0,0\n", {"record.csv:1:3", "'az'"});
+  refuses("t;ax;ay\n0;0;0\n", {"record.csv:1:1", "';' separates", "write commas"});
+  refuses("t\tax\n0\t0\n", {"record.csv:1:1", "tabs separate", "write commas"});
   refuses("t,ax,ax\n0,0,0\n", {"record.csv:1:6", "'ax' stands twice"});
   refuses("0,1,2\n1,2,3\n", {"record.csv:1:1", "no names", "header"});
   refuses("t,ax,ay\n", {"record.csv:1:1", "no entries"});

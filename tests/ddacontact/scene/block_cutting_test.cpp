@@ -9,6 +9,7 @@
 #include <polyfem/geometry/validity.hpp>
 #include <tests/support/concave_polygons.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -108,6 +109,47 @@ TEST_F(BlockCutting, PartsAreOfTheirBlock) {
                   part.vertices.col(k) == whole.vertices.col(3));
   }
   EXPECT_TRUE(after.blocks[2].fixed);
+}
+
+TEST_F(BlockCutting, EdgesKeepTheirJoints) {
+  Scene before = scene();
+  before.joints.resize(3);
+  before.blocks.resize(1);
+  BlockDescription& block = before.blocks[0];
+  block.edge_joints = {0, 1, 2, 0, 1, 2};
+  for (const bool clockwise : {false, true}) {
+    if (clockwise) {
+      block.vertices = block.vertices.rowwise().reverse().eval();
+      block.edge_joints = {1, 0, 2, 1, 0, 2};
+    }
+    CutCounts counts;
+    const Scene after = cut_blocks(before, convex, counts);
+    ASSERT_EQ(after.blocks.size(), 2u);
+    EXPECT_EQ(counts.mixed_edges, 0);
+    for (const BlockDescription& part : after.blocks) {
+      std::vector<int> joints = part.edge_joints;
+      ASSERT_EQ(joints.size(), 4u);
+      std::ranges::rotate(joints, std::next(std::ranges::find(joints, -1)));
+      EXPECT_EQ(joints, (std::vector<int>{0, 1, 2, -1})) << "the last is the cut";
+    }
+  }
+}
+
+TEST_F(BlockCutting, AnEdgeOnSeveralFollowsTheJointOfTheGreatestLength) {
+  Scene before = scene();
+  before.joints.resize(3);
+  before.blocks[2].edge_joints = {0, 0, 1, 2, -1, 2};
+  CutCounts straight, merged;
+  EXPECT_EQ(cut_blocks(before, {.shortest_edge = 0, .drop_straight = true, .convex = false}, straight)
+                .blocks[2]
+                .edge_joints,
+            (std::vector<int>{0, 2, -1, 2}));
+  EXPECT_EQ(straight.mixed_edges, 1);
+  EXPECT_EQ(cut_blocks(before, {.shortest_edge = 0.1, .drop_straight = false, .convex = false}, merged)
+                .blocks[2]
+                .edge_joints,
+            (std::vector<int>{0, 0, 2, -1, 2}));
+  EXPECT_EQ(merged.mixed_edges, 0);
 }
 
 TEST_F(BlockCutting, AStageThatTakesABlockOutTakesItsParts) {

@@ -43,6 +43,15 @@ TEST(MadeScenes, AreSoundForOtherMeasures) {
   valid(made_scene(MadeHeap{.size = 2, .blocks = 1}));
 }
 
+TEST(MadeScenes, RefuseMeasuresOfNoWallAndOfTooManyBricks) {
+  EXPECT_THROW(made_scene(MadeWall{.brick_length = 1e-6, .brick_height = 1e-6}), Error);
+  EXPECT_THROW(made_scene(MadeArch{.voussoirs = 600000, .fill = true}), Error);
+  EXPECT_THROW(made_scene(MadeWall{.length = 0.3}), Error);
+  EXPECT_THROW(made_scene(MadeWall{.door_width = 5.9}), Error);
+  valid(made_scene(MadeWall{.door_width = 5.25}));
+  valid(made_scene(MadeWall{.length = 0.3, .door_width = 0}));
+}
+
 TEST(MadeScenes, BricksFillTheWallButForItsDoor) {
   double area = 0;
   for (const BlockDescription& block : valid(made_scene(MadeWall{})).blocks)

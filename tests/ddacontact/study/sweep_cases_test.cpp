@@ -70,4 +70,17 @@ TEST(SweepCases, ReadTheTableOfASpreadsheet) {
   EXPECT_EQ(cases.settings(1), (Values{"joint.0.friction_angle=35", "analysis.steps=6"}));
 }
 
+TEST(SweepCases, NameTheSeparatorOfATableThatHasAnother) {
+  const std::filesystem::path path = testing::TempDir() + "/semicolons.csv";
+  for (const char* text : {"a;b\n1;2\n", "a\tb\n1\t2\n"}) {
+    std::ofstream(path, std::ios::binary) << text;
+    try {
+      sweep_cases({}, path);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("write commas"), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace

@@ -300,6 +300,8 @@ TEST(FieldProblem, RefusesMeshesWhoseNumbersDoNotFit) {
   wrong.offsets.back() += 2;
   EXPECT_THROW(FieldProblem(wrong, 1), Error);
   EXPECT_THROW(FieldProblem(mesh, 0), Error);
+  const PolygonMesh nothing;
+  EXPECT_THROW(FieldProblem(nothing, 2), Error);
   EXPECT_THROW(FieldProblem(mesh, -1), Error);
 }
 
