@@ -18,7 +18,7 @@ void warn_of_two_joints_on_a_face(const Scene& scene, const BlockTable& blocks, 
   const JointTable joints = joint_table(scene.joints);
   const auto title_of = [&](int joint) {
     const std::string& name = scene.joints[joint].name;
-    return "joint " + (name.empty() ? std::to_string(joint) : ddacontact::quoted(name));
+    return "joint " + (name.empty() ? std::to_string(joint) : scene_format::quoted(name));
   };
   int found = 0;
   std::string first;
