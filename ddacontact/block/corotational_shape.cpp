@@ -217,7 +217,9 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   shape.nodes_of_points = shape.points.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
 
   if (control) {
-    MatrixXd displacements = MatrixXd::Zero(6, 6);  // of the control vertices, by the changes of the nodes
+    const Index n_unknowns = shape.nodes.size();
+    MatrixXd displacements =
+        MatrixXd::Zero(n_unknowns, n_unknowns);  // of the control vertices, by the changes of the nodes
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 3; ++a) {
         displacements(2 * k, 2 * a) = shape.points(control->x[k], a);

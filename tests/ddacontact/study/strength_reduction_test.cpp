@@ -397,4 +397,29 @@ TEST(StrengthReduction, ABlockOnTwoJointsSlidesWhereTheirFrictionTogetherIsUsed)
       }
 }
 
+/// Where the weak joint below a slab ends at its toe, its vertices slide a micrometre onto the strong one in
+/// front of it: what stands on that is still weak. Either way round.
+TEST(StrengthReduction, ASlabWhoseJointEndsAtItsToeHasTheFactorOfThatJoint) {
+  constexpr double weak = 15, strong = 40, slope = 20;
+  for (const double sense : {1., -1.}) {
+    SCOPED_TRACE(sense);
+    Scene scene = rock({"weak", weak, 0, 0, std::nullopt});
+    scene.joints.push_back({"strong", strong, 0, 0, std::nullopt});
+    scene.analysis.gravity = gravity * Vec2(sense * std::sin(radians(slope)), -std::cos(radians(slope)));
+    const double toe = sense > 0 ? 10 : 0;
+    Points lower(2, 5);
+    lower << -10, 20, 20, toe, -10,  //
+        -10, -10, 0, 0, 0;
+    add(scene, lower, true);
+    add(scene, rectangle(0, 0, 10, 2));
+    const int right = sense > 0 ? 1 : 0, left = 1 - right;
+    scene.blocks[0].edge_joints = {1, 1, right, left, 1};
+    scene.blocks[1].edge_joints = {0, 0, 0, 0};
+    const double exact = std::tan(radians(weak)) / std::tan(radians(slope));
+    const StrengthReduction reduction(scene, {0, 1});
+    EXPECT_EQ(reduction.try_factor(0.98 * exact).verdict, Verdict::rests);
+    EXPECT_EQ(reduction.try_factor(1.02 * exact).verdict, Verdict::moves);
+  }
+}
+
 }  // namespace

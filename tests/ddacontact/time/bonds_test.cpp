@@ -83,3 +83,29 @@ TEST(Bonds, OfAStaticStepBreakOneAfterTheOther) {
     EXPECT_EQ(built.stepper->counts().broken_bonds == 0, hangs);
   }
 }
+
+/// A block of which supports hold the base across the joint, and which a load drives along it: the bond bears
+/// the load, though no unknown moves its gap.
+TEST(Bonds, BearShearWhereSupportsHoldTheJointShut) {
+  for (const Mode mode : {Mode::statics, Mode::dynamics}) {
+    Scene scene;
+    scene.analysis.mode = mode;
+    scene.analysis.time_step = 1e-3;
+    scene.analysis.steps = 50;
+    scene.materials = {{"rock", 2500, 1e10, 0.2}};
+    scene.joints = {{"bond", 30, 1e6, 1e6, std::nullopt}};
+    scene.contact.normal_stiffness = scene.contact.tangential_stiffness = 4e11;
+    scene.blocks = {block(rectangle(-1, -1, 3, 1), true), block(rectangle(0, 0, 1, 1))};
+    scene.supports = {{1, {0, 1}, false, true, {}}};
+    Load push;
+    push.block = 1;
+    push.at = {0.5, 0.5};
+    push.force.value = {1e3, 0};
+    scene.loads = {push};
+    const BuiltScene built = run(scene);
+    EXPECT_LE(travel(*built.stepper, 1).norm(), 1e-6);
+    double shear = 0;
+    for (const ContactRecord& contact : built.stepper->contacts()) shear += contact.shear;
+    if (mode == Mode::statics) EXPECT_NEAR(std::abs(shear), 1e3, 1);
+  }
+}

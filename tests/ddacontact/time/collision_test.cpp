@@ -116,6 +116,21 @@ TEST(RowOfSquares, EachPassesOnWhatItGot) {
         }
 }
 
+/// In the very first step, too, in which contacts that touch without force have no history.
+TEST(RowOfSquares, PassesOnWhatItGetsInTheFirstStep) {
+  Scene scene = row_of_squares(2, 0, 1, 0.01);
+  scene.blocks[0] = block(rectangle(-1.03, 0, 1, 1));
+  scene.blocks[0].velocity = {4, 0};
+  scene.analysis.steps = 3;
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint}) {
+    scene.analysis.scheme = scheme;
+    const BuiltScene built = run(scene);
+    const double thrown = 2500 * 4;
+    EXPECT_NEAR(momentum(*built.stepper, 0).x(), 0, 1e-6 * thrown);
+    EXPECT_NEAR(momentum(*built.stepper, 2).x(), thrown, 1e-6 * thrown);
+  }
+}
+
 TEST(RowOfSquares, NeverGainsEnergyByMidpoint) {
   for (double gap : {0., 0.01}) {
     Scene scene = row_of_squares(4, gap, 1, 5e-3);

@@ -105,6 +105,30 @@ TEST(Rest, AStaticColumnShortensByHooksLaw) {
   }
 }
 
+/// The toe of a block that topples, in a notch where the gaps of two contacts cannot both be closed: static
+/// steps that go on correcting them would add to both forces for ever.
+TEST(Rest, ForcesInANotchDoNotGrowStepByStep) {
+  Scene scene;
+  scene.analysis.mode = Mode::statics;
+  scene.analysis.gravity = Vec2(0, -10);
+  scene.analysis.time_step = 1e-3;
+  scene.analysis.steps = 400;
+  scene.analysis.block_model = BlockModel::affine;
+  scene.materials = {{"rock", 2000, 5e9, 0.2}};
+  scene.joints = {{"joint", 35, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = scene.contact.tangential_stiffness = 2e11;
+  Points toppling(2, 3);
+  toppling << 0, 0, -1,  //
+      0, 2, 2;
+  scene.blocks = {block(rectangle(0, -1, 1, 4), true), block(rectangle(-1, -1, 1, 1), true), block(toppling)};
+  const double weight = 2000 * 10;
+  const BuiltScene built = run(scene);
+  double largest = 0;
+  for (const ContactRecord& contact : built.stepper->contacts())
+    largest = std::max(largest, std::abs(contact.normal));
+  EXPECT_LE(largest, 5 * weight);
+}
+
 /// Of bricks of 1 x 0.5 m, every second course beginning and ending with half a brick, on a slab; it does not
 /// sleep.
 Scene wall_in_running_bond(int n_courses, int n_bricks) {
