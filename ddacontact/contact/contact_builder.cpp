@@ -281,10 +281,12 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
     if (shares_anew)  // what a joint's springs bear is a stress: it stays where neighbours take over a part
       for (double* force : {&contact.history.normal, &contact.history.shear})
         *force *= length / old->history.length;
-    if (shares_anew || (slides && !properties_.edge_joints.empty()) ||
+    if (shares_anew ||
         (old->pair != pair && old->history.length > 0 &&
          (old->history.length_beyond != 0 || properties_.joint_of(old->pair) != properties_.joint_of(pair))))
       set_length(state, found, contact);
+    else if (slides)
+      set_length_beyond(state, contact);
     contact.law = properties_.law(contact);
     // Slip keeps its sign: the edges run the same way, or they are antiparallel, and so are the roles of
     // their blocks. Of a rounded corner another point touches now.

@@ -125,6 +125,9 @@ class ContactBuilder {
   static std::function<bool(int, int)> bearing(std::span<const VertexEdge> found);
   /// Writes it into the history of the contact, what lies on another joint apart.
   void set_length(const BlockState& state, std::span<const VertexEdge> found, ContactRecord& contact) const;
+  /// The part of it on another joint. Where a vertex of the other face is near either may bear the force: the
+  /// joints that a vertex meets are those between its neighbours on its own face.
+  void set_length_beyond(const BlockState& state, ContactRecord& contact) const;
   /// Whether contacts of one place are not told apart by the search: those of joints with a stiffness, which
   /// strains move apart, and all of rounded blocks.
   bool has_places(const VertexEdge& of) const;

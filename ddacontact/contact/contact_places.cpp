@@ -94,13 +94,15 @@ ContactLength ContactBuilder::length_of(const BlockState& state, const VertexEdg
 
 void ContactBuilder::set_length(const BlockState& state, std::span<const VertexEdge> found,
                                 ContactRecord& contact) const {
+  contact.history.length = length_of(state, contact.pair, bearing(found)).total();
+  set_length_beyond(state, contact);
+}
+
+void ContactBuilder::set_length_beyond(const BlockState& state, ContactRecord& contact) const {
   ContactHistory& history = contact.history;
   const VertexEdge& pair = contact.pair;
-  history.length = length_of(state, pair, bearing(found)).total();
   history.length_beyond = 0;
   if (properties_.edge_joints.empty()) return;
-  // Where a vertex of the other face is near either may bear the force: the joints that a vertex meets are
-  // those between its neighbours on its own face.
   const ContactLength length =
       length_of(state, pair, [&](int block, int) { return block == pair.vertex_block; });
   if (length.edge_beyond < 0 || length.total() == 0) return;

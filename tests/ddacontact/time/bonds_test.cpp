@@ -87,7 +87,7 @@ TEST(Bonds, OfAStaticStepBreakOneAfterTheOther) {
 /// A block of which supports hold the base across the joint, and which a load drives along it: the bond bears
 /// the load, though no unknown moves its gap.
 TEST(Bonds, BearShearWhereSupportsHoldTheJointShut) {
-  for (const Mode mode : {Mode::statics, Mode::dynamics}) {
+  for (const Mode mode : {Mode::statics, Mode::dynamic}) {
     Scene scene;
     scene.analysis.mode = mode;
     scene.analysis.time_step = 1e-3;
@@ -106,6 +106,8 @@ TEST(Bonds, BearShearWhereSupportsHoldTheJointShut) {
     EXPECT_LE(travel(*built.stepper, 1).norm(), 1e-6);
     double shear = 0;
     for (const ContactRecord& contact : built.stepper->contacts()) shear += contact.shear;
-    if (mode == Mode::statics) EXPECT_NEAR(std::abs(shear), 1e3, 1);
+    if (mode == Mode::statics) {
+      EXPECT_NEAR(std::abs(shear), 1e3, 1);
+    }
   }
 }
