@@ -230,6 +230,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
         history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
       }
       if (properties_.is_glued(contact)) glue(contact);
+      if (!contact.law.compliant) leave_out_friction(contact);
       contacts.push_back(contact);
     }
   return contacts;
@@ -301,6 +302,7 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
       contact.history.normal = contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap);
   }
   if (properties_.is_glued(contact)) glue(contact);
+  if (!contact.law.compliant) leave_out_friction(contact);
   return contact;
 }
 

@@ -90,6 +90,11 @@ class ContactBuilder {
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
+  /// Whether free unknowns move what has this form, by more than supports leave at the held end of an edge.
+  bool is_moved(const Contact& contact, const VertexEdgeForm& by) const;
+  /// Where supports alone hold two blocks together no one can tell the normal force: a bond bears shear by
+  /// its cohesion alone.
+  void leave_out_friction(Contact& contact) const;
   /// Whether free unknowns move the vertex off the edge, or along it where a bond bears that. Where only
   /// supports do, as at a held end of the edge, there is nothing to solve: the force between them is theirs.
   bool can_change(const BlockState& state, const VertexEdge& pair,

@@ -32,25 +32,35 @@ bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge&
          std::abs(apart.dot(along)) <= same_place * std::min(length, of_other) * length;
 }
 
+bool ContactBuilder::is_moved(const Contact& contact, const VertexEdgeForm& by) const {
+  const AffineForm form = contact.motion.form(by.gradient);
+  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
+    if (blocks_.equation()[form.unknowns()[k]] >= 0 && std::abs(form.coefficients()[k]) > same_place)
+      return true;
+  return false;
+}
+
 bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair,
                                 std::span<const ContactRecord> previous) const {
   Contact contact;
   contact.motion = motion_of(blocks_, state, pair);
   const VertexEdgePositions positions = contact.motion.slip_positions();
   contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
-  const auto is_free = [&](const VertexEdgeForm& of) {
-    const AffineForm form = contact.motion.form(of.gradient);
-    for (std::size_t k = 0; k < form.unknowns().size(); ++k)
-      if (blocks_.equation()[form.unknowns()[k]] >= 0 && std::abs(form.coefficients()[k]) > same_place)
-        return true;
-    return false;
-  };
   const JointStrength& joint = properties_.strength(pair);
   const bool bonded = joint.glued || ((joint.cohesion > 0 || joint.tensile_strength > 0) &&
                                       (previous.empty() || std::ranges::any_of(previous, [&](const auto& of) {
                                          return of.pair == pair && of.history.bonded;
                                        })));
-  return is_free(contact.first_gap()) || (bonded && is_free(contact.first_slip()));
+  return is_moved(contact, contact.first_gap()) || (bonded && is_moved(contact, contact.first_slip()));
+}
+
+void ContactBuilder::leave_out_friction(Contact& contact) const {
+  const VertexEdge& pair = contact.pair;
+  if (blocks_.is_free(pair.vertex_block) || blocks_.is_free(pair.edge_block) ||
+      is_moved(contact, contact.first_gap()))
+    return;
+  contact.law.friction = 0;
+  contact.law.friction_law = nullptr;
 }
 
 bool ContactBuilder::has_places(const VertexEdge& of) const {
