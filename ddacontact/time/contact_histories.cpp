@@ -46,7 +46,7 @@ void hand_on_forces(bool hands_on, bool means, Contact& contact) {
 /// contacts of one corner may ask for what cannot be, and each correction adds to their forces.
 void adapt(double before, double after, double correction, std::uint8_t& halvings) {
   constexpr int most = std::numeric_limits<float>::digits;
-  constexpr double least_change = 0.1;  // of the whole correction: gaps of a wall follow each other slowly
+  constexpr double least_change = 0.05;  // of the whole correction: gaps of a wall follow each other slowly
   if (correction == 0) return;
   const bool changes = std::abs(before) - std::abs(after) >= std::abs(correction) / 2 ||
                        std::abs(after - before) >= least_change * std::ldexp(std::abs(correction), halvings);

@@ -68,7 +68,7 @@ TEST(OutOfMemory, AStepIsLeftAsIfItHadNotBeenTried) {
   const Points next_positions = whole.stepper->state().position;
 
   int n_refused = 0, n_without_velocity = 0;
-  for (long requests = 0;; requests += 1 + requests / 20) {
+  for (long requests = 0;; requests += 1 + requests / 40) {
     const BuiltScene built = build(scene);
     ASSERT_TRUE(built.stepper->step());
     built.stepper->restore(built.stepper->run_record());  // without the solution that was looked for ahead
