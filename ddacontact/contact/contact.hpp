@@ -115,7 +115,6 @@ struct Contact : ContactRecord {
   double gap = 0;                                  ///< without its offset
   double gap_change = 0, slip_change = 0;          ///< within the step
   double straight_before = 0, straight_after = 0;  ///< length of the collinear outline beyond its ends, m
-  double gap_correction = 0, slip_correction = 0;  ///< that a static step is to make, m
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m
 

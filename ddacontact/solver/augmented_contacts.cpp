@@ -15,9 +15,8 @@ namespace {
 /// tenth, and at most, for its round-off to stay below the forces that the compliant side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 /// A dynamic step corrects this part of the gaps and slips of closed contacts, and all beyond the penetration
-/// tolerance. Gaps within this part of the tolerance stay uncorrected: in a wall every correction moves
-/// neighbours, for hundreds of steps.
-constexpr double corrected_part = 0.2, uncorrected_part = 1e-3;
+/// tolerance.
+constexpr double corrected_part = 0.2;
 
 /// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to round-off and `negligible`,
 /// N per m.
@@ -70,21 +69,15 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
                                       largest_stiffness_ratio * lower_stiffness);
   law.tangential_stiffness = ratio * law.normal_stiffness;
-  contact.gap_correction = contact.slip_correction = 0;
   if (!contact.closed()) return;
   multiplier.normal = history.normal;
   multiplier.shear = history.shear;
   multiplier.sliding = is_slipping(history.state);
-  const auto kept = [&](double length, int halvings, double& of_static_step) {
-    const double by = correction(length, halvings, contact.size);
-    of_static_step = options_.is_static ? by : 0;
-    return length - by;
-  };
   multiplier.normal += law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset,
-                                                   history.gap_halvings, contact.gap_correction);
+                                                   history.gap_halvings, contact.size);
   if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
-    multiplier.shear += law.tangential_stiffness *
-                        kept(contact.first_slip().constant, history.slip_halvings, contact.slip_correction);
+    multiplier.shear +=
+        law.tangential_stiffness * kept(contact.first_slip().constant, history.slip_halvings, contact.size);
 }
 
 /// The joint's own springs: forces of the end of the step, or the means of both ends.
@@ -95,14 +88,12 @@ void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& mult
   multiplier.normal = contact.history.normal / 2;
 }
 
-/// What a step is to take off the gap or slip that a closed contact of blocks of this size starts with.
-double AugmentedContacts::correction(double length, int halvings, double size) const {
-  const double most = options_.penetration_tolerance * size, within = std::min(std::abs(length), most),
-               part = options_.is_static ? std::ldexp(1, -halvings) : corrected_part,
-               left = within <= uncorrected_part * most
-                          ? within
-                          : std::max(uncorrected_part * most, (1 - part) * within);
-  return length - std::copysign(left, length);
+/// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
+double AugmentedContacts::kept(double length, int halvings, double size) const {
+  const double most = options_.penetration_tolerance * size, least = uncorrected_part * most,
+               within = std::min(std::abs(length), most),
+               part = options_.is_static ? std::ldexp(1, -halvings) : corrected_part;
+  return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);
 }
 
 void AugmentedContacts::evaluate(VectorXd& d) {

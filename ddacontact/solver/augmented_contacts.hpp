@@ -25,6 +25,10 @@ struct Multiplier {
 /// that it gives them.
 class AugmentedContacts {
  public:
+  /// Gaps and slips within this part of the penetration tolerance stay uncorrected: in a wall every
+  /// correction moves neighbours, for hundreds of steps.
+  static constexpr double uncorrected_part = 1e-3;
+
   AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
                     std::vector<Contact>& contacts);
 
@@ -84,7 +88,7 @@ class AugmentedContacts {
   double shear_stiffness(const JointLaw& law) const {
     return law.tangential_stiffness * (law.compliant && has_means() ? 1. / 2 : 1);
   }
-  double correction(double length, int halvings, double size) const;
+  double kept(double length, int halvings, double size) const;
   int follows_bound(std::size_t c, unsigned char state) const;
   bool yields(std::size_t c, const VectorXd& d) const;
   bool is_sliding(std::size_t c) const { return law_states_[c] & (at_upper | at_lower); }

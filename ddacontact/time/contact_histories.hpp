@@ -18,7 +18,7 @@ struct ContactEnds {
 /// count as none.
 /// \param[in] means           the step's forces are those of both ends
 /// \param[in,out] energy      what dilation lifts is paid for by what friction takes
-ContactEnds end_histories(const ContactProperties& properties, bool means, std::vector<Contact>& contacts,
-                          Energy& energy);
+ContactEnds end_histories(const ContactProperties& properties, bool is_static, bool means,
+                          std::vector<Contact>& contacts, Energy& energy);
 
 }  // namespace ddacontact

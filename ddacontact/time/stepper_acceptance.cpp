@@ -23,8 +23,9 @@ void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
     notes_.push_back("bolt " + quoted(bolt) + " has torn at time " + std::to_string(next.time) + " s");
   assess(dt, solution, next);
   book_kinetic(kinetic_energy(blocks_, next.velocity), energy_.now);
-  const ContactEnds ends = end_histories(trial_.builder().properties(), trial_.system().rule().mean_forces(),
-                                         trial_.contacts(), energy_.now);
+  const ContactEnds ends =
+      end_histories(trial_.builder().properties(), is_static(), trial_.system().rule().mean_forces(),
+                    trial_.contacts(), energy_.now);
   account_impact(solution.impact, energy_.now);
   note_concave(end.concave, next.time);
   contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());

@@ -38,7 +38,7 @@ void make_compliant(Contact& contact) {
 }
 
 ContactEnds end(std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy) {
-  return end_histories(properties, false, contacts, energy);
+  return end_histories(properties, false, false, contacts, energy);
 }
 /// Of a contact alone.
 ContactEnds end(Contact& contact, const JointStrength& joint = {}) {
@@ -90,7 +90,7 @@ TEST(ContactHistories, SpringsOfAJointHandOnTheForcesOfTheEnd) {
     Energy energy;
     ContactProperties penalties = with_joint({.normal_stiffness = of_joint});
     penalties.penetration_tolerance = 0;
-    end_histories(penalties, means, contacts, energy);
+    end_histories(penalties, false, means, contacts, energy);
     EXPECT_DOUBLE_EQ(contacts[0].history.normal, of_joint * 3e-6);
     EXPECT_DOUBLE_EQ(contacts[0].history.shear, means ? 40 : 25);
     EXPECT_DOUBLE_EQ(contacts[0].end_gap, -3e-6);
