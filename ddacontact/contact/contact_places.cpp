@@ -55,8 +55,7 @@ bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair,
 }
 
 void ContactBuilder::leave_out_friction(Contact& contact) const {
-  const VertexEdge& pair = contact.pair;
-  if (blocks_.is_free(pair.vertex_block) || blocks_.is_free(pair.edge_block) ||
+  if (blocks_.is_free(contact.pair.vertex_block) || blocks_.is_free(contact.pair.edge_block) ||
       is_moved(contact, contact.first_gap()))
     return;
   contact.law.friction = 0;
