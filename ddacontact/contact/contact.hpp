@@ -23,8 +23,8 @@ struct ContactHistory {
   /// The part of `length` on another joint, m: beyond the end of the edge, or, < 0, before its start. In
   /// single precision, which keeps contacts small.
   float length_beyond = 0;
-  /// How often static corrections of its gap and its slip have been halved, since they changed nothing.
-  std::uint8_t gap_halvings = 0, slip_halvings = 0;
+  /// How often static corrections of its gap have been halved, since they changed nothing.
+  std::uint8_t halvings = 0;
   ContactState state = ContactState::open;
   bool bonded = false;  ///< closed at the start and never slid or opened
 };

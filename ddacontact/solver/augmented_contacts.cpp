@@ -74,10 +74,9 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   multiplier.shear = history.shear;
   multiplier.sliding = is_slipping(history.state);
   multiplier.normal += law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset,
-                                                   history.gap_halvings, contact.size);
+                                                   history.halvings, contact.size);
   if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
-    multiplier.shear +=
-        law.tangential_stiffness * kept(contact.first_slip().constant, history.slip_halvings, contact.size);
+    multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, 0, contact.size);
 }
 
 /// The joint's own springs: forces of the end of the step, or the means of both ends.

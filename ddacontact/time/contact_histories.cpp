@@ -45,23 +45,20 @@ void hand_on_forces(bool hands_on, bool means, Contact& contact) {
 
 /// A static correction after which nothing has changed is halved the next time, one that has helped doubled
 /// again: contacts of one corner may ask for what cannot be, and each correction adds to their forces.
-void adapt(double before, double after, double uncorrected, std::uint8_t& halvings) {
+void adapt_correction(double penetration_tolerance, Contact& contact) {
   constexpr int most = std::numeric_limits<float>::digits;
   constexpr double least_change = 0.05;  // of the whole correction: gaps of a wall follow each other slowly
-  const double correction = std::min(std::abs(before) - uncorrected, std::ldexp(std::abs(before), -halvings));
+  if (contact.law.compliant || contact.start_state == ContactState::open) return;
+  ContactHistory& history = contact.history;
+  const double before = contact.motion.start_gap() - history.gap_offset, after = contact.end_gap,
+               least = AugmentedContacts::uncorrected_part * penetration_tolerance * contact.size,
+               correction =
+                   std::min(std::abs(before) - least, std::ldexp(std::abs(before), -history.halvings));
   if (correction <= 0) return;
   const bool changes = std::abs(before) - std::abs(after) >= correction / 2 ||
-                       std::abs(after - before) >= least_change * std::ldexp(correction, halvings);
-  halvings = static_cast<std::uint8_t>(changes ? std::max(halvings - 1, 0) : std::min(halvings + 1, most));
-}
-
-void adapt_corrections(double penetration_tolerance, Contact& contact) {
-  const double uncorrected = AugmentedContacts::uncorrected_part * penetration_tolerance * contact.size;
-  ContactHistory& history = contact.history;
-  if (contact.law.compliant || contact.start_state == ContactState::open) return;
-  adapt(contact.motion.start_gap() - history.gap_offset, contact.end_gap, uncorrected, history.gap_halvings);
-  if (contact.start_state == ContactState::stick)
-    adapt(contact.first_slip().constant, contact.end_slip, uncorrected, history.slip_halvings);
+                       std::abs(after - before) >= least_change * std::ldexp(correction, history.halvings);
+  history.halvings = static_cast<std::uint8_t>(changes ? std::max(history.halvings - 1, 0)
+                                                       : std::min(history.halvings + 1, most));
 }
 
 }  // namespace
@@ -72,7 +69,7 @@ ContactEnds end_histories(const ContactProperties& properties, bool is_static, b
   for (Contact& contact : contacts) {
     ContactHistory& history = contact.history;
     contact.end_gap = contact.gap - history.gap_offset;
-    if (is_static) adapt_corrections(properties.penetration_tolerance, contact);
+    if (is_static) adapt_correction(properties.penetration_tolerance, contact);
     const double shear_before = history.shear;
     hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant), means,
                    contact);
