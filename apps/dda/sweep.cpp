@@ -4,6 +4,7 @@
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
 #include "messages.hpp"
+#include "named_files.hpp"
 #include "option_values.hpp"
 
 #include <fcntl.h>
@@ -16,6 +17,7 @@
 #include <ddacontact/output/csv_table.hpp>
 #include <ddacontact/output/older_results.hpp>
 #include <ddacontact/output/output_error.hpp>
+#include <ddacontact/output/whole_file.hpp>
 #include <ddacontact/scene/file_text.hpp>
 #include <ddacontact/study/factor_distribution.hpp>
 #include <ddacontact/study/job_queue.hpp>
@@ -23,16 +25,13 @@
 #include <ddacontact/study/sweep_cases.hpp>
 #include <ddacontact/study/sweep_map.hpp>
 #include <ddacontact/study/sweep_results.hpp>
-#include <polyfem/io/write_error.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <thread>
 
 namespace dda {
@@ -42,41 +41,8 @@ using namespace ddacontact;
 
 namespace {
 
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 void write(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw polyfem::write_error(path);
-}
-
-/// Names between quotes in a text.
-std::vector<std::string> quoted_words(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t begin = text.find_first_of("\"'"); begin != std::string::npos;) {
-    const std::size_t end = text.find_first_of(std::string{text[begin], '\n'}, begin + 1);
-    if (end == std::string::npos) break;
-    if (text[end] != '\n') words.push_back(text.substr(begin + 1, end - begin - 1));
-    begin = text.find_first_of("\"'", end + 1);
-  }
-  return words;
-}
-
-/// Of those of the words that name files of the directory: blocks, boundaries, histories.
-std::string texts_of_files(const fs::path& directory, const std::vector<std::string>& words) {
-  std::string texts;
-  for (const std::string& word : words) {
-    std::error_code error;
-    if (!word.empty() && fs::is_regular_file(directory / word, error))
-      texts += '\n' + word + '\n' + text_of(directory / word);
-  }
-  return texts;
+  write_whole(path, [&](std::ostream& out) { out << text; });
 }
 
 /// For a shell.
@@ -105,8 +71,7 @@ class Sweep {
   /// Throws Error where no case is a scene, as with a path that is not there: nothing is written then.
   void expect_a_scene() const {
     std::string first;
-    const int n_tried = std::min(n_cases(), most_tried);
-    for (int i = 0; i < n_tried; ++i) {
+    for (int i = 0, n_tried = std::min(n_cases(), most_tried); i < n_tried; ++i) {
       const auto k = static_cast<int>(static_cast<long>(n_cases()) * i / n_tried) + 1;
       const SceneReading reading = read_scene(arguments_.scene, settings_of(k));
       if (reading.scene) return;
@@ -217,8 +182,7 @@ class Sweep {
   /// A value is set or varied.
   void check_settings() const {
     for (const std::string& setting : arguments_.settings)
-      if (const std::string path = setting.substr(0, setting.find('='));
-          std::ranges::count(cases_.paths, path))
+      if (const auto path = setting.substr(0, setting.find('=')); std::ranges::count(cases_.paths, path))
         throw Error(fmt::format("'{}' is set and varied (leave out --set {})", path, setting));
   }
   /// A name is of one column.

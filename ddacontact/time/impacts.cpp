@@ -134,8 +134,7 @@ class Flight {
   }
 
   StepImpact follow() {
-    const std::vector<char> all(blocks_.n_blocks(), 1);
-    look_ahead(all);
+    look_ahead(std::vector<char>(blocks_.n_blocks(), 1));
     for (std::size_t round = 0; round < contacts_.size() && collide(); ++round) look_ahead(hit_now_);
     if (result_.n_hits > 0) result_.start = std::move(start_);
     return std::move(result_);
@@ -147,16 +146,14 @@ class Flight {
     double time = infinity, approach = 0;
   };
 
-  /// Whether a contact is bonded, or pressed by more than round-off: one that only touches passes on what it
-  /// gets. Of a face with many contacts each bears a small part.
+  /// Whether it is bonded, or pressed by more than round-off: one that only touches passes on what it gets.
   bool bears(const Contact& contact) const {
     constexpr double least_of_weight = 1e-3;
-    double mass = infinity;
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
-      if (blocks_.is_movable(b)) mass = std::min(mass, blocks_.block(b).mass_total());
-    const double counts =
-        std::max(least_of_weight * blocks_.gravity.norm() * dt_, round_off_speed(contact, dt_));
-    return contact.closed() && (contact.has_bond() || contact.history.normal * dt_ > mass * counts);
+    if (!contact.closed() || contact.has_bond()) return contact.closed();
+    const auto mass = [&](int b) { return blocks_.is_movable(b) ? blocks_.block(b).mass_total() : infinity; };
+    return contact.history.normal * dt_ >
+           std::min(mass(contact.pair.vertex_block), mass(contact.pair.edge_block)) *
+               std::max(least_of_weight * blocks_.gravity.norm() * dt_, round_off_speed(contact, dt_));
   }
 
   /// How long the impact of a contact takes: blocks pass on what they got when waves have crossed them.

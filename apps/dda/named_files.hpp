@@ -1,0 +1,17 @@
+/// \file The files that a scene names, as far as its text tells.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dda {
+
+/// Of a file.
+std::string text_of(const std::filesystem::path& path);
+/// Names between quotes in a text.
+std::vector<std::string> quoted_words(const std::string& text);
+/// Of those of the words that name files of the directory: blocks, boundaries, histories.
+std::string texts_of_files(const std::filesystem::path& directory, const std::vector<std::string>& words);
+
+}  // namespace dda
