@@ -347,13 +347,12 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
   });
   // A point that turns with its block leaves the straight line that its support prescribes.
   constexpr int most_rounds = 8;
-  constexpr double negligible = 1e-15;  // of the block size
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<int> moved;
     for (const PrescribedDof& held : prescribed_dofs_) {
       const int b = block_of_unknown_[held.unknown];
       const double error = displaced[held.unknown] - prescribed[held.unknown];
-      if (is_unchanging(b) || std::abs(error) <= negligible * block(b).size()) continue;
+      if (is_unchanging(b) || std::abs(error) <= held_point_error * block(b).size()) continue;
       d[held.unknown] -= error;
       if (moved.empty() || moved.back() != b) moved.push_back(b);
     }

@@ -42,14 +42,20 @@ bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
 }
 
 /// Whether gaps follow their gradients of the start on the last part of the way to d, `change`, as far as
-/// forces can tell: a block that has turned on its way leads its points off them by no more than its way over
-/// its size.
+/// forces can tell, and held points stay where they are: a block that has turned on its way leads its points
+/// off by no more than its way over its size.
 bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts, const VectorXd& d,
                     const VectorXd& change, const std::vector<SweptLaw>& laws, double tolerance) {
   std::vector<double> bends(static_cast<std::size_t>(system.n_blocks()));
   for (int b = 0; b < system.n_blocks(); ++b) {
     const double last = system.largest_motion(b, change), way = system.largest_motion(b, d) + last;
     bends[static_cast<std::size_t>(b)] = last * way / system.size_of(b);
+  }
+  for (const PrescribedDof& held : system.blocks().prescribed_dofs()) {
+    const int b = system.blocks().block_of_point(held.vertex);
+    if (system.blocks().is_movable(b) &&
+        bends[static_cast<std::size_t>(b)] > held_point_error * system.size_of(b))
+      return false;
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const VertexEdge& pair = contacts.contacts()[c].pair;
