@@ -1,6 +1,7 @@
 #include <ddacontact/time/trial_step.hpp>
 
 #include <ddacontact/contact/for_contacts.hpp>
+#include <ddacontact/contact/seams.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/core/stopwatch.hpp>
@@ -95,6 +96,7 @@ bool TrialStep::take_missed(const BlockState& next) {
 }
 
 void TrialStep::keep_start() {
+  share_friction_at_seams(blocks_, state_, builder_->properties(), contacts_);
   for_contacts(contacts_.size(), [&](std::size_t c) {
     contacts_[c].start_state = contacts_[c].history.state;
     contacts_[c].start_bonded = contacts_[c].history.bonded;

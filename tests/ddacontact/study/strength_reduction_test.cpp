@@ -397,6 +397,40 @@ TEST(StrengthReduction, ABlockOnTwoJointsSlidesWhereTheirFrictionTogetherIsUsed)
       }
 }
 
+/// The same on two blocks with a joint each: at their seam either corner may bear the force.
+TEST(StrengthReduction, ABlockAcrossTheSeamOfTwoJointsUsesTheFrictionOfBoth) {
+  constexpr double length = 10, height = 5, to_seam = 8, slope = 20, rough = 40, smooth = 10;
+  // Pressure is linear under the resultant: weight through the centre, h / 2 tan(slope) down the slope of it.
+  const double eccentricity = height / 2 * std::tan(radians(slope));
+  const auto part_up_to = [&](double x) {  // of the normal force, from the upper end
+    const double mean = x / length, skew = 6 * eccentricity / length;
+    return mean + skew * mean * (mean - 1);
+  };
+  const auto tan_of = [](double degrees) { return std::tan(radians(degrees)); };
+  for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value})
+    for (const double sense : {1., -1.}) {
+      SCOPED_TRACE(sense);
+      Scene scene = rock({"everywhere", rough, 0, 0, std::nullopt});
+      scene.materials.push_back({"smooth", density, 5e9, 0.25});
+      scene.joints.push_back({"smooth", smooth, 0, 0, std::nullopt});
+      scene.joints[1].between = {{0, 1}};
+      scene.analysis.gravity = gravity * Vec2(sense * std::sin(radians(slope)), -std::cos(radians(slope)));
+      const auto place = [&](double from, double to) {
+        return sense > 0 ? rectangle(from, -3, to - from, 3) : rectangle(length - to, -3, to - from, 3);
+      };
+      add(scene, place(-5, to_seam), true);
+      add(scene, place(to_seam, 25), true);
+      add(scene, rectangle(0, 0, length, height));
+      scene.blocks[0].material = 1;
+      scene.blocks[2].model = model;
+      const double upper = part_up_to(to_seam),
+                   factor = (upper * tan_of(smooth) + (1 - upper) * tan_of(rough)) / tan_of(slope);
+      const StrengthReduction reduction(scene, {0, 1});
+      EXPECT_EQ(reduction.try_factor(0.9 * factor).verdict, Verdict::rests);
+      EXPECT_EQ(reduction.try_factor(1.1 * factor).verdict, Verdict::moves);
+    }
+}
+
 /// Where the weak joint below a slab ends at its toe, its vertices slide a micrometre onto the strong one in
 /// front of it: what stands on that is still weak. Either way round.
 TEST(StrengthReduction, ASlabWhoseJointEndsAtItsToeHasTheFactorOfThatJoint) {
