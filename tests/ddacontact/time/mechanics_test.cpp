@@ -127,6 +127,29 @@ TEST(SpinningCorotationalBlock, SlowsDownAsItsSchemeSays) {
   }
 }
 
+/// A rigid motion about the vertex: the reaction does no work, whatever the step.
+TEST(HeldVertex, ABlockThatTurnsAboutItKeepsItsEnergyAndItsPeriod) {
+  for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value})
+    for (const Scheme scheme : {Scheme::decaying, Scheme::central_difference, Scheme::midpoint})
+      for (const double time_step : {0.02, 0.005}) {
+        SCOPED_TRACE(time_step);
+        Scene scene = stiff_scene(time_step, 0.2, scheme);
+        scene.analysis.gravity.setZero();
+        scene.blocks = {block(rectangle(0, 0, 1, 1))};
+        scene.blocks[0].model = model;
+        scene.blocks[0].angular_velocity = one_turn;
+        scene.blocks[0].velocity = {-one_turn / 2, one_turn / 2};
+        scene.supports = {{0, {0}, true, true, {}}};
+        const BuiltScene built = build(scene);
+        const double before = mechanical_energy(*built.stepper);
+        run(*built.stepper, scene.analysis.steps);
+        EXPECT_NEAR(mechanical_energy(*built.stepper) / before, 1, 1e-5);
+        EXPECT_NEAR(built.stepper->energy().balance_error(), 0, 1e-9);
+        const Points& x = built.stepper->state().position;
+        EXPECT_NEAR(std::atan2(x(1, 1) - x(1, 0), x(0, 1) - x(0, 0)), 0.2 * one_turn, 1e-3);
+      }
+}
+
 /// Friction alone takes a block along, with mu g.
 TEST(ShakenBase, ThatStartsAtOnceTakesABlockAlongByFriction) {
   for (const double dt : {0.01, 0.005, 0.002}) {
