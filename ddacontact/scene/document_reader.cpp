@@ -15,7 +15,7 @@ class DocumentReader : public TableReader {
     const std::string title = "[" + std::string(key.name) + "]";
     const toml::node* node = find(key);
     if (!node) {
-      if (key.required) missing_table<Record>(title);
+      if (key.required) missing_table<Record>(key.name, title);
       return;
     }
     if (!node->is_table()) {
@@ -47,7 +47,7 @@ class DocumentReader : public TableReader {
       return;
     }
     if (!array || array->empty()) {
-      if (key.required) missing_table<Record>(title);
+      if (key.required) missing_table<Record>(key.name, title);
       return;
     }
     records.reserve(array->size());
@@ -65,13 +65,14 @@ class DocumentReader : public TableReader {
 
  private:
   template <class Record>
-  void missing_table(const std::string& title) {
+  void missing_table(const std::string& name, const std::string& title) {
     Record record;
     std::string keys;
     describe(record, [&](const Key& key, const auto&) {
       if (key.required) keys += (keys.empty() ? "'" : ", '") + std::string(key.name) + "'";
     });
-    problems_.error({}, "the scene has no " + title, "add " + title + " with " + keys);
+    const std::string expected = title + " with " + keys;
+    missing_.push_back({name, expected, "the scene has no " + title, "add " + expected});
   }
 
   template <class Record>

@@ -53,6 +53,7 @@ double density_of(const MaterialRecord& record, const AnalysisRecord& analysis, 
 
 std::vector<Material> resolve_materials(const Document& document, NameTable& names, ProblemList& problems) {
   std::vector<Material> materials;
+  if (document.materials.empty()) names.set_incomplete();  // which is a problem already
   for (const MaterialRecord& record : document.materials) {
     names.add(record.name, record.locations, problems);
     materials.push_back(
@@ -81,6 +82,14 @@ bool holds_are_known(const Document& document, const BlockTable& blocks, const S
   }
   return std::none_of(scene.supports.begin(), scene.supports.end(),
                       [](const Support& support) { return support.block < 0 || support.vertices.empty(); });
+}
+
+/// Of gravity that is more likely a wrong sign than meant.
+void warn_of_gravity_upwards(const Document& document, ProblemList& problems) {
+  const Vec2& gravity = document.analysis.options.gravity;
+  if (gravity.x() != 0 || gravity.y() <= 0 || !document.analysis.locations.good("gravity")) return;
+  problems.warning(document.analysis.locations.of("gravity"), "gravity acts upwards",
+                   "y points upwards: write gravity = [0, -" + short_number(gravity.y()) + "]");
 }
 
 /// Of joints between materials that no two blocks have.
@@ -207,6 +216,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
     warn_of_free_sides(document, scene, blocks, problems);
   }
 
+  warn_of_gravity_upwards(document, problems);
   warn_of_soft_materials(document, scene, problems);
   warn_of_unusual_densities(document, scene, problems);
   scene.output = document.output.options;

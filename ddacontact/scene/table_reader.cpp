@@ -59,6 +59,11 @@ void TableReader::operator()(const Key& key, std::vector<JointChange>& changes) 
   }
 }
 
+void TableReader::missing_key(const std::string& name, const std::string& expected) {
+  missing_.push_back({name, expected, "missing key '" + name + "' in " + std::string(title_),
+                      "add '" + name + "': " + expected});
+}
+
 std::string TableReader::cure_of_unknown(std::string_view name) {
   const auto meant =
       std::ranges::find_if(missing_, [&](const MissingKey& m) { return is_near(name, m.name); });
@@ -90,9 +95,7 @@ void TableReader::refuse_other_keys() {
     if (meant != known_.end() && !locations_.written(*meant))
       locations_.add(meant->data(), location_of(name, problems_), false);
   }
-  for (const MissingKey& key : missing_)
-    problems_.error(locations_.table, "missing key '" + key.name + "' in " + std::string(title_),
-                    "add '" + key.name + "': " + key.expected);
+  for (const MissingKey& key : missing_) problems_.error(locations_.table, key.what, key.cure);
 }
 
 void TableReader::refuse(const Key& key, const std::string& what, const std::string& cure) {

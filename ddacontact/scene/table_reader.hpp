@@ -23,7 +23,7 @@ class TableReader {
     if (const toml::node* node = find(key))
       read(key, *node, value);
     else if (key.required)
-      missing_.push_back({key.name, expected_text(key, value)});
+      missing_key(key.name, expected_text(key, value));
   }
 
   template <class T>
@@ -94,6 +94,7 @@ class TableReader {
   std::string inner_title(const Key& key) const {
     return "[[" + std::string(title_.substr(1, title_.size() - 2)) + '.' + key.name + "]]";
   }
+  void missing_key(const std::string& name, const std::string& expected);
   /// What to write for a key that is not known; a missing key that it was meant to be is missing no longer.
   std::string cure_of_unknown(std::string_view name);
   /// A key that the table must not have.
@@ -105,7 +106,7 @@ class TableReader {
   ProblemList& problems_;
   std::vector<std::string_view> known_;
   struct MissingKey {
-    std::string name, expected;
+    std::string name, expected, what, cure;
   };
   std::vector<MissingKey> missing_;
 };

@@ -46,6 +46,24 @@ TEST(Problems, OfOneValueBringNoOthersAlong) {
   }
 }
 
+TEST(Problems, OfATableThatCannotBeReadAreThoseOfItsName) {
+  for (const char* material : {"[material]", "[[materials]]"}) {
+    const SceneReading reading = read(replaced(minimal, "[[material]]", material));
+    ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+    EXPECT_NE(reading.problems[0].text().find("[[material]]"), std::string::npos);
+  }
+}
+
+TEST(Problems, GravityUpwardsIsAWarning) {
+  const SceneReading reading = read(replaced(complete, "gravity = [0.0, -9.8]", "gravity = [0.0, 9.8]"));
+  ASSERT_TRUE(reading.scene);
+  EXPECT_NE(all_text(reading.problems)
+                .find("warning: gravity acts upwards (y points upwards: write gravity "
+                      "= [0, -9.8])"),
+            std::string::npos)
+      << all_text(reading.problems);
+}
+
 TEST(Problems, OfAnEmptySceneNameWhatItNeeds) {
   for (const char* text : {"", "\n\n", "# only a comment", "\xef\xbb\xbf"}) {
     const SceneReading reading = read(text);
