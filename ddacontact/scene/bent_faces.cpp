@@ -14,24 +14,37 @@ namespace {
 
 constexpr double least_bend = 0.035;  ///< the sine of two degrees: less is no bend
 constexpr double at_the_bend = 1e-4;  ///< distance over the size of the block with the face
+/// Distance over the size of the block that ends there: one that slips so far and is held counts as at rest.
+constexpr double before_the_bend = 0.03;
 
 struct FreeCorner {
   Vec2 at, before, after;  ///< and the corners of its block beside it
   int block;
+  double reach;  ///< how far before a bend it is as good as there, m
 };
 
 bool points_along(const Vec2& one, const Vec2& other) {
   return one.dot(other) > 0 && std::abs(cross(one, other)) <= least_bend * one.norm() * other.norm();
 }
 
-/// Of a face that runs `in` to a bend and `out` from it: whether the block with this corner lies on one part
-/// of it alone, from which gravity draws it towards the other part, which goes on forwards.
-bool slides_into(const FreeCorner& corner, const Vec2& in, const Vec2& out, const Vec2& gravity) {
-  const bool on_out = points_along(corner.before - corner.at, out),
-             on_in = points_along(corner.after - corner.at, -in);
-  const Vec2 way = on_out ? Vec2(-out) : in;
-  return in.dot(out) > 0 && on_in != on_out && way.dot(gravity) > least_bend * way.norm() * gravity.norm();
-}
+/// A face that runs `in` to a bend and `out` from it.
+struct Bend {
+  Vec2 at, in, out;
+  double near;  ///< what is no further away is there, m
+
+  bool is_at(const FreeCorner& corner) const { return (corner.at - at).norm() <= near; }
+  /// Whether the block with this corner lies on one part of the face alone, from which gravity draws it
+  /// towards the other part, which goes on forwards.
+  bool stops(const FreeCorner& corner, const Vec2& gravity) const {
+    const bool on_out = points_along(corner.before - corner.at, out),
+               on_in = points_along(corner.after - corner.at, -in);
+    const Vec2 way = on_out ? Vec2(-out) : in, way_left = at - corner.at;
+    return in.dot(out) > 0 && on_in != on_out &&
+           way.dot(gravity) > least_bend * way.norm() * gravity.norm() &&
+           (is_at(corner) || (way_left.dot(way) > 0 && way_left.norm() <= corner.reach &&
+                              std::abs(cross(way_left, way)) <= near * way.norm()));
+  }
+};
 
 /// Of all blocks that may move, by x.
 std::vector<FreeCorner> free_corners(const BlockSystem& blocks, const Points& positions) {
@@ -40,7 +53,7 @@ std::vector<FreeCorner> free_corners(const BlockSystem& blocks, const Points& po
     const int n = blocks.block(b).n_vertices(), first = blocks.block(b).vertices().first;
     for (int k = 0; blocks.is_movable(b) && k < n; ++k)
       corners.push_back({positions.col(first + k), positions.col(first + (k + n - 1) % n),
-                         positions.col(first + (k + 1) % n), b});
+                         positions.col(first + (k + 1) % n), b, before_the_bend * blocks.block(b).size()});
   }
   std::ranges::sort(corners, {}, [](const FreeCorner& corner) { return corner.at.x(); });
   return corners;
@@ -51,22 +64,26 @@ std::vector<FreeCorner> free_corners(const BlockSystem& blocks, const Points& po
 std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const BlockState& initial) {
   const Points positions = blocks.positions(initial);
   const std::vector<FreeCorner> corners = free_corners(blocks, positions);
+  double reach = 0;
+  for (const FreeCorner& corner : corners) reach = std::max(reach, corner.reach);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     const int n = block.n_vertices();
     const auto vertex = [&](int k) -> Vec2 { return positions.col(block.vertices().first + k % n); };
     const double near = at_the_bend * block.size();
     for (int k = 0; k < n; ++k) {
-      const Vec2 at = vertex(k), in = at - vertex(k + n - 1), out = vertex(k + 1) - at;
-      if (cross(in, out) >= -least_bend * in.norm() * out.norm()) continue;
+      const Vec2 at = vertex(k);
+      const Bend bend{at, at - vertex(k + n - 1), vertex(k + 1) - at, near};
+      if (cross(bend.in, bend.out) >= -least_bend * bend.in.norm() * bend.out.norm()) continue;
       std::set<int> there;
       const FreeCorner* sliding = nullptr;
-      auto corner =
-          std::ranges::lower_bound(corners, at.x() - near, {}, [](const FreeCorner& c) { return c.at.x(); });
-      for (; corner != corners.end() && corner->at.x() <= at.x() + near; ++corner) {
-        if (corner->block == b || (corner->at - at).norm() > near) continue;
-        there.insert(corner->block);
-        if (slides_into(*corner, in, out, blocks.gravity)) sliding = &*corner;
+      const double furthest = std::max(near, reach);
+      auto corner = std::ranges::lower_bound(corners, at.x() - furthest, {},
+                                             [](const FreeCorner& c) { return c.at.x(); });
+      for (; corner != corners.end() && corner->at.x() <= at.x() + furthest; ++corner) {
+        if (corner->block == b) continue;
+        if (bend.is_at(*corner)) there.insert(corner->block);
+        if (bend.stops(*corner, blocks.gravity)) sliding = &*corner;
       }
       const std::string face = "where the face of block " + quoted(blocks.names[b]) + " bends: ";
       if (there.size() >= 2)
@@ -75,9 +92,10 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
                "a corner does not slide round the bend, which holds blocks that would fail (let the "
                "joint end above the bend)";
       if (sliding)
-        return "block " + quoted(blocks.names[sliding->block]) + " ends " + face +
+        return "block " + quoted(blocks.names[sliding->block]) + " ends " +
+               (bend.is_at(*sliding) ? "" : "just before ") + face +
                "its corner does not slide round the bend, which holds a block that would fail (let the "
-               "face go on straight below the block)";
+               "face go on straight below the block, or the block end further from the bend)";
     }
   }
   return {};

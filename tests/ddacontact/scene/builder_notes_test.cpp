@@ -74,6 +74,13 @@ TEST(BuilderNotes, AFootAtTheGroundBelowASlidingBody) {
       replaced(wedge_at_ground(0, "[3, 7]"), "[0, 0], [10, 7.0021], [3, 7]", "[-2, 0], [0, 0], [-2, 2]"),
       bend))
       << "it lies on the ground";
+  const auto ends_at = [&](const std::string& foot) {
+    return replaced(wedge_at_ground(0, "[3, 7]"), "[0, 0], [10, 7.0021], [3, 7]",
+                    foot + ", [10, 7.0021], [3, 7]");
+  };
+  EXPECT_TRUE(notes(ends_at("[0.1, 0.070021]"), "block \"wedge\" ends just before where the face"));
+  EXPECT_FALSE(notes(ends_at("[1, 0.70021]"), "where the face of block")) << "it counts as moving before";
+  EXPECT_FALSE(notes(ends_at("[0.1, 0.17]"), "where the face of block")) << "it is above the face";
 }
 
 TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
