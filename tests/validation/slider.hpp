@@ -3,6 +3,10 @@
 
 #include <mechanics_scenes.hpp>
 
+#include <fmt/format.h>
+
+#include <string>
+
 namespace validation {
 
 using namespace verification;
@@ -26,6 +30,10 @@ struct Slider {
 
 /// How long the static stage lasts, s.
 constexpr double settling_time = 2;
+constexpr double soft = 35e6;  ///< Young's modulus, Pa
+inline std::string degrees_text(double angle) {
+  return fmt::format("{:g}°", angle);
+}
 constexpr double slider_width = 3, slider_height = 1.5, slider_density = 2600;
 
 /// Block 0 is the plane, 1 the slider.
@@ -47,5 +55,8 @@ struct Travel {
 };
 /// Runs the scene to its end from where `stepper` stands.
 Travel run_slider(const Slider& slider, Stepper& stepper);
+
+/// The part of the chapter on vibrations of soft sliders, against the eigenvalues of the equations.
+void vibration_by_friction(Report& report);
 
 }  // namespace validation

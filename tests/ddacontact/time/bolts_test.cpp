@@ -1,96 +1,9 @@
 // Anchored and grouted bolts against closed forms, and through all that happens to a run.
-#include <tests/ddacontact/simple_scenes.hpp>
+#include <tests/ddacontact/time/bolted_scenes.hpp>
 
-#include <ddacontact/output/bolt_view.hpp>
 #include <ddacontact/scene/reader.hpp>
 
 using namespace support;
-
-namespace {
-
-/// A bar of 4 cm2 of steel.
-RockBolt steel_bolt(const Vec2& from, const Vec2& to) {
-  RockBolt bolt;
-  bolt.name = "b1";
-  bolt.from = from;
-  bolt.to = to;
-  bolt.area = 4e-4;
-  bolt.young = 2e11;
-  return bolt;
-}
-
-/// A block of 40 kN that hangs from a fixed one, 5 m below.
-Scene hanging_block(double time_step, int steps) {
-  Scene scene = rock_scene(time_step, steps);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::midpoint;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
-  scene.materials[0].young = 1e14;
-  scene.blocks = {block(rectangle(0, 9.5, 2, 1), true), block(rectangle(0, 4.5, 2, 1))};
-  scene.bolts = {steel_bolt({1, 10}, {1, 5})};
-  return scene;
-}
-constexpr double weight = 40e3, bar_stiffness = 4e-4 * 2e11;
-
-BoltView view_of(const Stepper& stepper, int bolt = 0) {
-  return {stepper.blocks().bolts[static_cast<std::size_t>(bolt)], stepper.blocks(), stepper.state()};
-}
-double axial(const Stepper& stepper, int segment = 0) {
-  return view_of(stepper).axial(segment);
-}
-
-/// Two blocks of 2 x 1 m face to face, the left one fixed, without weight, and a bar through both.
-Scene bolted_pair() {
-  Scene scene = hanging_block(1, 30);
-  scene.analysis.mode = Mode::statics;
-  scene.analysis.gravity = Vec2::Zero();
-  scene.materials[0].young = 1e11;
-  scene.blocks = {block(rectangle(0, 0, 2, 1), true), block(rectangle(2, 0, 2, 1))};
-  scene.bolts = {steel_bolt({0.25, 0.5}, {3.75, 0.5})};
-  return scene;
-}
-Scene grouted_pair() {
-  Scene scene = bolted_pair();
-  scene.bolts[0].kind = RockBolt::Kind::grouted;
-  scene.bolts[0].bond_stiffness = 1e9;
-  return scene;
-}
-/// The segment between the blocks.
-int at_joint(const Bolt& bolt) {
-  int k = 0;
-  while (bolt.nodes[static_cast<std::size_t>(k)].block == bolt.nodes[static_cast<std::size_t>(k) + 1].block)
-    ++k;
-  return k;
-}
-
-double closed_contacts(const Stepper& stepper) {
-  double sum = 0;
-  for (const ddacontact::ContactRecord& contact : stepper.contacts()) sum += contact.normal;
-  return sum;
-}
-
-void expect_closed(const Stepper& stepper, double tolerance = 1e-6) {
-  EXPECT_LE(std::abs(stepper.energy().balance_error()), tolerance);
-}
-
-/// 100 kN on a plane of 45 degrees, with a friction angle of 30, under a soft anchored bolt along its normal.
-Scene bolted_slope(double pretension) {
-  Scene scene = hanging_block(0.1, 20);
-  scene.analysis.mode = Mode::statics;
-  scene.materials[0] = {"rock", 2500, 1e11, 0.2};
-  scene.joints[0].friction_angle = 30;
-  const double a = radians(45);
-  scene.blocks = {block(turned(rectangle(-5, -4, 15, 4), a), true), block(turned(rectangle(0, 0, 2, 2), a))};
-  const Vec2 along(std::cos(a), std::sin(a)), normal(-std::sin(a), std::cos(a));
-  RockBolt bolt = steel_bolt(along - 3 * normal, along + normal);
-  bolt.young = 1e9;
-  bolt.pretension = pretension;
-  scene.bolts = {bolt};
-  return scene;
-}
-
-}  // namespace
 
 TEST(Bolts, BearTheWeightOfABlockThatHangsOnOne) {
   for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying, Scheme::dda}) {
@@ -361,52 +274,6 @@ TEST(Bolts, StepsMayLeaveOutWhatRests) {
   EXPECT_NEAR(one.stepper->energy().now.elastic, other.stepper->energy().now.elastic, 1e-6);
 }
 
-TEST(Bolts, AreInstalledByAStageAndGoWithTheirBlocks) {
-  Scene scene = hanging_block(0.01, 1);
-  scene.blocks.push_back(block(rectangle(0, 3.5, 2, 1), true));  // it rests on this one at first
-  scene.joints[0].friction_angle = 30;
-  scene.materials[0].young = 1e10;
-  scene.bolts[0].pretension = 10e3;
-  StageDescription rest = scene.stage("rest"), bolted = scene.stage("bolted"), dug = scene.stage("dug"),
-                   cut = scene.stage("cut");
-  for (StageDescription* stage : {&rest, &bolted, &dug}) {
-    stage->analysis.mode = Mode::statics;
-    stage->analysis.time_step = 1;
-    stage->analysis.steps = 20;
-  }
-  cut.analysis.steps = 10;
-  bolted.bolts = {0};
-  dug.removed = {2};
-  cut.removed = {0};
-  scene.stages = {rest, bolted, dug, cut};
-  const BuiltScene built = build(scene);
-  run(*built.stepper, 20);
-  EXPECT_STREQ(view_of(*built.stepper).state(0), "absent");
-  EXPECT_NEAR(closed_contacts(*built.stepper), weight, 1e-6 * weight);
-  run(*built.stepper, 20);
-  EXPECT_NEAR(axial(*built.stepper), 10e3, 1e-2 * 10e3);
-  EXPECT_NEAR(closed_contacts(*built.stepper), weight - axial(*built.stepper), 1e-6 * weight);
-  run(*built.stepper, 20);
-  EXPECT_NEAR(axial(*built.stepper), weight, 1e-8 * weight);
-  const double y = travel(*built.stepper, 1).y();
-  run(*built.stepper, 10);
-  EXPECT_NEAR(travel(*built.stepper, 1).y() - y, -0.05, 2e-3);  // it falls
-  expect_closed(*built.stepper);
-}
-
-TEST(Bolts, PassAlongWhatTheyBearWhereABlockBetweenIsTakenOut) {
-  Scene scene = grouted_pair();
-  scene.blocks.push_back(block(rectangle(4, 0, 2, 1)));
-  scene.bolts[0].to = {5.75, 0.5};
-  scene.loads = {point_load(1, {3, 0.5}, constant({50e3, 0}))};
-  StageDescription all = scene.stage("all"), two = scene.stage("two");
-  two.removed = {2};
-  scene.stages = {all, two};
-  const BuiltScene built = run(scene);
-  EXPECT_NEAR(axial(*built.stepper, at_joint(built.stepper->blocks().bolts[0])), 50e3, 1e-6 * 50e3);
-  expect_closed(*built.stepper);
-}
-
 /// A roof of a mesh and an affine block: bolts know of points alone.
 TEST(Bolts, HoldBlocksOfAllModels) {
   for (const BlockModel model : {BlockModel::affine, BlockModel::mesh, BlockModel::mean_value}) {
@@ -434,52 +301,4 @@ TEST(Bolts, HangTheWedgeOfTheExampleInItsRoof) {
   EXPECT_NEAR(sum.y(), 150e3, 1e-3 * 150e3);
   EXPECT_TRUE(built.stepper->is_at_rest());
   EXPECT_LT(-travel(*built.stepper, 2).y(), 2e-3);
-}
-
-/// A bolt comes with the last of its blocks, without elongation.
-TEST(Bolts, ComeInWithTheirBlocks) {
-  const std::string_view text = R"(format = 1
-[analysis]
-mode = "static"
-steps = 1
-time_step = 1
-gravity = [0, -10]
-[[material]]
-name = "rock"
-density = 2000
-young = 1e12
-poisson = 0.25
-[[block]]
-name = "roof"
-material = "rock"
-fixed = true
-vertices = [[0, 9.5], [2, 9.5], [2, 10.5], [0, 10.5]]
-[[block]]
-name = "late"
-material = "rock"
-vertices = [[0, 4.5], [2, 4.5], [2, 5.5], [0, 5.5]]
-[[bolt]]
-name = "b1"
-points = [[1, 10], [1, 5]]
-area = 4e-4
-young = 2e11
-[[stage]]
-name = "before"
-steps = 3
-[[stage]]
-name = "after"
-steps = 40
-add = ["late"]
-)";
-  const SceneReading reading = ddacontact::read_scene_text(std::string(text), "scene.toml", {});
-  ASSERT_TRUE(reading.scene);
-  EXPECT_EQ(reading.scene->stages.at(1).bolts, std::vector<int>{0});
-  const BuiltScene built = build(*reading.scene);
-  run(*built.stepper, 43);
-  EXPECT_NEAR(axial(*built.stepper), weight, 1e-6 * weight);
-  const SceneReading early =
-      ddacontact::read_scene_text(std::string(text), "scene.toml", {"stage.0.add=[\"b1\"]"});
-  ASSERT_EQ(early.problems.size(), 1u);
-  EXPECT_NE(early.problems.front().what.find("comes in before block 'late'"), std::string::npos)
-      << early.problems.front().what;
 }
