@@ -166,12 +166,32 @@ std::string answer(const FactorBracket& bracket, const SafetyFiles& files, const
   return fmt::format("factor of safety {:.4g} .. {:.4g}; {}", bracket.low, bracket.high, moved);
 }
 
+void keep_older(const SafetyArguments& arguments) {
+  if (arguments.force) return;
+  if (const auto kept = keep_older_results(arguments.directory); kept && !arguments.quiet)
+    fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
+}
+
+/// The settled scene. Where it does not settle the results say so before this throws SettlingStopped: older
+/// ones are not left for those of this scene.
+StrengthReduction settled(const SafetyArguments& arguments, const Scene& scene,
+                          const std::vector<int>& joints) {
+  try {
+    return StrengthReduction(scene, joints);
+  } catch (const SettlingStopped& stopped) {
+    keep_older(arguments);
+    SafetyFiles(arguments.directory, scene, joints)
+        .finish({.stopped = true}, std::nullopt, arguments.tolerance, stopped.what(), 0);
+    throw;
+  }
+}
+
 int search(const SafetyArguments& arguments, const Scene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const std::optional<FactorRange> range = range_of(arguments.range);
   const std::vector<int> joints = joints_called(arguments.joints, scene);
   polyfem::pin_blas_to_one_thread();
-  const StrengthReduction reduction(scene, joints);
+  const StrengthReduction reduction = settled(arguments, scene, joints);
   for (const std::string& note : reduction.notes())
     fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
   if (!reduction.unsettled().empty())
@@ -180,9 +200,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   warn_of_brittle_joints(reduction.scene(), joints, arguments.scene);
   warn_of_vibrations(reduction.scene(), arguments.scene);
   warn_of_glue(reduction.scene(), joints, arguments.scene);
-  if (!arguments.force)
-    if (const auto kept = keep_older_results(arguments.directory); kept && !arguments.quiet)
-      fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
+  keep_older(arguments);
   SafetyFiles files(arguments.directory, reduction.scene(), joints);
   const DirectoryLock lock(arguments.directory);
   const int at_once =
@@ -204,8 +222,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
                "'tensile_strength')\n",
                arguments.scene, bracket.low, pulled);
   std::optional<RoundedTrial> rounded;
-  if (!bracket.stopped && bracket.low > 0)
-    rounded = try_with_rounded_corners(reduction.scene(), joints, bracket.low);
+  if (!bracket.stopped && bracket.low > 0) rounded = try_with_rounded_corners(scene, joints, bracket.low);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   files.finish(bracket, rounded, arguments.tolerance, reduction.unsettled(), wall.count());
   if (bracket.stopped) {

@@ -140,7 +140,11 @@ class ContactSolver {
     interior_point_done_ = false;
   }
 
-  double negligible() const { return negligible_force * report_.residual.scale; }
+  /// Where all forces are round-off none of them counts.
+  double negligible() const {
+    const auto [scale, round_off] = std::pair(report_.residual.scale, report_.residual.round_off);
+    return scale <= round_off ? round_off : negligible_force * scale;
+  }
   int count_disagreeing() const {
     const double counts = negligible();
     return static_cast<int>(

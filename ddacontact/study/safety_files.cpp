@@ -104,6 +104,7 @@ void SafetyFiles::finish(const FactorBracket& bracket, const std::optional<Round
                          double tolerance, const std::string& unsettled, double wall_seconds) {
   csv_.close();
   write_json(bracket, rounded, tolerance, unsettled, wall_seconds);
+  if (trials_.empty()) return;
   draw_curve();
   if (const StrengthTrial* first = first_to_move()) draw_moved(*first);
 }
@@ -123,6 +124,7 @@ void SafetyFiles::write_json(const FactorBracket& bracket, const std::optional<R
     time += trial.time;
     steps += trial.steps;
   }
+  const std::string stopped = !bracket.stopped ? "" : trials_.empty() ? unsettled : trials_.back().reason;
   nlohmann::ordered_json json = {{"status", bracket.stopped ? "stopped" : "completed"},
                                  {"factor_low", factor_or_null(bracket.low)},
                                  {"factor_high", factor_or_null(bracket.high)},
@@ -134,8 +136,8 @@ void SafetyFiles::write_json(const FactorBracket& bracket, const std::optional<R
                                  {"time", time},
                                  {"wall_seconds", wall_seconds},
                                  {"settled", unsettled.empty()},
-                                 {"reason", bracket.stopped ? trials_.back().reason : ""},
-                                 {"stopped", bracket.stopped ? trials_.back().reason : ""}};
+                                 {"reason", stopped},
+                                 {"stopped", stopped}};
   for (const StrengthTrial& trial : trials_) {
     if (trial.factor == bracket.low) json["decided_low"] = trial.reason;
     if (trial.factor == bracket.high) json["decided_high"] = trial.reason;

@@ -37,6 +37,7 @@ class SafetyFiles {
   SafetyFiles(std::filesystem::path directory, Scene scene, std::vector<int> joints);
 
   void add(const StrengthTrial& trial);
+  /// Without a trial `unsettled` is why there is none.
   /// \param[in] unsettled     see StrengthReduction
   /// \param[in] wall_seconds  that settling and all trials took
   void finish(const FactorBracket& bracket, const std::optional<RoundedTrial>& rounded, double tolerance,

@@ -1,5 +1,8 @@
 #include <ddacontact/study/strength_reduction.hpp>
 
+#include <ddacontact/output/run_verdict.hpp>
+#include <polyfem/geometry/area_moments.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,8 +12,20 @@ namespace ddacontact {
 namespace {
 
 constexpr int fewest_settling_steps = 1000;
+/// Static steps that let the glue go, so long that the smallest block falls by the slip of `TrialLimits` in
+/// all of them: vibrations die in steps much longer than their periods.
+constexpr int release_steps = 100;
 
-/// In two parts: settled while glued, then as it is.
+double release_time_step(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const BlockDescription& block : scene.blocks)
+    smallest = std::min(smallest, std::sqrt(std::abs(polyfem::signed_area(block.vertices))));
+  const double g = scene.analysis.gravity.norm();
+  const double falling = g > 0 ? std::sqrt(2 * TrialLimits{}.slip * smallest / (release_steps * g)) : 0;
+  return std::max(scene.analysis.time_step, falling);
+}
+
+/// In parts: settled while glued, then let go by static steps, then as it is.
 Scene with_settling(Scene scene) {
   if (scene.contact.method == ContactMethod::classic)
     throw Error("a scene of one part settles glued, which the method \"classic\" cannot (write [[stage]]s)");
@@ -18,9 +33,15 @@ Scene with_settling(Scene scene) {
   settling.analysis.mode = Mode::statics;
   settling.analysis.steps = std::max(scene.analysis.steps, fewest_settling_steps);
   settling.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
+  StageDescription release = settling;
+  release.name = "release";
+  release.analysis.steps = release_steps;
+  release.analysis.time_step = release_time_step(scene);
   for (Joint& joint : settling.joints) joint.glued = true;
-  if (!scene.stages.empty()) own = scene.stages.front();
-  scene.stages = {settling, own};
+  if (scene.stages.empty())
+    scene.stages = {settling, release, own};
+  else
+    scene.stages = {settling, scene.stages.front()};
   return scene;
 }
 
@@ -45,7 +66,9 @@ Joint reduced(Joint joint, double factor) {
 }
 
 StrengthReduction::StrengthReduction(const Scene& scene, std::vector<int> joints)
-    : scene_(scene.stages.size() < 2 ? with_settling(scene) : scene), joints_(std::move(joints)) {
+    : scene_(scene.stages.size() < 2 ? with_settling(scene) : scene),
+      n_settling_(scene.stages.empty() ? 1 : static_cast<int>(scene_.stages.size()) - 1),
+      joints_(std::move(joints)) {
   const std::vector<Joint>& last = scene_.stages.back().joints;
   if (std::ranges::none_of(joints_, [&](int j) { return has_strength(last[j]); }))
     throw Error("no joint to be reduced has friction, cohesion or tensile strength in the last stage");
@@ -58,14 +81,24 @@ void StrengthReduction::settle() {
   BuiltScene built = build(scene_);
   notes_ = built.notes;
   Stepper& stepper = *built.stepper;
-  const int before_last = static_cast<int>(scene_.stages.size()) - 2;
+  const bool releases = n_settling_ + 1 < static_cast<int>(scene_.stages.size());
   const auto is_settled = [&] {
     const StageEnd end = stepper.stage_end();
-    return end.stage == before_last &&
+    return end.stage == n_settling_ - 1 &&
            (end.came_to_rest || end.steps >= scene_.stages[end.stage].analysis.steps);
   };
-  while (!is_settled())
-    if (!stepper.step()) throw SettlingStopped("the scene does not settle: " + stepper.stop_reason());
+  const double changed = last_change(stepper.blocks());
+  while (!is_settled()) {
+    if (stepper.step()) continue;
+    if (!releases || changed > 0)
+      throw SettlingStopped("the scene does not settle: " + stepper.stop_reason());
+    notes_.push_back("the scene does not settle glued (" + stepper.stop_reason() +
+                     "): trials settle it as it is");
+    scene_.stages.erase(scene_.stages.begin());
+    n_settling_ = 0;
+    return;
+  }
+  if (releases && changed > stepper.state().time) scene_.stages.erase(scene_.stages.begin() + n_settling_);
   const Equilibrium& e = stepper.equilibrium();
   if (!e.in_balance())
     unsettled_ = "block \"" + scene_.block_name(e.unbalanced_block) + "\" is out of balance";
@@ -77,12 +110,10 @@ void StrengthReduction::settle() {
 StrengthTrial StrengthReduction::try_factor(double factor, const TrialLimits& limits,
                                             const std::function<bool()>& given_up) const {
   Scene scene = scene_;
-  for (const int j : joints_) {
-    Joint& joint = scene.stages.back().joints[j];
-    joint = reduced(joint, factor);
-  }
+  for (auto stage = scene.stages.begin() + n_settling_; stage != scene.stages.end(); ++stage)
+    for (const int j : joints_) stage->joints[j] = reduced(stage->joints[j], factor);
   const BuiltScene built = build(scene);
-  built.stepper->restore(*settled_);
+  if (settled_) built.stepper->restore(*settled_);
   built.stepper->interrupt_when(given_up);
   StrengthTrial trial = run_trial(*built.stepper, limits);
   trial.factor = factor;

@@ -29,8 +29,10 @@ class SettlingStopped : public Error {
   using Error::Error;
 };
 
-/// All trials start from the same settled state: that at the end of the stage before the last. A scene of one
-/// part is settled with all joints glued first, by static steps, as many as the scene has or 1000.
+/// All trials start from the same settled state: that at the end of the stage before the last. A scene
+/// without stages is settled with all joints glued first, by static steps, as many as the scene has or 1000.
+/// Its trials begin with static steps, which let go what glue bore without shaking the blocks, unless loads
+/// are yet to change; where glue does not settle, these settle it.
 class StrengthReduction {
  public:
   /// Makes the settled state. Throws SettlingStopped, and Error when the scene is of the method
@@ -54,7 +56,8 @@ class StrengthReduction {
  private:
   void settle();
 
-  Scene scene_;  ///< of two stages at least
+  Scene scene_;         ///< of two stages at least
+  int n_settling_ = 0;  ///< stages before the trials
   std::vector<int> joints_;
   std::optional<RunRecord> settled_;
   std::string unsettled_;
