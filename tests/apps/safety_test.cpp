@@ -155,6 +155,22 @@ TEST_F(Program, SafetyWarnsOfWhatMakesFactorsMeaningless) {
   EXPECT_EQ(err_.find("keeps vibrations"), std::string::npos) << err_;
 }
 
+TEST_F(Program, SafetyThatDoesNotSettleLeavesNoOlderFactor) {
+  ASSERT_EQ(dda("safety " + slope + " -o result --set analysis.preset=default --tolerance 0.5 --quiet"), 0);
+  write("driven.toml",
+        "format = 1\n[analysis]\ntime_step = 0.01\n[[material]]\nname = \"rock\"\ndensity = 2500\n"
+        "young = 1e10\npoisson = 0.2\n[[joint]]\nfriction_angle = 30\n[[block]]\nmaterial = \"rock\"\n"
+        "vertices = [[-1, -1], [2, -1], [2, 0], [-1, 0]]\nfixed = true\n[[block]]\nmaterial = \"rock\"\n"
+        "vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[support]]\nblock = 1\nvertices = [0, 1, 2, 3]\n"
+        "history = [[0, 0, 0], [0.05, 0, -0.5]]\n[[stage]]\nsteps = 5\nmode = \"static\"\n[[stage]]\n"
+        "steps = 5\n");
+  EXPECT_EQ(dda("safety driven.toml -o result --force"), 3);
+  const nlohmann::json found = nlohmann::json::parse(read_file(directory_ / "result/safety.json"));
+  EXPECT_EQ(found["status"], "stopped");
+  EXPECT_TRUE(found["factor_low"].is_null());
+  EXPECT_NE(found["reason"].get<std::string>().find("does not settle"), std::string::npos);
+}
+
 TEST_F(Program, SafetyRefusesWrongCalls) {
   for (const auto& [arguments, word] :
        {std::pair{"--joints interfase", "did you mean \"interface\"?"}, std::pair{"--range 2:1", "0 < A < B"},

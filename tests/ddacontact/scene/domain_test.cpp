@@ -171,6 +171,27 @@ TEST(Domain, OfSeveralRegionsTheLastOneDecidesWhatIsHeld) {
   EXPECT_TRUE(!cut.blocks[0].fixed && cut.blocks[3].fixed);
 }
 
+/// Forces of contacts are round-off, which the solver must not take for forces.
+TEST(Domain, WithoutWeightStaysWhereItIs) {
+  for (const char* cohesion : {"", "cohesion = 1e5\n"})
+    for (const double first : {-83., 40.})
+      for (const double second : {-76., 74., 15.}) {
+        std::ostringstream text;
+        text << "format = 1\n[analysis]\ntime_step = 0.01\nsteps = 2\nblock_model = \"affine\"\n"
+             << "gravity = [0, 0]\n[[material]]\nname = \"r\"\ndensity = 2500\nyoung = 1e10\n"
+             << "poisson = 0.2\n[[joint]]\nfriction_angle = 30\n"
+             << cohesion << "[domain]\nboundary = [[0, 0], [2, 0], [2, 2], [0, 2]]\n"
+             << "[[domain.joint_set]]\nangle = " << first << "\nspacing = 0.5\n"
+             << "[[domain.joint_set]]\nangle = " << second << "\nspacing = 1\n";
+        SCOPED_TRACE(text.str());
+        const BuiltScene built = build(scene(text.str()));
+        const Points start = built.stepper->state().position;
+        for (int step = 0; step < 2; ++step)
+          EXPECT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
+        EXPECT_LT((built.stepper->state().position - start).cwiseAbs().maxCoeff(), 1e-12);
+      }
+}
+
 TEST(Domain, OpeningsAreGroupsOrEmpty) {
   const std::string opening = std::string(squares) + R"([[domain.opening]]
 name = "shaft"
