@@ -21,11 +21,10 @@ double release_time_step(const Scene& scene) {
   for (const BlockDescription& block : scene.blocks)
     smallest = std::min(smallest, std::sqrt(std::abs(polyfem::signed_area(block.vertices))));
   const double g = scene.analysis.gravity.norm();
-  const double falling = g > 0 ? std::sqrt(2 * TrialLimits{}.slip * smallest / (release_steps * g)) : 0;
-  return std::max(scene.analysis.time_step, falling);
+  return g > 0 ? std::sqrt(2 * TrialLimits{}.slip * smallest / (release_steps * g)) : 0;
 }
 
-/// In parts: settled while glued, then let go by static steps, then as it is.
+/// In two parts: settled while glued, then as it is.
 Scene with_settling(Scene scene) {
   if (scene.contact.method == ContactMethod::classic)
     throw Error("a scene of one part settles glued, which the method \"classic\" cannot (write [[stage]]s)");
@@ -33,16 +32,33 @@ Scene with_settling(Scene scene) {
   settling.analysis.mode = Mode::statics;
   settling.analysis.steps = std::max(scene.analysis.steps, fewest_settling_steps);
   settling.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
-  StageDescription release = settling;
-  release.name = "release";
-  release.analysis.steps = release_steps;
-  release.analysis.time_step = release_time_step(scene);
   for (Joint& joint : settling.joints) joint.glued = true;
-  if (scene.stages.empty())
-    scene.stages = {settling, release, own};
-  else
-    scene.stages = {settling, scene.stages.front()};
+  if (!scene.stages.empty()) own = scene.stages.front();
+  scene.stages = {settling, own};
   return scene;
+}
+
+/// The dynamic last stage lets go what is glued in the one before.
+bool lets_glue_go(const Scene& scene) {
+  const StageDescription &last = scene.stages.back(), &before = *std::prev(scene.stages.end(), 2);
+  for (std::size_t j = 0; j < last.joints.size(); ++j)
+    if (before.joints[j].glued && !last.joints[j].glued) return last.analysis.mode == Mode::dynamic;
+  return false;
+}
+
+/// The beginning of the last stage as a static one, which does what the stage does at its start.
+void insert_release(Scene& scene) {
+  StageDescription release = scene.stages.back();
+  release.name = "release";
+  release.analysis.mode = Mode::statics;
+  release.analysis.steps = std::max(release_steps, release.relax.value_or(0));
+  release.analysis.time_step = std::max(release.analysis.time_step, release_time_step(scene));
+  release.reset_displacements = false;
+  release.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
+  StageDescription& last = scene.stages.back();
+  for (std::vector<int>* done : {&last.removed, &last.bolts, &last.added, &last.loads}) done->clear();
+  last.relax.reset();
+  scene.stages.insert(std::prev(scene.stages.end()), std::move(release));
 }
 
 bool has_strength(const Joint& joint) {
@@ -67,38 +83,38 @@ Joint reduced(Joint joint, double factor) {
 
 StrengthReduction::StrengthReduction(const Scene& scene, std::vector<int> joints)
     : scene_(scene.stages.size() < 2 ? with_settling(scene) : scene),
-      n_settling_(scene.stages.empty() ? 1 : static_cast<int>(scene_.stages.size()) - 1),
+      n_settling_(static_cast<int>(scene_.stages.size()) - 1),
       joints_(std::move(joints)) {
   const std::vector<Joint>& last = scene_.stages.back().joints;
   if (std::ranges::none_of(joints_, [&](int j) { return has_strength(last[j]); }))
     throw Error("no joint to be reduced has friction, cohesion or tensile strength in the last stage");
   for (StageDescription& stage : scene_.stages)
     for (Joint& joint : stage.joints) joint.ductile = is_ductile(joint);
-  settle();
+  settle(scene.stages.size() < 2);
 }
 
-void StrengthReduction::settle() {
+void StrengthReduction::settle(bool glues) {
   BuiltScene built = build(scene_);
   notes_ = built.notes;
   Stepper& stepper = *built.stepper;
-  const bool releases = n_settling_ + 1 < static_cast<int>(scene_.stages.size());
+  const double changed = last_change(stepper.blocks());
   const auto is_settled = [&] {
     const StageEnd end = stepper.stage_end();
     return end.stage == n_settling_ - 1 &&
            (end.came_to_rest || end.steps >= scene_.stages[end.stage].analysis.steps);
   };
-  const double changed = last_change(stepper.blocks());
   while (!is_settled()) {
     if (stepper.step()) continue;
-    if (!releases || changed > 0)
+    if (!glues || !lets_glue_go(scene_) || changed > 0)
       throw SettlingStopped("the scene does not settle: " + stepper.stop_reason());
     notes_.push_back("the scene does not settle glued (" + stepper.stop_reason() +
                      "): trials settle it as it is");
+    insert_release(scene_);
     scene_.stages.erase(scene_.stages.begin());
     n_settling_ = 0;
     return;
   }
-  if (releases && changed > stepper.state().time) scene_.stages.erase(scene_.stages.begin() + n_settling_);
+  if (lets_glue_go(scene_) && changed <= stepper.state().time) insert_release(scene_);
   const Equilibrium& e = stepper.equilibrium();
   if (!e.in_balance())
     unsettled_ = "block \"" + scene_.block_name(e.unbalanced_block) + "\" is out of balance";

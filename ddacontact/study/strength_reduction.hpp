@@ -29,10 +29,11 @@ class SettlingStopped : public Error {
   using Error::Error;
 };
 
-/// All trials start from the same settled state: that at the end of the stage before the last. A scene
-/// without stages is settled with all joints glued first, by static steps, as many as the scene has or 1000.
-/// Its trials begin with static steps, which let go what glue bore without shaking the blocks, unless loads
-/// are yet to change; where glue does not settle, these settle it.
+/// All trials start from the same settled state: that at the end of the stage before the last. A scene of one
+/// part is settled with all joints glued first, by static steps, as many as the scene has or 1000. Where
+/// joints are glued until then, trials begin with static steps, which let go what glue bore without shaking
+/// the blocks, unless loads are yet to change; a scene of one part that does not settle glued is settled by
+/// them.
 class StrengthReduction {
  public:
   /// Makes the settled state. Throws SettlingStopped, and Error when the scene is of the method
@@ -54,7 +55,8 @@ class StrengthReduction {
   const Scene& scene() const { return scene_; }
 
  private:
-  void settle();
+  /// \param[in] glues  the first stage is its own, with all joints glued
+  void settle(bool glues);
 
   Scene scene_;         ///< of two stages at least
   int n_settling_ = 0;  ///< stages before the trials
