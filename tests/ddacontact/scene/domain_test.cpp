@@ -184,7 +184,7 @@ TEST(Domain, WithoutWeightStaysWhereItIs) {
              << "[[domain.joint_set]]\nangle = " << first << "\nspacing = 0.5\n"
              << "[[domain.joint_set]]\nangle = " << second << "\nspacing = 1\n";
         SCOPED_TRACE(text.str());
-        const BuiltScene built = build(scene(text.str()));
+        const BuiltScene built = build(*read(text.str()).scene);
         const Points start = built.stepper->state().position;
         for (int step = 0; step < 2; ++step)
           EXPECT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
