@@ -38,26 +38,26 @@ Scene with_settling(Scene scene) {
   return scene;
 }
 
-/// The dynamic last stage lets go what is glued in the one before.
+/// The dynamic last stage lets go what is glued in the one before, and does nothing else at its start: what
+/// an excavation shakes loose is its own.
 bool lets_glue_go(const Scene& scene) {
   const StageDescription &last = scene.stages.back(), &before = *std::prev(scene.stages.end(), 2);
+  for (const std::vector<int>* done : {&last.removed, &last.bolts, &last.added, &last.loads})
+    if (!done->empty()) return false;
   for (std::size_t j = 0; j < last.joints.size(); ++j)
     if (before.joints[j].glued && !last.joints[j].glued) return last.analysis.mode == Mode::dynamic;
   return false;
 }
 
-/// The beginning of the last stage as a static one, which does what the stage does at its start.
+/// The beginning of the last stage as a static one.
 void insert_release(Scene& scene) {
   StageDescription release = scene.stages.back();
   release.name = "release";
   release.analysis.mode = Mode::statics;
-  release.analysis.steps = std::max(release_steps, release.relax.value_or(0));
+  release.analysis.steps = release_steps;
   release.analysis.time_step = std::max(release.analysis.time_step, release_time_step(scene));
   release.reset_displacements = false;
   release.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
-  StageDescription& last = scene.stages.back();
-  for (std::vector<int>* done : {&last.removed, &last.bolts, &last.added, &last.loads}) done->clear();
-  last.relax.reset();
   scene.stages.insert(std::prev(scene.stages.end()), std::move(release));
 }
 
