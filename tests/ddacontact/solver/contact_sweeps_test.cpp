@@ -87,31 +87,47 @@ struct Swept {
   }
 };
 
-/// A block that moves as a whole, against inertia, with one contact: gap = y, slip = x.
+/// Blocks that move as a whole, against inertia, each with one contact: gap = y, slip = x.
 struct OnFloor {
   static constexpr double inertia = 100, p = 1000, p_t = 400, friction = 0.5;
   JointLaw joint;
-  VectorXd d = VectorXd::Zero(2);
-  std::vector<ContactForce> forces{1};
+  VectorXd d;
+  std::vector<ContactForce> forces;
+  ContactSweeps::Report report;
 
-  explicit OnFloor(const Vec2& load, double cohesive_bound = 0) {
-    FrictionProblem problem({0, 1}, 2);
+  explicit OnFloor(const Vec2& load, double cohesive_bound = 0)
+      : OnFloor({load}, {{}}, stop(tight, 50), cohesive_bound) {
+    EXPECT_TRUE(report.settled);
+  }
+  /// \param[in] before  the forces of the contacts at the start
+  OnFloor(const std::vector<Vec2>& loads, const std::vector<ContactForce>& before,
+          const ContactSweeps::Stop& stop, double cohesive_bound = 0)
+      : d(VectorXd::Zero(2 * static_cast<Index>(loads.size()))), forces(before) {
+    const auto n = static_cast<int>(loads.size());
+    std::vector<int> unknowns(2 * loads.size());
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    FrictionProblem problem(unknowns, 2 * n);
     polyfem::Connectivity rows;
-    rows.append(std::vector{0, 1});
+    for (int b = 0; b < n; ++b) rows.append(std::vector{2 * b, 2 * b + 1});
     problem.set_matrices(rows);
-    problem.elements()[0] = inertia * MatrixXd::Identity(2, 2);
-    ContactTerm term;
-    term.gap.add(0, 0);
-    term.gap.add(1, 1);
-    term.slip.add(0, 1);
-    term.slip.add(1, 0);
-    term.normal_stiffness = p;
-    term.tangential_stiffness = p_t;
-    term.bound = cohesive_bound;
     joint.friction = friction;
+    std::vector<ContactTerm> terms;
+    VectorXd residual(2 * n);
+    for (int b = 0; b < n; ++b) {
+      problem.elements()[b] = inertia * MatrixXd::Identity(2, 2);
+      ContactTerm& term = terms.emplace_back();
+      for (int axis : {0, 1}) {
+        term.gap.add(2 * b + axis, axis);
+        term.slip.add(2 * b + axis, 1 - axis);
+      }
+      term.normal_stiffness = p;
+      term.tangential_stiffness = p_t;
+      term.bound = cohesive_bound;
+      residual.segment<2>(2 * b) = -loads[b] - Vec2(before[b].shear, before[b].normal);
+    }
     ContactSweeps sweeps;
-    EXPECT_TRUE(sweeps.set(problem, {term}));
-    EXPECT_TRUE(sweeps.sweep({term}, {{&joint}}, -load, stop(tight, 50), d, forces).settled);
+    EXPECT_TRUE(sweeps.set(problem, terms));
+    report = sweeps.sweep(terms, std::vector<SweptLaw>(loads.size(), {&joint}), residual, stop, d, forces);
   }
 };
 
@@ -139,6 +155,22 @@ TEST(ContactSweeps, ABondBearsShearWhereNothingPressesIt) {
                 1e-11);
     EXPECT_NEAR(block.forces[0].shear, -OnFloor::p_t * 60 / (OnFloor::inertia + OnFloor::p_t), 1e-11);
   }
+}
+
+/// Of six contacts that are or were closed four change: one opens, one closes, one begins to slide, one turns
+/// round.
+TEST(ContactSweeps, TellWhetherManyOfTheClosedContactsChange) {
+  const std::vector<Vec2> loads{{0, -20}, {0, 7}, {0, 7}, {0, -20}, {60, -20}, {60, -20}, {60, -20}};
+  const std::vector<ContactForce> before{{20, 0}, {0, 0}, {20, 0}, {0, 0}, {20, 0}, {20, 10}, {20, -10}};
+  const auto are_many = [&](double many, int few) {
+    ContactSweeps::Stop until = stop(tight, 50);
+    until.many = many;
+    until.few = few;
+    return OnFloor(loads, before, until).report.many_changes;
+  };
+  EXPECT_TRUE(are_many(0.66, 3));
+  EXPECT_FALSE(are_many(0.67, 3));
+  EXPECT_FALSE(are_many(0.66, 4));
 }
 
 TEST(ContactSweeps, DisplacementsBalanceForcesThatFrictionBearsAfterAnyNumberOfSweeps) {
