@@ -59,3 +59,30 @@ TEST(ContactSolver, EndsWhereDisplacementsAreNotFiniteBeforeContactsAreEvaluated
   d.setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(solve_contacts(system, {}, contacts, d).status, SolutionStatus::not_finite);
 }
+
+/// A heavy block rests on the floor, and two light ones, one of which overhangs its base, are pushed in turn.
+TEST(ContactSolver, NamesAContactOfTheBlockThatIsFurthestFromBalance) {
+  for (int pushed : {3, 4}) {
+    Scene scene = resting(4e9, 0, 30);
+    scene.blocks = {block(rectangle(-4, -1, 10, 1), true), block(rectangle(0, 0, 4, 4)),
+                    block(rectangle(10, -1, 1, 1), true), block(rectangle(9, 0, 3, 0.5)),
+                    block(rectangle(-2, 0, 1, 0.5))};
+    scene.loads = {point_load(pushed, scene.blocks[static_cast<std::size_t>(pushed)].vertices.col(2),
+                              constant({2e5, -2e5}))};
+    BuiltScene built = build(scene);
+    const BlockState& state = built.stepper->state();
+    StepSystem system(blocks_of(built));
+    std::vector<Contact> contacts = built.stepper->contacts_to_begin_with();
+    system.set_step(state, step_start(state, 0.05), 1e9);
+    VectorXd d = system.prescribed();
+    ContactSolverOptions options;
+    options.penetration_tolerance = 1e-6;
+    options.max_solutions = 1;
+    const ContactSolverReport report = solve_contacts(system, options, contacts, d);
+    EXPECT_EQ(report.status, SolutionStatus::forces_unsettled);
+    EXPECT_EQ(report.residual.worst_block, pushed);
+    ASSERT_GE(report.worst_contact, 0);
+    const VertexEdge& named = contacts[static_cast<std::size_t>(report.worst_contact)].pair;
+    EXPECT_TRUE(named.vertex_block == pushed || named.edge_block == pushed);
+  }
+}
