@@ -205,3 +205,17 @@ TEST(EnergyLedger, DampingByMassTakesWhatAFlightLoses) {
   EXPECT_NEAR(now.damping_dissipated, start - now.kinetic, 2e-3 * start);
   EXPECT_NEAR(now.kinetic, start * std::exp(-4), 0.1 * start * std::exp(-4));
 }
+
+/// What blocks overlap by at the start is their rest: springs of contacts store what they are pressed beyond.
+TEST(EnergyLedger, AnOverlapOfTheStartStoresNothing) {
+  for (const Scheme scheme : {Scheme::backward_euler, Scheme::midpoint}) {
+    Scene scene = rock_at(0.002, 50);
+    scene.analysis.scheme = scheme;
+    scene.contact.method = ContactMethod::staged;
+    scene.contact.penetration_tolerance = 0;
+    scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, -1e-3, 1, 1))};
+    const BuiltScene built = run(scene);
+    EXPECT_LE(travel(*built.stepper, 1).norm(), 1e-5);
+    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
+  }
+}

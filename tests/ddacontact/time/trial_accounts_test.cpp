@@ -64,6 +64,18 @@ TEST(TrialAccounts, FrictionTakesItsForceTimesTheSlip) {
   }
 }
 
+TEST(TrialAccounts, ADashpotTakesNothingOfABlockThatLeaves) {
+  for (const Scheme scheme : half_steps_and_whole) {
+    Scene scene = over_a_plate(scheme, 0, 0);
+    scene.joints[0].dashpot = 0.5;
+    scene.blocks[1].velocity = {0, 2};
+    Accounted leaving(scene);
+    EXPECT_EQ(leaving.step.normal_force(), 0);
+    ASSERT_GT(leaving.step.trial.contacts().at(0).damping, 0);
+    EXPECT_EQ(leaving.energy.damping_dissipated, 0);
+  }
+}
+
 TEST(TrialAccounts, AnImpactIsSharedBetweenFrictionAndContacts) {
   StepImpact impact;
   Energy energy;
