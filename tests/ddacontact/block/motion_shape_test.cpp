@@ -16,22 +16,22 @@ BlockMaterial rock() {
 }
 
 /// A pentagon without symmetry.
-Points pentagon() {
+Points pentagon(double size = 1) {
   Points outline(2, 5);
   outline << 0, 2, 2.4, 1.1, -0.3,  //
       0, -0.2, 1, 1.9, 1.2;
-  return outline;
+  return size * outline;
 }
 
-std::vector<CorotationalShape> shapes() {
+std::vector<CorotationalShape> shapes(double size = 1) {
   std::srand(1);  // of Eigen's random matrices: whatever tests ran before
   std::vector<CorotationalShape> all;
-  all.push_back(polygon_shape(rock(), pentagon(), polyfem::suitable_basis(pentagon()),
+  all.push_back(polygon_shape(rock(), pentagon(size), polyfem::suitable_basis(pentagon(size)),
                               {&polyfem::hammer_rule(3), polyfem::GradientCorrection::on}));
-  all.push_back(affine_shape(rock(), pentagon()));
+  all.push_back(affine_shape(rock(), pentagon(size)));
   for (const bool edge_nodes : {true, false}) {
     const MeshOptions mesh{.kind = CellKind::voronoi, .cells = 12, .cell_size = 0, .edge_nodes = edge_nodes};
-    all.push_back(mesh_shape(rock(), divide(pentagon(), mesh), polyfem::GradientCorrection::on));
+    all.push_back(mesh_shape(rock(), divide(pentagon(size), mesh), polyfem::GradientCorrection::on));
   }
   return all;
 }
@@ -99,12 +99,18 @@ TEST(MotionShape, TwoDisplacementsAreOneAfterTheOther) {
   }
 }
 
-TEST(MotionShape, AShapeAtRestHasNoDeformationAtAll) {
-  for (const CorotationalShape& shape : shapes()) {
-    const MotionShape& motions = shape.motions();
-    const Points y = turned_by(0.4) * motions.nodes + Vec2(0.5, -1) * motions.translation.transpose();
-    EXPECT_TRUE(motions.coordinates_of(y).tail(2 * motions.n_nodes()).isZero(0));
-  }
+TEST(MotionShape, AShapeAtRestHasNoDeformationAtAllWhateverItsSize) {
+  for (double size : {1e-3, 1., 1e3})
+    for (const CorotationalShape& shape : shapes(size)) {
+      const MotionShape& motions = shape.motions();
+      const Points y =
+          turned_by(0.4) * motions.nodes + size * Vec2(0.5, -1) * motions.translation.transpose();
+      const auto deformation = [&](const Points& at) {
+        return motions.coordinates_of(at).tail(2 * motions.n_nodes()).eval();
+      };
+      EXPECT_TRUE(deformation(y).isZero(0)) << size;
+      EXPECT_FALSE(deformation((1 + 1e-12) * y).isZero(0)) << "but round-off alone";
+    }
 }
 
 TEST(MotionShape, TurnLessOneKeepsTheDigitsOfSmallAngles) {
