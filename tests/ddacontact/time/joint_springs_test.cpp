@@ -1,6 +1,8 @@
 // Joints with a stiffness of their own, residual friction and dilation, against their formulas.
 #include <tests/ddacontact/simple_scenes.hpp>
 
+#include <algorithm>
+
 using namespace support;
 
 namespace {
@@ -194,11 +196,16 @@ TEST(JointSprings, KeepTheLedgerClosedWhereContactsOpenAndCloseAgain) {
     scene.joints[0].friction_angle = 20;
     scene.materials[0].young = 5e9;
     scene.analysis.scheme = scheme;
-    scene.analysis.time_step = 0.002;
-    scene.blocks[1].velocity = {0.5, 0};
+    scene.analysis.time_step = 0.0005;
+    scene.blocks[1].velocity = {0.5, -1};
     const BuiltScene built = build(scene);
-    run(*built.stepper, 60);
-    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9) << static_cast<int>(scheme);
+    long n_open = 0;
+    for (int k = 0; k < 240; ++k) {
+      run(*built.stepper, 1);
+      n_open += std::ranges::none_of(built.stepper->contacts(), &ContactRecord::closed);
+      EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9) << static_cast<int>(scheme);
+    }
+    EXPECT_GT(n_open, 0);
   }
 }
 
@@ -341,11 +348,8 @@ TEST(JointSprings, WhereTwoJointsMeetEachBearsOverItsLength) {
 TEST(JointSprings, BetweenBlocksThatSupportsLeadHaveNoDashpot) {
   Scene scene = column(1, 1e7, 1e6);
   scene.joints[0].dashpot = 0.3;
-  scene.supports = {{1,
-                     {0, 1, 2, 3},
-                     true,
-                     true,
-                     history_function(TimeFunction::Kind::history, {{0, 0, 0}, {0.5, 1e-4, -1e-4}})}};
+  const TimeFunction lead = history_function(TimeFunction::Kind::history, {{0, 0, 0}, {0.5, 1e-4, -1e-4}});
+  scene.supports = {{1, {0, 1, 2, 3}, true, true, lead}};
   const BuiltScene built = run(scene);
   EXPECT_TRUE(std::isfinite(built.stepper->energy().now.total()));
   double normal = 0;
