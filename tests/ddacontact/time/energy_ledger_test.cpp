@@ -219,3 +219,21 @@ TEST(EnergyLedger, AnOverlapOfTheStartStoresNothing) {
     EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
   }
 }
+
+/// A block of six unknowns hangs at two corners by springs, which a support lifts for a while.
+TEST(EnergyLedger, OfVerticesHeldBySpringsCloses) {
+  Scene scene = paper_mechanics(rock_at(0.01, 400));
+  scene.analysis.preset = Preset::paper;
+  scene.contact.normal_stiffness = 1e6;
+  scene.blocks = {block(rectangle(0, 0, 1, 1))};
+  scene.blocks[0].model = BlockModel::affine;
+  const TimeFunction lift{TimeFunction::Kind::history, {0, 0}, {{0, 0, 0}, {0.5, 0, 0.01}}};
+  scene.supports = {{0, {2, 3}, true, true, lift}};
+  const BuiltScene built = build(scene);
+  for (int k = 0; k < 400; ++k) {
+    run(*built.stepper, 1);
+    ASSERT_LE(std::abs(built.stepper->energy().balance_error()), 1e-4) << k;
+  }
+  const double weight = 20e3, stored = weight * weight / (4 * scene.contact.normal_stiffness);
+  EXPECT_NEAR(built.stepper->energy().now.elastic, stored, 0.01 * stored);
+}

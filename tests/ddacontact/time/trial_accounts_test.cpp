@@ -76,6 +76,18 @@ TEST(TrialAccounts, ADashpotTakesNothingOfABlockThatLeaves) {
   }
 }
 
+TEST(TrialAccounts, ADashpotTakesItsForceTimesTheApproach) {
+  Scene scene = over_a_plate(Scheme::midpoint, 5e-4, 0);
+  scene.joints[0].dashpot = 0.01;
+  scene.blocks[1].velocity = {0, -0.1};
+  Accounted landing(scene);
+  double taken = 0;
+  for (const Contact& contact : landing.step.trial.contacts())
+    taken += contact.damping * contact.gap_change * contact.gap_change;
+  EXPECT_GT(taken, 1);
+  EXPECT_NEAR(landing.energy.damping_dissipated, taken, 1e-9 * taken);
+}
+
 TEST(TrialAccounts, AnImpactIsSharedBetweenFrictionAndContacts) {
   StepImpact impact;
   Energy energy;
