@@ -88,6 +88,17 @@ TEST(TrialAccounts, ADashpotTakesItsForceTimesTheApproach) {
   EXPECT_NEAR(landing.energy.damping_dissipated, taken, 1e-9 * taken);
 }
 
+/// A contact without restitution stops a block: what that had is damped, not lost by the scheme.
+TEST(TrialAccounts, AContactTakesTheKineticEnergyOfWhatItStops) {
+  Scene scene = over_a_plate(Scheme::decaying, 0, 0);
+  scene.analysis.gravity.setZero();
+  scene.blocks[1].velocity = {0, -2};
+  const Accounted landing(scene);
+  const double kinetic = 4000 * 2 * 2 / 2;
+  EXPECT_NEAR(landing.energy.damping_dissipated, kinetic, 1e-3 * kinetic);
+  EXPECT_EQ(landing.energy.pushed_out, 0);
+}
+
 TEST(TrialAccounts, AnImpactIsSharedBetweenFrictionAndContacts) {
   StepImpact impact;
   Energy energy;
