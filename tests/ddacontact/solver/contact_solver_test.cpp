@@ -20,6 +20,24 @@ Scene resting(double stiffness, double angle, double friction_degrees) {
   return scene;
 }
 
+/// The first step of a scene, to be solved.
+struct FirstStep {
+  BuiltScene built;
+  StepSystem system;
+  std::vector<Contact> contacts;
+  VectorXd d;
+
+  explicit FirstStep(const Scene& scene)
+      : built(build(scene)), system(blocks_of(built)), contacts(built.stepper->contacts_to_begin_with()) {
+    const BlockState& state = built.stepper->state();
+    system.set_step(state, step_start(state, 0.05), 1e9);
+    d = system.prescribed();
+  }
+  ContactSolverReport solve(const ContactSolverOptions& options = {}) {
+    return solve_contacts(system, options, contacts, d);
+  }
+};
+
 }  // namespace
 
 TEST(ContactSolver, TheContactsStiffnessChangesNeitherForcesNorPlaces) {
@@ -50,14 +68,9 @@ TEST(ContactSolver, ABlockStaysOnASlopeBelowItsFrictionAngleAndSlidesAboveIt) {
 }
 
 TEST(ContactSolver, EndsWhereDisplacementsAreNotFiniteBeforeContactsAreEvaluatedThere) {
-  BuiltScene built = build(resting(1e9, 0, 30));
-  const BlockState& state = built.stepper->state();
-  StepSystem system(blocks_of(built));
-  std::vector<Contact> contacts = built.stepper->contacts_to_begin_with();
-  system.set_step(state, step_start(state, 0.05), 1e9);
-  VectorXd d = system.prescribed();
-  d.setConstant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(solve_contacts(system, {}, contacts, d).status, SolutionStatus::not_finite);
+  FirstStep step(resting(1e9, 0, 30));
+  step.d.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(step.solve().status, SolutionStatus::not_finite);
 }
 
 /// A heavy block rests on the floor, and two light ones, one of which overhangs its base, are pushed in turn.
@@ -69,20 +82,37 @@ TEST(ContactSolver, NamesAContactOfTheBlockThatIsFurthestFromBalance) {
                     block(rectangle(-2, 0, 1, 0.5))};
     scene.loads = {point_load(pushed, scene.blocks[static_cast<std::size_t>(pushed)].vertices.col(2),
                               constant({2e5, -2e5}))};
-    BuiltScene built = build(scene);
-    const BlockState& state = built.stepper->state();
-    StepSystem system(blocks_of(built));
-    std::vector<Contact> contacts = built.stepper->contacts_to_begin_with();
-    system.set_step(state, step_start(state, 0.05), 1e9);
-    VectorXd d = system.prescribed();
-    ContactSolverOptions options;
-    options.penetration_tolerance = 1e-6;
+    FirstStep step(scene);
+    ContactSolverOptions options({}, 1e-6);
     options.max_solutions = 1;
-    const ContactSolverReport report = solve_contacts(system, options, contacts, d);
+    const ContactSolverReport report = step.solve(options);
     EXPECT_EQ(report.status, SolutionStatus::forces_unsettled);
     EXPECT_EQ(report.residual.worst_block, pushed);
     ASSERT_GE(report.worst_contact, 0);
-    const VertexEdge& named = contacts[static_cast<std::size_t>(report.worst_contact)].pair;
+    const VertexEdge& named = step.contacts[static_cast<std::size_t>(report.worst_contact)].pair;
     EXPECT_TRUE(named.vertex_block == pushed || named.edge_block == pushed);
+  }
+}
+
+/// With springs alone, which a warm start leaves as they are: a block lies on a slope, or hangs by its bond.
+TEST(ContactSolver, AWarmStartFromTheSolutionIsTheSolution) {
+  for (bool hangs : {false, true}) {
+    Scene scene = resting(4e9, 0.2, 30);
+    if (hangs) {
+      scene.joints[0].cohesion = scene.joints[0].tensile_strength = 1e6;
+      scene.blocks[0] = block(turned(rectangle(-4, 1, 10, 1), 0.2), true);
+    }
+    FirstStep cold(scene), warm(scene);
+    ContactSolverOptions options;
+    EXPECT_GT(cold.solve(options).iterations, 0);
+    for (std::size_t c = 0; c < warm.contacts.size(); ++c) {
+      warm.contacts[c].normal = cold.contacts[c].normal;
+      warm.contacts[c].shear = cold.contacts[c].shear;
+    }
+    warm.d = cold.d;
+    options.warm_start = true;
+    const ContactSolverReport again = warm.solve(options);
+    EXPECT_EQ(again.status, SolutionStatus::settled);
+    EXPECT_EQ(again.iterations, 0) << hangs;
   }
 }
