@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace ddacontact {
@@ -44,18 +43,15 @@ Mat3 Block::compliance() const {
   return material_.elasticity.inverse();
 }
 
-double Block::size() const {
-  return std::sqrt(reference_area_);
-}
-
 double Block::furthest_vertex(const VectorXd& d) const {
   double furthest = 0;  // squared
   for (int v = 0; v < n_vertices(); ++v) furthest = std::max(furthest, vertex_map(v)(d).squaredNorm());
   return std::sqrt(furthest);
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 3> Block::rigid_modes() const {
-  Eigen::Matrix<double, Eigen::Dynamic, 3> modes(n_unknowns(), 3);
+RigidModes Block::rigid_modes() const {
+  RigidModes modes;
+  modes.resize(n_unknowns(), Eigen::NoChange);
   modes << translations(), rotation();
   return modes;
 }
@@ -65,7 +61,7 @@ Vec2 Block::grid_point(const Vec2& near) const {
 }
 
 void Block::prepare(const BlockState& state) {
-  const auto points = state.position.middleCols(points_.first, points_.count);
+  const auto points = points_.columns_of(state.position);
   origin_ = state.origin.col(index_);
   moments_ = polyfem::area_moments(points.leftCols(n_vertices_));
   assert(points.allFinite() && moments_.area > 0);
@@ -73,7 +69,7 @@ void Block::prepare(const BlockState& state) {
 }
 
 void Block::follow_with_origin(BlockState& state) const {
-  auto points = state.position.middleCols(points_.first, points_.count);
+  auto points = points_.columns_of(state.position);
   const Vec2 mean = points.leftCols(n_vertices_).rowwise().mean();
   if (mean.cwiseAbs().maxCoeff() < 4 * grid_) return;
   const Vec2 shift = grid_point(mean);
@@ -98,20 +94,9 @@ std::vector<int> Block::part_unknowns(int /*part*/) const {
   return all;
 }
 
-MatrixXd Block::tangent(const Eigen::Ref<const VectorXd>& d) const {
-  std::vector<MatrixXd> parts(n_parts());
-  tangent(d, parts);
-  MatrixXd sum = MatrixXd::Zero(n_unknowns(), n_unknowns());
-  for (int p = 0; p < n_parts(); ++p) {
-    const std::vector<int> u = part_unknowns(p);
-    sum(u, u) += parts[p];
-  }
-  return sum;
-}
-
 VectorXd Block::point_weights(const Vec2& x) const {
   int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = inf;
   for (int c = 0; c < n_cells() && least > 0; ++c) {
     const Points outline = reference()(Eigen::all, cell(c).corners);
     const double distance = polyfem::distance_outside(outline, x);

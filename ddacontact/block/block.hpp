@@ -7,6 +7,7 @@
 #include <polyfem/basis/basis.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +16,9 @@ namespace ddacontact {
 
 struct CorotationalShape;
 class BlockMotion;
+
+/// Motions of a block as a rigid body, a row an unknown: unit translations in x and y, and a unit rotation.
+using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// What a block is made of.
 struct BlockMaterial {
@@ -77,7 +81,7 @@ class Block {
   double reference_area() const { return reference_area_; }
   double mass_total() const { return material_.density * reference_area_; }
   /// The square root of the reference area: what tolerances are relative to.
-  double size() const;
+  double size() const { return std::sqrt(reference_area_); }
   const BlockMaterial& material() const { return material_; }
   /// The multiple of a power of two nearest to a position: what the block's origin may be.
   Vec2 grid_point(const Vec2& near) const;
@@ -103,8 +107,8 @@ class Block {
   Eigen::Map<const VectorXd> rotation() const {
     return {rotation_.data(), static_cast<Index>(rotation_.size())};
   }
-  /// All three, n_unknowns x 3.
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rigid_modes() const;
+  /// All three.
+  RigidModes rigid_modes() const;
   /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.
   virtual Points integration_points() const = 0;
   /// Area that belongs to each integration point.
@@ -134,8 +138,6 @@ class Block {
   virtual std::vector<int> part_unknowns(int part) const;
   /// The matrices of all parts.
   virtual void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const = 0;
-  /// Their sum, n_unknowns x n_unknowns.
-  MatrixXd tangent(const Eigen::Ref<const VectorXd>& d) const;
   /// d += change, where the block's frame turns with it the rotation in `change` carried out as one:
   /// rotations that are added up stretch the block.
   virtual void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
@@ -187,11 +189,10 @@ class Block {
 
   virtual void prepare_shape(const PointsRef& points) = 0;
   Mat3 compliance() const;  ///< D^-1
-  int index() const { return index_; }
 
   /// Of the size of rotation(), to be written by prepare_shape.
   Eigen::Map<VectorXd> new_rotation() {
-    rotation_.resize(static_cast<std::size_t>(n_unknowns()));
+    rotation_.resize(n_unknowns());
     return {rotation_.data(), n_unknowns()};
   }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -54,7 +53,7 @@ PolygonMesh graded(PolygonMesh mesh, double size, const std::vector<Vec2>& conta
   const auto is_large = [&](int c) {
     const Points outline = mesh.outline(c);
     const double of_cell = std::sqrt(polyfem::signed_area(outline));
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = inf;
     for (const Vec2& x : contact)
       distance = std::min(distance, (outline.colwise() - x).colwise().norm().minCoeff());
     return of_cell > size + distance;
@@ -102,7 +101,7 @@ struct OpenMesh {
 
   void insert(const Vec2& x) {
     std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double least = inf;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Vec2 a = vertices[ring[k]], edge = vertices[ring[(k + 1) % ring.size()]] - a;
       const double along = std::clamp(edge.dot(x - a) / edge.squaredNorm(), 0.0, 1.0);
@@ -182,8 +181,7 @@ BlockMesh divide(const PointsRef& outline, const MeshOptions& options, const std
   result.points.resize(2, n);
   for (std::size_t v = 0; v < number.size(); ++v)
     if (number[v] >= 0) result.points.col(number[v]) = mesh.vertices[v] + shift;
-  for (std::size_t k = 0; k < result.vertex.size(); ++k)
-    result.points.col(result.vertex[k]) = outline.col(static_cast<Index>(k));
+  for (std::size_t k = 0; k < result.vertex.size(); ++k) result.points.col(result.vertex[k]) = outline.col(k);
   for (const auto& cell : mesh.cells) {
     std::vector<int>& corners = result.cells.emplace_back();
     for (int v : cell) corners.push_back(number[v]);

@@ -30,7 +30,7 @@ VectorXd elongations(const Bolt& bolt, const BlockSystem& blocks, const BlockSta
 }
 
 void install(const Bolt& bolt, const BlockSystem& blocks, BlockState& state) {
-  auto numbers = state.bolts.segment(bolt.numbers.first, bolt.numbers.count);
+  auto numbers = bolt.numbers.of(state.bolts);
   numbers.setZero();
   for (int k = 0; k < bolt.n_segments(); ++k) {
     if (!bolt.has_segment(k)) continue;

@@ -1,10 +1,9 @@
 /// \file A bolt: an elastic-plastic bar between points of blocks.
 #pragma once
 
-#include <ddacontact/block/material_point.hpp>
+#include <ddacontact/block/point_map.hpp>
 #include <ddacontact/block/state.hpp>
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ class BlockSystem;
 /// grouted one slips along itself at each node, against a bond that bears a force in proportion to the slip,
 /// up to its strength. All forces are per metre of thickness, tension positive.
 struct Bolt {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = inf;
 
   std::string name;
   std::vector<MaterialPoint> nodes;  ///< along the bar, two at least; block -1: gone with its block
@@ -34,9 +33,7 @@ struct Bolt {
   int n_segments() const { return static_cast<int>(nodes.size()) - 1; }
   bool is_grouted() const { return !bonded.empty(); }
   /// Whether both ends of a segment are points of blocks that are there.
-  bool has_segment(int k) const {
-    return nodes[static_cast<std::size_t>(k)].block >= 0 && nodes[static_cast<std::size_t>(k) + 1].block >= 0;
-  }
+  bool has_segment(int k) const { return nodes[k].block >= 0 && nodes[k + 1].block >= 0; }
 
   // What BlockState::bolts has of it, by offset from `numbers.first` on: three numbers a segment, then, where
   // it is grouted, two a node.

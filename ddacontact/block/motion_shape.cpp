@@ -65,25 +65,4 @@ VectorXd MotionShape::coordinates_of(const PointsRef& y) const {
   return s;
 }
 
-VectorXd MotionShape::velocities_of(const Numbers& s, const PointsRef& v) const {
-  const Vec2 of_centre = v * weights;
-  const Points Z = deformed(s), rates = turned_by(-s[2]) * (v - of_centre * translation.transpose());
-  const double angular = turning.cwiseProduct(rates).sum() / weighted.cwiseProduct(Z).sum();
-  VectorXd velocities(n_coordinates());
-  velocities << of_centre, angular, (rates - angular * left(Z)).reshaped();
-  return velocities;
-}
-
-Points MotionShape::node_velocities(const Numbers& s, const Numbers& velocities) const {
-  const Points rates =
-      velocities[2] * left(deformed(s)) + velocities.tail(2 * n_nodes()).reshaped(2, n_nodes());
-  return turned_by(s[2]) * rates + velocities.head<2>() * translation.transpose();
-}
-
-Points MotionShape::node_displacements(const Numbers& s, const Numbers& change) const {
-  const Points stretch = change.tail(2 * n_nodes()).reshaped(2, n_nodes());
-  return turned_by(s[2]) * (turn_less_one(change[2]) * deformed(s) + turned_by(change[2]) * stretch) +
-         change.head<2>() * translation.transpose();
-}
-
 }  // namespace ddacontact

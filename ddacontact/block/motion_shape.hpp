@@ -31,17 +31,9 @@ struct MotionShape {
   Index n_nodes() const { return nodes.cols(); }
   Index n_coordinates() const { return 3 + 2 * n_nodes(); }
 
-  using Numbers = Eigen::Ref<const VectorXd>;
-  /// X + u, 2 x m.
-  Points deformed(const Numbers& s) const { return nodes + s.tail(2 * n_nodes()).reshaped(2, n_nodes()); }
   /// The coordinates of nodes at y, with the angle in (-pi, pi]. Deformations of the size of round-off are
   /// none.
   VectorXd coordinates_of(const PointsRef& y) const;
-  /// The velocities (vc, omega, u') of nodes with velocities v in the configuration s, and back.
-  VectorXd velocities_of(const Numbers& s, const PointsRef& v) const;
-  Points node_velocities(const Numbers& s, const Numbers& velocities) const;
-  /// The displacements of the nodes from s to s + change, to the rounding of the change.
-  Points node_displacements(const Numbers& s, const Numbers& change) const;
 };
 
 /// R(angle).

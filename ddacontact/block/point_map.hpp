@@ -1,4 +1,4 @@
-/// \file The displacement of a point as a linear map of its block's unknowns.
+/// \file Points of blocks, and their displacements as linear maps of the blocks' unknowns.
 #pragma once
 
 #include <ddacontact/core/affine_form.hpp>
@@ -9,6 +9,12 @@
 #include <vector>
 
 namespace ddacontact {
+
+/// A point that travels with its block: x = sum_p weights[p] * (point p of the block).
+struct MaterialPoint {
+  int block = 0;
+  VectorXd weights;  ///< see Block::point_weights
+};
 
 /// u = sum_k columns[k] d[unknowns[k]]. All that contact and loads know of a block's unknowns. Of a point
 /// that has unknowns of its own, u = (d[first], d[first + 1]), that is all it keeps; else it refers to terms
@@ -37,6 +43,14 @@ class PointMap {
   bool is_own() const { return size_ == 2 && !terms_; }
   int first_unknown() const { return first_; }
 
+  /// Calls visit(unknown, column).
+  void for_terms(const auto& visit) const {
+    if (is_own()) {
+      visit(first_, Vec2::UnitX());
+      visit(first_ + 1, Vec2::UnitY());
+    }
+    for (const Term& term : terms()) visit(first_ + term.unknown, term.column);
+  }
   /// The displacement, or the velocity when given velocities.
   Vec2 operator()(const VectorXd& d) const {
     if (is_own()) return d.segment<2>(first_);
@@ -51,11 +65,7 @@ class PointMap {
   }
   /// form += direction . u
   void add_to(AffineForm& form, const Vec2& direction) const {
-    if (is_own()) {
-      form.add(first_, direction.x());
-      form.add(first_ + 1, direction.y());
-    }
-    for (const Term& term : terms()) form.add(first_ + term.unknown, direction.dot(term.column));
+    for_terms([&](int unknown, const Vec2& column) { form.add(unknown, direction.dot(column)); });
   }
 
  private:
@@ -67,8 +77,8 @@ class PointMap {
 
 /// terms += column * d[unknown], merged with an earlier one of the same unknown.
 inline void add_term(int unknown, const Vec2& column, std::vector<PointMap::Term>& terms) {
-  const auto same = std::find_if(terms.begin(), terms.end(),
-                                 [&](const PointMap::Term& term) { return term.unknown == unknown; });
+  const auto same =
+      std::ranges::find_if(terms, [&](const PointMap::Term& term) { return term.unknown == unknown; });
   if (same == terms.end())
     terms.push_back({unknown, column});
   else

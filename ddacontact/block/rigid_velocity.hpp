@@ -13,5 +13,7 @@ struct RigidVelocity {
 
 /// \param[in] velocity  of all unknowns of the system
 RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity);
+/// Of the block's own unknowns when it moves so.
+VectorXd as_velocity(const Block& block, const RigidVelocity& rigid);
 
 }  // namespace ddacontact

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -32,7 +31,7 @@ RoundedBlock round_corners(const PointsRef& outline, double radius) {
 }
 
 LargestRounding largest_rounding(const PointsRef& outline) {
-  LargestRounding largest{std::numeric_limits<double>::infinity(), 0};
+  LargestRounding largest{inf, 0};
   for (Index e = 0; e < outline.cols(); ++e) {
     const double cuts =
         cut_of_unit_circle(outline, e) + cut_of_unit_circle(outline, (e + 1) % outline.cols());

@@ -5,6 +5,7 @@
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/core/types.hpp>
 
+#include <algorithm>
 #include <new>
 
 namespace ddacontact {
@@ -42,11 +43,7 @@ struct StepRule {
   /// without numerical damping, where those of the start's shape would drive what they hold.
   bool predicts_shape() const { return !starts_at_rest && (mean_forces() || scheme == Scheme::newmark); }
 
-  bool operator==(const StepRule& other) const {
-    return scheme == other.scheme && beta == other.beta && gamma == other.gamma &&
-           impulse_time == other.impulse_time && starts_at_rest == other.starts_at_rest &&
-           damping.mass == other.damping.mass && damping.stiffness == other.damping.stiffness;
-  }
+  bool operator==(const StepRule&) const = default;
 };
 
 /// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium:
@@ -85,7 +82,7 @@ class BlockForces {
 
   void resize(Index n_unknowns) {
     if (elastic.size() == n_unknowns) return;
-    if (storage_.size() < 3 * n_unknowns) storage_.resize(3 * n_unknowns);
+    storage_.resize(std::max(storage_.size(), 3 * n_unknowns));
     double* numbers = storage_.data();
     for (Forces* part : {&elastic, &inertia, &damping}) {
       new (part) Forces(numbers, n_unknowns);  // how Eigen has a Map look elsewhere

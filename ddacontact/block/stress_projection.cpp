@@ -18,7 +18,8 @@ Points stress_projection(const polyfem::TabulatedElement& element, const MatrixX
   // rank-deficient rule leaves without stiffness.
   const Index n = outline.cols();
   const Vec2 centroid = polyfem::area_moments(outline).centroid;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rigid(2 * n, 3);
+  RigidModes rigid;
+  rigid.resize(2 * n, Eigen::NoChange);
   for (Index i = 0; i < n; ++i) {
     const Vec2 r = outline.col(i) - centroid;
     rigid.row(2 * i) << 1, 0, -r.y();

@@ -31,28 +31,29 @@ class SystemPart {
   bool is_resting(int k) const { return resting_[k]; }
   /// The numbers in the whole of the part's unknowns.
   const std::vector<int>& unknowns() const { return unknowns_; }
-  /// The points of the part's block k in the whole.
-  const Range& points_in_whole(int k) const { return in_whole_[k].points; }
+  /// And of its points.
+  const std::vector<int>& points() const { return points_; }
 
  private:
-  struct Ranges {
-    Range points, unknowns, stress_points, coordinates;
+  /// Numbers of a block in a system: its own, and the first ones of what belongs to it.
+  struct Place {
+    int block, point, unknown, stress_point, coordinate;
   };
-  void lend(BlockSystem& whole, BlockSystem& part) const;
-  void give_back(BlockSystem& part, BlockSystem& whole) const;
-  void copy(const BlockState& from, const std::vector<Ranges>& in_from, BlockState& to,
-            const std::vector<Ranges>& in_to, bool into_part) const;
+  static void pass_blocks(BlockSystem& from, const std::vector<Place>& here, BlockSystem& to,
+                          const std::vector<Place>& there);
+  /// Calls move(entries of the whole, those of the part) for every array.
+  template <class Move>
+  void for_arrays(BlockState& whole, BlockState& part, const Move& move) const;
   void number_blocks(const BlockSystem& whole, const std::vector<char>& resting);
   void take_starts(const BlockSystem& whole);
   /// Loads, water, quiet faces and supports of the blocks that do not rest.
   void take_actions(const BlockSystem& whole);
   void take_bolts(const BlockSystem& whole);
 
-  std::vector<int> blocks_, unknowns_;
+  /// What the part has, by the numbers in the whole, ascending.
+  std::vector<int> blocks_, points_, unknowns_, stress_points_, coordinates_, bolt_numbers_;
   std::vector<bool> resting_;
-  std::vector<Ranges> in_whole_, in_part_;
-  /// Of bolts of the part, in the numbers of the state.
-  std::vector<Range> bolts_in_whole_, bolts_in_part_;
+  std::vector<Place> in_whole_, in_part_;
   BlockSystem system_;  ///< the one of the two that is not in place
   BlockState state_;
 };

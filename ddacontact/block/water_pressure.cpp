@@ -1,7 +1,6 @@
 #include <ddacontact/block/water_pressure.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace ddacontact {
 
@@ -33,12 +32,11 @@ struct Moments {
 
 EdgeForces water_forces(const Points& table, double unit_weight, const Vec2& start, const Vec2& end,
                         double from, double to) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const Vec2 edge = end - start, inward(-edge.y(), edge.x());  // times the edge's length
   Moments pressure;
   for (Index i = -1; i < table.cols(); ++i) {  // between points i and i + 1 of the table, and beyond its ends
     const bool before = i < 0, after = i + 1 == table.cols();
-    const double left = before ? -infinity : table(0, i), right = after ? infinity : table(0, i + 1);
+    const double left = before ? -inf : table(0, i), right = after ? inf : table(0, i + 1);
     double a = from, b = to;
     if (edge.x() != 0) {
       const double at_left = (left - start.x()) / edge.x(), at_right = (right - start.x()) / edge.x();

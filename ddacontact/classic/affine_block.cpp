@@ -2,29 +2,22 @@
 
 #include <Eigen/LU>
 
-
 namespace ddacontact {
 
 namespace {
 
 /// T of (3) at distance r from the centroid.
-Eigen::Matrix<double, 2, 6> transformation(const Vec2& r) {
-  Eigen::Matrix<double, 2, 6> T;
+Transformation transformation(const Vec2& r) {
+  Transformation T;
   T << 1, 0, -r.y(), r.x(), 0, r.y() / 2,  //
       0, 1, r.x(), 0, r.y(), r.x() / 2;
   return T;
 }
 
-/// Displacement gradients that go with r0, eps_x, eps_y and gamma_xy.
-const std::array<Mat2, 4>& gradients() {
-  static const std::array<Mat2, 4> G = [] {
-    std::array<Mat2, 4> g;
-    g[0] << 0, -1, 1, 0;
-    g[1] << 1, 0, 0, 0;
-    g[2] << 0, 0, 0, 1;
-    g[3] << 0, 0.5, 0.5, 0;
-    return g;
-  }();
+/// Displacement gradient that goes with an unknown.
+Mat2 gradient(int unknown) {
+  Mat2 G;
+  G << transformation(Vec2::UnitX()).col(unknown), transformation(Vec2::UnitY()).col(unknown);
   return G;
 }
 
@@ -35,7 +28,7 @@ AffineBlock::AffineBlock(const BlockMaterial& material, const PointsRef& outline
     : IncrementalBlock(material, outline), control_(control), vertex_maps_(outline.cols()) {}
 
 VectorXd AffineBlock::unknown_lengths() const {
-  VectorXd lengths = VectorXd::Ones(6);
+  VectorXd lengths = VectorXd::Ones(n_unknowns());
   if (!control_) lengths.tail<4>().setConstant(size());
   return lengths;
 }
@@ -57,8 +50,8 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
     new_rotation() = Mat6::Identity().col(2);
   }
   for (int v = 0; v < n_vertices(); ++v) {
-    const Eigen::Matrix<double, 2, 6> map = transformation(outline.col(v) - centroid) * basis_;
-    for (int k = 0; k < 6; ++k) vertex_maps_[v][k] = {k, map.col(k)};
+    const Transformation map = transformation(outline.col(v) - centroid) * basis_;
+    for (int k = 0; k < n_unknowns(); ++k) vertex_maps_[v][k] = {k, map.col(k)};
   }
 
   const double area = moments().area;
@@ -68,9 +61,9 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
 
   Mat6 M = Mat6::Zero();  // integral of T^T T: r = x - centroid integrates to zero
   M.topLeftCorner<2, 2>() = area * Mat2::Identity();
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      M(2 + i, 2 + j) = (gradients()[i] * moments().second * gradients()[j].transpose()).trace();
+  for (int i = 2; i < n_unknowns(); ++i)
+    for (int j = 2; j < n_unknowns(); ++j)
+      M(i, j) = (gradient(i) * moments().second * gradient(j).transpose()).trace();
   mass_ = current_density() * basis_.transpose() * M * basis_;
 
   integration_weights_ = VectorXd::Constant(1, area);
@@ -82,22 +75,21 @@ PointMap AffineBlock::vertex_map(int vertex) const {
 
 void AffineBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {
   const Vec3 stress = state.stress.col(stress_points().first);
-  F.segment<6>(unknowns().first) -= moments().area * basis_.bottomRows<3>().transpose() * stress;
+  unknowns().of(F) -= moments().area * basis_.bottomRows<3>().transpose() * stress;
 }
 
 void AffineBlock::add_body_force(const Vec2& b, VectorXd& F) const {
-  F.segment<6>(unknowns().first) += reference_area() * basis_.topRows<2>().transpose() * b;
+  unknowns().of(F) += reference_area() * basis_.topRows<2>().transpose() * b;
 }
 
 void AffineBlock::add_stress(const VectorXd& d, Tensors& stress) const {
-  const Vec3 strain = basis_.bottomRows<3>() * d.segment<6>(unknowns().first);
+  const Vec3 strain = basis_.bottomRows<3>() * unknowns().of(d);
   stress.col(stress_points().first) += material().elasticity * strain;
 }
 
 Points AffineBlock::strain_displacement(const BlockState& state) const {
   const Vec3 strain = compliance() * state.stress.col(stress_points().first);
-  return uniform_strain_displacement(state.position.middleCols(vertices().first, vertices().count),
-                                     moments().centroid, strain);
+  return uniform_strain_displacement(vertices().columns_of(state.position), moments().centroid, strain);
 }
 
 }  // namespace ddacontact

@@ -8,6 +8,9 @@
 
 namespace ddacontact {
 
+/// Displacements of a point by the unknowns (1), T of (3).
+using Transformation = Eigen::Matrix<double, 2, 6>;
+
 /// Unknowns: (u0 v0 r0 eps_x eps_y gamma_xy) about the centroid (1); or, given control vertices, their
 /// displacements (u v u v u v), which span the same affine fields.
 class AffineBlock final : public IncrementalBlock {
@@ -15,7 +18,7 @@ class AffineBlock final : public IncrementalBlock {
   AffineBlock(const BlockMaterial& material, const PointsRef& outline,
               const std::optional<ControlVertices>& control = std::nullopt);
 
-  int n_unknowns() const override { return 6; }
+  int n_unknowns() const override { return Transformation::ColsAtCompileTime; }
   int n_stress_points() const override { return 1; }
   VectorXd unknown_lengths() const override;
   PointMap vertex_map(int vertex) const override;
@@ -26,13 +29,14 @@ class AffineBlock final : public IncrementalBlock {
   Points integration_points() const override { return Points::Zero(2, 1); }
 
  private:
-  using Mat6 = Eigen::Matrix<double, 6, 6>;
+  using Mat6 = Eigen::Matrix<double, Transformation::ColsAtCompileTime, Transformation::ColsAtCompileTime>;
 
   void prepare_shape(const PointsRef& outline) override;
 
   std::optional<ControlVertices> control_;
-  Mat6 basis_;                                              ///< (1) = basis_ * unknowns
-  std::vector<std::array<PointMap::Term, 6>> vertex_maps_;  ///< T (3) * basis_ at each outline vertex
+  Mat6 basis_;  ///< (1) = basis_ * unknowns
+  std::vector<std::array<PointMap::Term, PointMap::capacity>>
+      vertex_maps_;  ///< T (3) * basis_ at each outline vertex
 };
 
 }  // namespace ddacontact

@@ -8,12 +8,12 @@ void IncrementalBlock::begin_step(const BlockState& state, const StepStart& star
     throw Error("blocks with incremental kinematics need the scheme dda, newmark or backward_euler");
   rule_ = start.rule;
   dt_ = start.dt;
-  velocity_ = start.velocity.segment(u.first, u.count);
-  acceleration_ = start.acceleration.segment(u.first, u.count);
+  velocity_ = u.of(start.velocity);
+  acceleration_ = u.of(start.acceleration);
   path_ = dt_ * velocity_;
   VectorXd F = VectorXd::Zero(u.end());
   add_stress_forces(state, F);
-  stress_forces_ = -F.segment(u.first, u.count);
+  stress_forces_ = -u.of(F);
 }
 
 void IncrementalBlock::forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const {
@@ -33,14 +33,13 @@ void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen
                                 BlockState& next) const {
   const Range &u = unknowns(), &v = vertices();
   VectorXd all = VectorXd::Zero(u.end());
-  all.segment(u.first, u.count) = d;
+  u.of(all) = d;
   for (int k = 0; k < v.count; ++k) next.position.col(v.first + k) += vertex_map(k)(all);
   add_stress(all, next.stress);
   const VectorXd acceleration = rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
   const double gamma = rule_.gamma;
-  next.velocity.segment(u.first, u.count) =
-      velocity_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);
-  next.carried.segment(u.first, u.count) = acceleration;
+  u.of(next.velocity) = velocity_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);
+  u.of(next.carried) = acceleration;
   follow_with_origin(next);
 }
 

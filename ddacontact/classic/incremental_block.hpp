@@ -11,7 +11,6 @@ class IncrementalBlock : public Block {
   void begin_step(const BlockState& state, const StepStart& start) override;
   void free_path(Eigen::Ref<VectorXd> path) const override { path = path_; }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
-  using Block::tangent;
   void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override;
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override { return translations_; }
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override {
@@ -20,9 +19,7 @@ class IncrementalBlock : public Block {
   void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
                 BlockState& next) const override;
   double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
-  Tensors stress(const BlockState& state) const override {
-    return state.stress.middleCols(stress_points().first, stress_points().count);
-  }
+  Tensors stress(const BlockState& state) const override { return stress_points().columns_of(state.stress); }
 
   const VectorXd& integration_weights() const override { return integration_weights_; }
 

@@ -76,12 +76,12 @@ class Restraint {
     }
     if (passes_without_gain_ < 4) return;
     if (passes_without_gain_ >= 20) {
-      disagreements.resize(1);
+      disagreements.erase(disagreements.begin() + 1, disagreements.end());
       return;
     }
     const double part = passes_without_gain_ < 12 ? 0.1 : 0.5;
     const auto less = [](const Disagreement& a, const Disagreement& b) { return a.force < b.force; };
-    const double largest = std::max_element(disagreements.begin(), disagreements.end(), less)->force;
+    const double largest = std::ranges::max_element(disagreements, less)->force;
     std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
   }
 
@@ -113,11 +113,12 @@ std::vector<ContactForce> forces_in_states(const std::vector<Contact>& contacts,
   return forces;
 }
 
-/// Bits: 1 the normal spring acts, 2 the tangential one does.
 std::vector<unsigned char> springs_in_states(const std::vector<Contact>& contacts) {
   std::vector<unsigned char> springs;
   for (const Contact& contact : contacts)
-    springs.push_back(!contact.closed() ? 0 : contact.history.state == ContactState::stick ? 3 : 1);
+    springs.push_back(!contact.closed()                              ? none_acts
+                      : contact.history.state == ContactState::stick ? all_act
+                                                                     : normal_acts);
   return springs;
 }
 
@@ -135,15 +136,8 @@ std::vector<ContactTerm> terms_of(const std::vector<Contact>& contacts) {
   return terms;
 }
 
-bool has_friction_to_find(const std::vector<Contact>& contacts) {
-  return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
-    return is_slipping(contact.history.state) && contact.law.has_friction();
-  });
-}
-
 /// Friction of a pass counts as found when the residual fell by this, and when it is below tolerance.
 constexpr double sufficient_decrease = 1e-3;
-constexpr int anderson_depth = 8;
 
 OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
                         const std::vector<ContactTerm>& terms, std::vector<Contact>& contacts, VectorXd& d) {
@@ -157,16 +151,18 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
   d = system.prescribed();
   system.linearize(d);
   compute_residual();
-  AndersonAcceleration acceleration(anderson_depth);
+  AndersonAcceleration acceleration;
   Restraint restraint;
   VectorXd correction;
 
-  for (int pass = 0; pass < options.max_passes && report.iterations < options.max_iterations; ++pass) {
+  while (report.iterations < options.max_iterations) {
     if (!system.problem().factorize(terms, springs_in_states(contacts))) {
       report.status = SolutionStatus::not_positive_definite;
       return report;
     }
-    const bool friction_to_find = has_friction_to_find(contacts);
+    const bool friction_to_find = std::ranges::any_of(contacts, [](const Contact& contact) {
+      return is_slipping(contact.history.state) && contact.law.has_friction();
+    });
     const double before = r.largest;
     const int last = std::min(options.max_iterations, report.iterations + options.max_iterations_per_pass);
     do {
@@ -186,10 +182,9 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
       report.status = SolutionStatus::settled;
       return report;
     }
-    const auto opening =
-        std::find_if(disagreements.begin(), disagreements.end(), [&](const Disagreement& of) {
-          return opens_or_closes(contacts[of.contact].history.state, of.state);
-        });
+    const auto opening = std::ranges::find_if(disagreements, [&](const Disagreement& of) {
+      return opens_or_closes(contacts[of.contact].history.state, of.state);
+    });
     report.status = opening != disagreements.end() ? SolutionStatus::states_unsettled
                                                    : SolutionStatus::friction_unsettled;
     report.disagreeing = opening != disagreements.end() ? static_cast<int>(opening->contact)

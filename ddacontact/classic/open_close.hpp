@@ -1,7 +1,6 @@
 /// \file Open-close iteration: contact states that agree with the displacements they lead to.
 #pragma once
 
-#include <ddacontact/solver/solution_status.hpp>
 #include <ddacontact/solver/step_system.hpp>
 
 namespace ddacontact {
@@ -10,7 +9,6 @@ namespace ddacontact {
 struct OpenCloseOptions {
   int max_iterations = 600;  ///< solutions of (13) per try
   int max_iterations_per_pass = 30;
-  int max_passes = 120;              ///< changes of the contacts' states per try
   double residual_tolerance = 1e-8;  ///< of the residual's scale
 };
 

@@ -58,8 +58,8 @@ PointMap VertexBlock::vertex_map(int vertex) const {
 
 void VertexBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {
   VectorXd f(n_unknowns());
-  polyfem::stress_forces(element_, state.stress.middleCols(stress_points().first, stress_points().count), f);
-  F.segment(unknowns().first, unknowns().count) -= f;
+  polyfem::stress_forces(element_, stress_points().columns_of(state.stress), f);
+  unknowns().of(F) -= f;
 }
 
 void VertexBlock::add_body_force(const Vec2& b, VectorXd& F) const {
@@ -70,15 +70,14 @@ void VertexBlock::add_body_force(const Vec2& b, VectorXd& F) const {
 
 void VertexBlock::add_stress(const VectorXd& d, Tensors& stress) const {
   Tensors strain;
-  polyfem::strains(element_, d.segment(unknowns().first, unknowns().count), strain);
-  stress.middleCols(stress_points().first, stress_points().count) += material().elasticity * strain;
+  polyfem::strains(element_, unknowns().of(d), strain);
+  stress_points().columns_of(stress) += material().elasticity * strain;
 }
 
 Points VertexBlock::strain_displacement(const BlockState& state) const {
-  return stress_projection(element_, stiffness_,
-                           state.position.middleCols(vertices().first, vertices().count),
-                           state.stress.middleCols(stress_points().first, stress_points().count),
-                           usable_basis(state.position.middleCols(vertices().first, vertices().count)));
+  return stress_projection(element_, stiffness_, vertices().columns_of(state.position),
+                           stress_points().columns_of(state.stress),
+                           usable_basis(vertices().columns_of(state.position)));
 }
 
 }  // namespace ddacontact

@@ -4,6 +4,7 @@
 #include <ddacontact/contact/joint_law.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/contact/rounded_motion.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
 
 #include <cstdint>
@@ -39,10 +40,6 @@ struct MovingVertexEdge {
   RoundedPositions positions() const { return {start, rounding ? rounding->after_i : Vec2::Zero()}; }
   RoundedPositions moved(const VectorXd& d) const {
     return {{i(d), j(d), k(d)}, rounding ? rounding->of_after_i(d) : Vec2::Zero()};
-  }
-  RoundedPositions at(const VectorXd& d) const {
-    const RoundedPositions from = positions(), by = moved(d);
-    return {{from.i + by.i, from.j + by.j, from.k + by.k}, from.after_i + by.after_i};
   }
   /// From a position on, by a motion.
   GapAndSlip gap_and_slip_from(const RoundedPositions& positions, const RoundedPositions& by, double lock,
@@ -136,9 +133,9 @@ struct Contact : ContactRecord {
   }
 
   /// Gaps and slips below this are round-off, m.
-  double length_tolerance() const { return 1e-12 * size; }
+  double length_tolerance() const { return length_round_off * size; }
   /// A vertex no further than this beyond an end of the edge is still on it, m.
-  double end_tolerance() const { return 1e-6 * size; }
+  double end_tolerance() const { return coincidence * size; }
 
   /// Whether the vertex projects onto the edge, or its collinear continuation, when its slip is this.
   bool is_on_edge(double at_slip) const {

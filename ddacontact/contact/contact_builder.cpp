@@ -4,6 +4,7 @@
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/core/bytes_of.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
@@ -12,14 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace ddacontact {
 
 namespace {
 
-/// Two positions nearer than this times the block size are one; a contact nearer than this touches.
-constexpr double coincidence = 1e-6;
 /// Pairs of blocks are looked for so many search margins further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
@@ -30,8 +28,8 @@ constexpr Index blocks_of_range = 512, pairs_of_range = 256;
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
-  half_width_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
-  size_.reserve(static_cast<std::size_t>(blocks.n_blocks()));
+  half_width_.reserve(blocks.n_blocks());
+  size_.reserve(blocks.n_blocks());
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     half_width_.push_back(half_width(block.reference().leftCols(block.n_vertices())));
@@ -58,10 +56,8 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   const auto check_blocks = [&](Index begin, Index end) {
     for (int b = static_cast<int>(begin); b < end; ++b) {
       const Range& v = blocks_.block(b).vertices();
-      outlines_.set(b, state.position.middleCols(v.first, v.count));
-      const Box& box = outlines_[b].box;
-      const Vec2 origin = state.origin.col(b), margin = Vec2::Constant(search_margin_[b]);
-      boxes_[b] = {box.low - margin + origin, box.high + margin + origin};
+      outlines_.set(b, v.columns_of(state.position));
+      boxes_[b] = shifted(widened(outlines_[b].box, search_margin_[b]), state.origin.col(b));
       if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin_[b];
     }
   };
@@ -80,7 +76,7 @@ void ContactBuilder::find_pairs(const BlockState& state) {
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                                       std::span<const ContactRecord> previous, bool ties,
                                       std::vector<VertexEdge>& found, std::vector<Choice>& choices) const {
-  thread_local Points shifted, moved_a, moved_b;
+  thread_local Points shifted_b, moved_a, moved_b;
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
   const double size = pair_size(a, b);
@@ -107,13 +103,13 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   };
   // The origin of either block serves, as long as it is always that of the smaller index.
   const Range &of_a = blocks_.block(a).vertices(), &of_b = blocks_.block(b).vertices();
-  if (shifted.cols() < of_b.count) shifted.resize(2, of_b.count);
+  if (shifted_b.cols() < of_b.count) shifted_b.resize(2, of_b.count);
   const Vec2 shift = state.origin.col(b) - state.origin.col(a);
-  shifted.leftCols(of_b.count) = state.position.middleCols(of_b.first, of_b.count).colwise() + shift;
+  shifted_b.leftCols(of_b.count) = of_b.columns_of(state.position).colwise() + shift;
   OutlineSides sides_b = outlines_[b];
-  sides_b.box = {sides_b.box.low + shift, sides_b.box.high + shift};
-  const auto start_a = state.position.middleCols(of_a.first, of_a.count);
-  const auto start_b = shifted.leftCols(of_b.count);
+  sides_b.box = shifted(sides_b.box, shift);
+  const auto start_a = of_a.columns_of(state.position);
+  const auto start_b = shifted_b.leftCols(of_b.count);
   move(a, start_a, moved_a);
   move(b, start_b, moved_b);
   const std::size_t first = found.size();
@@ -151,20 +147,19 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   if (properties_.joints.any(&JointStrength::is_compliant))
     for (const ContactRecord& contact : previous)
       if (contact.closed() && properties_.is_compliant(contact))
-        for (const int b : {contact.pair.vertex_block, contact.pair.edge_block})
+        for (const int b : contact.pair.blocks())
           closure_[b] = std::max(closure_[b], contact.history.gap_offset - contact.end_gap);
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
-  found_in_.resize(static_cast<std::size_t>((n + pairs_of_range - 1) / pairs_of_range));
+  found_in_.resize((n + pairs_of_range - 1) / pairs_of_range);
   choices_in_.resize(found_in_.size());
   const auto check_pairs = [&](Index begin, Index end) {
-    ContactsByPair old(previous, pairs_[begin]);
     std::vector<VertexEdge>& found = found_in_[begin / pairs_of_range];
     std::vector<Choice>& choices = choices_in_[begin / pairs_of_range];
     found.clear();
     choices.clear();
     for (Index p = begin; p < end; ++p)
-      find_contacts_of(pairs_[p], state, motion, old.of(pairs_[p]), ties, found, choices);
+      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, found, choices);
   };
   polyfem::for_ranges(n, pairs_of_range, std::ref(check_pairs));
   choices_.clear();
@@ -178,8 +173,8 @@ double ContactBuilder::dashpot(const Contact& contact) const {
   const VertexEdge& pair = contact.pair;
   const double ratio = properties_.strength(pair).dashpot;
   if (ratio == 0) return 0;
-  double lighter = std::numeric_limits<double>::infinity();
-  for (int b : {pair.vertex_block, pair.edge_block})
+  double lighter = inf;
+  for (int b : pair.blocks())
     if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
   if (!std::isfinite(lighter)) return 0;  // both go where supports lead them
   const double stiffness =
@@ -200,13 +195,13 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   const VertexEdgePositions positions = contact.motion.slip_positions();
   contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
   const Range& v = blocks_.block(pair.edge_block).vertices();
-  const PointsRef outline = state.position.middleCols(v.first, v.count);
+  const PointsRef outline = v.columns_of(state.position);
   const auto sides = outlines_[pair.edge_block].sides;
   if (sides[pair.edge].corner == Corner::straight)
     contact.straight_before = straight_length(outline, pair.edge, false);
   if (sides[next(pair.edge, outline)].corner == Corner::straight)
     contact.straight_after = straight_length(outline, pair.edge, true);
-  if (pair.corner) contact.straight_before = contact.straight_after = std::numeric_limits<double>::infinity();
+  if (pair.corner) contact.straight_before = contact.straight_after = inf;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);
   return contact;
@@ -240,7 +235,7 @@ ContactBuilder::Kinship ContactBuilder::kinship(const BlockState& state, const V
                                                 const VertexEdge& pair) const {
   if (old == pair) return Kinship::same;
   const Range& of_edge = blocks_.block(pair.edge_block).vertices();
-  const auto edge_outline = state.position.middleCols(of_edge.first, of_edge.count);
+  const auto edge_outline = of_edge.columns_of(state.position);
   if (old.vertex_block == pair.vertex_block && old.vertex == pair.vertex && !old.corner && !pair.corner &&
       (goes_straight_on(edge_outline, old.edge, pair.edge) ||
        goes_straight_on(edge_outline, pair.edge, old.edge)))
@@ -346,25 +341,19 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
   contacts.resize(detect(state, motion, search_margin, previous, ties));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
     const std::vector<VertexEdge>& found = found_in_[begin];
-    if (found.empty()) return;
-    ContactsByPair old(previous, block_pair(found.front()));
     for (std::size_t k = 0; k < found.size(); ++k) {
       const std::span of_blocks = std::ranges::equal_range(found, block_pair(found[k]), {}, block_pair);
       contacts[first_found_[begin] + k] =
-          carry_over(state, found[k], of_blocks, old.of(block_pair(found[k])));
+          carry_over(state, found[k], of_blocks, of_pair(block_pair(found[k]), previous));
     }
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
 }
 
 double ContactBuilder::memory() const {
-  double bytes = bytes_of(properties_.materials) + bytes_of(half_width_) + bytes_of(size_) +
-                 outlines_.memory() + nearby_.memory() + bytes_of(boxes_) + bytes_of(margins_) +
-                 bytes_of(pairs_) + bytes_of(search_margin_) + bytes_of(closure_) + bytes_of(found_in_) +
-                 bytes_of(first_found_) + bytes_of(missed_);
-  for (const std::vector<VertexEdge>& found : found_in_) bytes += bytes_of(found);
-  for (const std::vector<Choice>& choices : choices_in_) bytes += bytes_of(choices);
-  return bytes;
+  return outlines_.memory() + nearby_.memory() +
+         bytes_of(properties_.materials, half_width_, size_, boxes_, margins_, pairs_, search_margin_,
+                  closure_, found_in_, choices_in_, first_found_, missed_);
 }
 
 }  // namespace ddacontact

@@ -42,7 +42,7 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
   std::vector<VertexEdge> found;
   for (const Pair& pair : pairs) {
     found.clear();
-    const std::span<const ContactRecord> old = ContactsByPair(previous, pair).of(pair);
+    const std::span<const ContactRecord> old = of_pair(pair, previous);
     find_contacts_of(pair, state, motion, old, ties, found, choices_);
     const std::span<const Contact> before = of_pair(pair, contacts);
     if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;

@@ -33,11 +33,11 @@ bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge&
 }
 
 bool ContactBuilder::is_moved(const Contact& contact, const VertexEdgeForm& by) const {
-  const AffineForm form = contact.motion.form(by.gradient);
-  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
-    if (blocks_.equation()[form.unknowns()[k]] >= 0 && std::abs(form.coefficients()[k]) > same_place)
-      return true;
-  return false;
+  bool moved = false;
+  contact.motion.form(by.gradient).for_terms([&](int unknown, double c) {
+    moved = moved || (blocks_.equation()[unknown] >= 0 && std::abs(c) > same_place);
+  });
+  return moved;
 }
 
 bool ContactBuilder::can_change(const BlockState& state, const VertexEdge& pair,

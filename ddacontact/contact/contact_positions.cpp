@@ -33,7 +33,7 @@ Rounding inset_of(const BlockSystem& blocks, const BlockState& state, const Vert
                   const RoundedPositions& positions, double inset) {
   const Block& block = blocks.block(pair.vertex_block);
   const Range& v = block.vertices();
-  const PointsRef outline = state.position.middleCols(v.first, v.count);
+  const PointsRef outline = v.columns_of(state.position);
   Rounding rounding{.after_i = positions.after_i, .of_after_i = block.vertex_map(next(pair.vertex, outline))};
   if (corner_at(outline, pair.vertex) == Corner::straight) return rounding;
   const auto towards = [&](int neighbour) -> Vec2 {

@@ -3,12 +3,10 @@
 #include <ddacontact/contact/contact_positions.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace ddacontact {
 
 JointLaw ContactProperties::law(const ContactRecord& contact) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const JointStrength& joint = strength(contact.pair);
   const bool glued = is_glued(contact) && contact.closed();
   const bool compliant = is_compliant(contact);
@@ -17,8 +15,8 @@ JointLaw ContactProperties::law(const ContactRecord& contact) const {
           .tangential_stiffness = compliant ? over(&JointStrength::shear_stiffness) : tangential_stiffness,
           .friction = friction_of(contact),
           .friction_law = joint.friction_law ? &joint.friction_law : nullptr,
-          .cohesion = glued ? infinity : over(&JointStrength::cohesion),
-          .tension = glued ? infinity : over(&JointStrength::tensile_strength),
+          .cohesion = glued ? inf : over(&JointStrength::cohesion),
+          .tension = glued ? inf : over(&JointStrength::tensile_strength),
           .compliant = compliant,
           .glued = glued,
           .ductile = joint.ductile || (beyond(contact) && beyond(contact)->ductile)};

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct ContactProperties {
   /// The joint of each edge of each block's outline, an entry of `joints`; -1: that of the materials. Empty:
   /// no edge has one.
   std::vector<std::vector<int>> edge_joints = {};
-  static constexpr double default_lip = 1e-4, lip_of_paper = std::numeric_limits<double>::infinity();
+  static constexpr double default_lip = 1e-4, lip_of_paper = inf;
 
   /// Whether forces of contacts are multipliers: their springs store no energy.
   bool has_multipliers() const { return method == ContactMethod::staged && penetration_tolerance > 0; }

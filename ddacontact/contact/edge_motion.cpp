@@ -86,41 +86,16 @@ VertexEdgeGradient slip_mean_gradient(const Edge& start, const Edge& end, double
   return by_points(mean.inverse_length * mean.a, by_length * mean.length_by_a + mean.inverse_length * mean.b);
 }
 
+/// Whether each of the three points has unknowns of its own.
+bool are_all_own(const PointMap& i, const PointMap& j, const PointMap& k) {
+  const int a = i.first_unknown(), b = j.first_unknown(), c = k.first_unknown();
+  return i.is_own() && j.is_own() && k.is_own() && a != b && b != c && c != a;
+}
+
 }  // namespace
 
 double gap(const VertexEdgePositions& positions) {
   return Edge(positions).along_n();
-}
-
-double slip(const VertexEdgePositions& positions, double lock) {
-  return slip_of(Edge(positions), lock);
-}
-
-double gap_change(const VertexEdgePositions& start, const VertexEdgePositions& by) {
-  const Edge edge(start);
-  return gap_change(edge, EdgeChange(edge, by));
-}
-
-double slip_change(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock) {
-  const Edge edge(start);
-  return slip_change(edge, EdgeChange(edge, by), lock);
-}
-
-VertexEdgeGradient gap_gradient(const VertexEdgePositions& positions) {
-  return gap_gradient(Edge(positions));
-}
-
-VertexEdgeGradient slip_gradient(const VertexEdgePositions& positions, double lock) {
-  return slip_gradient(Edge(positions), lock);
-}
-
-VertexEdgeGradient gap_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end) {
-  return gap_mean_gradient(Edge(start), Edge(end));
-}
-
-VertexEdgeGradient slip_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end,
-                                      double lock) {
-  return slip_mean_gradient(Edge(start), Edge(end), lock);
 }
 
 GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock,
@@ -135,16 +110,6 @@ GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositi
           mean ? gap_mean_gradient(edge0, edge1) : gap_gradient(at),
           mean ? slip_mean_gradient(edge0, edge1, lock) : slip_gradient(at, lock)};
 }
-
-namespace {
-
-/// Whether each of the three points has unknowns of its own.
-bool are_all_own(const PointMap& i, const PointMap& j, const PointMap& k) {
-  const int a = i.first_unknown(), b = j.first_unknown(), c = k.first_unknown();
-  return i.is_own() && j.is_own() && k.is_own() && a != b && b != c && c != a;
-}
-
-}  // namespace
 
 AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                          const PointMap& k) {

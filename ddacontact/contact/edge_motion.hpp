@@ -27,37 +27,23 @@ struct VertexEdgeGradient {
 /// -S0 / l of (33), (34), a length: the vertex's distance from the edge's line, < 0 is penetration.
 double gap(const VertexEdgePositions& positions);
 
-/// (41), a length: how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k.
-double slip(const VertexEdgePositions& positions, double lock);
-
-/// The change of `gap` when the three points move by `by`: to the rounding of that motion, where
-/// the difference of two values has that of the whole edge's length.
-double gap_change(const VertexEdgePositions& start, const VertexEdgePositions& by);
-/// The same of `slip`, the lock point staying where it is on the edge.
-double slip_change(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock);
-
-/// Derivatives of `gap`: n by i, shared among j and k as the foot of the vertex divides the edge.
-VertexEdgeGradient gap_gradient(const VertexEdgePositions& positions);
-
-/// Derivatives of `slip`, the turning and the stretch of the edge included.
-VertexEdgeGradient slip_gradient(const VertexEdgePositions& positions, double lock);
-
-/// Discrete gradient of `gap`, for forces whose work over the step is what their potential loses:
-/// mean . (end - start) = gap(end) - gap(start) for any two positions, no net force, and no moment about the
-/// configuration (start + end) / 2. The same from end to start. Differs from the gradient there in second
-/// order; when all turn by D together it is the gradient turned by D / 2, times cos(D / 2).
-VertexEdgeGradient gap_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end);
-
-/// Discrete gradient of `slip` of one lock point, with the properties of `gap_mean_gradient`.
-VertexEdgeGradient slip_mean_gradient(const VertexEdgePositions& start, const VertexEdgePositions& end,
-                                      double lock);
-
 /// Gap and slip at the end of a motion, with the derivatives that forces there act by.
 struct GapAndSlip {
-  double start_gap, gap, slip;
+  double start_gap;
+  double gap;  ///< the start's and its change, which is good to the rounding of the motion
+  double
+      slip;  ///< (41): how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k, m
   VertexEdgeGradient by_gap, by_slip;
 };
-/// All of the above at once, for the motion `by` from `start`.
+/// For the motion `by` from `start`, the lock point staying where it is on the edge. Derivatives of the gap
+/// are n by i, shared among j and k as the foot of the vertex divides the edge; those of the slip include the
+/// turning and the stretch of the edge.
+///
+/// By Directions::mean they are discrete gradients, for forces whose work over the step is what their
+/// potential loses: mean . (end - start) = gap(end) - gap(start) for any two positions, no net force, and no
+/// moment about the configuration (start + end) / 2. The same from end to start. They differ from the
+/// gradient there in second order; when all turn by D together it is the gradient turned by D / 2, times
+/// cos(D / 2).
 GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositions& by, double lock,
                         Directions directions);
 

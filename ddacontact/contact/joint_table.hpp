@@ -59,10 +59,7 @@ class JointTable {
     for (const Entry& e : entries_) rise = std::max(rise, e.strength.dilation * e.strength.dilation_slip);
     return rise;
   }
-  const JointStrength& between(int material_a, int material_b) const {
-    return entries_[number_between(material_a, material_b)].strength;
-  }
-  /// The number of its entry.
+  /// The number of the entry that two materials follow.
   int number_between(int material_a, int material_b) const {
     int general = -1;
     for (int e = 0; e < static_cast<int>(entries_.size()); ++e) {

@@ -11,8 +11,8 @@ namespace ddacontact {
 
 bool ContactBuilder::may_penetrate(int a, int b, const BlockState& end) const {
   const Range& of_a = blocks_.block(a).vertices();
-  const Vec2 shift = end.origin.col(a) - end.origin.col(b), depth = Vec2::Constant(lip(a, b, true) / 2);
-  const Box within{boxes_[b].low + depth, boxes_[b].high - depth};
+  const Vec2 shift = end.origin.col(a) - end.origin.col(b);
+  const Box within = widened(boxes_[b], -lip(a, b, true) / 2);
   for (int v = of_a.first; v < of_a.end(); ++v) {
     const Vec2 x = end.position.col(v) + shift;
     if (touch({x, x}, within)) return true;
@@ -22,7 +22,7 @@ bool ContactBuilder::may_penetrate(int a, int b, const BlockState& end) const {
 
 Points ContactBuilder::contact_outline(const BlockState& state, int block) const {
   const Range& v = blocks_.block(block).vertices();
-  const PointsRef outline = state.position.middleCols(v.first, v.count);
+  const PointsRef outline = v.columns_of(state.position);
   if (!blocks_.has_rounded_corners()) return outline;
   Points centres(2, v.count);
   for (int k = 0; k < v.count; ++k)
@@ -36,7 +36,7 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
   missed_.clear();
   for_blocks(blocks_.n_blocks(), [&](int b) {
     const Range& v = blocks_.block(b).vertices();
-    boxes_[b] = bounding_box(end.position.middleCols(v.first, v.count));
+    boxes_[b] = bounding_box(v.columns_of(end.position));
   });
   for (const auto& [a, b] : pairs_) {
     if (!may_penetrate(a, b, end) && !may_penetrate(b, a, end)) continue;

@@ -47,6 +47,10 @@ class AffineForm {
     for (int k = 0; k < size_; ++k) F[unknowns_[k]] += factor * coefficients_[k];
   }
 
+  /// Calls visit(unknown, coefficient).
+  void for_terms(const auto& visit) const {
+    for (int k = 0; k < size_; ++k) visit(unknowns_[k], coefficients_[k]);
+  }
   std::span<const int> unknowns() const { return {unknowns_.data(), static_cast<std::size_t>(size_)}; }
   std::span<const double> coefficients() const {
     return {coefficients_.data(), static_cast<std::size_t>(size_)};

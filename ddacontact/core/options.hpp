@@ -79,6 +79,8 @@ constexpr const Defaults& defaults_of(Preset preset) {
 struct RayleighDamping {
   double mass = 0;       ///< 1/s
   double stiffness = 0;  ///< s
+
+  bool operator==(const RayleighDamping&) const = default;
 };
 
 /// How the inside of a block of the model `mesh` is divided.

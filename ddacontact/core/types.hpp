@@ -4,6 +4,8 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/core/types.hpp>
 
+#include <limits>
+
 /// Discontinuous deformation analysis: systems of deformable blocks in contact.
 namespace ddacontact {
 
@@ -21,10 +23,15 @@ using polyfem::Vec2;
 using polyfem::Vec3;
 using polyfem::VectorXd;
 
+inline constexpr double inf = std::numeric_limits<double>::infinity();
+
 /// Consecutive entries of an array that belong to one block.
 struct Range {
   int first = 0, count = 0;
   int end() const { return first + count; }
+  /// These entries of a vector, and these columns of a matrix.
+  auto of(auto&& vector) const { return vector.segment(first, count); }
+  auto columns_of(auto&& matrix) const { return matrix.middleCols(first, count); }
 };
 
 }  // namespace ddacontact

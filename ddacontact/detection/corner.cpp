@@ -5,16 +5,10 @@
 
 namespace ddacontact {
 
-using polyfem::cross;
-
 namespace {
 
 /// A little more than half a turn: two sides of a plate look away from each other.
 constexpr double largest_turn = std::numbers::pi + 0.1;
-
-Vec2 along(const PointsRef& polygon, int edge) {
-  return polygon.col(next(edge, polygon)) - polygon.col(edge);
-}
 
 }  // namespace
 

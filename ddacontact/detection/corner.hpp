@@ -1,12 +1,9 @@
 /// \file Corners of a counter-clockwise simple polygon as contacts see them: convex, straight or reflex.
 #pragma once
 
-#include <polyfem/core/types.hpp>
+#include <ddacontact/core/types.hpp>
 
 namespace ddacontact {
-
-using polyfem::PointsRef;
-using polyfem::Vec2;
 
 /// Sine of 3 degrees: edges that turn by no more count as one straight line.
 inline constexpr double sin_parallel = 0.0523;
@@ -25,6 +22,11 @@ inline int next(int k, const PointsRef& polygon) {
 /// The vertex before k.
 inline int previous(int k, const PointsRef& polygon) {
   return (k == 0 ? static_cast<int>(polygon.cols()) : k) - 1;
+}
+
+/// An edge as a vector.
+inline Vec2 along(const PointsRef& polygon, int edge) {
+  return polygon.col(next(edge, polygon)) - polygon.col(edge);
 }
 
 /// Between the edges before and after a vertex, as vectors.

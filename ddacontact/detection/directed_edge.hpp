@@ -16,9 +16,8 @@ struct DirectedEdge {
   DirectedEdge(const Vec2& from, const Side& side)
       : start(from), tangent(side.tangent), normal(side.normal()), length(side.length) {}
   DirectedEdge(const PointsRef& polygon, int edge) : start(polygon.col(edge)) {
-    const Vec2 along = polygon.col(next(edge, polygon)) - start;
-    length = along.norm();
-    tangent = along / length;
+    length = along(polygon, edge).norm();
+    tangent = along(polygon, edge) / length;
     normal = Vec2(tangent.y(), -tangent.x());
   }
   double gap(const Vec2& x) const { return normal.dot(x - start); }

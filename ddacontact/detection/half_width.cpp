@@ -4,21 +4,15 @@
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
-#include <vector>
 
 namespace ddacontact {
-
-using polyfem::Vec2;
 
 double half_width(const PointsRef& polygon) {
   const int n = static_cast<int>(polygon.cols());
   double perimeter = 0;
   bool concave = false;
-  std::vector<Vec2> along(n);
   for (int e = 0; e < n; ++e) {
-    const Vec2 edge = polygon.col(next(e, polygon)) - polygon.col(e);
-    perimeter += edge.norm();
-    along[e] = edge.normalized();
+    perimeter += along(polygon, e).norm();
     concave = concave || corner_at(polygon, e) == Corner::reflex;
   }
   double width = polyfem::signed_area(polygon) / perimeter;
@@ -26,13 +20,13 @@ double half_width(const PointsRef& polygon) {
 
   constexpr double facing_away = -0.5;  // cosine between the sides
   for (int e = 0; e < n; ++e) {
-    const double length = (polygon.col(next(e, polygon)) - polygon.col(e)).norm();
+    const Vec2 t = along(polygon, e).normalized();
+    const auto faces_away = [&](int side) { return t.dot(along(polygon, side).normalized()) <= facing_away; };
     for (int v = 0; v < n; ++v) {
-      if (std::min(along[e].dot(along[v]), along[e].dot(along[previous(v, polygon)])) > facing_away) continue;
-      if (v == e || v == next(e, polygon)) continue;
+      if (v == e || v == next(e, polygon) || !(faces_away(v) || faces_away(previous(v, polygon)))) continue;
       const Vec2 from_start = polygon.col(v) - polygon.col(e);
-      const double at = along[e].dot(from_start), depth = polyfem::cross(along[e], from_start);
-      if (at >= 0 && at <= length && depth > 0) width = std::min(width, depth / 2);
+      const double at = t.dot(from_start), depth = cross(t, from_start);
+      if (at >= 0 && at <= along(polygon, e).norm() && depth > 0) width = std::min(width, depth / 2);
     }
   }
   return width;

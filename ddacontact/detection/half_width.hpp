@@ -2,7 +2,7 @@
 /// side.
 #pragma once
 
-#include <polyfem/core/types.hpp>
+#include <ddacontact/core/types.hpp>
 
 namespace ddacontact {
 

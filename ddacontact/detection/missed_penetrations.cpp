@@ -6,13 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ddacontact {
 
 namespace {
-
-/// Halvings of the time of a passage.
-constexpr int n_halvings = 50;
 
 struct Path {
   Vec2 start, end;
@@ -39,7 +37,7 @@ bool goes_through(const Path& x, const Path& from, const Path& to, double tolera
   const auto place = [&](double t) { return Place(x.at(t), from.at(t), to.at(t)); };
   double outside = 0, behind = 1;
   if (place(outside).gap < -tolerance) return false;
-  for (int k = 0; k < n_halvings; ++k) {
+  for (int k = 0; k < std::numeric_limits<double>::digits; ++k) {
     const double middle = (outside + behind) / 2;
     (place(middle).gap >= -tolerance ? outside : behind) = middle;
   }
@@ -57,22 +55,18 @@ bool is_deep_in(const PointsRef& polygon, const Vec2& x, double tolerance) {
 }
 
 Box swept_box(const MovingOutline& outline) {
-  const Box start = bounding_box(outline.start), end = bounding_box(outline.end);
-  return {start.low.cwiseMin(end.low), start.high.cwiseMax(end.high)};
+  return joined(bounding_box(outline.start), bounding_box(outline.end));
 }
 
-bool is_apart(const Path& p, const Path& q, const Box& box) {
-  const Vec2 low = p.start.cwiseMin(p.end).cwiseMin(q.start).cwiseMin(q.end),
-             high = p.start.cwiseMax(p.end).cwiseMax(q.start).cwiseMax(q.end);
-  return (low.array() > box.high.array()).any() || (high.array() < box.low.array()).any();
-}
-
-void find_entries_of(const MovingOutline& a, const MovingOutline& b, const Box& common, double tolerance,
+/// Of vertices that come into a box.
+void find_entries_of(const MovingOutline& a, const MovingOutline& b, const Box& box, double tolerance,
                      std::vector<VertexEdge>& entries) {
   const auto path = [](const MovingOutline& of, int k) -> Path { return {of.start.col(k), of.end.col(k)}; };
   for (int i = 0; i < a.start.cols(); ++i) {
     const Path x = path(a, i);
-    if (is_apart(x, x, common) || corner_at(a.start, i) == Corner::reflex) continue;
+    if (!touch({x.start.cwiseMin(x.end), x.start.cwiseMax(x.end)}, box) ||
+        corner_at(a.start, i) == Corner::reflex)
+      continue;
     for (int e = 0; e < b.start.cols(); ++e)
       if (goes_through(x, path(b, e), path(b, next(e, b.start)), tolerance) &&
           is_deep_in(b.end, x.end, tolerance))
@@ -85,10 +79,9 @@ void find_entries_of(const MovingOutline& a, const MovingOutline& b, const Box& 
 void find_missed_penetrations(const MovingOutline& a, const MovingOutline& b, double tolerance,
                               std::vector<VertexEdge>& entries) {
   const Box of_a = swept_box(a), of_b = swept_box(b);
-  const Box common{of_a.low.cwiseMax(of_b.low), of_a.high.cwiseMin(of_b.high)};
-  if ((common.low.array() > common.high.array()).any()) return;
-  find_entries_of(a, b, common, tolerance, entries);
-  find_entries_of(b, a, common, tolerance, entries);
+  if (!touch(of_a, of_b)) return;
+  find_entries_of(a, b, of_b, tolerance, entries);
+  find_entries_of(b, a, of_a, tolerance, entries);
 }
 
 }  // namespace ddacontact

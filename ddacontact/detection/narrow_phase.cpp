@@ -6,14 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace ddacontact {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A corner that may touch edges: its place and its two sides.
 struct VertexCorner {
@@ -59,7 +56,7 @@ struct Passage {
     const Vec2 x = vertex_outline.moved.col(of.contact.vertex);
     end_gap = edge.gap(x) - of.offset;
     end_overshoot = edge.overshoot(x);
-    time = end_gap >= -lip ? infinity : of.gap <= -lip ? 0 : (of.gap + lip) / (of.gap - end_gap);
+    time = end_gap >= -lip ? inf : of.gap <= -lip ? 0 : (of.gap + lip) / (of.gap - end_gap);
   }
 };
 
@@ -136,10 +133,6 @@ class Entrances {
   }
 
  private:
-  static Box widened(const Box& box, double margin) {
-    return {box.low.array() - margin, box.high.array() + margin};
-  }
-
   void collect_edges() {
     const Box near_a = widened(of_a_.box, margin_);
     for (int e = 0; e < b_.vertices.cols(); ++e) {
@@ -186,14 +179,14 @@ class Entrances {
   /// Whether x has not passed all lines of a convex polygon; of another whether it is no deeper in it than
   /// that. Where none is passed: whether it is further outside than the coincidence.
   bool is_outside(const Vec2& x) {
-    const bool by_passing = limits_.lip < infinity;
+    const bool by_passing = limits_.lip < inf;
     if (!of_b_.concave) {
       const double least = by_passing ? -limits_.lip : limits_.coincidence;
       for (int e = 0; e < b_.vertices.cols(); ++e)
         if (DirectedEdge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > least) return true;
       return false;
     }
-    const bool on_outline = std::any_of(edges_.begin(), edges_.end(), [&](const NumberedEdge& of) {
+    const bool on_outline = std::ranges::any_of(edges_, [&](const NumberedEdge& of) {
       return is_within(limits_.depth_inside(), {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
     });
     return polyfem::contains(b_.vertices, x) ? by_passing && on_outline : by_passing || !on_outline;
@@ -230,7 +223,7 @@ class Entrances {
     const auto later = [this](const Candidate& p, const Candidate& q) {
       return std::pair(order(p), -p.contact.edge) > std::pair(order(q), -q.contact.edge);
     };
-    std::sort(near_.begin(), near_.end(), later);
+    std::ranges::sort(near_, later);
     if (inside) came_in_through_the_nearest();
     std::size_t n_chosen = 1;
     for (std::size_t k = 1; k < near_.size(); ++k) {
@@ -243,8 +236,8 @@ class Entrances {
       if (excluding == chosen)
         near_[n_chosen++] = near_[k];
       else if (!inside)
-        choices_.push_back({excluding->contact, near_[k].contact,
-                            order(*excluding).ties_with(order(near_[k]), limits_.round_off())});
+        choices_.push_back(
+            {excluding->contact, order(*excluding).ties_with(order(near_[k]), limits_.round_off())});
     }
     near_.resize(n_chosen);
   }
@@ -259,7 +252,7 @@ class Entrances {
       };
       return rank(p) < rank(q);
     };
-    const auto entrance = std::max_element(near_.begin(), near_.end(), came_less);
+    const auto entrance = std::ranges::max_element(near_, came_less);
     std::rotate(near_.begin(), entrance, entrance + 1);
     const int of_entrance = near_.front().contact.edge;
     std::erase_if(near_, [&](const Candidate& c) {
@@ -322,7 +315,7 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
       drop(p_over ? q : p);
     else if (p.kept == q.kept && (!p_over || (one_place && !p.kept)))
       drop(p.gap >= q.gap ? q : p);
-  } else if (p.kept != q.kept && limits.lip == infinity) {
+  } else if (p.kept != q.kept && limits.lip == inf) {
     drop(p.kept ? q : p);
   } else if (p.strict != q.strict) {
     // One is an entrance only if its corner turns within the step: it may wait for that, open.
@@ -337,21 +330,12 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     const Candidate& last = p_last ? p : q;
     Candidate& other = p_last ? q : p;
     if (other.gap >= -limits.lip)
-      choices.push_back({last.contact, other.contact, order_p.ties_with(order_q, limits.round_off())});
+      choices.push_back({last.contact, order_p.ties_with(order_q, limits.round_off())});
     drop(other);
   }
 }
 
 }  // namespace
-
-void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
-                   std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                   std::vector<Choice>& choices) {
-  OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
-  table.set(0, a.vertices);
-  table.set(1, b.vertices);
-  find_contacts(a, table[0], b, table[1], limits, earlier, contacts, choices);
-}
 
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
                    const PairLimits& limits, std::span<const EarlierContact> earlier,

@@ -4,6 +4,7 @@
 #include <ddacontact/core/types.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <array>
 #include <compare>
 #include <span>
 #include <vector>
@@ -15,6 +16,7 @@ struct VertexEdge {
   int vertex_block = 0, vertex = 0, edge_block = 0, edge = 0;
   bool corner = false;  ///< a rounded vertex against the corner where the edge starts
   auto operator<=>(const VertexEdge&) const = default;
+  std::array<int, 2> blocks() const { return {vertex_block, edge_block}; }
 };
 
 /// One of the two polygons of a pair, at the start of a step and where a predicted motion takes it.
@@ -52,9 +54,9 @@ struct EarlierContact {
   bool wins_ties = true;  ///< where it is open
 };
 
-/// Where a corner may meet either of two edges' lines, the one that became its contact and the other.
+/// A contact whose corner may meet another edge's line as well.
 struct Choice {
-  VertexEdge chosen, rival;
+  VertexEdge chosen;
   bool open;  ///< neither an earlier contact nor the predicted motion tells which
 };
 
@@ -73,10 +75,8 @@ struct Choice {
 /// that a resting contact keeps its lock point; an open one too, so that faces that only lie at each other do
 /// not change contacts by their last digits. `choices`: the lines that a contact was preferred to, none of
 /// them passed at the start. Where one is open the step's forces have to tell.
-void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
-                   std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                   std::vector<Choice>& choices);
-/// The same where the sides are known; their boxes are relative to the origin of the vertices.
+///
+/// \param[in] of_a, of_b  their sides; the boxes are relative to the origin of the vertices
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
                    const PairLimits& limits, std::span<const EarlierContact> earlier,
                    std::vector<VertexEdge>& contacts, std::vector<Choice>& choices);

@@ -8,8 +8,8 @@ namespace ddacontact {
 /// Whether p lies in q.
 bool lies_in(const Box& p, const Box& q);
 
-/// The pairs that BroadPhase finds, in its order. They are looked for among wider boxes, and of these they
-/// are taken until a box leaves its wider one: what the search works with is given back.
+/// The pairs that `overlapping_pairs` finds. They are looked for among wider boxes, and of these they are
+/// taken until a box leaves its wider one.
 class NearbyPairs {
  public:
   /// \param[in] margins  by how much each box is widened when pairs are looked for; none: looks each time
@@ -21,9 +21,6 @@ class NearbyPairs {
   double memory() const;
 
  private:
-  bool holds(const std::vector<Box>& boxes) const;
-
-  BroadPhase broad_phase_;
   std::vector<Box> wide_;  ///< that `candidates_` overlap in
   std::vector<Pair> candidates_;
   long n_searches_ = 0;

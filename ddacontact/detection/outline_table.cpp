@@ -30,7 +30,7 @@ void OutlineTable::set(int polygon, const PointsRef& vertices) {
 }
 
 double OutlineTable::memory() const {
-  return bytes_of(first_) + bytes_of(sides_) + bytes_of(boxes_) + bytes_of(concave_);
+  return bytes_of(first_, sides_, boxes_, concave_);
 }
 
 }  // namespace ddacontact

@@ -115,7 +115,7 @@ class CirclesOnOutline {
   }
   void add(const VertexEdge& contact, double from_end) {
     contacts_.push_back(contact);
-    if (from_end <= limits_.search_margin) choices_.push_back({contact, contact, false});
+    if (from_end <= limits_.search_margin) choices_.push_back({contact, false});
   }
 
   const RoundedOutline &a_, &b_;

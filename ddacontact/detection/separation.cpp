@@ -11,19 +11,16 @@
 
 namespace ddacontact {
 
-using polyfem::Index;
-using polyfem::Points;
-
 namespace {
 
 /// The largest gap over the edges of `a` between the edge's line and the nearest vertex of `b`.
 double largest_edge_gap(const PointsRef& a, const PointsRef& b) {
-  double largest = -std::numeric_limits<double>::infinity();
+  double largest = -inf;
   for (Index j = 0; j < a.cols(); ++j) {
     const Vec2 origin = a.col(j);
     const Vec2 edge = a.col((j + 1) % a.cols()) - origin;
     const Vec2 normal = Vec2(edge.y(), -edge.x()) / edge.norm();
-    double gap = std::numeric_limits<double>::infinity();
+    double gap = inf;
     for (Index i = 0; i < b.cols(); ++i) gap = std::min(gap, normal.dot(b.col(i) - origin));
     largest = std::max(largest, gap);
   }
@@ -48,22 +45,6 @@ double separation_of_convex(const PointsRef& a, const PointsRef& b) {
   return std::min(gap, -std::numeric_limits<double>::min());
 }
 
-struct Piece {
-  Points outline;
-  Box box;
-};
-
-std::vector<Piece> convex_pieces(const PointsRef& polygon) {
-  const polyfem::Triangles triangles = polyfem::triangulate(polygon);
-  std::vector<Piece> pieces;
-  for (Index t = 0; t < triangles.cols(); ++t) {
-    Points triangle(2, 3);
-    for (Index k = 0; k < 3; ++k) triangle.col(k) = polygon.col(triangles(k, t));
-    pieces.push_back({triangle, bounding_box(triangle)});
-  }
-  return pieces;
-}
-
 bool is_convex(const PointsRef& polygon) {
   const Index n = polygon.cols();
   for (Index k = 0; k < n; ++k)
@@ -72,21 +53,25 @@ bool is_convex(const PointsRef& polygon) {
   return true;
 }
 
+/// The polygon itself where it is one.
+std::vector<Points> convex_pieces(const PointsRef& polygon) {
+  if (is_convex(polygon)) return {1, Points(polygon)};
+  const polyfem::Triangles triangles = polyfem::triangulate(polygon);
+  std::vector<Points> pieces;
+  for (Index t = 0; t < triangles.cols(); ++t) pieces.push_back(polygon(Eigen::all, triangles.col(t)));
+  return pieces;
+}
+
 }  // namespace
 
 double separation(const PointsRef& a, const PointsRef& b) {
-  const bool a_convex = is_convex(a), b_convex = is_convex(b);
-  if (a_convex && b_convex) return separation_of_convex(a, b);
-  const std::vector<Piece> of_a = a_convex ? std::vector<Piece>{{a, bounding_box(a)}} : convex_pieces(a),
-                           of_b = b_convex ? std::vector<Piece>{{b, bounding_box(b)}} : convex_pieces(b);
-  double least = std::numeric_limits<double>::infinity();
-  for (const Piece& p : of_a)
-    for (const Piece& q : of_b) {
-      const bool apart =
-          (p.box.low.array() > q.box.high.array()).any() || (q.box.low.array() > p.box.high.array()).any();
-      if (apart && least <= 0) continue;
-      least = std::min(least, separation_of_convex(p.outline, q.outline));
-    }
+  if (is_convex(a) && is_convex(b)) return separation_of_convex(a, b);
+  const std::vector<Points> of_a = convex_pieces(a), of_b = convex_pieces(b);
+  double least = inf;
+  for (const Points& p : of_a)
+    for (const Points& q : of_b)
+      if (least > 0 || touch(bounding_box(p), bounding_box(q)))
+        least = std::min(least, separation_of_convex(p, q));
   return least;
 }
 

@@ -1,7 +1,7 @@
 /// \file How far apart two polygons are, or how deep they overlap.
 #pragma once
 
-#include <polyfem/core/types.hpp>
+#include <ddacontact/core/types.hpp>
 
 namespace ddacontact {
 

@@ -7,7 +7,6 @@ namespace ddacontact {
 
 std::vector<TouchingEdges> touching_edges(const polyfem::PointsRef& polygon, const polyfem::PointsRef& other,
                                           double near) {
-  using polyfem::Index, polyfem::Vec2;
   std::vector<TouchingEdges> found;
   for (Index i = 0; i < polygon.cols(); ++i) {
     const Vec2 start = polygon.col(i), along = polygon.col((i + 1) % polygon.cols()) - start;

@@ -1,14 +1,15 @@
 /// \file Where edges of two polygons lie on each other.
 #pragma once
 
-#include <polyfem/core/types.hpp>
+#include <ddacontact/core/tolerances.hpp>
+#include <ddacontact/core/types.hpp>
 
 #include <vector>
 
 namespace ddacontact {
 
 /// Edges lie on each other within this part of the smaller block's size, as contacts at the start do.
-inline constexpr double edges_touch = 1e-6;
+inline constexpr double edges_touch = coincidence;
 
 /// A part of an edge of one polygon that lies on an edge of another.
 struct TouchingEdges {

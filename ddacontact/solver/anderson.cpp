@@ -25,9 +25,9 @@ void AndersonAcceleration::advance(const VectorXd& f, const VectorXd& weights, V
   if (df_.empty()) return;
 
   MatrixXd dF(f.size(), static_cast<Index>(df_.size()));
-  for (std::size_t k = 0; k < df_.size(); ++k) dF.col(static_cast<Index>(k)) = df_[k].cwiseProduct(weights);
+  for (std::size_t k = 0; k < df_.size(); ++k) dF.col(k) = df_[k].cwiseProduct(weights);
   const VectorXd gamma = dF.colPivHouseholderQr().solve(f.cwiseProduct(weights));
-  for (std::size_t k = 0; k < df_.size(); ++k) x -= gamma[static_cast<Index>(k)] * (dx_[k] + df_[k]);
+  for (std::size_t k = 0; k < df_.size(); ++k) x -= gamma[k] * (dx_[k] + df_[k]);
 }
 
 }  // namespace ddacontact

@@ -13,7 +13,8 @@ namespace ddacontact {
 /// converges also where the plain iteration diverges.
 class AndersonAcceleration {
  public:
-  explicit AndersonAcceleration(int depth) : depth_(depth) {}
+  /// \param[in] depth  differences that are kept
+  explicit AndersonAcceleration(std::size_t depth = 8) : depth_(depth) {}
 
   void reset();
   /// \param[in,out] x  becomes the next iterate

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -95,6 +94,16 @@ double AugmentedContacts::kept(double length, int halvings, double size) const {
   return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);
 }
 
+void AugmentedContacts::take_first_forces() {
+  for (std::size_t c = 0; c < size(); ++c) {
+    const Contact& contact = contacts_[c];
+    if (options_.warm_start)
+      forces_[c] = {contact.normal, contact.shear};
+    else if (contact.closed())
+      forces_[c] = {contact.history.normal, contact.history.shear};
+  }
+}
+
 void AugmentedContacts::evaluate(VectorXd& d) {
   const VectorXd displaced = system_.displacement(d);
   for_contacts(size(),
@@ -118,9 +127,9 @@ void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displac
   term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
   const bool possible = multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
   term.tension = multiplier.bonded ? law.tension : 0;
-  term.normal = !possible                                                ? ContactTerm::Normal::absent
-                : term.tension < std::numeric_limits<double>::infinity() ? ContactTerm::Normal::unilateral
-                                                                         : ContactTerm::Normal::bilateral;
+  term.normal = !possible            ? ContactTerm::Normal::absent
+                : term.tension < inf ? ContactTerm::Normal::unilateral
+                                     : ContactTerm::Normal::bilateral;
   term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
   term.bound = shear_bound(law, normal_spring(term, d).clipped(), multiplier.bonded);
   term.tangential_multiplier = term.bound == 0      ? 0
@@ -251,8 +260,7 @@ int AugmentedContacts::follows_bound(std::size_t c, unsigned char state) const {
   const Multiplier& m = multipliers_[c];
   const double bound = terms_[c].bound;
   const bool at_bound = m.sliding || std::abs(m.shear) > bound;
-  return (state & shear_acts) && at_bound && bound < std::numeric_limits<double>::infinity() &&
-                 forces_[c].normal > -terms_[c].tension
+  return (state & shear_acts) && at_bound && bound < inf && forces_[c].normal > -terms_[c].tension
              ? (m.shear > 0 ? 1 : -1)
              : 0;
 }

@@ -34,6 +34,8 @@ class AugmentedContacts {
 
   /// Stiffnesses and multipliers at the start of the step.
   void begin();
+  /// Forces become those of the problem that differs little, or of the step before.
+  void take_first_forces();
   /// Makes the terms at d, geometry included. Prescribed unknowns of d are set.
   void evaluate(VectorXd& d);
   /// Makes the springs of the terms at d, and with them the states of the law.

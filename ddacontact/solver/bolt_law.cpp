@@ -38,10 +38,9 @@ class Bar {
   ClippedSpring segment_spring(int k) const {
     if (!bolt_.has_segment(k) || numbers_[Bolt::torn(k)] != 0) return {};
     const double stiffness = bolt_.stiffness / numbers_[Bolt::length(k)];
-    const double slips = n_slips_ > 0 ? slip_[k + 1] - slip_[k] : 0;
-    return {-stiffness * (elongation_[k] + slips - numbers_[Bolt::plastic(k)]), stiffness, -bolt_.yield,
-            bolt_.yield};
+    return {-stiffness * (stretch(k) - numbers_[Bolt::plastic(k)]), stiffness, -bolt_.yield, bolt_.yield};
   }
+  double stretch(int k) const { return elongation_[k] + (n_slips_ > 0 ? slip_[k + 1] - slip_[k] : 0); }
   double bond_stiffness(int i) const { return bolt_.bond_stiffness * bolt_.bonded[i]; }
   ClippedSpring bond_spring(int i) const {
     const double strength = bolt_.bond_strength * bolt_.bonded[i];
@@ -121,12 +120,14 @@ class Bar {
   BoltForces forces() const {
     BoltForces forces;
     forces.axial.resize(n_segments_);
+    forces.stretch.resize(n_segments_);
     forces.slip = slip_;
     forces.bond.resize(n_slips_);
     for (int i = 0; i < n_slips_; ++i) forces.bond[i] = force(n_segments_ + i);
     VectorXd of_segments(n_segments_);
     for (int k = 0; k < n_segments_; ++k) {
       forces.axial[k] = force(k);
+      forces.stretch[k] = stretch(k);
       of_segments[k] = stiffness(k);
     }
     for (std::size_t k = 0; k < springs_.size(); ++k)
@@ -155,8 +156,7 @@ class Bar {
 };
 
 /// Keeps what has yielded and where the bar is. Returns what yielding takes.
-double keep_plastic(const Bolt& bolt, const VectorXd& elongation, const BoltForces& forces,
-                    Eigen::Ref<VectorXd> numbers) {
+double keep_plastic(const Bolt& bolt, const BoltForces& forces, Eigen::Ref<VectorXd> numbers) {
   double dissipated = 0;
   const auto keep = [&](int place, double plastic, double force) {
     dissipated += force * (plastic - numbers[place]);
@@ -164,9 +164,7 @@ double keep_plastic(const Bolt& bolt, const VectorXd& elongation, const BoltForc
   };
   for (int k = 0; k < bolt.n_segments(); ++k) {
     if (std::abs(forces.axial[k]) < bolt.yield || forces.axial[k] == 0) continue;
-    const double slips = bolt.is_grouted() ? forces.slip[k + 1] - forces.slip[k] : 0;
-    keep(Bolt::plastic(k),
-         elongation[k] + slips - forces.axial[k] * numbers[Bolt::length(k)] / bolt.stiffness,
+    keep(Bolt::plastic(k), forces.stretch[k] - forces.axial[k] * numbers[Bolt::length(k)] / bolt.stiffness,
          forces.axial[k]);
   }
   for (int i = 0; i < forces.slip.size(); ++i) {
@@ -179,14 +177,11 @@ double keep_plastic(const Bolt& bolt, const VectorXd& elongation, const BoltForc
 }
 
 /// Tears the segments that are strained too far. False: none is.
-bool tear(const Bolt& bolt, const VectorXd& elongation, const BoltForces& forces,
-          Eigen::Ref<VectorXd> numbers) {
+bool tear(const Bolt& bolt, const BoltForces& forces, Eigen::Ref<VectorXd> numbers) {
   bool any = false;
   for (int k = 0; k < bolt.n_segments(); ++k) {
     if (!bolt.has_segment(k) || numbers[Bolt::torn(k)] != 0) continue;
-    const double slips = bolt.is_grouted() ? forces.slip[k + 1] - forces.slip[k] : 0;
-    const double strain =
-        (elongation[k] + slips) / numbers[Bolt::length(k)] + bolt.pretension / bolt.stiffness;
+    const double strain = forces.stretch[k] / numbers[Bolt::length(k)] + bolt.pretension / bolt.stiffness;
     if (strain <= bolt.rupture_strain) continue;
     numbers[Bolt::torn(k)] = 1;
     any = true;
@@ -202,12 +197,12 @@ BoltForces bolt_forces(const Bolt& bolt, const BoltNumbers& numbers, const Vecto
 
 BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, Eigen::Ref<VectorXd> numbers) {
   BoltForces forces = bolt_forces(bolt, numbers, elongation);
-  BoltLosses losses{keep_plastic(bolt, elongation, forces, numbers)};
+  BoltLosses losses{keep_plastic(bolt, forces, numbers)};
   const double stored = forces.stored;
-  while (tear(bolt, elongation, forces, numbers)) {
+  while (tear(bolt, forces, numbers)) {
     losses.tears = true;
     forces = bolt_forces(bolt, numbers, elongation);
-    keep_plastic(bolt, elongation, forces, numbers);
+    keep_plastic(bolt, forces, numbers);
   }
   losses.dissipated += stored - forces.stored;
   return losses;
@@ -217,9 +212,7 @@ double bolt_energy(const BlockSystem& blocks, const BlockState& state) {
   double energy = 0;
   for (const Bolt& bolt : blocks.bolts)
     if (acts(bolt, blocks))
-      energy += bolt_forces(bolt, state.bolts.segment(bolt.numbers.first, bolt.numbers.count),
-                            elongations(bolt, blocks, state))
-                    .stored;
+      energy += bolt_forces(bolt, bolt.numbers.of(state.bolts), elongations(bolt, blocks, state)).stored;
   return energy;
 }
 

@@ -18,9 +18,10 @@ using BoltNumbers = Eigen::Ref<const VectorXd>;
 
 /// What a bolt answers to elongations of the rock.
 struct BoltForces {
-  VectorXd axial;  ///< N of every segment, N per m, tension positive; 0 of those that have torn or are gone
-  VectorXd slip;   ///< of a grouted bar at its nodes, m
-  VectorXd bond;   ///< T of its nodes, on the rock towards the last node, N per m
+  VectorXd axial;    ///< N of every segment, N per m, tension positive; 0 of those that have torn or are gone
+  VectorXd stretch;  ///< of the bar in every segment: elongation of the rock and slips at its ends, m
+  VectorXd slip;     ///< of a grouted bar at its nodes, m
+  VectorXd bond;     ///< T of its nodes, on the rock towards the last node, N per m
   double stored = 0;   ///< in bar and bond, J per m
   MatrixXd stiffness;  ///< derivative of `axial` by the elongations: symmetric, no eigenvalue below 0
 };

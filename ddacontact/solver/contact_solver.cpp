@@ -8,15 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace ddacontact {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int anderson_depth = 8;
 /// A contact is in another state than the law's when its force differs by this part of the largest sum of
 /// forces on a block.
 constexpr double negligible_force = 1e-9;
@@ -46,8 +43,7 @@ class ContactSolver {
         d_(d),
         states_(contacts.size()),
         off_(contacts.size()),
-        tangent_(system.problem(), options.skip),
-        acceleration_(anderson_depth) {}
+        tangent_(system.problem(), options.skip) {}
 
   ContactSolverReport solve() {
     if (!d_.allFinite()) return end(SolutionStatus::not_finite);
@@ -63,7 +59,13 @@ class ContactSolver {
       before_front_ = report_.augmentations;
     }
     report_.tolerance = options_.residual_tolerance;
-    if (options_.warm_start) start_from_forces();
+    if (options_.warm_start) {  // the states of the forces that solve a problem that differs little
+      near_ = true;
+      contacts_.evaluate(d_);
+      contacts_.take_first_forces();
+      contacts_.take_states_of_forces();
+      states_ = contacts_.law_states();
+    }
     look();
     system_.problem().contacts_changed();
     while (true) {
@@ -72,7 +74,8 @@ class ContactSolver {
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
         if (contacts_.are_close(d_, 1, report_.worst_contact)) {
           if (options_.is_static && release_bonds()) continue;
-          take_law_where_negligible();
+          // Forces that differ from the law's by what does not count: inside the cone they are the law's.
+          if (states_ != contacts_.law_states()) take_law(options_.residual_tolerance);
           return settle();
         }
         if (report_.augmentations - before_front_ == options_.max_augmentations)
@@ -87,16 +90,6 @@ class ContactSolver {
   }
 
  private:
-  /// Warm start: the states of the forces that solve a problem that differs little.
-  void start_from_forces() {
-    near_ = true;
-    contacts_.evaluate(d_);
-    for (std::size_t c = 0; c < states_.size(); ++c)
-      contacts_.forces()[c] = {contacts_.contacts()[c].normal, contacts_.contacts()[c].shear};
-    contacts_.take_states_of_forces();
-    states_ = contacts_.law_states();
-  }
-
   /// Geometry, terms, forces and residual at d.
   void look() {
     contacts_.evaluate(d_);
@@ -132,7 +125,7 @@ class ContactSolver {
   /// Begins to look for a residual anew, from the law's states: what is to be balanced has changed.
   void restart() {
     states_ = contacts_.law_states();
-    best_ = infinity;
+    best_ = inf;
     since_best_ = 0;
     begin_states();
     look();
@@ -147,8 +140,7 @@ class ContactSolver {
   }
   int count_disagreeing() const {
     const double counts = negligible();
-    return static_cast<int>(
-        std::count_if(off_.begin(), off_.end(), [&](double off) { return off > counts; }));
+    return static_cast<int>(std::ranges::count_if(off_, [&](double off) { return off > counts; }));
   }
   bool states_agree() const { return count_disagreeing() == 0; }
   /// What the forces of the law may leave where they differ from those of the states: more when these have
@@ -161,7 +153,7 @@ class ContactSolver {
   /// it may be its own friction that pulls.
   unsigned char next(std::size_t c) const {
     const unsigned char now = states_[c], of_law = contacts_.law_states()[c];
-    if (near_ && now == (normal_acts | shear_acts) && of_law == open)
+    if (near_ && now == all_act && of_law == none_acts)
       return normal_acts | (contacts_.forces()[c].shear > 0 ? at_upper : at_lower);
     return next_state(now, of_law);
   }
@@ -198,14 +190,9 @@ class ContactSolver {
     if (!(residual.block_relative <= tolerance)) return false;
     states_ = contacts_.law_states();
     contacts_.forces() = std::move(forces);
-    std::fill(off_.begin(), off_.end(), 0);
+    std::ranges::fill(off_, 0);
     report_.residual = std::move(residual);
     return true;
-  }
-
-  /// Forces that differ from the law's by what does not count: inside the cone they are the law's.
-  void take_law_where_negligible() {
-    if (states_ != contacts_.law_states()) take_law(options_.residual_tolerance);
   }
 
   /// Active-set iteration: solves for given states, then checks whether they agree with the solution.
@@ -216,7 +203,7 @@ class ContactSolver {
       if (changes_ == 0) first_disagreeing_ = count_disagreeing();
       if (++changes_ > most_changes || is_slow() || !change_states()) return leave_active_set();
       solutions_of_states_ = 0;
-      best_ = infinity;
+      best_ = inf;
       evaluate_states();
     }
     if (since_best_ > 3 * patience) return leave_active_set();
@@ -228,7 +215,7 @@ class ContactSolver {
     }
     last_block_relative_ = report_.residual.block_relative;
     std::vector<unsigned char> active(states_.size());
-    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & (normal_acts | shear_acts);
+    for (std::size_t c = 0; c < states_.size(); ++c) active[c] = states_[c] & all_act;
     if (!tangent_.solve(contacts_.terms(), active, contacts_.couplings(states_), report_.residual.force,
                         correction_))
       return leave_active_set();
@@ -252,16 +239,15 @@ class ContactSolver {
   }
   bool can_leave() const { return !interior_point_done_ && options_.interior_point; }
 
-  /// Leaves the active-set iteration for the interior-point method, once. False: that was done before.
-  bool leave_active_set() { return can_leave() && find_by_interior_point(); }
-
   void begin_states() {
     changes_ = solutions_of_states_ = 0;
     seen_.clear();
   }
 
-  /// Moves d and the states near to a solution by the interior-point method. False: it failed.
-  bool find_by_interior_point() {
+  /// Leaves the active-set iteration for the interior-point method, once, which moves d and the states near
+  /// to a solution. False: that was done before, or it failed.
+  bool leave_active_set() {
+    if (!can_leave()) return false;
     interior_point_done_ = near_ = true;
     ++report_.interior_point_solves;
     d_ = system_.prescribed();
@@ -272,7 +258,7 @@ class ContactSolver {
     report_.interior_solutions += found.solutions;
     report_.tangent.fallbacks += found.fallbacks;
     begin_states();
-    best_ = infinity;
+    best_ = inf;
     since_best_ = 0;
     look();
     if (!found.found) failure_ = SolutionStatus::not_positive_definite;
@@ -326,7 +312,7 @@ class ContactSolver {
   std::vector<double> off_;            ///< the force by which the law differs from the springs of the state
   ContactSolverReport report_;
   int before_front_ = 0;  ///< augmentations by sweeps, and before bonds broke last
-  double best_ = infinity;
+  double best_ = inf;
   int since_best_ = 0;
 
   SolutionStatus failure_ = SolutionStatus::forces_unsettled;  ///< how to end when nothing is left to try
@@ -335,7 +321,7 @@ class ContactSolver {
   int first_disagreeing_ = 0;         ///< contacts, before the first change
   bool interior_point_done_ = false;  ///< the states were found by the interior-point method
   bool near_ = false;                 ///< a solution is near: by that method or a warm start
-  double last_block_relative_ = infinity, first_of_states_ = infinity;
+  double last_block_relative_ = inf, first_of_states_ = inf;
   TangentSolver tangent_;
   AndersonAcceleration acceleration_;
   VectorXd correction_;

@@ -2,7 +2,6 @@
 /// an interior-point method or sweeps. A step is solved to its residual, or reported as not solved.
 #pragma once
 
-#include <ddacontact/solver/solution_status.hpp>
 #include <ddacontact/solver/step_system.hpp>
 #include <ddacontact/solver/tangent_solver.hpp>
 

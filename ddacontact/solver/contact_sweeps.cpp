@@ -1,7 +1,7 @@
 #include <ddacontact/solver/contact_sweeps.hpp>
 
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/solver/small_product.hpp>
-#include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -12,8 +12,6 @@
 namespace ddacontact {
 
 namespace {
-
-constexpr Index grain = 256;
 
 /// The n x n matrix of these values becomes its inverse, by elimination in place without exchanging rows: the
 /// matrices are positive definite. False: it has none that is finite.
@@ -40,8 +38,9 @@ bool invert(double* values, Index n) {
 }
 
 /// Open, at the bound of friction in either sense, or within it.
-int state_of(const ContactForce& force, double bound) {
-  return force.normal <= 0 && force.shear == 0 ? 0 : force.shear >= bound ? 1 : force.shear <= -bound ? 2 : 3;
+SpringState state_of(const ContactForce& force, double bound) {
+  if (force.normal <= 0 && force.shear == 0) return none_acts;
+  return force.shear >= bound ? at_upper : force.shear <= -bound ? at_lower : all_act;
 }
 
 }  // namespace
@@ -63,12 +62,12 @@ bool ContactSweeps::take_blocks(FrictionProblem& problem) {
   for (int e = 0; e < unknowns.n_elements(); ++e) {
     const std::span<const int> of_block = unknowns.rows_of(e);
     const auto n = static_cast<int>(of_block.size());
-    const auto is_prescribed = [&](int u) { return equation[static_cast<std::size_t>(u)] < 0; };
+    const auto is_prescribed = [&](int u) { return equation[u] < 0; };
     if (std::ranges::all_of(of_block, is_prescribed)) continue;
     if (n > largest_block || n % 2 != 0) return false;
     for (int u : of_block) {
-      if (slot_[static_cast<std::size_t>(u)] >= 0) return false;
-      if (!is_prescribed(u)) slot_[static_cast<std::size_t>(u)] = static_cast<int>(unknown_.size());
+      if (slot_[u] >= 0) return false;
+      if (!is_prescribed(u)) slot_[u] = static_cast<int>(unknown_.size());
       unknown_.push_back(is_prescribed(u) ? -1 : u);
       block_of_.push_back(static_cast<int>(blocks_.size()));
     }
@@ -77,21 +76,19 @@ bool ContactSweeps::take_blocks(FrictionProblem& problem) {
   }
   inverses_.resize(n_values);
   std::atomic<bool> finite = true;
-  polyfem::for_ranges(static_cast<Index>(blocks_.size()), grain, [&](Index begin, Index end) {
-    for (Index b = begin; b < end; ++b) {
-      const auto [matrix, first, n, inverse] = blocks_[static_cast<std::size_t>(b)];
-      double* const values = inverses_.data() + inverse;
-      Eigen::Map<MatrixXd> A(values, n, n);
-      A = problem.elements()[static_cast<std::size_t>(matrix)];
-      for (int k = 0; k < n; ++k) {
-        if (unknown_[static_cast<std::size_t>(first + k)] >= 0) continue;
-        A.row(k).setZero();
-        A.col(k).setZero();
-        A(k, k) = 1;
-      }
-      if (!(n == quadrilateral ? invert<quadrilateral>(values, n) : invert<Eigen::Dynamic>(values, n)))
-        finite = false;
+  for_all(blocks_.size(), [&](Index b) {
+    const auto [matrix, first, n, inverse] = blocks_[b];
+    double* const values = inverses_.data() + inverse;
+    Eigen::Map<MatrixXd> A(values, n, n);
+    A = problem.elements()[matrix];
+    for (int k = 0; k < n; ++k) {
+      if (unknown_[first + k] >= 0) continue;
+      A.row(k).setZero();
+      A.col(k).setZero();
+      A(k, k) = 1;
     }
+    if (!(n == quadrilateral ? invert<quadrilateral>(values, n) : invert<Eigen::Dynamic>(values, n)))
+      finite = false;
   });
   return finite;
 }
@@ -108,32 +105,30 @@ void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
     std::array<int, AffineForm::capacity> seen;
     auto& [one, other] = row.sides;
     for (int u : terms[c].gap.unknowns()) {
-      const int slot = slot_[static_cast<std::size_t>(u)];
+      const int slot = slot_[u];
       if (slot < 0) continue;
-      const int first = slot & ~1, block = block_of_[static_cast<std::size_t>(slot)];
+      const int first = slot & ~1, block = block_of_[slot];
       const auto end = seen.begin() + row.n_entries;
       if (std::find(seen.begin(), end, first) != end) continue;
-      seen[static_cast<std::size_t>(row.n_entries++)] = first;
+      seen[row.n_entries++] = first;
       if (block != one.block) (one.block < 0 ? one : other).block = block;
     }
     n_entries += row.n_entries;
     if (other.block >= 0 && other.block < one.block) std::swap(one, other);
     for (Side& side : row.sides) {
       if (side.block < 0) continue;
-      const Block& block = blocks_[static_cast<std::size_t>(side.block)];
+      const Block& block = blocks_[side.block];
       side = {side.block, block.first, block.n, n_columns};
       n_columns += static_cast<std::size_t>(2 * block.n);
     }
     rows_.push_back(row);
   }
   order_rows();
-  entries_.resize(static_cast<std::size_t>(n_entries));
+  entries_.resize(n_entries);
   columns_.resize(n_columns);
-  polyfem::for_ranges(static_cast<Index>(rows_.size()), grain, [&](Index begin, Index end) {
-    for (Index r = begin; r < end; ++r) {
-      Row& row = rows_[static_cast<std::size_t>(r)];
-      set_entries(terms[static_cast<std::size_t>(row.contact)], row);
-    }
+  for_all(rows_.size(), [&](Index r) {
+    Row& row = rows_[r];
+    set_entries(terms[row.contact], row);
   });
 }
 
@@ -149,13 +144,13 @@ void ContactSweeps::order_rows() {
   for (const Row& row : rows_) {
     const int a = row.sides[0].block, b = row.sides[1].block;
     if (b < 0) continue;  // beside a block that does not move, or between two
-    neighbours[static_cast<std::size_t>(a)].push_back(b);
-    neighbours[static_cast<std::size_t>(b)].push_back(a);
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
   }
   std::vector<int> group(n_blocks, -1), walk;
   walk.reserve(n_blocks);
   const auto meet = [&](int block) {
-    int& of_block = group[static_cast<std::size_t>(block)];
+    int& of_block = group[block];
     if (of_block >= 0) return;
     of_block = static_cast<int>(walk.size()) / group_size;
     walk.push_back(block);
@@ -164,23 +159,23 @@ void ContactSweeps::order_rows() {
   for (std::size_t start = 0; start < n_blocks; ++start) {
     meet(static_cast<int>(start));
     for (; next < walk.size(); ++next)
-      for (int other : neighbours[static_cast<std::size_t>(walk[next])]) meet(other);
+      for (int other : neighbours[walk[next]]) meet(other);
   }
-  const int n_groups = group[static_cast<std::size_t>(walk.back())] + 1;
+  const int n_groups = group[walk.back()] + 1;
   std::vector<std::array<int, 2>> keys(rows_.size());
-  first_of_group_.assign(static_cast<std::size_t>(n_groups) + 2, 0);
+  first_of_group_.assign(n_groups + 2, 0);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const int a = rows_[r].sides[0].block, b = rows_[r].sides[1].block;
-    const int of_a = a < 0 ? 0 : group[static_cast<std::size_t>(a)];
-    const bool within = b < 0 || group[static_cast<std::size_t>(b)] == of_a;
+    const int of_a = a < 0 ? 0 : group[a];
+    const bool within = b < 0 || group[b] == of_a;
     keys[r] = {within ? of_a : n_groups, static_cast<int>(r)};
-    ++first_of_group_[static_cast<std::size_t>(keys[r][0]) + 1];
+    ++first_of_group_[keys[r][0] + 1];
   }
   std::partial_sum(first_of_group_.begin(), first_of_group_.end(), first_of_group_.begin());
   std::ranges::sort(keys);
   std::vector<Row> ordered;
   ordered.reserve(rows_.size());
-  for (const auto& [of_group, r] : keys) ordered.push_back(rows_[static_cast<std::size_t>(r)]);
+  for (const auto& [of_group, r] : keys) ordered.push_back(rows_[r]);
   rows_ = std::move(ordered);
 }
 
@@ -190,7 +185,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
   Entry* const entries = entries_.data() + row.first_entry;
   int n = 0;
   for (std::size_t k = 0; k < u.size(); ++k) {
-    const int slot = slot_[static_cast<std::size_t>(u[k])];
+    const int slot = slot_[u[k]];
     if (slot < 0) continue;
     const int first = slot & ~1;
     Entry* entry = std::find_if(entries, entries + n, [&](const Entry& e) { return e.slot == first; });
@@ -204,7 +199,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
   row.normal = row.mixed = row.shear = 0;
   for (const Side& side : row.sides) {
     if (side.block < 0) continue;
-    const double* const inverse = inverses_.data() + blocks_[static_cast<std::size_t>(side.block)].inverse;
+    const double* const inverse = inverses_.data() + blocks_[side.block].inverse;
     double *const normal = columns_.data() + side.columns, *const shear = normal + side.n;
     std::fill(normal, shear + side.n, 0);
     const auto for_own_entries = [&](const auto& work) {
@@ -273,8 +268,7 @@ double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
     double largest = 0;
     const int first = first_of_group_[g], end = first_of_group_[g + 1];
     for (int k = 0; k < end - first; ++k)
-      largest = std::max(largest,
-                         visit(rows_[static_cast<std::size_t>(forth ? first + k : end - 1 - k)], tolerance));
+      largest = std::max(largest, visit(rows_[forth ? first + k : end - 1 - k], tolerance));
     return largest;
   };
   VectorXd largest(n_groups() + 1);
@@ -289,8 +283,8 @@ double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
 bool ContactSweeps::has_many_changes(const Stop& stop) const {
   int n_closed = 0, n_changed = 0;
   for (const Row& row : rows_) {
-    const int now = state_of(row.force, row.bound_under(row.force.normal));
-    if (now == 0 && row.state_before == 0) continue;
+    const SpringState now = state_of(row.force, row.bound_under(row.force.normal));
+    if (now == none_acts && row.state_before == none_acts) continue;
     ++n_closed;
     if (now != row.state_before) ++n_changed;
   }
@@ -307,26 +301,22 @@ VectorXd ContactSweeps::forces() const {
 void ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
                           const VectorXd& residual, const VectorXd& d,
                           const std::vector<ContactForce>& forces_of_all) {
-  change_.resize(static_cast<Index>(unknown_.size()));
-  polyfem::for_ranges(static_cast<Index>(blocks_.size()), grain, [&](Index begin, Index end) {
-    for (Index b = begin; b < end; ++b) {
-      const auto [matrix, first, n, inverse] = blocks_[static_cast<std::size_t>(b)];
-      auto change = change_.segment(first, n);
-      for (int k = 0; k < n; ++k) {
-        const int u = unknown_[static_cast<std::size_t>(first + k)];
-        change[k] = u < 0 ? 0 : -residual[u];
-      }
-      change = (Eigen::Map<const MatrixXd>(inverses_.data() + inverse, n, n) * change).eval();
+  change_.resize(unknown_.size());
+  for_all(blocks_.size(), [&](Index b) {
+    const auto [matrix, first, n, inverse] = blocks_[b];
+    auto change = change_.segment(first, n);
+    for (int k = 0; k < n; ++k) {
+      const int u = unknown_[first + k];
+      change[k] = u < 0 ? 0 : -residual[u];
     }
+    change = (Eigen::Map<const MatrixXd>(inverses_.data() + inverse, n, n) * change).eval();
   });
-  polyfem::for_ranges(static_cast<Index>(rows_.size()), grain, [&](Index begin, Index end) {
-    for (Index r = begin; r < end; ++r) {
-      Row& row = rows_[static_cast<std::size_t>(r)];
-      const auto c = static_cast<std::size_t>(row.contact);
-      row.set_law(terms[c], laws[c], d);
-      row.force = forces_of_all[c];
-      row.state_before = state_of(row.force, row.bound_under(row.force.normal));
-    }
+  for_all(rows_.size(), [&](Index r) {
+    Row& row = rows_[r];
+    const auto c = static_cast<std::size_t>(row.contact);
+    row.set_law(terms[c], laws[c], d);
+    row.force = forces_of_all[c];
+    row.state_before = state_of(row.force, row.bound_under(row.force.normal));
   });
 }
 
@@ -368,9 +358,9 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
     along = further * along + by;
   }
   report.settled = report.settled && change_.allFinite();
-  for (const Row& row : rows_) forces_of_all[static_cast<std::size_t>(row.contact)] = row.force;
+  for (const Row& row : rows_) forces_of_all[row.contact] = row.force;
   for (std::size_t k = 0; k < unknown_.size(); ++k)
-    if (unknown_[k] >= 0) d[unknown_[k]] += change_[static_cast<Index>(k)];
+    if (unknown_[k] >= 0) d[unknown_[k]] += change_[k];
   return report;
 }
 

@@ -71,7 +71,7 @@ class ContactSweeps {
   struct Row : SweptContact {
     int contact = 0, first_entry = 0, n_entries = 0;
     std::array<Side, 2> sides = {};  ///< of blocks that move, the earlier one first
-    int state_before = 0;
+    SpringState state_before = none_acts;
   };
 
   bool take_blocks(FrictionProblem& problem);

@@ -3,8 +3,6 @@
 
 #include <ddacontact/core/affine_form.hpp>
 
-#include <limits>
-
 namespace ddacontact {
 
 /// A contact with its friction bound frozen: N = lambda - p g on the gap, kept >= -tension where unilateral,
@@ -36,10 +34,9 @@ struct ClippedSpring {
 
 /// The spring on the gap at d.
 inline ClippedSpring normal_spring(const ContactTerm& c, const VectorXd& d) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (c.normal == ContactTerm::Normal::absent) return {};
   return {c.normal_multiplier - c.normal_stiffness * c.gap(d), c.normal_stiffness,
-          c.normal == ContactTerm::Normal::unilateral ? -c.tension : -infinity, infinity};
+          c.normal == ContactTerm::Normal::unilateral ? -c.tension : -inf, inf};
 }
 /// The spring on the slip at d.
 inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) {
@@ -66,10 +63,20 @@ inline ContactForce contact_force(const ContactTerm& c, const VectorXd& d) {
   return {normal_spring(c, d).clipped(), tangential_spring(c, d).clipped()};
 }
 
-/// The springs that the tangent has at d. Bits: 1 the normal one, 2 the tangential one (sticking).
+/// Bits of the state of a contact: which springs act, and where friction has reached its bound.
+enum SpringState : unsigned char {
+  none_acts = 0,
+  normal_acts = 1,
+  shear_acts = 2 * normal_acts,
+  at_upper = 2 * shear_acts,
+  at_lower = 2 * at_upper,
+  all_act = normal_acts | shear_acts
+};
+
+/// The springs that the tangent has at d, sticking ones the tangential one too.
 inline unsigned char active_springs(const ContactTerm& c, const VectorXd& d) {
-  return static_cast<unsigned char>((normal_spring(c, d).acts() ? 1 : 0) |
-                                    (tangential_spring(c, d).acts() ? 2 : 0));
+  return (normal_spring(c, d).acts() ? normal_acts : none_acts) |
+         (tangential_spring(c, d).acts() ? shear_acts : none_acts);
 }
 
 }  // namespace ddacontact

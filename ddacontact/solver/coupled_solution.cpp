@@ -21,7 +21,7 @@ double weight(const Coupling& coupling) {
 VectorXd along_columns(const std::vector<Coupling>& couplings, const VectorXd& x) {
   VectorXd z(static_cast<Index>(couplings.size()));
   for (std::size_t c = 0; c < couplings.size(); ++c)
-    z[static_cast<Index>(c)] = weight(couplings[c]) * couplings[c].column->change(x);
+    z[c] = weight(couplings[c]) * couplings[c].column->change(x);
   return z;
 }
 
@@ -29,8 +29,7 @@ VectorXd along_columns(const std::vector<Coupling>& couplings, const VectorXd& x
 void sum_of_rows(const std::vector<Coupling>& couplings, const VectorXd& z, VectorXd& force) {
   force.setZero();
   for (std::size_t c = 0; c < couplings.size(); ++c)
-    couplings[c].row->add_gradient(
-        std::copysign(weight(couplings[c]), couplings[c].rate) * z[static_cast<Index>(c)], force);
+    couplings[c].row->add_gradient(std::copysign(weight(couplings[c]), couplings[c].rate) * z[c], force);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <ddacontact/solver/anderson.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace ddacontact {
 
@@ -16,7 +15,7 @@ BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, Vec
   const VectorXd weights = VectorXd::Ones(bounds.size());
   VectorXd wanted = bounds, next = bounds;
   bool accelerated = true;
-  double damping = 0.5, least = std::numeric_limits<double>::infinity();
+  double damping = 0.5, least = inf;
   for (int solves_without_gain = 0; report.solves < options.max_solves;) {
     bounds = next;
     solve(bounds, wanted);

@@ -1,26 +1,25 @@
 #include <ddacontact/solver/friction_problem.hpp>
 
 #include <ddacontact/core/bytes_of.hpp>
+#include <ddacontact/solver/small_product.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace ddacontact {
 
 namespace {
 
-/// What quadratic piece d is in. Bits: those of active_springs, 4 and 8 the shear force is at its upper or
-/// its lower bound.
+/// What quadratic piece d is in.
 unsigned char piece(const ContactTerm& contact, const VectorXd& d) {
   const ClippedSpring shear = tangential_spring(contact, d);
-  const int sense = shear.low == shear.high    ? 0
-                    : shear.force > shear.high ? 4
-                    : shear.force < shear.low  ? 8
-                                               : 0;
-  return static_cast<unsigned char>(active_springs(contact, d) | sense);
+  const unsigned char acting = active_springs(contact, d);
+  if (shear.low == shear.high || (acting & shear_acts)) return acting;
+  return acting | (shear.force > shear.high ? at_upper : at_lower);
 }
 
 void find_pieces(const std::vector<ContactTerm>& contacts, const VectorXd& d,
@@ -37,14 +36,12 @@ void find_pieces(const std::vector<ContactTerm>& contacts, const VectorXd& d,
 /// |multiplier| + stiffness * (sum of the magnitudes of the form's terms): what its force is the sum of.
 double magnitude(const AffineForm& form, double stiffness, double multiplier, const VectorXd& d) {
   double sum = std::abs(form.constant);
-  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
-    sum += std::abs(form.coefficients()[k] * d[form.unknowns()[k]]);
+  form.for_terms([&](int u, double c) { sum += std::abs(c * d[u]); });
   return std::abs(multiplier) + stiffness * sum;
 }
 
 void add_magnitude(const AffineForm& form, double force, VectorXd& sums) {
-  for (std::size_t k = 0; k < form.unknowns().size(); ++k)
-    sums[form.unknowns()[k]] += std::abs(form.coefficients()[k]) * force;
+  form.for_terms([&](int u, double c) { sums[u] += std::abs(c) * force; });
 }
 
 /// Of more equations than these nested dissection leaves fewer entries than minimum degree.
@@ -61,10 +58,10 @@ void FrictionProblem::set_matrices(polyfem::Connectivity unknowns) {
   elements_ = std::move(unknowns);
   elements_.first.shrink_to_fit();
   elements_.rows.shrink_to_fit();
-  matrices_.resize(static_cast<std::size_t>(elements_.n_elements()));
+  matrices_.resize(elements_.n_elements());
   for_elements([&](int e, std::span<const int> u) {
     const Index n = static_cast<Index>(u.size());
-    matrices_[static_cast<std::size_t>(e)].resize(n, n);
+    matrices_[e].resize(n, n);
   });
   contacts_changed();
 }
@@ -79,7 +76,7 @@ void FrictionProblem::set_pattern(const std::vector<ContactTerm>& contacts) {
   std::vector<int> rows;
   const auto append = [&](std::span<const int> unknowns) {
     rows.clear();
-    for (int u : unknowns) rows.push_back(equation_[static_cast<std::size_t>(u)]);
+    for (int u : unknowns) rows.push_back(equation_[u]);
     connectivity.append(rows);
   };
   for_elements([&](int, std::span<const int> unknowns) { append(unknowns); });
@@ -118,9 +115,9 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const int e = n_elements + static_cast<int>(c);
     const ContactTerm& contact = contacts[c];
-    if (active[c] & 1)  // (39)
+    if (active[c] & normal_acts)  // (39)
       matrix_.add_outer(e, contact.normal_stiffness, contact.gap.coefficients());
-    if (active[c] & 2)  // (47)
+    if (active[c] & shear_acts)  // (47)
       matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
   }
   if (!cholesky_.factorize(matrix_.lower())) return false;
@@ -129,59 +126,43 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
   return true;
 }
 
-/// Of the unknowns to rhs_, and solution_ to them.
-void FrictionProblem::pack(const VectorXd& residual) {
+/// x = method(b) of the equations, as one of all unknowns.
+void FrictionProblem::solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&),
+                               const VectorXd& b, VectorXd& x) {
   rhs_.resize(n_equations_);
-  for (Index k = 0; k < residual.size(); ++k)
-    if (equation_[k] >= 0) rhs_[equation_[k]] = residual[k];
-}
-
-void FrictionProblem::unpack(VectorXd& correction) const {
-  correction.resize(static_cast<Index>(equation_.size()));
-  for (Index k = 0; k < correction.size(); ++k)
-    correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
+  for (Index k = 0; k < b.size(); ++k)
+    if (equation_[k] >= 0) rhs_[equation_[k]] = b[k];
+  (cholesky_.*method)(rhs_, solution_);
+  x.resize(equation_.size());
+  for (Index k = 0; k < x.size(); ++k) x[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
 }
 
 void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
-  pack(residual);
-  cholesky_.solve(rhs_, solution_);
-  unpack(correction);
+  solve_by(&polyfem::Cholesky::solve, residual, correction);
 }
 
 void FrictionProblem::solve_roughly(const VectorXd& residual, VectorXd& correction) {
-  pack(residual);
-  cholesky_.solve_roughly(rhs_, solution_);
-  unpack(correction);
+  solve_by(&polyfem::Cholesky::solve_roughly, residual, correction);
 }
 
 double FrictionProblem::memory() const {
-  double bytes = bytes_of(equation_) + bytes_of(elements_.first) + bytes_of(elements_.rows) +
-                 bytes_of(matrices_) + matrix_.memory() + bytes_of(factored_springs_) + bytes_of(active_) +
-                 bytes_of(pieces_) + bytes_of(trial_pieces_);
-  for (const MatrixXd& matrix : matrices_) bytes += bytes_of(matrix);
-  for (const VectorXd* vector : {&rhs_, &solution_, &residual_, &step_, &trial_, &magnitudes_})
-    bytes += bytes_of(*vector);
-  return bytes;
+  return matrix_.memory() + bytes_of(equation_, elements_.first, elements_.rows, matrices_, factored_springs_,
+                                     active_, pieces_, trial_pieces_, rhs_, solution_, residual_, step_,
+                                     trial_, magnitudes_);
 }
 
 VectorXd FrictionProblem::free_part(const VectorXd& b) const {
   VectorXd part = b;
   for (std::size_t u = 0; u < equation_.size(); ++u)
-    if (equation_[u] < 0) part[static_cast<Index>(u)] = 0;
+    if (equation_[u] < 0) part[u] = 0;
   return part;
 }
 
 void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
                                        const VectorXd& g0, const VectorXd& d, VectorXd& residual) const {
   residual = g0;
-  for_elements([&](int e, std::span<const int> u) {
-    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
-    for (std::size_t l = 0; l < u.size(); ++l) {
-      const double change = d[u[l]] - d0[u[l]];
-      for (std::size_t k = 0; k < u.size(); ++k)
-        residual[u[k]] += A(static_cast<Index>(k), static_cast<Index>(l)) * change;
-    }
-  });
+  const VectorXd change = d - d0;
+  for_elements([&](int e, std::span<const int> u) { add_product(matrices_[e], u, change, residual); });
   for (const ContactTerm& contact : contacts) {
     const ContactForce force = contact_force(contact, d);
     if (force.normal != 0) contact.gap.add_gradient(-force.normal, residual);
@@ -204,12 +185,9 @@ bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, con
                                    const VectorXd& g0, const VectorXd& d) {
   magnitudes_ = g0.cwiseAbs();
   for_elements([&](int e, std::span<const int> u) {
-    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
-    for (std::size_t l = 0; l < u.size(); ++l) {
-      const double change = std::abs(d[u[l]] - d0[u[l]]);
+    for (std::size_t l = 0; l < u.size(); ++l)
       for (std::size_t k = 0; k < u.size(); ++k)
-        magnitudes_[u[k]] += std::abs(A(static_cast<Index>(k), static_cast<Index>(l))) * change;
-    }
+        magnitudes_[u[k]] += std::abs(matrices_[e](k, l)) * std::abs(d[u[l]] - d0[u[l]]);
   });
   for (const ContactTerm& c : contacts) {
     if (c.normal == ContactTerm::Normal::absent) continue;
@@ -225,16 +203,9 @@ bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, con
 
 /// The t at which the potential of d + t step_ is least; residual_ is that at d.
 double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d) {
-  double slope = step_.dot(residual_), curvature = 0;
-  for_elements([&](int e, std::span<const int> u) {
-    const MatrixXd& A = matrices_[static_cast<std::size_t>(e)];
-    for (std::size_t l = 0; l < u.size(); ++l) {
-      double force = 0;
-      for (std::size_t k = 0; k < u.size(); ++k)
-        force += A(static_cast<Index>(k), static_cast<Index>(l)) * step_[u[k]];
-      curvature += step_[u[l]] * force;
-    }
-  });
+  double slope = step_.dot(residual_);
+  VectorXd force = VectorXd::Zero(step_.size());
+  for_elements([&](int e, std::span<const int> u) { add_product(matrices_[e], u, step_, force); });
   line_search_.clear();
   const auto add = [&](const ClippedSpring& spring, double rate) {
     if (rate == 0 || (spring.low == 0 && spring.high == 0)) return;
@@ -245,7 +216,7 @@ double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, co
     add(normal_spring(contact, d), contact.gap.change(step_));
     add(tangential_spring(contact, d), contact.slip.change(step_));
   }
-  return line_search_.find_minimum(slope, curvature);
+  return line_search_.find_minimum(slope, std::inner_product(step_.begin(), step_.end(), force.begin(), 0.0));
 }
 
 MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
@@ -272,14 +243,13 @@ MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contact
     }
     if (report.iterations == options.max_iterations) return report;
     active_ = pieces_;
-    for (unsigned char& springs : active_) springs &= 3;
+    for (unsigned char& springs : active_) springs &= all_act;
     if (!factorize(contacts, active_)) {
       report.status = MinimizeStatus::not_positive_definite;
       return report;
     }
     solve(-residual_, step_);
     ++report.iterations;
-    ++n_iterations_;
     trial_ = d + step_;
     find_pieces(contacts, trial_, trial_pieces_);
     kept = trial_pieces_ == pieces_;

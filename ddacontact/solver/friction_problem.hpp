@@ -80,16 +80,14 @@ class FrictionProblem {
   MinimizeReport minimize(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
                           const MinimizeOptions& options, VectorXd& d);
 
-  /// Solutions of all calls of minimize so far.
-  int n_iterations() const { return n_iterations_; }
   const polyfem::Cholesky& cholesky() const { return cholesky_; }
   /// Bytes of the heap, without the factor.
   double memory() const;
 
  private:
   void set_pattern(const std::vector<ContactTerm>& contacts);
-  void pack(const VectorXd& residual);
-  void unpack(VectorXd& correction) const;
+  void solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&), const VectorXd& b,
+                VectorXd& x);
   double largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const;
   bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
                     const VectorXd& d);
@@ -107,7 +105,6 @@ class FrictionProblem {
   std::vector<MatrixXd> matrices_;
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;
-  int n_iterations_ = 0;
   bool keeps_factor_ = true;
   bool has_pattern_ = false;                     ///< matrix_ is that of the present contacts
   bool is_dissected_ = false;                    ///< and ordered for many factors

@@ -15,10 +15,10 @@ constexpr double part_to_bound = 0.99;
 }  // namespace
 
 unsigned char InteriorContact::state(const SweptLaw& law) const {
-  if (!acts) return open;
+  if (!acts) return none_acts;
   const bool is_open = unilateral && normal.x < normal.s;
-  if (is_open && !law.bonded) return open;
-  const unsigned char closed = is_open ? open : normal_acts;
+  if (is_open && !law.bonded) return none_acts;
+  const unsigned char closed = is_open ? none_acts : normal_acts;
   if (!sheared) return closed;
   if (holds) return closed | shear_acts;
   return closed | (upper.s > upper.x ? at_upper : lower.s > lower.x ? at_lower : shear_acts);

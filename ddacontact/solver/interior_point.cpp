@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -144,7 +143,7 @@ class InteriorPoint {
       }
       if (on_path && tells_states(way)) return;
       PathStep path;
-      path.off = std::numeric_limits<double>::infinity();
+      path.off = inf;
       if (std::isfinite(mean) && std::isfinite(residual_.block_relative) && factorize())
         path = look_along_path(mean);
       ++report_.solutions;
@@ -221,14 +220,13 @@ class InteriorPoint {
     path.nearest = -CD / DD;
     for (std::size_t k = 0; k < path.D.size(); ++k)
       path.off = std::max(path.off, std::abs(path.C[k] + path.nearest * path.D[k]));
-    if (!std::isfinite(DD)) path.off = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(DD)) path.off = inf;
     return path;
   }
 
   /// Of the numbers of the pairs of each contact.
   static std::vector<double> relative_changes(const std::vector<InteriorContact>& inside) {
     std::vector<double> changes;
-    changes.reserve(6 * inside.size() + 1);
     for (const InteriorContact& i : inside) {
       const auto append = [&](const InteriorPair& pair, bool acts) {
         changes.push_back(acts ? pair.dx / pair.x : 0);
@@ -286,12 +284,12 @@ class InteriorPoint {
     couplings_.clear();
     for (std::size_t c = 0; c < inside_.size(); ++c) {
       InteriorContact& i = inside_[c];
-      active_[c] = open;
+      active_[c] = none_acts;
       if (!i.acts) continue;
       i.find_rates();
       terms_[c].normal_stiffness = i.w * i.p;
       terms_[c].tangential_stiffness = i.wt * i.p_t;
-      active_[c] = i.sheared ? normal_acts | shear_acts : normal_acts;
+      active_[c] = i.sheared ? all_act : normal_acts;
       if (i.mixed * i.rate != 0)
         couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p, c});
     }

@@ -1,6 +1,7 @@
 #include <ddacontact/solver/islands_apart.hpp>
 
 #include <ddacontact/core/disjoint_sets.hpp>
+#include <ddacontact/core/sort_once.hpp>
 
 #include <algorithm>
 #include <map>
@@ -18,11 +19,9 @@ void add_to_prescribed(const Contact& contact, const Range& unknowns, const Vect
   const GapAndSlip at_d = m.gap_and_slip_at(d, contact.history.lock, directions);
   for (const auto& [gradient, force] :
        {std::pair{&at_d.by_gap, contact.normal}, std::pair{&at_d.by_slip, contact.shear}}) {
-    const AffineForm form = m.form(*gradient);
-    for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
-      const int u = form.unknowns()[k];
-      if (u >= unknowns.first && u < unknowns.end()) external[u] += force * form.coefficients()[k];
-    }
+    m.form(*gradient).for_terms([&](int u, double coefficient) {
+      if (u >= unknowns.first && u < unknowns.end()) external[u] += force * coefficient;
+    });
   }
 }
 
@@ -89,7 +88,7 @@ void balance_at_rest(const BlockSystem& blocks, const std::vector<Contact>& cont
   };
   for_resting([&](int u) { residual.external[u] = own[u]; });
   for (const Contact& contact : contacts)
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+    for (int b : contact.pair.blocks())
       if (blocks.is_unchanging(b) && (contact.normal != 0 || contact.shear != 0))
         add_to_prescribed(contact, blocks.block(b).unknowns(), d, directions, residual.external);
   for_resting([&](int u) { residual.force[u] = -residual.external[u]; });
@@ -121,12 +120,6 @@ struct IslandsApart::Island {
     contact.motion.j = edge_block.vertex_map(pair.edge);
     contact.motion.k = edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices());
     return contact;
-  }
-
-  void to_whole(Contact&& solved, Contact& contact) const {
-    solved.pair = contact.pair;
-    solved.motion = contact.motion;
-    contact = std::move(solved);
   }
 
   /// Adds how the contact solver ended in the part to what is reported of the whole.
@@ -169,8 +162,7 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
   std::vector<char> resting(blocks.n_blocks());
   for (int b = 0; b < blocks.n_blocks(); ++b) resting[b] = blocks.is_unchanging(b);
   for (auto& [of_island, its_contacts] : members) {
-    std::ranges::sort(of_island);
-    of_island.erase(std::unique(of_island.begin(), of_island.end()), of_island.end());
+    sort_once(of_island);
     if (const auto same = before.find(of_island); same != before.end()) {
       islands_.push_back(std::move(same->second));
     } else {
@@ -209,8 +201,12 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
     const ContactSolverReport of_own = solve_contacts(system, options, own, own_d);
     part.take_out(blocks, state);
     work_ += system.problem().cholesky().work().since(before);
-    for (std::size_t c = 0; c < own.size(); ++c)
-      island->to_whole(std::move(own[c]), contacts[island->contacts[c]]);
+    for (std::size_t c = 0; c < own.size(); ++c) {
+      Contact& contact = contacts[island->contacts[c]];
+      own[c].pair = contact.pair;
+      own[c].motion = contact.motion;
+      contact = std::move(own[c]);
+    }
     d(part.unknowns()) = own_d;
     island->add_to(report, of_own);
     if (report.status != SolutionStatus::settled) return report;

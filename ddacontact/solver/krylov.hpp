@@ -36,20 +36,20 @@ KrylovReport gmres(const Multiply& multiply, const VectorXd& b, double tolerance
       for (std::size_t i = 0; i <= k; ++i) {
         const double along = basis[i].dot(w);
         w -= along * basis[i];
-        h[static_cast<Index>(i)] += along;
+        h[i] += along;
       }
-    const double left = h[static_cast<Index>(k) + 1] = w.norm();
+    const double left = h[k + 1] = w.norm();
     for (std::size_t i = 0; i < k; ++i) {
-      double &upper = h[static_cast<Index>(i)], &lower = h[static_cast<Index>(i) + 1];
+      double &upper = h[i], &lower = h[i + 1];
       const double before = upper;
       upper = cosine[i] * before + sine[i] * lower;
       lower = cosine[i] * lower - sine[i] * before;
     }
-    const double length = std::hypot(h[static_cast<Index>(k)], left);
+    const double length = std::hypot(h[k], left);
     if (!(length > 0) || !std::isfinite(length)) break;
-    cosine.push_back(h[static_cast<Index>(k)] / length);
+    cosine.push_back(h[k] / length);
     sine.push_back(left / length);
-    h[static_cast<Index>(k)] = length;
+    h[k] = length;
     R.push_back(std::move(h));
     g.push_back(-sine[k] * g[k]);
     g[k] *= cosine[k];
@@ -59,8 +59,8 @@ KrylovReport gmres(const Multiply& multiply, const VectorXd& b, double tolerance
     basis.push_back(w / left);
   }
   for (std::size_t i = R.size(); i-- > 0;) {
-    g[i] /= R[i][static_cast<Index>(i)];
-    for (std::size_t k = 0; k < i; ++k) g[k] -= R[i][static_cast<Index>(k)] * g[i];
+    g[i] /= R[i][i];
+    for (std::size_t k = 0; k < i; ++k) g[k] -= R[i][k] * g[i];
     x += g[i] * basis[i];
   }
   return report;

@@ -43,7 +43,7 @@ double LineSearch::second_derivative(double t) const {
 double LineSearch::find_minimum(double slope, double curvature) {
   slope_ = slope;
   curvature_ = curvature;
-  std::sort(breaks_.begin(), breaks_.end());
+  std::ranges::sort(breaks_);
   const auto after =
       std::partition_point(breaks_.begin(), breaks_.end(), [&](double t) { return derivative(t) < 0; });
   const double low = after == breaks_.begin() ? 0 : *(after - 1);

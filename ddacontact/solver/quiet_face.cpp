@@ -1,26 +1,23 @@
 #include <ddacontact/solver/quiet_face.hpp>
 
+#include <ddacontact/core/sort_once.hpp>
+
 #include <algorithm>
+#include <array>
 
 namespace ddacontact {
 
 StepQuietFace::StepQuietFace(const BlockSystem& blocks, const QuietFace& face) : face_(&face) {
   const Block& block = blocks.block(face.block);
-  AffineForm forms[2][2];  // of both ends, by axis
-  for (int end = 0; end < 2; ++end)
-    for (int axis = 0; axis < 2; ++axis) {
-      AffineForm& form = forms[end][axis];
-      block.vertex_map((face.edge + end) % block.n_vertices()).add_to(form, Vec2::Unit(axis));
-      unknowns_.insert(unknowns_.end(), form.unknowns().begin(), form.unknowns().end());
-    }
-  std::ranges::sort(unknowns_);
-  unknowns_.erase(std::unique(unknowns_.begin(), unknowns_.end()), unknowns_.end());
+  const std::array maps{block.vertex_map(face.edge), block.vertex_map((face.edge + 1) % block.n_vertices())};
+  for (const PointMap& map : maps)
+    map.for_terms([&](int unknown, const Vec2&) { unknowns_.push_back(unknown); });
+  sort_once(unknowns_);
   for (int end = 0; end < 2; ++end) {
-    ends_[end].setZero(2, static_cast<Index>(unknowns_.size()));
-    for (int axis = 0; axis < 2; ++axis)
-      for (std::size_t k = 0; k < forms[end][axis].unknowns().size(); ++k)
-        ends_[end](axis, std::ranges::lower_bound(unknowns_, forms[end][axis].unknowns()[k]) -
-                             unknowns_.begin()) = forms[end][axis].coefficients()[k];
+    ends_[end].setZero(2, unknowns_.size());
+    maps[end].for_terms([&](int unknown, const Vec2& column) {
+      ends_[end].col(std::ranges::lower_bound(unknowns_, unknown) - unknowns_.begin()) = column;
+    });
   }
 }
 

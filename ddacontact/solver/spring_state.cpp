@@ -1,13 +1,10 @@
 #include <ddacontact/solver/spring_state.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool bears_shear(const ContactTerm& term, const JointLaw& law) {
   return term.sheared && (term.bound > 0 || law.has_friction());
@@ -16,28 +13,28 @@ bool bears_shear(const ContactTerm& term, const JointLaw& law) {
 }  // namespace
 
 unsigned char first_state(const Contact& contact, bool sheared) {
-  if (!contact.closed()) return open;
+  if (!contact.closed()) return none_acts;
   if (!sheared) return normal_acts;
   const ContactHistory& history = contact.history;
-  if (!is_slipping(history.state)) return normal_acts | shear_acts;
+  if (!is_slipping(history.state)) return all_act;
   const bool upper = history.shear > 0 || history.state == ContactState::slip_backward;
   return normal_acts | (upper ? at_upper : at_lower);
 }
 
 unsigned char state_at(const ContactTerm& term, const JointLaw& law, const ContactSprings& springs) {
   const auto& [n, t] = springs;
-  if (!n.acts() && term.bound == 0) return open;
-  const unsigned char closed = n.acts() ? normal_acts : open;
+  if (!n.acts() && term.bound == 0) return none_acts;
+  const unsigned char closed = n.acts() ? normal_acts : none_acts;
   if (!bears_shear(term, law)) return closed;
   return closed | (t.acts() ? shear_acts : t.force > 0 ? at_upper : at_lower);
 }
 
 unsigned char state_of(const ContactTerm& term, const JointLaw& law, bool bonded, const ContactForce& force) {
-  if (term.normal == ContactTerm::Normal::absent) return open;
-  const double bound = term.bound < infinity ? shear_bound(law, force.normal, bonded) : infinity;
+  if (term.normal == ContactTerm::Normal::absent) return none_acts;
+  const double bound = term.bound < inf ? shear_bound(law, force.normal, bonded) : inf;
   const bool is_closed = term.normal == ContactTerm::Normal::bilateral || force.normal > -term.tension;
-  if (!is_closed && bound == 0) return open;
-  const unsigned char closed = is_closed ? normal_acts : open;
+  if (!is_closed && bound == 0) return none_acts;
+  const unsigned char closed = is_closed ? normal_acts : none_acts;
   if (!bears_shear(term, law)) return closed;
   return closed | (std::abs(force.shear) < bound ? shear_acts : force.shear > 0 ? at_upper : at_lower);
 }
@@ -45,7 +42,7 @@ unsigned char state_of(const ContactTerm& term, const JointLaw& law, bool bonded
 ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char state,
                             const ContactSprings& springs) {
   ContactForce force;
-  const bool follows = (state & normal_acts) || springs.normal.low == -infinity;
+  const bool follows = (state & normal_acts) || springs.normal.low == -inf;
   force.normal = follows ? springs.normal.force : springs.normal.low;
   if (state & shear_acts) force.shear = springs.tangential.force;
   const double bound =

@@ -6,9 +6,6 @@
 
 namespace ddacontact {
 
-/// Bits of a state; `open` has none. `normal_acts` and `shear_acts` are those of active_springs.
-enum SpringState : unsigned char { open = 0, normal_acts = 1, shear_acts = 2, at_upper = 4, at_lower = 8 };
-
 /// The state that the step before left.
 unsigned char first_state(const Contact& contact, bool sheared);
 /// The state of the law where the springs are evaluated. A bond that is pulled with its strength bears shear

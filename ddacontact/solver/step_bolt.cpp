@@ -1,5 +1,7 @@
 #include <ddacontact/solver/step_bolt.hpp>
 
+#include <ddacontact/core/sort_once.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +14,10 @@ template <class Visit>
 void for_terms(const BlockSystem& blocks, const MaterialPoint& node, Visit&& visit) {
   if (node.block < 0) return;
   const Block& block = blocks.block(node.block);
-  for (int p = 0; p < block.n_points(); ++p) {
-    if (node.weights[p] == 0) continue;
-    AffineForm x, y;
-    block.vertex_map(p).add_to(x, Vec2::UnitX());
-    block.vertex_map(p).add_to(y, Vec2::UnitY());
-    for (std::size_t k = 0; k < x.unknowns().size(); ++k)
-      visit(x.unknowns()[k], node.weights[p] * Vec2(x.coefficients()[k], y.coefficients()[k]));
-  }
+  for (int p = 0; p < block.n_points(); ++p)
+    if (node.weights[p] != 0)
+      block.vertex_map(p).for_terms(
+          [&](int unknown, const Vec2& column) { visit(unknown, node.weights[p] * column); });
 }
 
 }  // namespace
@@ -36,10 +34,7 @@ StepBolt::StepBolt(const BlockSystem& blocks, const Bolt& bolt)
     else
       for_terms(blocks, node, [&](int unknown, const Vec2&) { unknowns_.push_back(unknown); });
   }
-  for (std::vector<int>* list : {&unknowns_, &blocks_}) {
-    std::ranges::sort(*list);
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
+  for (std::vector<int>* list : {&unknowns_, &blocks_}) sort_once(*list);
 }
 
 void StepBolt::begin(const BlockSystem& blocks, const BlockState& state, Directions directions) {

@@ -13,8 +13,8 @@ namespace ddacontact {
 
 namespace {
 
-/// What is left of forces by the round-off of the lengths that they follow from.
-constexpr double floor_factor = 64 * std::numeric_limits<double>::epsilon();
+/// What is left of forces by the round-off of the lengths that they follow from: so many units of it.
+constexpr double units = 64, floor_factor = units * std::numeric_limits<double>::epsilon();
 
 /// A change moves no block further than this part of its size.
 constexpr double largest_move = 0.25;
@@ -31,6 +31,18 @@ bool moves_as_a_whole(const Block& block, int unknown) {
          is_by_itself(block.rotation());
 }
 
+/// The shape when loads act, if the motion at the start goes on.
+BlockState predicted(const BlockSystem& blocks, const BlockState& state, const StepStart& start) {
+  const double t = start.rule.load_time() * start.dt;
+  VectorXd d = t * start.velocity;
+  if (start.rule.scheme == Scheme::newmark) d += t * t / 2 * start.acceleration;
+  BlockState then = state;
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    for (int v = 0; v < blocks.block(b).n_vertices(); ++v)
+      then.position.col(blocks.block(b).vertices().first + v) += blocks.block(b).vertex_map(v)(d);
+  return then;
+}
+
 }  // namespace
 
 StepSystem::StepSystem(BlockSystem& blocks)
@@ -40,7 +52,7 @@ StepSystem::StepSystem(BlockSystem& blocks)
   polyfem::Connectivity elements;  // the parts of the assembled blocks, one after another
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
-    unknown_lengths_.segment(u.first, u.count) = blocks.block(b).unknown_lengths();
+    u.of(unknown_lengths_) = blocks.block(b).unknown_lengths();
     if (!blocks.is_unchanging(b)) active_.push_back(b);
     if (!blocks.has_matrices(b)) continue;
     assembled_.push_back(b);
@@ -59,22 +71,6 @@ StepSystem::StepSystem(BlockSystem& blocks)
     if (acts(bolt, blocks)) elements.append(bolts_.emplace_back(blocks, bolt).unknowns());
   problem_.set_matrices(std::move(elements));
 }
-
-namespace {
-
-/// The shape when loads act, if the motion at the start goes on.
-BlockState predicted(const BlockSystem& blocks, const BlockState& state, const StepStart& start) {
-  const double t = start.rule.load_time() * start.dt;
-  VectorXd d = t * start.velocity;
-  if (start.rule.scheme == Scheme::newmark) d += t * t / 2 * start.acceleration;
-  BlockState then = state;
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    for (int v = 0; v < blocks.block(b).n_vertices(); ++v)
-      then.position.col(blocks.block(b).vertices().first + v) += blocks.block(b).vertex_map(v)(d);
-  return then;
-}
-
-}  // namespace
 
 void StepSystem::set_step(const BlockState& state, const StepStart& start, double fixed_point_stiffness) {
   dt_ = start.dt;
@@ -116,15 +112,15 @@ void StepSystem::find_own_forces(const VectorXd& d) const {
     thread_local BlockForces of_block;
     const Block& block = blocks_.block(active_[a]);
     const Range& u = block.unknowns();
-    const auto lengths = unknown_lengths_.segment(u.first, u.count);
-    block.forces(d.segment(u.first, u.count), of_block);
-    own_forces_.segment(u.first, u.count) = of_block.elastic + of_block.inertia + of_block.damping;
+    const auto lengths = u.of(unknown_lengths_);
+    block.forces(u.of(d), of_block);
+    u.of(own_forces_) = of_block.elastic + of_block.inertia + of_block.damping;
     double sum = 0;
     for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping})
       sum += f->cwiseQuotient(lengths).lpNorm<1>();
     for (const VectorXd* f : {&load_forces_, &gravity_forces_})
       sum += f->segment(u.first, u.count).cwiseQuotient(lengths).lpNorm<1>();
-    own_sums_[a] = {sum, d.segment(u.first, u.count).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};
+    own_sums_[a] = {sum, u.of(d).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};
   });
 }
 
@@ -140,14 +136,12 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
     terms[c].gap.add_gradient(forces[c].normal, residual.external);  // (40), (48), (52)
     terms[c].slip.add_gradient(forces[c].shear, residual.external);
     const double magnitude = std::hypot(forces[c].normal, forces[c].shear);
-    for (int b : {contacts[c].pair.vertex_block, contacts[c].pair.edge_block})
-      add_force_on(b, magnitude, contacts[c].law.normal_stiffness);
+    for (int b : contacts[c].pair.blocks()) add_force_on(b, magnitude, contacts[c].law.normal_stiffness);
   }
   add_fixtures(d, residual.external);
   find_own_forces(d);
   residual.force = -residual.external;
-  sums_.assign(static_cast<std::size_t>(blocks_.n_blocks()),
-               {0, 0, std::numeric_limits<double>::infinity(), 0});
+  sums_.assign(blocks_.n_blocks(), {0, 0, inf, 0});
   for_blocks(static_cast<int>(active_.size()), [&](int a) { sums_[active_[a]] = sum_up(a, residual.force); });
   measure(residual);
 }
@@ -168,7 +162,7 @@ void StepSystem::add_fixtures(const VectorXd& d, VectorXd& external) const {
     external += of_faces;
     for (const StepQuietFace& face : quiet_faces_) {
       const Range& u = blocks_.block(face.block()).unknowns();
-      add_force_on(face.block(), of_faces.segment(u.first, u.count).lpNorm<Eigen::Infinity>(), 0);
+      add_force_on(face.block(), u.of(of_faces).lpNorm<Eigen::Infinity>(), 0);
     }
   }
   for (const StepBolt& bolt : bolts_at(d)) {
@@ -183,14 +177,13 @@ StepSystem::Sums StepSystem::sum_up(int a, VectorXd& force) const {
   const int b = active_[a];
   const Block& block = blocks_.block(b);
   const Range& u = block.unknowns();
-  const auto lengths = unknown_lengths_.segment(u.first, u.count);
-  auto r = force.segment(u.first, u.count);
-  r += own_forces_.segment(u.first, u.count);
+  const auto lengths = u.of(unknown_lengths_);
+  auto r = u.of(force);
+  r += u.of(own_forces_);
   const auto& [own, furthest] = own_sums_[a];
   // With half steps forces follow from deformations and from changes of gaps: of places round-off is left
   // by one unit.
-  constexpr double of_gaps = 1. / 64;
-  const double length = (rule_.has_half_steps() ? of_gaps : 1) * block.size() + furthest;
+  const double length = (rule_.has_half_steps() ? 1 / units : 1) * block.size() + furthest;
   const double round_off = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
                                            rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
   double largest = 0, left = 0;
@@ -212,7 +205,7 @@ void StepSystem::measure(Residual& residual) const {
     residual.scale = std::max(residual.scale, sum);
     residual.round_off = std::max(residual.round_off, round_off);
     if (!(largest <= residual.largest)) residual.largest = largest;
-    const double own = left == 0 ? 0 : sum > 0 ? left / sum : std::numeric_limits<double>::infinity();
+    const double own = left == 0 ? 0 : sum > 0 ? left / sum : inf;
     if (!(own <= residual.block_relative)) {
       residual.block_relative = own;
       residual.worst_block = b;
@@ -238,8 +231,7 @@ const std::vector<StepBolt>& StepSystem::bolts_at(const VectorXd& d) const {
   for (StepBolt& bolt : bolts_) {
     for (int b : bolt.blocks()) {
       const Range& u = blocks_.block(b).unknowns();
-      if (!blocks_.is_unchanging(b))
-        blocks_.block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
+      if (!blocks_.is_unchanging(b)) blocks_.block(b).displacement(u.of(d), u.of(displaced));
     }
     bolt.look(displaced);
   }
@@ -256,7 +248,7 @@ VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
   for_blocks(static_cast<int>(active_.size()), [&](int a) {
     const Block& block = blocks_.block(active_[a]);
-    block.free_path(d.segment(block.unknowns().first, block.unknowns().count));
+    block.free_path(block.unknowns().of(d));
   });
   for (const PrescribedDof& prescribed : blocks_.prescribed_dofs())
     d[prescribed.unknown] = prescribed_[prescribed.unknown];
@@ -264,17 +256,9 @@ VectorXd StepSystem::free_path() const {
 }
 
 VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
-  VectorXd r = -load_forces_ - gravity_forces_;
-  if (!quiet_faces_.empty()) r -= quiet_forces(d);
-  if (!bolts_.empty()) r -= bolt_forces(d);
-  for (const FixedPointSpring& spring : fixed_point_springs_)
-    spring.form.add_gradient(fixed_point_stiffness_ * spring.form(d), r);
-  for (int b : active_) {
-    const Range& u = blocks_.block(b).unknowns();
-    blocks_.block(b).forces(d.segment(u.first, u.count), forces_);
-    r.segment(u.first, u.count) += forces_.elastic + forces_.inertia + forces_.damping;
-  }
-  return r;
+  Residual residual;
+  compute_residual(d, {}, {}, {}, residual);
+  return residual.force;
 }
 
 void StepSystem::linearize(const VectorXd& d) {
@@ -282,17 +266,16 @@ void StepSystem::linearize(const VectorXd& d) {
   for_blocks(static_cast<int>(assembled_.size()), [&](int a) {
     const Block& block = blocks_.block(assembled_[a]);
     const Range& u = block.unknowns();
-    block.tangent(d.segment(u.first, u.count),
-                  problem_.elements().subspan(first_element_[a], block.n_parts()));
+    block.tangent(u.of(d), problem_.elements().subspan(first_element_[a], block.n_parts()));
   });
   for (const FixedPointSpring& spring : fixed_point_springs_) {
     const int b = blocks_.fixed_vertices[spring.fixed_vertex].block;
-    const auto assembled = std::lower_bound(assembled_.begin(), assembled_.end(), b);
+    const auto assembled = std::ranges::lower_bound(assembled_, b);
     const Range& u = blocks_.block(b).unknowns();
     VectorXd a = VectorXd::Zero(u.end());
     spring.form.add_gradient(1, a);
     problem_.elements()[first_element_[assembled - assembled_.begin()]] +=
-        fixed_point_stiffness_ * a.segment(u.first, u.count) * a.segment(u.first, u.count).transpose();
+        fixed_point_stiffness_ * u.of(a) * u.of(a).transpose();
   }
   const polyfem::Connectivity& elements = problem_.unknowns();
   int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size() + bolts_.size());
@@ -305,9 +288,7 @@ void StepSystem::linearize(const VectorXd& d) {
 
 double StepSystem::largest_motion(int block, const VectorXd& d) const {
   const Range& u = blocks_.block(block).unknowns();
-  return d.segment(u.first, u.count)
-      .cwiseProduct(unknown_lengths_.segment(u.first, u.count))
-      .lpNorm<Eigen::Infinity>();
+  return u.of(d).cwiseProduct(u.of(unknown_lengths_)).lpNorm<Eigen::Infinity>();
 }
 
 void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
@@ -318,47 +299,38 @@ void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
     const int b = active_[a];
     const Range& u = blocks_.block(b).unknowns();
     if (blocks_.is_free(b))
-      blocks_.block(b).add_change(change.segment(u.first, u.count), d.segment(u.first, u.count));
+      blocks_.block(b).add_change(u.of(change), u.of(d));
     else
-      d.segment(u.first, u.count) += change.segment(u.first, u.count);
+      u.of(d) += u.of(change);
   });
 }
 
 /// The furthest that a change moves a block, relative to the block's size.
 double StepSystem::largest_relative_move(const VectorXd& change) const {
   double largest = 0;
-  for (int b : active_) {
-    const Range& u = blocks_.block(b).unknowns();
-    const auto moves =
-        change.segment(u.first, u.count).cwiseProduct(unknown_lengths_.segment(u.first, u.count));
-    largest = std::max(largest, moves.lpNorm<Eigen::Infinity>() / blocks_.block(b).size());
-  }
+  for (int b : active_) largest = std::max(largest, largest_motion(b, change) / size_of(b));
   return largest;
 }
 
 double StepSystem::memory() const {
-  return problem_.memory() + bytes_of(active_) + bytes_of(assembled_) + bytes_of(first_element_) +
-         bytes_of(fixed_point_springs_) + bytes_of(sums_) + bytes_of(unknown_lengths_) + bytes_of(diagonal_) +
-         bytes_of(prescribed_) + bytes_of(load_forces_) + bytes_of(gravity_forces_) + bytes_of(magnitude_) +
-         bytes_of(stiffest_) + bytes_of(own_at_) + bytes_of(own_forces_) + bytes_of(own_sums_);
+  return problem_.memory() + bytes_of(active_, assembled_, first_element_, fixed_point_springs_, sums_,
+                                      unknown_lengths_, diagonal_, prescribed_, load_forces_, gravity_forces_,
+                                      magnitude_, stiffest_, own_at_, own_forces_, own_sums_);
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {
-  if (blocks_.is_unchanging(b)) return std::numeric_limits<double>::infinity();
+  if (blocks_.is_unchanging(b)) return inf;
   AffineForm form;
   const Block& block = blocks_.block(b);
   block.vertex_map(vertex).add_to(form, normal);
   // Of the unknowns that move the vertex by straining the block those with the least stiffness for their
   // lever give the estimate: what presses a vertex strains the block, whose mass alone may resist hardly.
   double softness = 0;
-  for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
-    const int unknown = form.unknowns()[k];
-    if (blocks_.equation()[unknown] < 0 || moves_as_a_whole(block, unknown - block.unknowns().first))
-      continue;
-    const double c = form.coefficients()[k];
-    softness += c * c / diagonal_[unknown];
-  }
-  return softness > 0 ? 1 / softness : std::numeric_limits<double>::infinity();
+  form.for_terms([&](int unknown, double c) {
+    if (blocks_.equation()[unknown] >= 0 && !moves_as_a_whole(block, unknown - block.unknowns().first))
+      softness += c * c / diagonal_[unknown];
+  });
+  return softness > 0 ? 1 / softness : inf;
 }
 
 }  // namespace ddacontact

@@ -26,6 +26,17 @@ struct Residual {
   bool balanced(double tolerance) const { return largest <= tolerance * scale + round_off; }
 };
 
+/// Whether the step may be accepted; if it is not settled, it is cut.
+enum class SolutionStatus {
+  settled,             ///< the residual passes, states agree, penetration is below its tolerance
+  friction_unsettled,  ///< open and closed agree; stick and slip, or the size of friction, do not
+  states_unsettled,    ///< some contact is open that should be closed, or closed that should be open
+  forces_unsettled,    ///< the residual does not pass
+  penetrating,         ///< the residual passes, penetration stays above its tolerance
+  not_positive_definite,
+  not_finite
+};
+
 /// (13) of one step: measures residuals, assembles and factorizes their derivative.
 class StepSystem {
  public:
@@ -49,7 +60,7 @@ class StepSystem {
                         Residual& residual) const;
   /// The sum of the magnitudes of the forces on a block when the residual was computed last, N per m;
   /// infinity where it does not change.
-  double sum_of_forces(int block) const { return sums_[static_cast<std::size_t>(block)].sum; }
+  double sum_of_forces(int block) const { return sums_[block].sum; }
   /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where
   /// they should be.
   VectorXd displacement(VectorXd& d) const;
@@ -128,7 +139,6 @@ class StepSystem {
   double dt_ = 0;
   StepRule rule_;
   VectorXd prescribed_, load_forces_, gravity_forces_;
-  mutable BlockForces forces_;
   mutable std::vector<Sums> sums_;  ///< of all blocks
   /// Of the active blocks: the sum of the magnitudes of all forces but those of contacts and holding springs,
   /// and the furthest that an unknown moves.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -22,12 +21,11 @@ void SweptContact::set_law(const ContactTerm& term, const SweptLaw& own, const V
 }
 
 double SweptContact::bound_under(double N) const {
-  return slides ? shear_bound(*law.joint, N, law.bonded) : std::numeric_limits<double>::infinity();
+  return slides ? shear_bound(*law.joint, N, law.bonded) : inf;
 }
 
 ContactForce SweptContact::solve(double gap_without, double slip_without) const {
-  const double an = normal_compliance + normal, rn = -gap_without,
-               least = unilateral ? -tension : -std::numeric_limits<double>::infinity();
+  const double an = normal_compliance + normal, rn = -gap_without, least = unilateral ? -tension : -inf;
   assert(an > 0);
   const ContactForce closed{std::max(least, rn / an), 0};
   if (!sheared) return closed;

@@ -2,8 +2,6 @@
 
 #include <ddacontact/solver/contact_sweeps.hpp>
 
-#include <limits>
-
 namespace ddacontact {
 
 namespace {
@@ -17,17 +15,6 @@ constexpr double part_of_last_sweep = 0.1;
 constexpr double many_changes = 0.08;
 constexpr int few_changes = 10;
 constexpr double coarse_penetration = 10;
-
-/// Those of the problem that differs little, or of the step before.
-void take_first_forces(bool warm_start, AugmentedContacts& contacts) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = contacts.contacts()[c];
-    if (warm_start)
-      contacts.forces()[c] = {contact.normal, contact.shear};
-    else if (contact.closed())
-      contacts.forces()[c] = {contact.history.normal, contact.history.shear};
-  }
-}
 
 /// Of vertices that d leads off their edges. False: there are none.
 bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
@@ -49,7 +36,7 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
   std::vector<double> bends(static_cast<std::size_t>(system.n_blocks()));
   for (int b = 0; b < system.n_blocks(); ++b) {
     const double last = system.largest_motion(b, change), way = system.largest_motion(b, d) + last;
-    bends[static_cast<std::size_t>(b)] = last * way / system.size_of(b);
+    bends[b] = last * way / system.size_of(b);
   }
   for (const PrescribedDof& held : system.blocks().prescribed_dofs()) {
     const int b = system.blocks().block_of_point(held.vertex);
@@ -59,8 +46,7 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const VertexEdge& pair = contacts.contacts()[c].pair;
-    const double bend =
-        bends[static_cast<std::size_t>(pair.vertex_block)] + bends[static_cast<std::size_t>(pair.edge_block)];
+    const double bend = bends[pair.vertex_block] + bends[pair.edge_block];
     if (contacts.terms()[c].normal_stiffness * bend > tolerance * laws[c].scale) return false;
   }
   return true;
@@ -70,15 +56,14 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
 
 bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, AugmentedContacts& contacts,
                      VectorXd& d, ContactSolverReport& report) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<ContactForce>& forces = contacts.forces();
-  take_first_forces(options.warm_start, contacts);
+  contacts.take_first_forces();
   const auto compute_residual = [&] {
     system.compute_residual(d, contacts.contacts(), contacts.terms(), forces, report.residual);
   };
   const ContactSweeps::Tolerance tight{part_of_last_sweep * options.residual_tolerance},
-      coarse{options.residual_tolerance, coarse_penetration}, any{infinity, infinity};
-  ContactSweeps::Stop stop{options.local ? tight : any, coarse, options.coarse ? many_changes : infinity,
+      coarse{options.residual_tolerance, coarse_penetration}, any{inf, inf};
+  ContactSweeps::Stop stop{options.local ? tight : any, coarse, options.coarse ? many_changes : inf,
                            few_changes, most_sweeps};
   ContactSweeps sweeps;
   bool changes_many = false;

@@ -257,9 +257,8 @@ std::vector<SharedFace> shared_faces(const Scene& scene) {
     boxes.push_back(bounding_box(PointsRef(block.vertices), edges_touch * size_of(block.vertices)));
   std::vector<SharedFace> faces;
   if (scene.joints.empty()) return faces;
-  BroadPhase broad_phase;
   const JointTable joints = joint_table(scene.joints);
-  for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) add_faces(scene, joints, a, b, faces);
+  for (const auto& [a, b] : overlapping_pairs(boxes)) add_faces(scene, joints, a, b, faces);
   return faces;
 }
 

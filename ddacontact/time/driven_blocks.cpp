@@ -1,6 +1,7 @@
 #include <ddacontact/time/driven_blocks.hpp>
 
 #include <ddacontact/core/deepest_overlap.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/separation.hpp>
 
@@ -19,7 +20,6 @@ double depth(const BlockSystem& blocks, const BlockState& state, int a, int b) {
 
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
                                         const std::function<bool(const Pair&)>& gives_way) {
-  constexpr double allowed = 1e-6;  // of the size of the smaller block, as of contacts
   std::vector<int> fully_prescribed;
   for (int b = 0; b < blocks.n_blocks(); ++b)
     if (blocks.is_present(b) && !blocks.is_movable(b)) fully_prescribed.push_back(b);
@@ -29,7 +29,7 @@ std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockSt
     for (int b : fully_prescribed) {
       const bool seen = b <= a && !blocks.is_unchanging(b);
       if (seen || !touch(box, bounding_box(blocks.outline_from(end, b, a)))) continue;
-      const double limit = allowed * std::min(blocks.block(a).size(), blocks.block(b).size()),
+      const double limit = coincidence * std::min(blocks.block(a).size(), blocks.block(b).size()),
                    now = depth(blocks, end, a, b);
       if (now > limit && now > std::max(0.0, depth(blocks, blocks.drawn(), a, b)) + limit &&
           !gives_way({std::min(a, b), std::max(a, b)}))

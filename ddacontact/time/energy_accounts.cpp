@@ -12,7 +12,7 @@ namespace {
 /// damping took.
 Vec2 block_losses(const Block& block, const VectorXd& of_all, const VectorXd& motion_of_all) {
   const Range& u = block.unknowns();
-  const auto d = of_all.segment(u.first, u.count), motion = motion_of_all.segment(u.first, u.count);
+  const auto d = u.of(of_all), motion = u.of(motion_of_all);
   thread_local BlockForces forces;
   block.forces(d, forces);
   // A shift before the step stores nothing.
@@ -58,7 +58,7 @@ void account_contact(const ContactProperties& properties, bool means, const Cont
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity) {
   return sum_over_blocks(blocks.n_blocks(), [&](int b) {
     const Range& u = blocks.block(b).unknowns();
-    return blocks.is_unchanging(b) ? 0 : blocks.block(b).kinetic_energy(velocity.segment(u.first, u.count));
+    return blocks.is_unchanging(b) ? 0 : blocks.block(b).kinetic_energy(u.of(velocity));
   });
 }
 
@@ -94,9 +94,6 @@ void account_step(const StepSystem& system, const TrialSolution& solution, const
                   const std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy) {
   const BlockSystem& blocks = system.blocks();
   const VectorXd& d = solution.d;
-  energy.gravity -= system.gravity_forces().dot(motion);
-  energy.external += system.load_forces().dot(motion);
-  if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(d).dot(motion);
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     energy.external += solution.residual.force[held.unknown] * motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());

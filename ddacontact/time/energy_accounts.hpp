@@ -20,7 +20,7 @@ double spring_energy(const std::vector<ContactRecord>& contacts, const ContactPr
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
 
-/// Adds the step's work of gravity, loads and supports, its friction, and what the scheme itself loses: it
+/// Adds the step's work of supports, its friction, and what the scheme itself loses: it
 /// takes every force at one value over the whole step, and the difference between that work and the change of
 /// the energy that the force belongs to is gone. Of inertia's work the change of kinetic energy is still to
 /// be taken off.

@@ -1,5 +1,6 @@
 #include <ddacontact/time/equilibrium.hpp>
 
+#include <ddacontact/block/block_motion.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 std::vector<double> largest_contacts(const BlockSystem& blocks, const std::vector<Contact>& contacts) {
   std::vector<double> largest(static_cast<std::size_t>(blocks.n_blocks()), 0);
   for (const Contact& contact : contacts)
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+    for (int b : contact.pair.blocks())
       largest[b] = std::max(largest[b], std::hypot(contact.normal, contact.shear));
   return largest;
 }
@@ -34,43 +35,51 @@ Equilibrium find_motion(const BlockSystem& blocks, const VectorXd& velocity) {
   return found;
 }
 
-/// Notes what is left of forces on a block, the largest of which is given.
-void judge(int b, double left, double largest, Equilibrium& found) {
-  if (largest == 0) return;  // round-off of a motion without forces
-  if (left > largest_unbalanced * largest) ++found.n_unbalanced;
-  if (left > found.unbalanced * largest) {
-    found.unbalanced = left / largest;
-    found.unbalanced_block = b;
-  }
+/// |force| or |moment| / size, the larger.
+double larger(const Block& block, const Vec2& force, double moment) {
+  return std::max(force.norm(), std::abs(moment) / block.size());
+}
+
+/// The same of the forces of all unknowns on a block.
+double size_of_forces(const Block& block, const VectorXd& forces) {
+  const auto of_block = block.unknowns().of(forces);
+  return larger(block, block.translations().transpose() * of_block, block.rotation().dot(of_block));
+}
+
+/// Of a substep that was solved for this.
+double size_of_resultant(const Block& block, const VectorXd& straight, const VectorXd& forces) {
+  const std::optional<BlockMotion> motion = block.motion();
+  if (!motion) return size_of_forces(block, forces);
+  const Vec3 momentum = motion->resultant(block.unknowns().of(straight));
+  return larger(block, momentum.head<2>(), momentum[2]);
 }
 
 }  // namespace
 
-Equilibrium find_equilibrium(const BlockSystem& blocks, const std::vector<BlockForceSum>& forces,
-                             const std::vector<Contact>& contacts, const VectorXd& velocity) {
-  Equilibrium found = find_motion(blocks, velocity);
-  const std::vector<double> of_contacts = largest_contacts(blocks, contacts);
-  for (int b = 0; b < blocks.n_blocks(); ++b)
-    if (!blocks.is_unchanging(b) && blocks.is_movable(b))
-      judge(b, forces[b].resultant, std::max(of_contacts[b], forces[b].largest), found);
-  return found;
-}
-
-Equilibrium find_equilibrium(const BlockSystem& blocks, const StepSystem& system, const Residual& residual,
+Equilibrium find_equilibrium(const StepSystem& system, const VectorXd& straight, const Residual& residual,
                              const std::vector<Contact>& contacts, const Points& reactions,
                              const VectorXd& velocity) {
-  const std::vector<double> largest_contact = largest_contacts(blocks, contacts);
+  const BlockSystem& blocks = system.blocks();
+  const std::vector<double> of_contacts = largest_contacts(blocks, contacts);
   VectorXd total = residual.external;
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     total[held.unknown] += residual.force[held.unknown];
 
   Equilibrium found = find_motion(blocks, velocity);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (blocks.is_unchanging(b)) continue;
+    // What supports drive has no balance of its own.
+    if (blocks.is_unchanging(b) || !blocks.is_movable(b)) continue;
     const Block& block = blocks.block(b);
-    if (!blocks.is_movable(b)) continue;  // what supports drive has no balance of its own
-    judge(b, size_of_forces(block, total),
-          std::max(largest_contact[b], largest_force(system, block, reactions)), found);
+    const double left = size_of_resultant(block, straight, total),
+                 largest = std::max({of_contacts[b], size_of_forces(block, system.gravity_forces()),
+                                     size_of_forces(block, system.load_forces()),
+                                     block.points().columns_of(reactions).colwise().norm().maxCoeff()});
+    if (largest == 0) continue;  // round-off of a motion without forces
+    if (left > largest_unbalanced * largest) ++found.n_unbalanced;
+    if (left > found.unbalanced * largest) {
+      found.unbalanced = left / largest;
+      found.unbalanced_block = b;
+    }
   }
   return found;
 }

@@ -4,7 +4,6 @@
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
 #include <ddacontact/solver/step_system.hpp>
-#include <ddacontact/time/motion_accounts.hpp>
 
 #include <vector>
 
@@ -38,14 +37,12 @@ struct Equilibrium {
   }
 };
 
-/// Of a substep by the blocks' motions. \param[in] forces  on the blocks
-Equilibrium find_equilibrium(const BlockSystem& blocks, const std::vector<BlockForceSum>& forces,
-                             const std::vector<Contact>& contacts, const VectorXd& velocity);
 /// \param[in] system     of the substep
-/// \param[in] residual   of its displacements: forces on all unknowns, reactions of prescribed ones
+/// \param[in] straight   what was solved for
+/// \param[in] residual   of it: forces on all unknowns, reactions of prescribed ones
 /// \param[in] reactions  of supports, N per m, 2 x all points
 /// \param[in] velocity   at the end of the substep; in a static one its displacements over its length
-Equilibrium find_equilibrium(const BlockSystem& blocks, const StepSystem& system, const Residual& residual,
+Equilibrium find_equilibrium(const StepSystem& system, const VectorXd& straight, const Residual& residual,
                              const std::vector<Contact>& contacts, const Points& reactions,
                              const VectorXd& velocity);
 

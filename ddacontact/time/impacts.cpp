@@ -3,40 +3,35 @@
 #include <ddacontact/block/motion_shape.hpp>
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/contact_positions.hpp>
-#include <ddacontact/time/islands.hpp>
+#include <ddacontact/core/disjoint_sets.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// The first t in [0, dt] with g + v t + a t^2 / 2 <= 0; infinity: none.
 double first_touch(double g, double v, double a, double dt) {
-  if (g <= 0) return v < 0 ? 0 : infinity;
+  if (g <= 0) return v < 0 ? 0 : inf;
   const double discriminant = v * v - 2 * a * g;
-  if (discriminant < 0) return infinity;
+  if (discriminant < 0) return inf;
   // The smaller root that lies ahead, without cancellation.
   const double t = 2 * g / (-v + std::sqrt(discriminant));
-  return t >= 0 && t <= dt ? t : infinity;
+  return t >= 0 && t <= dt ? t : inf;
 }
 
 /// The same of a circle that passes a corner in a straight line: it turns away from it.
 double first_touch(const Vec2& apart, const Vec2& velocity, double radius, double dt) {
   const double towards = -apart.dot(velocity), outside = apart.squaredNorm() - radius * radius,
                discriminant = towards * towards - velocity.squaredNorm() * outside;
-  if (towards <= 0 || discriminant < 0) return infinity;
+  if (towards <= 0 || discriminant < 0) return inf;
   if (outside <= 0) return 0;
   const double t = outside / (towards + std::sqrt(discriminant));
-  return t <= dt ? t : infinity;
+  return t <= dt ? t : inf;
 }
 
 /// Speeds below this are no more than round-off, m/s.
@@ -54,8 +49,8 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     const RigidVelocity v = rigid_velocity(block, velocity), a = rigid_velocity(block, acceleration);
     const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear,
                centre = block.moments().centroid;
-    const Mat2 R = Eigen::Rotation2Dd(times[b] * v.angular).toRotationMatrix();
-    auto points = later.position.middleCols(block.points().first, block.points().count);
+    const Mat2 R = turned_by(times[b] * v.angular);
+    auto points = block.points().columns_of(later.position);
     points = ((R * (points.colwise() - centre)).colwise() + (centre + shift)).eval();
     if (later.coordinates.size() == 0) continue;
     auto s = later.coordinates.segment<3>(block.coordinates().first);
@@ -65,46 +60,21 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
   return later;
 }
 
-VectorXd as_velocity(const Block& block, const RigidVelocity& v) {
-  return block.rigid_modes() * Vec3(v.linear.x(), v.linear.y(), v.angular);
+std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const VectorXd& velocity) {
+  std::vector<RigidVelocity> of_blocks;
+  for (int b = 0; b < blocks.n_blocks(); ++b) of_blocks.push_back(rigid_velocity(blocks.block(b), velocity));
+  return of_blocks;
 }
 
 /// Turns the velocities of a free block's nodes about its centre; that of the centre stays.
 void turn_about_centre(const Block& block, const Mat2& turn, VectorXd& velocity) {
   const Range& u = block.unknowns();
-  auto v = velocity.segment(u.first, u.count);
+  auto v = u.of(velocity);
   const VectorXd of_centre = block.translations() * rigid_velocity(block, velocity).linear;
   v -= of_centre;
   for (Index k = 0; k + 1 < v.size(); k += 2) v.segment<2>(k) = (turn * v.segment<2>(k)).eval();
   v += of_centre;
 }
-
-}  // namespace
-
-VectorXd without_impact(const BlockSystem& blocks, const BlockState& state, const StepImpact& impact,
-                        VectorXd velocity) {
-  if (!impact.changes()) return velocity;
-  velocity -= impact.jump;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (!blocks.is_free(b)) continue;
-    const Index at = blocks.block(b).coordinates().first + 2;
-    const double angle = state.coordinates[at] - impact.start.coordinates[at];
-    if (angle != 0) turn_about_centre(blocks.block(b), turned_by(angle), velocity);
-  }
-  return velocity;
-}
-
-double least_approach(const BlockSystem& blocks, const Contact& contact, double dt) {
-  return std::max(0.1 * blocks.gravity.norm() * dt, round_off_speed(contact, dt));
-}
-
-std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
-                                     const StepRule& rule) {
-  const JointStrength& joint = properties.strength(pair);
-  return joint.restitution || rule.has_half_steps() || joint.is_compliant() ? joint.restitution : 0;
-}
-
-namespace {
 
 /// Blocks on their way within a step, from one impact to the next.
 class Flight {
@@ -129,7 +99,7 @@ class Flight {
     for (int b = 0; b < blocks.n_blocks(); ++b) {
       if (touches[b] || !blocks.is_free(b)) continue;
       const Range& u = blocks.block(b).unknowns();
-      acceleration_.segment(u.first, u.count) = blocks.block(b).translations() * blocks.gravity;
+      u.of(acceleration_) = blocks.block(b).translations() * blocks.gravity;
     }
   }
 
@@ -143,14 +113,14 @@ class Flight {
  private:
   /// When the blocks of a contact meet next, and how fast.
   struct Meeting {
-    double time = infinity, approach = 0;
+    double time = inf, approach = 0;
   };
 
   /// Whether it is bonded, or pressed by more than round-off: one that only touches passes on what it gets.
   bool bears(const Contact& contact) const {
     constexpr double least_of_weight = 1e-3;
     if (!contact.closed() || contact.has_bond()) return contact.closed();
-    const auto mass = [&](int b) { return blocks_.is_movable(b) ? blocks_.block(b).mass_total() : infinity; };
+    const auto mass = [&](int b) { return blocks_.is_movable(b) ? blocks_.block(b).mass_total() : inf; };
     return contact.history.normal * dt_ >
            std::min(mass(contact.pair.vertex_block), mass(contact.pair.edge_block)) *
                std::max(least_of_weight * blocks_.gravity.norm() * dt_, round_off_speed(contact, dt_));
@@ -158,8 +128,8 @@ class Flight {
 
   /// How long the impact of a contact takes: blocks pass on what they got when waves have crossed them.
   double duration(std::size_t c) const {
-    double least = infinity;
-    for (int b : {contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block})
+    double least = inf;
+    for (int b : contacts_[c].pair.blocks())
       if (blocks_.is_movable(b)) least = std::min(least, transit_time(blocks_.block(b)));
     return least;
   }
@@ -217,22 +187,31 @@ class Flight {
     return result_.hit[c] && then.gap - contact.history.gap_offset <= contact.end_tolerance();
   }
 
+  GapAndSlip rates_at(const BlockState& state, const Contact& contact) const {
+    return contact.motion.rates_at(positions_of(blocks_, state, contact.pair), contact.history.lock);
+  }
+  /// Whether a block of it collides, at one of these times.
+  static bool takes_part(const Contact& contact, const std::vector<double>& times) {
+    return std::isfinite(std::min(times[contact.pair.vertex_block], times[contact.pair.edge_block]));
+  }
+
   /// The meetings that come first for all blocks that they concern, those that touch these included. False:
   /// there are none.
   bool find_first(std::vector<double>& times, std::vector<char>& first) const {
-    Islands joined(blocks_);
+    DisjointSets joined(blocks_.n_blocks());
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      if (bears(contacts_[c]) || result_.hit[c])
+      if ((bears(contacts_[c]) || result_.hit[c]) &&
+          std::ranges::all_of(contacts_[c].pair.blocks(), [&](int b) { return blocks_.is_movable(b); }))
         joined.join(contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block);
-    std::vector<double> earliest(blocks_.n_blocks(), infinity);
+    std::vector<double> earliest(blocks_.n_blocks(), inf);
     const auto for_movable = [&](const VertexEdge& pair, const auto& visit) {
-      for (int b : {pair.vertex_block, pair.edge_block})
+      for (int b : pair.blocks())
         if (blocks_.is_movable(b)) visit(joined.root(b));
     };
     for (std::size_t c = 0; c < contacts_.size(); ++c)
       for_movable(contacts_[c].pair,
                   [&](int root) { earliest[root] = std::min(earliest[root], meetings_[c].time); });
-    times.assign(blocks_.n_blocks(), infinity);
+    times.assign(blocks_.n_blocks(), inf);
     first.assign(contacts_.size(), 0);
     bool any = false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -257,17 +236,14 @@ class Flight {
     std::vector<double> times;
     std::vector<char> first;
     if (!find_first(times, first)) return false;
-    std::vector<RigidVelocity> at_start;
-    for (int b = 0; b < blocks_.n_blocks(); ++b)
-      at_start.push_back(rigid_velocity(blocks_.block(b), velocity_));
+    const std::vector<RigidVelocity> at_start = rigid_velocities(blocks_, velocity_);
     const BlockState then = carried(blocks_, start_, velocity_, acceleration_, times);
     blocks_.prepare(then);
     VectorXd before = velocity_;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (!std::isfinite(times[b]) || !blocks_.is_free(b)) continue;
       const Range& u = blocks_.block(b).unknowns();
-      before.segment(u.first, u.count) =
-          as_velocity(blocks_.block(b), at_start[b]) + times[b] * acceleration_.segment(u.first, u.count);
+      u.of(before) = as_velocity(blocks_.block(b), at_start[b]) + times[b] * u.of(acceleration_);
     }
     JumpReport report;
     do {
@@ -296,12 +272,8 @@ class Flight {
     bool any = false;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Contact& contact = contacts_[c];
-      const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
-      if (first[c] || !std::isfinite(meetings_[c].time) ||
-          !std::isfinite(std::min(times[vertex_block], times[edge_block])))
-        continue;
-      const GapAndSlip rates =
-          contact.motion.rates_at(positions_of(blocks_, then, contact.pair), contact.history.lock);
+      if (first[c] || !std::isfinite(meetings_[c].time) || !takes_part(contact, times)) continue;
+      const GapAndSlip rates = rates_at(then, contact);
       const double gap = rates.gap - contact.history.gap_offset,
                    approach = -contact.motion.change_along(rates.by_gap, velocity);
       if (approach <= 0 || gap > approach * duration(c)) continue;
@@ -313,17 +285,15 @@ class Flight {
 
   struct Participants {
     std::vector<ImpactContact> contacts;
-    double least_approach = infinity;
+    double least_approach = inf;
   };
   Participants find_participants(const BlockState& then, const std::vector<double>& times,
                                  const std::vector<char>& first) const {
     Participants found;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Contact& contact = contacts_[c];
-      const VertexEdge& pair = contact.pair;
-      if (!std::isfinite(std::min(times[pair.vertex_block], times[pair.edge_block]))) continue;
-      const GapAndSlip rates =
-          contact.motion.rates_at(positions_of(blocks_, then, pair), contact.history.lock);
+      if (!takes_part(contact, times)) continue;
+      const GapAndSlip rates = rates_at(then, contact);
       if (!first[c] && !touches(c, rates)) continue;
       const bool bounces = first[c] && meetings_[c].approach > 2 * blocks_.gravity.norm() * dt_;
       ImpactContact& part = found.contacts.emplace_back(ImpactContact{
@@ -333,7 +303,7 @@ class Flight {
         part.friction_law = [&law = *contact.law.friction_law, dt = dt_](double impulse) {
           return dt * law(impulse / dt);
         };
-      part.restitution = bounces ? *restitution_of(properties_, pair, rule_) : 0;
+      part.restitution = bounces ? *restitution_of(properties_, contact.pair, rule_) : 0;
       part.bonded = contact.has_bond() && !(contact.law.ductile && is_slipping(contact.history.state));
       if (first[c])
         found.least_approach = std::min(found.least_approach, least_approach(blocks_, contact, dt_));
@@ -343,8 +313,7 @@ class Flight {
 
   /// Gives the blocks this jump at these times: they start as if they had moved so from the start.
   void jump(const VectorXd& at_impact, std::vector<double> times) {
-    std::vector<RigidVelocity> jumps;
-    for (int b = 0; b < blocks_.n_blocks(); ++b) jumps.push_back(rigid_velocity(blocks_.block(b), at_impact));
+    const std::vector<RigidVelocity> jumps = rigid_velocities(blocks_, at_impact);
     blocks_.prepare(start_);
     VectorXd jump = at_impact;
     if (!result_.changes()) result_.jump = result_.shift = VectorXd::Zero(jump.size());
@@ -352,19 +321,19 @@ class Flight {
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       const Block& block = blocks_.block(b);
       const Range& u = block.unknowns();
-      auto of_block = jump.segment(u.first, u.count);
+      auto of_block = u.of(jump);
       hit_now_[b] = !of_block.isZero(0);
       if (!std::isfinite(times[b])) times[b] = 0;  // no jump either
       if (hit_now_[b]) last_[b] = times[b];
       if (blocks_.is_free(b)) of_block = as_velocity(block, jumps[b]);
-      result_.shift.segment(u.first, u.count) -= times[b] * of_block;
+      u.of(result_.shift) -= times[b] * of_block;
       times[b] = -times[b];
     }
     start_ = carried(blocks_, start_, jump, VectorXd::Zero(jump.size()), times);
     VectorXd& going_on = start_.carried_dt > 0 ? start_.carried : start_.velocity;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (!blocks_.is_free(b)) continue;
-      const Mat2 turn = Eigen::Rotation2Dd(times[b] * jumps[b].angular).toRotationMatrix();
+      const Mat2 turn = turned_by(times[b] * jumps[b].angular);
       for (VectorXd* velocity : {&going_on, &jump, &result_.jump})
         turn_about_centre(blocks_.block(b), turn, *velocity);
     }
@@ -388,6 +357,29 @@ class Flight {
 };
 
 }  // namespace
+
+VectorXd without_impact(const BlockSystem& blocks, const BlockState& state, const StepImpact& impact,
+                        VectorXd velocity) {
+  if (!impact.changes()) return velocity;
+  velocity -= impact.jump;
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
+    if (!blocks.is_free(b)) continue;
+    const Index at = blocks.block(b).coordinates().first + 2;
+    const double angle = state.coordinates[at] - impact.start.coordinates[at];
+    if (angle != 0) turn_about_centre(blocks.block(b), turned_by(angle), velocity);
+  }
+  return velocity;
+}
+
+double least_approach(const BlockSystem& blocks, const Contact& contact, double dt) {
+  return std::max(0.1 * blocks.gravity.norm() * dt, round_off_speed(contact, dt));
+}
+
+std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
+                                     const StepRule& rule) {
+  const JointStrength& joint = properties.strength(pair);
+  return joint.restitution || rule.has_half_steps() || joint.is_compliant() ? joint.restitution : 0;
+}
 
 StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,

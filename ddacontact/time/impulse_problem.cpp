@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace ddacontact {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Springs against rates over the largest mass: a round of multipliers leaves the inverse of this of an
 /// error, more in long chains.
@@ -39,6 +36,13 @@ std::vector<ContactTerm> effective(std::vector<ContactTerm> terms) {
 
 }  // namespace
 
+NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& velocities) {
+  NormalAndShear rates(terms.size(), 2);
+  for (std::size_t c = 0; c < terms.size(); ++c)
+    rates.row(c) << terms[c].gap.change(velocities), terms[c].slip.change(velocities);
+  return rates;
+}
+
 ImpulseProblem::ImpulseProblem(const RigidMotions& motions, std::vector<ContactTerm> terms)
     : terms_(effective(std::move(terms))), n_(motions.n_coefficients()), problem_(all_rows(n_), n_) {
   for (ContactTerm& term : terms_) {
@@ -57,51 +61,35 @@ void ImpulseProblem::set_bounds(const VectorXd& bounds) {
   for (std::size_t c = 0; c < terms_.size(); ++c) {
     ContactTerm& term = terms_[c];
     if (std::isinf(term.bound)) continue;
-    term.bound = bounds[static_cast<Index>(c)];
+    term.bound = bounds[c];
     term.tangential_multiplier = std::clamp(term.tangential_multiplier, -term.bound, term.bound);
   }
 }
 
 NormalAndShear ImpulseProblem::impulses() const {
-  const auto n = static_cast<Index>(terms_.size());
-  NormalAndShear impulses{VectorXd(n), VectorXd(n)};
-  for (std::size_t c = 0; c < terms_.size(); ++c) {
-    impulses.normal[static_cast<Index>(c)] = terms_[c].normal_multiplier;
-    impulses.shear[static_cast<Index>(c)] = terms_[c].tangential_multiplier;
-  }
+  NormalAndShear impulses(terms_.size(), 2);
+  for (std::size_t c = 0; c < terms_.size(); ++c)
+    impulses.row(c) << terms_[c].normal_multiplier, terms_[c].tangential_multiplier;
   return impulses;
 }
 
-void ImpulseProblem::set_impulses(const NormalAndShear& impulses) {
-  for (std::size_t c = 0; c < terms_.size(); ++c) {
-    terms_[c].normal_multiplier = impulses.normal[static_cast<Index>(c)];
-    terms_[c].tangential_multiplier = impulses.shear[static_cast<Index>(c)];
-  }
+void ImpulseProblem::forget_impulses() {
+  for (ContactTerm& term : terms_) term.normal_multiplier = term.tangential_multiplier = 0;
 }
 
 VectorXd ImpulseProblem::change(const NormalAndShear& impulses) const {
   VectorXd w = VectorXd::Zero(n_);
   for (std::size_t c = 0; c < terms_.size(); ++c) {
-    terms_[c].gap.add_gradient(impulses.normal[static_cast<Index>(c)], w);
-    terms_[c].slip.add_gradient(impulses.shear[static_cast<Index>(c)], w);
+    terms_[c].gap.add_gradient(impulses(c, of_gap), w);
+    terms_[c].slip.add_gradient(impulses(c, of_slip), w);
   }
   return w;
 }
 
-NormalAndShear ImpulseProblem::change_of_rates(const VectorXd& w) const {
-  const auto n = static_cast<Index>(terms_.size());
-  NormalAndShear rates{VectorXd(n), VectorXd(n)};
-  for (std::size_t c = 0; c < terms_.size(); ++c) {
-    rates.normal[static_cast<Index>(c)] = terms_[c].gap.change(w);
-    rates.shear[static_cast<Index>(c)] = terms_[c].slip.change(w);
-  }
-  return rates;
-}
-
 void ImpulseProblem::set_rates(const NormalAndShear& rates, const VectorXd& w) {
   for (std::size_t c = 0; c < terms_.size(); ++c) {
-    terms_[c].gap.constant = rates.normal[static_cast<Index>(c)] + terms_[c].gap.change(w);
-    terms_[c].slip.constant = rates.shear[static_cast<Index>(c)] + terms_[c].slip.change(w);
+    terms_[c].gap.constant = rates(c, of_gap) + terms_[c].gap.change(w);
+    terms_[c].slip.constant = rates(c, of_slip) + terms_[c].slip.change(w);
   }
 }
 
@@ -123,7 +111,7 @@ bool ImpulseProblem::solve(const NormalAndShear& rates, double tolerance) {
                                 .tolerance = 0.1 * tolerance / steepest_};
   VectorXd w = change(impulses()), d;
   set_rates(rates, w);
-  double least = infinity;
+  double least = inf;
   for (int rounds_without_gain = 0, round = 0; round < max_rounds; ++round) {
     d = zero;
     if (problem_.minimize(terms_, zero, w, options, d).status != MinimizeStatus::converged) return false;

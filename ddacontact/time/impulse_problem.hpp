@@ -6,11 +6,14 @@
 
 namespace ddacontact {
 
-/// A number for the normal direction and one for the shear of every contact: impulses, or rates of gap and
-/// slip.
-struct NormalAndShear {
-  VectorXd normal, shear;
-};
+/// A number for the normal direction and one for the shear of every contact, in two columns: impulses, or
+/// rates of gap and slip.
+using NormalAndShear = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+/// Its columns.
+enum Column { of_gap, of_slip };
+
+/// Of the gaps and slips under velocities.
+NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& velocities);
 
 /// The change w of the coefficients of rigid motions of least |w|^2 / 2 that contacts allow: their impulses
 /// are multipliers of the rates, found in rounds of penalty problems. Each round starts from the change that
@@ -24,10 +27,10 @@ class ImpulseProblem {
   /// Replaces the bounds of shear but those that are infinite.
   void set_bounds(const VectorXd& bounds);
   NormalAndShear impulses() const;
-  void set_impulses(const NormalAndShear& impulses);
+  void forget_impulses();
   /// The change w that impulses make, and those of the rates that a change w makes.
   VectorXd change(const NormalAndShear& impulses) const;
-  NormalAndShear change_of_rates(const VectorXd& w) const;
+  NormalAndShear change_of_rates(const VectorXd& w) const { return rates_of(terms_, w); }
 
   /// Finds the impulses, starting from those set, when `rates` are those without any; false when rates that
   /// should vanish remain larger than the tolerance.

@@ -10,6 +10,12 @@ double square(double x) {
   return x * x;
 }
 
+/// By springs under the forces of its history.
+double stored(const ContactRecord& contact, double normal_stiffness, double shear_stiffness) {
+  return square(contact.history.normal) / (2 * normal_stiffness) +
+         square(contact.history.shear) / (2 * shear_stiffness);
+}
+
 }  // namespace
 
 ContactForce end_forces_of_joint(const Contact& contact, bool means) {
@@ -22,10 +28,8 @@ ContactForce end_forces_of_joint(const Contact& contact, bool means) {
 
 double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact) {
   if (!contact.closed()) return 0;
-  return square(contact.history.normal) /
-             (2 * properties.over_length(contact, &JointStrength::normal_stiffness)) +
-         square(contact.history.shear) /
-             (2 * properties.over_length(contact, &JointStrength::shear_stiffness));
+  return stored(contact, properties.over_length(contact, &JointStrength::normal_stiffness),
+                properties.over_length(contact, &JointStrength::shear_stiffness));
 }
 
 double lost_by_joints(const ContactProperties& properties, const std::vector<ContactRecord>& before,
@@ -36,8 +40,7 @@ double lost_by_joints(const ContactProperties& properties, const std::vector<Con
     if (properties.is_compliant(contact)) lost += energy_of_joint(properties, contact);
   for (const Contact& contact : contacts)
     if (contact.law.compliant)
-      lost -= square(contact.history.normal) / (2 * contact.law.normal_stiffness) +
-              square(contact.history.shear) / (2 * contact.law.tangential_stiffness);
+      lost -= stored(contact, contact.law.normal_stiffness, contact.law.tangential_stiffness);
   return lost;
 }
 

@@ -17,8 +17,8 @@ Motion observe_target(const Centroid& centroid, const Stepper& stepper) {
   const Range& v = block.vertices();
   const Vec2 x = block.centroid();
   const BlockState& zero = blocks.displacement_zero();
-  const Vec2 start = zero.origin.col(centroid.block) +
-                     polyfem::area_moments(zero.position.middleCols(v.first, v.count)).centroid;
+  const Vec2 start =
+      zero.origin.col(centroid.block) + polyfem::area_moments(v.columns_of(zero.position)).centroid;
   return {x, x - start, rigid_velocity(block, stepper.state().velocity).linear};
 }
 

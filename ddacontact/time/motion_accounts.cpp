@@ -56,12 +56,9 @@ double work_of_change(const StepSystem& system, const BlockState& from, const Ve
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
                          const Residual& residual, std::vector<Contact>& contacts, Energy& energy) {
   const BlockSystem& blocks = system.blocks();
-  energy.gravity -= system.gravity_forces().dot(straight);
-  energy.external += system.load_forces().dot(straight);
   const double by_change = work_of_change(system, from, straight);
   energy.external += by_change;
   energy.numerical_dissipated += by_change;
-  if (!blocks.quiet_faces.empty()) energy.damping_dissipated -= system.quiet_forces(straight).dot(straight);
   for (const PrescribedDof& held : blocks.prescribed_dofs()) {
     const double reaction = residual.force[held.unknown], moved = system.prescribed()[held.unknown];
     energy.external += reaction * moved;
@@ -70,39 +67,12 @@ void account_motion_step(const StepSystem& system, const BlockState& from, const
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    const BlockMotion::Losses losses = blocks.block(b).motion()->losses(straight.segment(u.first, u.count));
+    const BlockMotion::Losses losses = blocks.block(b).motion()->losses(u.of(straight));
     energy.damping_dissipated += losses.damping;
     energy.numerical_dissipated += losses.scheme;
   }
   for (Contact& contact : contacts)
     account_contact(system.rule(), system.dt(), from, straight, contact, energy);
-}
-
-double size_of_forces(const Block& block, const VectorXd& forces) {
-  const auto of_block = forces.segment(block.unknowns().first, block.unknowns().count);
-  const Vec2 resultant = block.translations().transpose() * of_block;
-  return std::max(resultant.norm(), std::abs(block.rotation().dot(of_block)) / block.size());
-}
-
-double largest_force(const StepSystem& system, const Block& block, const Points& reactions) {
-  return std::max({size_of_forces(block, system.gravity_forces()),
-                   size_of_forces(block, system.load_forces()),
-                   reactions.middleCols(block.points().first, block.n_points()).colwise().norm().maxCoeff()});
-}
-
-std::vector<BlockForceSum> sum_forces(const StepSystem& system, const VectorXd& straight,
-                                      const Points& reactions) {
-  const BlockSystem& blocks = system.blocks();
-  std::vector<BlockForceSum> sums(static_cast<std::size_t>(blocks.n_blocks()));
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (blocks.is_unchanging(b)) continue;
-    const Block& block = blocks.block(b);
-    const Range& u = block.unknowns();
-    const Vec3 momentum = block.motion()->resultant(straight.segment(u.first, u.count));
-    sums[b] = {std::max(momentum.head<2>().norm(), std::abs(momentum[2]) / block.size()),
-               largest_force(system, block, reactions)};
-  }
-  return sums;
 }
 
 }  // namespace ddacontact

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -63,7 +62,7 @@ const std::vector<double>& MotionLimits::search_margin(const BlockState& state,
 }
 
 double MotionLimits::predicted_step(const BlockState& state, const std::vector<ContactRecord>& met) {
-  double longest = std::numeric_limits<double>::infinity();
+  double longest = inf;
   if (analysis_.mode == Mode::statics) return longest;
   find_speeds(state, met);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {

@@ -72,24 +72,23 @@ AffineForm RigidMotions::rate_form(const AffineForm& form) const {
   constexpr double round_off = 1e-13;
   struct Rate {
     int part;
-    double sum[3], magnitude[3];
+    Vec3 sum{0, 0, 0}, magnitude{0, 0, 0};
   };
   std::array<Rate, AffineForm::capacity> rates;  // by the parts, in the order in which they occur
   int n_rates = 0;
-  for (std::size_t k = 0; k < form.unknowns().size(); ++k) {
-    const int u = form.unknowns()[k], p = part_of_unknown_[u];
-    if (p < 0) continue;
+  form.for_terms([&](int u, double coefficient) {
+    const int p = part_of_unknown_[u];
+    if (p < 0) return;
     int r = 0;
     while (r < n_rates && rates[r].part != p) ++r;
-    if (r == n_rates) rates[n_rates++] = {p, {}, {}};
+    if (r == n_rates) rates[n_rates++] = {p};
     const Part& part = parts_[p];
-    const Index row = u - part.block->unknowns().first;
     for (Index m = 0; m < part.modes.cols(); ++m) {
-      const double term = form.coefficients()[k] * part.modes(row, m);
+      const double term = coefficient * part.modes(u - part.block->unknowns().first, m);
       rates[r].sum[m] += term;
       rates[r].magnitude[m] += std::abs(term);
     }
-  }
+  });
   AffineForm rate;
   for (int r = 0; r < n_rates; ++r) {
     const Part& part = parts_[rates[r].part];

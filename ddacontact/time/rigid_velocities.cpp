@@ -1,57 +1,35 @@
 #include <ddacontact/time/rigid_velocities.hpp>
 
 #include <ddacontact/block/rigid_velocity.hpp>
+#include <ddacontact/core/disjoint_sets.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/solver/friction_bounds.hpp>
 #include <ddacontact/time/impulse_problem.hpp>
-#include <ddacontact/time/islands.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace ddacontact {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-NormalAndShear zeros(Index n) {
-  return {VectorXd::Zero(n), VectorXd::Zero(n)};
-}
-/// a + part (b - a)
-NormalAndShear between(const NormalAndShear& a, const NormalAndShear& b, double part) {
-  return {a.normal + part * (b.normal - a.normal), a.shear + part * (b.shear - a.shear)};
-}
 double dot(const NormalAndShear& a, const NormalAndShear& b) {
-  return a.normal.dot(b.normal) + a.shear.dot(b.shear);
-}
-
-NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& v) {
-  NormalAndShear rates = zeros(static_cast<Index>(terms.size()));
-  for (std::size_t c = 0; c < terms.size(); ++c) {
-    rates.normal[static_cast<Index>(c)] = terms[c].gap.change(v);
-    rates.shear[static_cast<Index>(c)] = terms[c].slip.change(v);
-  }
-  return rates;
+  return a.col(of_gap).dot(b.col(of_gap)) + a.col(of_slip).dot(b.col(of_slip));
 }
 
 /// The rigid motions in the velocities of the blocks that the terms depend on; 0 for all others. Of a block
 /// that is held in part those that its supports allow: impulses change no others.
-VectorXd rigid_part(const RigidMotions& motions, const Islands& islands,
+VectorXd rigid_part(const BlockSystem& blocks, const RigidMotions& motions,
                     const std::vector<ContactTerm>& terms, const VectorXd& v) {
   std::set<int> touched;
   for (const ContactTerm& term : terms)
-    for (int u : term.gap.unknowns()) touched.insert(islands.blocks().block_of_unknown(u));
+    for (int u : term.gap.unknowns()) touched.insert(blocks.block_of_unknown(u));
   VectorXd rigid = VectorXd::Zero(v.size());
   motions.add_motion(motions.coefficients(v), rigid);
-  for (int b : touched) {
-    if (!islands.blocks().is_free(b) && islands.blocks().is_movable(b)) continue;
-    const Block& block = islands.blocks().block(b);
-    const auto [linear, angular] = rigid_velocity(block, v);
-    rigid.segment(block.unknowns().first, block.n_unknowns()) =
-        block.rigid_modes() * Vec3(linear.x(), linear.y(), angular);
-  }
+  for (int b : touched)
+    if (blocks.is_free(b) || !blocks.is_movable(b))
+      blocks.block(b).unknowns().of(rigid) = as_velocity(blocks.block(b), rigid_velocity(blocks.block(b), v));
   return rigid;
 }
 
@@ -72,12 +50,12 @@ struct Setting {
   NormalAndShear rigid_rates;  ///< without those of deformation
 
   /// \param[in] terms  forms of all unknowns
-  Setting(const BlockSystem& blocks, const Islands& islands, const std::vector<ContactTerm>& terms,
-          const VectorXd& v)
-      : motions(blocks, islands.hit_blocks()),
+  Setting(const BlockSystem& blocks, const std::vector<int>& hit_blocks,
+          const std::vector<ContactTerm>& terms, const VectorXd& v)
+      : motions(blocks, hit_blocks),
         problem(motions, rigid_terms(motions, terms)),
         rates(rates_of(terms, v)),
-        rigid_rates(rates_of(terms, rigid_part(motions, islands, terms, v))) {}
+        rigid_rates(rates_of(terms, rigid_part(blocks, motions, terms, v))) {}
 
   /// What the impulses take from the kinetic energy and from what moves the supports: -P . (rates before and
   /// after) / 2. Rates of deformation have no part: no rigid motion has kinetic energy in common with them.
@@ -86,12 +64,10 @@ struct Setting {
   }
   /// The largest part of the way from a, whose loss must be >= 0, to b after which the loss still is.
   double largest_part(const NormalAndShear& a, const NormalAndShear& b) const {
-    const NormalAndShear way{b.normal - a.normal, b.shear - a.shear};
+    const NormalAndShear way = b - a;
     const VectorXd w_a = problem.change(a), w = problem.change(way);
     const double round_off =
-        8 * std::numeric_limits<double>::epsilon() *
-        (b.normal.cwiseAbs().dot(rigid_rates.normal.cwiseAbs()) +
-         b.shear.cwiseAbs().dot(rigid_rates.shear.cwiseAbs()) + problem.change(b).squaredNorm());
+        few_ulps * (dot(b.cwiseAbs(), rigid_rates.cwiseAbs()) + problem.change(b).squaredNorm());
     if (loss(b) >= -round_off) return 1;
     const double linear = dot(way, rigid_rates) + w.dot(w_a), constant = std::max(0., loss(a));
     const double root = std::sqrt(linear * linear + 2 * w.squaredNorm() * constant);
@@ -99,20 +75,18 @@ struct Setting {
   }
   void finish(const NormalAndShear& P, JumpReport& report) const {
     const VectorXd w = problem.change(P);
-    const NormalAndShear change = problem.change_of_rates(w);
-    report.normal_loss = -P.normal.dot(rigid_rates.normal + change.normal / 2);
-    report.friction_loss = -P.shear.dot(rigid_rates.shear + change.shear / 2);
+    const NormalAndShear mean = rigid_rates + problem.change_of_rates(w) / 2;
+    report.normal_loss = -P.col(of_gap).dot(mean.col(of_gap));
+    report.friction_loss = -P.col(of_slip).dot(mean.col(of_slip));
     motions.add_motion(w, report.jump);
-    report.n_contacts = static_cast<int>(P.normal.size());
+    report.n_contacts = static_cast<int>(P.rows());
     report.rounds = problem.n_rounds();
   }
 };
 
 /// What of an impact takes part in it.
 struct Participants {
-  explicit Participants(const BlockSystem& blocks) : islands(blocks) {}
-
-  Islands islands;
+  std::vector<int> blocks;            ///< that move, ascending
   std::vector<std::size_t> contacts;  ///< indices
   std::vector<ContactTerm> terms;
   std::vector<const ImpactContact*> laws;  ///< of friction; null: bonded
@@ -120,12 +94,10 @@ struct Participants {
   double approach = 0;  ///< the largest, m/s
 
   /// Of |P_T| under these normal impulses.
-  VectorXd bounds(const VectorXd& normal) const {
-    VectorXd bounds(normal.size());
-    for (Index k = 0; k < normal.size(); ++k) {
-      const ImpactContact* law = laws[static_cast<std::size_t>(k)];
-      bounds[k] = law ? law->bound(std::max(0.0, normal[k])) : 0;
-    }
+  VectorXd bounds(const VectorXd& under) const {
+    VectorXd bounds(under.size());
+    for (Index k = 0; k < under.size(); ++k)
+      bounds[k] = laws[k] ? laws[k]->bound(std::max(0.0, under[k])) : 0;
     return bounds;
   }
 };
@@ -135,32 +107,42 @@ ContactTerm impact_term(const ImpactContact& contact) {
   term.sheared = contact.bonded || contact.friction > 0 || contact.friction_law;
   if (contact.bonded) {
     term.normal = ContactTerm::Normal::bilateral;
-    term.bound = infinity;
+    term.bound = inf;
   }
   return term;
 }
 
+/// Of the islands of movable blocks joined by contacts those in which one approaches.
 Participants find_participants(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts,
                                const VectorXd& v, double least_approach) {
-  Participants found(blocks);
-  Islands& islands = found.islands;
-  for (const ImpactContact& contact : contacts) islands.join(contact.gap);
-  for (const ImpactContact& contact : contacts) {
-    const double approach = contact.bonded ? 0 : -contact.gap.change(v);
+  DisjointSets islands(blocks.n_blocks());
+  std::vector<int> first_of(contacts.size(), -1);  // the first movable block of each contact, -1: none
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    for (int u : contacts[c].gap.unknowns()) {
+      const int b = blocks.block_of_unknown(u);
+      if (!blocks.is_movable(b)) continue;
+      if (first_of[c] < 0) first_of[c] = b;
+      islands.join(b, first_of[c]);
+    }
+  Participants found;
+  std::set<int> hit;  // roots
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const double approach = contacts[c].bonded ? 0 : -contacts[c].gap.change(v);
     if (!(approach > least_approach)) continue;
-    islands.hit(contact.gap);
+    if (first_of[c] >= 0) hit.insert(islands.root(first_of[c]));
     found.approach = std::max(found.approach, approach);
   }
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    if (blocks.is_movable(b) && hit.contains(islands.root(b))) found.blocks.push_back(b);
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (islands.is_hit(contacts[c].gap)) found.contacts.push_back(c);
-  const auto n = static_cast<Index>(found.contacts.size());
-  found.restitution = VectorXd::Zero(n);
-  for (Index k = 0; k < n; ++k) {
-    const ImpactContact& contact = contacts[found.contacts[static_cast<std::size_t>(k)]];
-    found.terms.push_back(impact_term(contact));
-    found.laws.push_back(contact.bonded ? nullptr : &contact);
-    if (!contact.bonded) found.restitution[k] = contact.restitution;
+    if (first_of[c] >= 0 && hit.contains(islands.root(first_of[c]))) found.contacts.push_back(c);
+  for (std::size_t c : found.contacts) {
+    found.terms.push_back(impact_term(contacts[c]));
+    found.laws.push_back(contacts[c].bonded ? nullptr : &contacts[c]);
   }
+  found.restitution = VectorXd::Zero(found.laws.size());
+  for (std::size_t k = 0; k < found.laws.size(); ++k)
+    if (found.laws[k]) found.restitution[k] = found.laws[k]->restitution;
   return found;
 }
 
@@ -172,9 +154,9 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
   const auto solve = [&](const VectorXd& bounds, VectorXd& wanted) {
     problem.set_bounds(bounds);
     vanish = problem.solve(rates, tolerance);
-    wanted = of.bounds(problem.impulses().normal.cwiseMax(0) + given);
+    wanted = of.bounds(problem.impulses().col(of_gap).cwiseMax(0) + given);
   };
-  problem.set_impulses(zeros(given.size()));
+  problem.forget_impulses();
   VectorXd bounds = of.bounds(given);
   const BoundsReport agreement = iterate_bounds(solve, {}, bounds);
   solves += agreement.solves;
@@ -196,41 +178,40 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const Participants of = find_participants(blocks, contacts, v, options.least_approach);
   if (of.contacts.empty()) return report;
 
-  Setting setting(blocks, of.islands, of.terms, v);
+  Setting setting(blocks, of.blocks, of.terms, v);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = options.tolerance * of.approach;
-  const NormalAndShear none = zeros(of.restitution.size());
-  report.settled = solve_with_friction(setting.rates, of, none.normal, tolerance, problem, report.solves);
+  const NormalAndShear none = NormalAndShear::Zero(of.contacts.size(), 2);
+  report.settled =
+      solve_with_friction(setting.rates, of, none.col(of_gap), tolerance, problem, report.solves);
   const NormalAndShear compression = problem.impulses();
   const double compressed = setting.largest_part(none, compression);
   report.limited = compressed < 1;
-  NormalAndShear total = between(none, compression, compressed);
+  NormalAndShear total = compressed * compression;
 
-  const VectorXd given = of.restitution.cwiseProduct(compression.normal);
+  const VectorXd given = of.restitution.cwiseProduct(compression.col(of_gap));
   if (!report.limited && (given.array() > 0).any()) {
-    NormalAndShear restored{compression.normal + given, compression.shear};
-    const NormalAndShear change = problem.change_of_rates(problem.change(restored));
-    const NormalAndShear rates{setting.rates.normal + change.normal, setting.rates.shear + change.shear};
+    NormalAndShear restored = compression;
+    restored.col(of_gap) += given;
+    const NormalAndShear rates = setting.rates + problem.change_of_rates(problem.change(restored));
     report.settled =
         solve_with_friction(rates, of, given, tolerance, problem, report.solves) && report.settled;
-    const NormalAndShear second = problem.impulses();
-    restored = {restored.normal + second.normal, restored.shear + second.shear};
+    restored += problem.impulses();
     const double part = setting.largest_part(compression, restored);
     report.limited = part < 1;
-    total = between(compression, restored, part);
+    total = compression + part * (restored - compression);
   }
-  const VectorXd bounds = of.bounds(total.normal);
+  const VectorXd bounds = of.bounds(total.col(of_gap));
   for (Index c = 0; c < given.size(); ++c)  // bounds agree to a tolerance: now exactly
-    if (!std::isinf(of.terms[static_cast<std::size_t>(c)].bound))
-      total.shear[c] = std::clamp(total.shear[c], -bounds[c], bounds[c]);
+    if (!std::isinf(of.terms[c].bound))
+      total(c, of_slip) = std::clamp(total(c, of_slip), -bounds[c], bounds[c]);
   if (!report.settled) {
     const double part = setting.largest_part(none, total);
     report.limited = report.limited || part < 1;
-    total = between(none, total, part);
+    total *= part;
   }
   for (std::size_t k = 0; k < of.contacts.size(); ++k)
-    report.impulses[of.contacts[k]] = {total.normal[static_cast<Index>(k)],
-                                       total.shear[static_cast<Index>(k)]};
+    report.impulses[of.contacts[k]] = {total(k, of_gap), total(k, of_slip)};
   setting.finish(total, report);
   return report;
 }

@@ -13,21 +13,25 @@
 
 namespace ddacontact {
 
-/// A step record with the accounts of the run; its contacts have their results too.
-struct RunRecord {
-  StepRecord step;
+/// What a run has done so far.
+struct RunAccounts {
   StepCounts counts;
   EnergyLedger energy;
-  double last_dt = 0;                 ///< of the last accepted substep, s
-  double end_time = 0;                ///< of ramps, s
-  Points zero_position, zero_origin;  ///< what displacements are counted from; empty: from the start
-  Points reactions;                   ///< see Stepper::reactions
-  std::vector<char> convex;           ///< outlines that have been so to this moment
+  double last_dt = 0;        ///< of the last accepted substep, s
+  Points reactions;          ///< see Stepper::reactions
+  std::vector<char> convex;  ///< outlines that have been so to this moment
   std::vector<std::string> notes;
   std::string last_unsettled;
   Equilibrium equilibrium;           ///< after the last substep
   std::vector<StageEnd> stage_ends;  ///< of the stages that are over
   RunWarnings warnings;
+};
+
+/// A step record with the accounts of the run; its contacts have their results too.
+struct RunRecord : RunAccounts {
+  StepRecord step;
+  double end_time = 0;                ///< of ramps, s
+  Points zero_position, zero_origin;  ///< what displacements are counted from; empty: from the start
 };
 
 /// The bits of a record, in the order of bytes of the machine.

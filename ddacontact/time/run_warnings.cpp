@@ -15,7 +15,7 @@ constexpr double far_part = 0.1;
 constexpr int least_blocks = 4;
 /// Of a block's size, in one substep: below the default tolerance of penetration sliding is not told from
 /// rest.
-constexpr double least_slip = 1e-6;
+constexpr double least_slip = standard_defaults.penetration_tolerance;
 /// The largest strain of the edges of an outline, as a ratio.
 double edge_strain(const PointsRef& reference, const PointsRef& outline) {
   double largest = 0;
@@ -47,7 +47,7 @@ void RunWarnings::look(const SeenStep& step) {
     const bool slipped = step.has_velocities && contact.closed() &&
                          std::abs(contact.slip_change) > least_slip * contact.size &&
                          carries_waves(step.blocks, contact, step.dt);
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) {
+    for (int b : contact.pair.blocks()) {
       touches[b] = 1;
       if (differs) changes[b] = 1;
       if (slipped) slides[b] = 1;
@@ -64,8 +64,8 @@ void RunWarnings::look(const SeenStep& step) {
     unsteady[whole] += slides[b] && changes[b];
     const Block& block = step.blocks.block(b);
     const Range& vertices = block.vertices();
-    const double of_block = edge_strain(block.reference().leftCols(vertices.count),
-                                        step.state.position.middleCols(vertices.first, vertices.count));
+    const double of_block =
+        edge_strain(block.reference().leftCols(vertices.count), vertices.columns_of(step.state.position));
     strain = std::max(strain, std::pair(of_block, whole));
     furthest = std::max(furthest, std::pair(block.furthest_vertex(step.d) / block.size(), whole));
   }

@@ -1,6 +1,7 @@
 #include <ddacontact/time/sleeping.hpp>
 
 #include <ddacontact/core/disjoint_sets.hpp>
+#include <ddacontact/core/tolerances.hpp>
 
 #include <algorithm>
 
@@ -8,14 +9,14 @@ namespace ddacontact {
 
 namespace {
 
-/// Part of the velocity that gravity makes in a step; of the block's size, in a step.
-constexpr double slow = 5e-8, round_off = 1e-12;
+/// Part of the velocity that gravity makes in a step.
+constexpr double slow = 5e-8;
 /// Of those awake at least this part falls asleep at once: every change costs what all of them cost.
 constexpr double worth_while = 0.125;
 }  // namespace
 
 double rest_speed(const BlockSystem& blocks, int b, double dt) {
-  return std::max(slow * blocks.gravity.norm() * dt, round_off * blocks.block(b).size() / dt);
+  return std::max(slow * blocks.gravity.norm() * dt, length_round_off * blocks.block(b).size() / dt);
 }
 
 Sleeping::Sleeping(const SleepRecord& record)

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <limits>
 
 namespace ddacontact {
 
@@ -22,7 +21,7 @@ bool is_steady(const TimeFunction& function) {
 /// Whether a vector that is `at` a time changes from one to another, by more than round-off.
 bool varies(const auto& at, double from, double to) {
   const Vec2 before = at(from);
-  const double round_off = 8 * std::numeric_limits<double>::epsilon() * before.norm();
+  const double round_off = few_ulps * before.norm();
   return (at((from + to) / 2) - before).norm() > round_off || (at(to) - before).norm() > round_off;
 }
 
@@ -43,26 +42,23 @@ void for_functions(const BlockSystem& blocks, const auto& visit) {
   for (const QuietFace& face : blocks.quiet_faces) visit(face.block, face.incoming);
 }
 
-bool covers(const Box& outer, const Box& inner) {
-  return (outer.low.array() <= inner.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
+void mark_blocks_on_bolts(const BlockSystem& blocks, std::vector<char>& marks) {
+  for (const Bolt& bolt : blocks.bolts)
+    for (const MaterialPoint& node : bolt.nodes)
+      if (node.block >= 0 && acts(bolt, blocks)) marks[node.block] = 1;
 }
 
 Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double margin) {
-  const Range& v = blocks.block(b).vertices();
-  Box box = bounding_box(state.position.middleCols(v.first, v.count), margin);
-  box.low += state.origin.col(b);
-  box.high += state.origin.col(b);
-  return box;
+  return shifted(bounding_box(blocks.block(b).vertices().columns_of(state.position), margin),
+                 state.origin.col(b));
 }
 
 /// Its vertices, and what is inside a mesh, whose vertices may be held, by the mean.
 bool is_slow(const Block& block, const VectorXd& velocity, double speed) {
   const Range& u = block.unknowns();
   return block.furthest_vertex(velocity) <= speed &&
-         2 * block.kinetic_energy(velocity.segment(u.first, u.count)) <= block.mass_total() * speed * speed;
+         2 * block.kinetic_energy(u.of(velocity)) <= block.mass_total() * speed * speed;
 }
-
-constexpr auto pair_of_record = [](const ContactRecord& of) { return block_pair(of.pair); };
 
 }  // namespace
 
@@ -116,8 +112,8 @@ const std::vector<ContactRecord>& SleepingBlocks::contacts() const {
   if (!asleep_) return contacts_;
   if (!all_contacts_known_) {
     all_contacts_.clear();
-    std::ranges::merge(contacts_in_whole(), asleep_->contacts, std::back_inserter(all_contacts_), {},
-                       pair_of_record, pair_of_record);
+    std::ranges::merge(contacts_in_whole(), asleep_->contacts, std::back_inserter(all_contacts_), {}, pair_of,
+                       pair_of);
     all_contacts_known_ = true;
   }
   return all_contacts_;
@@ -131,15 +127,13 @@ std::vector<char> SleepingBlocks::find_restless(double dt) const {
   });
   for (int b = 0; blocks_.fading.part_left(from) > 0 && b < blocks_.n_blocks(); ++b) {
     const Range& u = blocks_.block(b).unknowns();
-    if (!blocks_.fading.forces.segment(u.first, u.count).isZero(0)) restless[b] = 1;
+    if (!u.of(blocks_.fading.forces).isZero(0)) restless[b] = 1;
   }
   if (ground_varies(blocks_, from, to)) restless.assign(restless.size(), 1);
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
     if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_point(held.vertex)] = 1;
   for (const FixedVertex& held : blocks_.fixed_vertices) restless[held.block] = 1;
-  for (const Bolt& bolt : blocks_.bolts)
-    for (const MaterialPoint& node : bolt.nodes)
-      if (node.block >= 0 && acts(bolt, blocks_)) restless[node.block] = 1;
+  mark_blocks_on_bolts(blocks_, restless);
   // Contacts that open, or go from sticking to sliding and back as those at their bound do by round-off, show
   // in speeds; those that close under more than makes such a speed bear something new.
   const auto force_of_rest = [&](int b) {
@@ -175,8 +169,8 @@ bool SleepingBlocks::fall_asleep(double dt) {
   const std::vector<int> falling = sleeping_.put_to_sleep(awake, touching);
   for (int b : falling) {
     const Range& u = blocks_.block(asleep_ ? asleep_->part->number_of(b) : b).unknowns();
-    state_.velocity.segment(u.first, u.count).setZero();
-    state_.carried.segment(u.first, u.count).setZero();
+    u.of(state_.velocity).setZero();
+    u.of(state_.carried).setZero();
   }
   return !falling.empty();
 }
@@ -212,13 +206,12 @@ const std::vector<double>& SleepingBlocks::look_around(double dt, double reach) 
     if (!asleep_) return margin;
     bool woken = false, covered = true;
     std::size_t k = 0;
-    const double round_off = 1e-12;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (blocks_.is_unchanging(b)) continue;
       const Box box = box_of(blocks_, state_, b, margin[b]);
       if (blocks_.is_movable(b))
-        covered = covers(asleep_->around[k++], box) && covered;
-      else if (margin[b] > round_off * blocks_.block(b).size())
+        covered = lies_in(box, asleep_->around[k++]) && covered;
+      else if (margin[b] > length_round_off * blocks_.block(b).size())
         for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
           if (touch(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
     }
@@ -247,7 +240,7 @@ bool SleepingBlocks::wake_hit(const TrialSolution& solution) {
     const bool inside = contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
                         contact.is_on_edge(contact.end_slip);
     if (!contact.closed() && !hit && !inside) continue;
-    for (int b : {contact.pair.vertex_block, contact.pair.edge_block}) woken = wake(in_whole(b)) || woken;
+    for (int b : contact.pair.blocks()) woken = wake(in_whole(b)) || woken;
   }
   if (woken) regroup();
   return woken;
@@ -323,7 +316,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
   std::vector<int> near;
   if (!boxes.empty()) {
     Box all = boxes.front();
-    for (const Box& box : boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+    for (const Box& box : boxes) all = joined(all, box);
     for (int b = 0; b < n_blocks; ++b)
       if (blocks_.is_present(b) && !takes_part[b] && touch(all, asleep.boxes[b])) {
         near.push_back(b);
@@ -333,9 +326,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
     for (const auto& [a, b] : overlapping_pairs(boxes))
       if (a < n_around && b >= n_around) takes_part[near[b - n_around]] = 1;
   }
-  for (const Bolt& bolt : blocks_.bolts)  // blocks on bolts are awake, or held
-    for (const MaterialPoint& node : bolt.nodes)
-      if (node.block >= 0 && acts(bolt, blocks_)) takes_part[node.block] = 1;
+  mark_blocks_on_bolts(blocks_, takes_part);  // they are awake, or held
   std::vector<int> part;
   asleep.elastic_outside = asleep.elastic_of_contacts;
   for (int b = 0; b < n_blocks; ++b) {
@@ -366,12 +357,10 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
 }
 
 void SleepingBlocks::spread_reactions(const Points& of_step, Points& of_whole) const {
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (asleep_->part->is_resting(b)) continue;
-    const Range &from = blocks_.block(b).points(), &to = asleep_->part->points_in_whole(b);
-    of_whole.middleCols(to.first, to.count) =
-        of_step.middleCols(from.first, from.count) + asleep_->reactions.middleCols(to.first, to.count);
-  }
+  const std::vector<int>& points = asleep_->part->points();
+  for (int p = 0; p < static_cast<int>(points.size()); ++p)
+    if (!asleep_->part->is_resting(blocks_.block_of_point(p)))
+      of_whole.col(points[p]) = of_step.col(p) + asleep_->reactions.col(points[p]);
 }
 
 void SleepingBlocks::show_part() {

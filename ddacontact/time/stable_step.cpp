@@ -23,7 +23,6 @@ std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const Anal
   struct Limit {
     double dt;
     int block;
-    bool operator<(const Limit& other) const { return dt < other.dt; }
   };
   std::vector<Limit> limits;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
@@ -32,10 +31,9 @@ std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const Anal
     limits.push_back({longest_explicit_step(*shape, analysis.damping), b});
   }
   if (limits.empty()) return {};
-  std::sort(limits.begin(), limits.end());
+  std::ranges::sort(limits, {}, &Limit::dt);
   const double sliver = sliver_part * limits[limits.size() / one_in].dt;
-  const auto limit =
-      std::find_if(limits.begin(), limits.end(), [&](const Limit& of) { return of.dt >= sliver; });
+  const auto limit = std::ranges::find_if(limits, [&](const Limit& of) { return of.dt >= sliver; });
   const CorotationalShape& shape = *blocks.block(limit->block).shape();
   const double critical = critical_step(shape, analysis.damping), undamped = critical_step(shape, {});
   if (most_shortened * critical < undamped)
@@ -43,8 +41,7 @@ std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const Anal
                 std::to_string(undamped / critical) +
                 " times shorter (a smaller stiffness of 'damping', or scheme = \"decaying\")");
   const double dt = std::min(limit->dt, analysis.time_step);
-  const auto n_decaying =
-      std::count_if(limits.begin(), limits.end(), [&](const Limit& of) { return of.dt < dt; });
+  const auto n_decaying = std::ranges::count_if(limits, [&](const Limit& of) { return of.dt < dt; });
   return StableStep{dt, critical, limit->block, static_cast<int>(n_decaying)};
 }
 

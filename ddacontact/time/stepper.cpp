@@ -2,13 +2,13 @@
 
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/core/quoted.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <polyfem/core/out_of_memory.hpp>
 #include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ddacontact {
 
@@ -25,8 +25,7 @@ constexpr double reach_growth = 4;
 /// before serves again.
 double without_round_off(double dt, double time_step, double time) {
   const double whole_part = time_step / std::round(time_step / dt);
-  const double round_off = 4 * std::numeric_limits<double>::epsilon() * std::abs(time);
-  return std::abs(dt - whole_part) <= round_off ? whole_part : dt;
+  return std::abs(dt - whole_part) <= few_ulps * std::abs(time) ? whole_part : dt;
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ bool Stepper::step() {
     return function->changes_between(state_.time - analysis_.time_step, state_.time, blocks_.end_time);
   };
   const bool comes_to_rest = !progress_.came_to_rest && until && state_.time >= blocks_.fading.to &&
-                             equilibrium_.meets(*until, energy_.exchanged()) &&
+                             run_.equilibrium.meets(*until, run_.energy.exchanged()) &&
                              std::ranges::none_of(blocks_.time_functions(), changed);
   if (comes_to_rest) progress_.came_to_rest = true;
   if (++progress_.steps == analysis_.steps || comes_to_rest) leave_stage();
@@ -78,9 +77,9 @@ bool Stepper::make_substeps() {
         substep_ = std::min(longest_substep(), std::max(substep_, 2 * dt));
         if (is_last) {
           state_.time = end;
-          ++counts_.steps;
+          ++run_.counts.steps;
         }
-        accepted_ = {substep_, counts_};
+        accepted_ = {substep_, run_.counts};
         sleepers_.accept();
         look_ahead(next_substep(progress_.steps + is_last).dt);
         sleepers_.accept();  // who sleeps after it is what a record holds
@@ -97,9 +96,9 @@ bool Stepper::make_substeps() {
                                std::to_string(trial_.contacts().size()) + " contacts";
       return false;
     }
-    ++counts_.rejected;
+    ++run_.counts.rejected;
     if (is_interrupted()) return false;
-    counts_.overlap_rejections += result == Trial::missed_contacts;
+    run_.counts.overlap_rejections += result == Trial::missed_contacts;
     if (result == Trial::woke_blocks || result == Trial::missed_contacts) continue;
     if (result == Trial::outran_detection) {
       reach_scale_ *= reach_growth;
@@ -124,7 +123,7 @@ bool Stepper::is_interrupted() {
 
 void Stepper::discard_trials() {
   substep_ = accepted_.substep;
-  counts_ = accepted_.counts;
+  run_.counts = accepted_.counts;
   sleepers_.discard();
   blocks_.prepare(state_);
   forget_ahead();
@@ -146,7 +145,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
   TrialSolution solution;
   if (ahead_ && ahead_->dt == dt) {
     solution = std::move(ahead_->solution);
-    counts_ = ahead_->counts;
+    run_.counts = ahead_->counts;
     ahead_.reset();
   } else {
     ahead_.reset();
@@ -194,8 +193,8 @@ Stepper::Trial Stepper::make_trial(double dt) {
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
   if (analysis_.preset != Preset::paper && trial_.take_missed(end.state)) return Trial::missed_contacts;
   if (solution.friction_unsettled) {
-    ++counts_.unconverged;
-    last_unsettled_ = solution.rejection + ", at time " + std::to_string(end.state.time) + " s";
+    ++run_.counts.unconverged;
+    run_.last_unsettled = solution.rejection + ", at time " + std::to_string(end.state.time) + " s";
   }
   accept(dt, solution, std::move(end));
   return Trial::accepted;

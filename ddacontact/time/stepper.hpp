@@ -73,11 +73,11 @@ class Stepper {
   std::vector<Contact> contacts_to_begin_with();
   /// With the joints of the present stage.
   const ContactProperties& contact_properties() const { return properties_; }
-  const EnergyLedger& energy() const { return energy_; }
+  const EnergyLedger& energy() const { return run_.energy; }
   /// Forces that the supports exert at the end of the last accepted substep, N per
   /// m, 2 x all outline vertices.
-  const Points& reactions() const { return reactions_; }
-  const StepCounts& counts() const { return counts_; }
+  const Points& reactions() const { return run_.reactions; }
+  const StepCounts& counts() const { return run_.counts; }
   const StepTimes& times() const { return trial_.times(); }
   /// While no block sleeps.
   StepMemory memory() const;
@@ -90,24 +90,24 @@ class Stepper {
     return progress_.came_to_rest && progress_.stage + 1 == static_cast<int>(stages_.size());
   }
   /// Forces and velocities at the end of the last accepted substep.
-  const Equilibrium& equilibrium() const { return equilibrium_; }
+  const Equilibrium& equilibrium() const { return run_.equilibrium; }
   /// Whether a substep has been made, its forces are in balance and, unless it was static, its blocks move by
   /// less than 1e-6 of their size a second with less than 1e-8 of the largest energy exchanged.
   bool is_at_rest() const;
   const std::vector<Stage>& stages() const { return stages_; }
   /// How the stages before the present one ended, in their order.
-  const std::vector<StageEnd>& stage_ends() const { return stage_ends_; }
+  const std::vector<StageEnd>& stage_ends() const { return run_.stage_ends; }
   /// Where the present stage stands.
   StageEnd stage_end() const;
   /// What was seen that makes results doubtful.
-  const RunWarnings& warnings() const { return warnings_; }
+  const RunWarnings& warnings() const { return run_.warnings; }
   const std::string& stop_reason() const { return stop_reason_; }
   /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
-  const std::string& last_unsettled() const { return last_unsettled_; }
+  const std::string& last_unsettled() const { return run_.last_unsettled; }
   /// What happened that a user should know, in the order of time: convex blocks that turned concave.
-  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<std::string>& notes() const { return run_.notes; }
   /// The length of the last accepted substep, s.
-  double last_dt() const { return last_dt_; }
+  double last_dt() const { return run_.last_dt; }
   /// How long substeps may be, where the present stage is dynamic by central differences.
   const std::optional<StableStep>& stable_step() const { return stable_; }
 
@@ -176,12 +176,8 @@ class Stepper {
 
   BlockState state_;
   std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
-  StepCounts counts_;
-  EnergyLedger energy_;
-  Points reactions_, reactions_of_step_;
-  Equilibrium equilibrium_;
-  std::vector<StageEnd> stage_ends_;
-  RunWarnings warnings_;
+  RunAccounts run_;
+  Points reactions_of_step_;
 
   TrialStep trial_;                    ///< of the present substep, after the last trial
   std::vector<double> search_margin_;  ///< that its contacts were looked for within
@@ -207,10 +203,7 @@ class Stepper {
 
   SleepingBlocks sleepers_;
   std::function<bool()> interrupted_;
-  double last_dt_ = 0;
-  std::string stop_reason_, rejection_, last_unsettled_;
-  std::vector<char> convex_;  ///< outlines that have been so to this moment
-  std::vector<std::string> notes_;
+  std::string stop_reason_, rejection_;
 };
 
 }  // namespace ddacontact

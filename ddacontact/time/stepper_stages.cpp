@@ -38,7 +38,7 @@ bool are_same(const JointStrength& a, const JointStrength& b) {
 bool have_same_forces(const Stage& a, const Stage& b) {
   const auto &x = a.analysis, &y = b.analysis;
   return x.scheme == y.scheme && x.mode == y.mode && x.gravity == y.gravity && a.water == b.water &&
-         x.damping.mass == y.damping.mass && x.damping.stiffness == y.damping.stiffness &&
+         x.damping == y.damping &&
          std::ranges::equal(a.joints.entries(), b.joints.entries(),
                             [](const JointTable::Entry& one, const JointTable::Entry& other) {
                               return one.between == other.between && are_same(one.strength, other.strength);
@@ -54,10 +54,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       limits_(blocks_, stages_.front().analysis),
       properties_(contacts),
       state_(std::move(initial)),
-      reactions_(Points::Zero(2, state_.position.cols())),
-      warnings_(blocks_.n_blocks()),
-      trial_(blocks_, state_, contacts_, analysis_, properties_, counts_),
+      trial_(blocks_, state_, contacts_, analysis_, properties_, run_.counts),
       sleepers_(blocks_, state_, contacts_, properties_, limits_, trial_) {
+  run_.reactions = Points::Zero(2, state_.position.cols());
   for (const Stage& stage : stages_)
     for (int b : stage.added) blocks_.remove(b);
   if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
@@ -70,12 +69,12 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     if (bolt.installed) install(bolt, blocks_, state_);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     const Block& block = blocks_.block(b);
-    convex_.push_back(block.cell(0).basis == &polyfem::wachspress &&
-                      !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
+    run_.convex.push_back(block.cell(0).basis == &polyfem::wachspress &&
+                          !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
   }
   trial_.detect_first(analysis_.time_step, limits_.search_margin(state_, {}, analysis_.time_step, 1));
   contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());
-  accepted_ = {substep_, counts_};
+  accepted_ = {substep_, run_.counts};
   sleepers_.accept();
   start_accounts();
 }
@@ -113,8 +112,8 @@ void Stepper::apply(const Stage& stage, double start_time) {
   stable_ = find_stable_step(blocks_, analysis_);
   substep_ = longest_substep();
   if (stable_ && stable_->n_decaying > 0)
-    notes_.push_back("by the explicit scheme " + std::to_string(stable_->n_decaying) +
-                     " slivers do not vibrate: their deformation decays");
+    run_.notes.push_back("by the explicit scheme " + std::to_string(stable_->n_decaying) +
+                         " slivers do not vibrate: their deformation decays");
   trial_.options().solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
                                                               : tolerance_of_explicit_steps);
 }
@@ -137,7 +136,7 @@ VectorXd Stepper::forces_of(const std::vector<int>& blocks) const {
       properties_.add_forces(blocks_, state_, contact, forces);
   for (int b : blocks) {
     const Range& u = blocks_.block(b).unknowns();
-    forces.segment(u.first, u.count).setZero();
+    u.of(forces).setZero();
   }
   return forces;
 }
@@ -150,7 +149,7 @@ bool Stepper::enter_stage(int stage) {
                    quoted(blocks_.names[(*overlap)[1]]) + " is";
     return false;
   }
-  stage_ends_.push_back(stage_end());
+  run_.stage_ends.push_back(stage_end());
   forget_ahead();
   if (const Stage& next = stages_[stage]; next.relax > 0)
     blocks_.fading = {forces_of(next.removed), state_.time,
@@ -166,7 +165,7 @@ bool Stepper::enter_stage(int stage) {
     for (VectorXd* of_all : {&state_.velocity, &state_.carried}) of_all->segment(u.first, u.count).setZero();
   }
   for (int bolt : stages_[stage].bolts) install(blocks_.bolts[bolt], blocks_, state_);
-  Energy& e = energy_.now;
+  Energy& e = run_.energy.now;
   // What goes with the blocks that are taken out is work done on them, as what pretensions bring.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),
                elastic = elastic_energy(blocks_, state_, contacts_, properties_);
@@ -185,14 +184,15 @@ bool Stepper::enter_stage(int stage) {
     e.numerical_dissipated += kinetic;
     e.kinetic = 0;
   }
-  accepted_ = {substep_, counts_};
+  accepted_ = {substep_, run_.counts};
   sleepers_.accept();
   return true;
 }
 
 bool Stepper::is_at_rest() const {
-  if (!begun_ || !equilibrium_.in_balance()) return false;
-  return is_static() || equilibrium_.meets({.kinetic = 1e-8, .displacement = 1e-6}, energy_.exchanged());
+  if (!begun_ || !run_.equilibrium.in_balance()) return false;
+  return is_static() ||
+         run_.equilibrium.meets({.kinetic = 1e-8, .displacement = 1e-6}, run_.energy.exchanged());
 }
 
 StageEnd Stepper::stage_end() const {
@@ -201,8 +201,8 @@ StageEnd Stepper::stage_end() const {
           .time = state_.time,
           .came_to_rest = progress_.came_to_rest,
           .at_rest = is_at_rest(),
-          .exchanged = energy_.exchanged(),
-          .equilibrium = equilibrium_};
+          .exchanged = run_.energy.exchanged(),
+          .equilibrium = run_.equilibrium};
 }
 
 void Stepper::leave_stage() {
@@ -210,17 +210,18 @@ void Stepper::leave_stage() {
 }
 
 void Stepper::start_accounts() {
-  energy_ = {};
-  energy_.now.kinetic = kinetic_energy(blocks_, state_.velocity);
-  energy_.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_);
-  energy_.start();
-  equilibrium_ = {};
-  stage_ends_.clear();
-  warnings_ = RunWarnings(blocks_.n_blocks());
+  run_.energy = {};
+  run_.energy.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  run_.energy.now.elastic = elastic_energy(blocks_, state_, contacts_, properties_);
+  run_.energy.start();
+  run_.equilibrium = {};
+  run_.stage_ends.clear();
+  run_.warnings = RunWarnings(blocks_.n_blocks());
 }
 
 StepRecord Stepper::record() const {
-  return {counts_.steps, begun_, substep_, progress_, state_, blocks_.fading, contacts(), sleepers_.record()};
+  return {run_.counts.steps, begun_,     substep_,          progress_, state_,
+          blocks_.fading,    contacts(), sleepers_.record()};
 }
 
 void Stepper::restore(StepRecord record) {
@@ -241,7 +242,7 @@ void Stepper::restore(StepRecord record) {
     apply(stages_[stage], record.progress.start_times[stage]);
   }
   blocks_.fading = std::move(record.fading);
-  counts_.steps = record.steps;
+  run_.counts.steps = record.steps;
   begun_ = record.begun;
   substep_ = record.substep;
   progress_ = record.progress;
@@ -251,7 +252,7 @@ void Stepper::restore(StepRecord record) {
   blocks_.prepare(state_, true);
   forget_ahead();
   reach_scale_ = 1;
-  accepted_ = {substep_, counts_};
+  accepted_ = {substep_, run_.counts};
   sleepers_.accept();
   start_accounts();
   if (record.sleeping.island.empty()) return;
@@ -260,10 +261,9 @@ void Stepper::restore(StepRecord record) {
 
 StepMemory Stepper::memory() const {
   const BlockState& s = state_;
-  return {.state = bytes_of(s.bolts) + bytes_of(s.origin) + bytes_of(s.position) + bytes_of(s.velocity) +
-                   bytes_of(s.carried) + bytes_of(s.stress) + bytes_of(s.coordinates) + bytes_of(s.rotation) +
-                   bytes_of(reactions_),
-          .contacts = bytes_of(contacts_) + bytes_of(trial_.contacts()),
+  return {.state = bytes_of(s.bolts, s.origin, s.position, s.velocity, s.carried, s.stress, s.coordinates,
+                            s.rotation, run_.reactions),
+          .contacts = bytes_of(contacts_, trial_.contacts()),
           .detection = trial_.builder().memory() + bytes_of(search_margin_),
           .equations = trial_.system().memory(),
           .factor = trial_.system().problem().cholesky().memory()};
@@ -271,40 +271,18 @@ StepMemory Stepper::memory() const {
 
 RunRecord Stepper::run_record() const {
   const BlockState& zero = blocks_.displacement_zero();
-  return {.step = record(),
-          .counts = counts_,
-          .energy = energy_,
-          .last_dt = last_dt_,
-          .end_time = blocks_.end_time,
-          .zero_position = zero.position,
-          .zero_origin = zero.origin,
-          .reactions = reactions_,
-          .convex = convex_,
-          .notes = notes_,
-          .last_unsettled = last_unsettled_,
-          .equilibrium = equilibrium_,
-          .stage_ends = stage_ends_,
-          .warnings = warnings_};
+  return {run_, record(), blocks_.end_time, zero.position, zero.origin};
 }
 
 void Stepper::restore(RunRecord record) {
   restore(std::move(record.step));
-  counts_ = record.counts;
-  accepted_.counts = counts_;
-  energy_ = record.energy;
-  last_dt_ = record.last_dt;
+  run_ = record;
+  accepted_.counts = run_.counts;
   blocks_.end_time = record.end_time;
   BlockState zero;
   zero.position = std::move(record.zero_position);
   zero.origin = std::move(record.zero_origin);
   blocks_.count_displacements_from(zero);
-  reactions_ = std::move(record.reactions);
-  convex_ = std::move(record.convex);
-  notes_ = std::move(record.notes);
-  last_unsettled_ = std::move(record.last_unsettled);
-  equilibrium_ = record.equilibrium;
-  stage_ends_ = std::move(record.stage_ends);
-  warnings_ = std::move(record.warnings);
 }
 
 }  // namespace ddacontact

@@ -39,13 +39,17 @@ void account(const AcceptedTrial& accepted, Energy& energy) {
   const auto& [blocks, before, trial, solution] = accepted;
   const StepImpact& impact = solution.impact;
   const BlockState& from = impact.changes() ? impact.start : before;
+  const VectorXd motion = accepted.motion();
+  energy.gravity -= trial.system().gravity_forces().dot(motion);
+  energy.external += trial.system().load_forces().dot(motion);
+  if (!blocks.quiet_faces.empty())
+    energy.damping_dissipated -= trial.system().quiet_forces(solution.straight).dot(motion);
   if (trial.system().rule().has_half_steps()) {
     if (impact.changes())
       for (Contact& contact : trial.contacts()) trial.builder().start_from(from, contact);
     account_motion_step(trial.system(), from, solution.straight, solution.residual, trial.contacts(), energy);
     if (impact.changes()) book_shift(blocks, before, impact.shift, energy);
   } else {
-    const VectorXd motion = accepted.motion();
     if (impact.changes()) measure_contacts(from, solution.d, motion, trial);
     account_step(trial.system(), solution, motion, trial.contacts(), trial.builder().properties(), energy);
   }

@@ -10,7 +10,7 @@ double transit_time(const Block& block) {
 }
 
 bool carries_waves(const BlockSystem& blocks, const Contact& contact, double dt) {
-  for (int b : {contact.pair.vertex_block, contact.pair.edge_block})
+  for (int b : contact.pair.blocks())
     if (blocks.is_movable(b) && dt >= transit_time(blocks.block(b))) return false;
   return true;
 }

@@ -73,17 +73,15 @@ Blocks voronoi_cells() {
 }
 
 void broad(benchmark::State& state, const Blocks& blocks) {
-  BroadPhase broad_phase;
   std::size_t n_pairs = 0;
   for (auto _ : state) {
-    n_pairs = broad_phase.overlapping_pairs(blocks.boxes).size();
+    n_pairs = overlapping_pairs(blocks.boxes).size();
     benchmark::DoNotOptimize(n_pairs);
   }
   state.counters["pairs"] = static_cast<double>(n_pairs);
 }
 
 void whole(benchmark::State& state, const Blocks& blocks) {
-  BroadPhase broad_phase;
   std::vector<Box> boxes(blocks.boxes.size());
   std::vector<VertexEdge> contacts;
   std::vector<Choice> choices;
@@ -98,7 +96,7 @@ void whole(benchmark::State& state, const Blocks& blocks) {
     }
     contacts.clear();
     choices.clear();
-    for (const auto& [a, b] : broad_phase.overlapping_pairs(boxes)) {
+    for (const auto& [a, b] : overlapping_pairs(boxes)) {
       const double size = std::min(blocks.reaches[a], blocks.reaches[b]) / search_margin;
       const PairLimits limits{blocks.reaches[a] + blocks.reaches[b],
                               std::min(blocks.half_widths[a], blocks.half_widths[b]), 1e-6 * size,

@@ -2,6 +2,7 @@
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
+#include <tests/support/shape_motions.hpp>
 
 #include <gtest/gtest.h>
 
@@ -45,7 +46,7 @@ struct Flight {
     y(0, 0) += stretch;
     coordinates = motions.coordinates_of(y);
     coordinates.head<3>().setZero();
-    velocity = motions.node_velocities(coordinates, rates).reshaped();
+    velocity = support::node_velocities(motions, coordinates, rates).reshaped();
   }
 
   void step(double length) {
@@ -72,9 +73,11 @@ struct Flight {
     motion.end(d, VectorXd(), coordinates, points, velocity);
     previous = length;
   }
-  VectorXd rates() const { return shape.motions().velocities_of(coordinates, velocity.reshaped(2, 4)); }
+  VectorXd rates() const {
+    return support::velocities_of(shape.motions(), coordinates, velocity.reshaped(2, 4));
+  }
   double angular_momentum() const {
-    const Points Z = shape.motions().deformed(coordinates);
+    const Points Z = support::deformed(shape.motions(), coordinates);
     return (Z * shape.cells[0].mass).cwiseProduct(Z).sum() * rates()[2];
   }
   VectorXd deformation() const { return coordinates.tail(8); }
@@ -199,7 +202,7 @@ TEST(BlockMotion, AStraightMotionTurnsOnItsWay) {
   rule.scheme = Scheme::decaying;
   const MotionShape& motions = shape.motions();
   CorotationalStart begun{step_matrices(shape, rule, dt), {}};
-  BlockMotion::begin(shape, at_rest(), motions.node_velocities(at_rest(), spinning(100)).reshaped(),
+  BlockMotion::begin(shape, at_rest(), support::node_velocities(motions, at_rest(), spinning(100)).reshaped(),
                      VectorXd(), begun);
   const BlockMotion motion(shape, begun);
   VectorXd straight(8), displaced(8);

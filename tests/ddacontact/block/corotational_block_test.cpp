@@ -3,7 +3,9 @@
 #include <ddacontact/block/corotational_motion.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
+#include <tests/support/block_tangent.hpp>
 #include <tests/support/random_polygon.hpp>
+#include <tests/support/shape_motions.hpp>
 
 #include <gtest/gtest.h>
 
@@ -91,7 +93,7 @@ struct OneBlock {
     VectorXd correction;
     int iterations = 0;
     do {  // down to round-off: the tangent leaves out terms of the order of the strain
-      A = block().tangent(d);
+      A = support::tangent_of(block(), d);
       correction = A.ldlt().solve(resistance(d));
       d -= correction;
     } while (correction.norm() > 1e-15 * (1 + d.norm()) && ++iterations < 300);
@@ -113,9 +115,9 @@ struct OneBlock {
   double energy_of_motions() const {
     const MotionShape& motions = shape->motions();
     const Points velocities = NodalKinematics<polyfem::AnyNodes>(*shape).to_nodes(state.going_on());
-    const VectorXd s = motions.velocities_of(state.coordinates, velocities);
+    const VectorXd s = support::velocities_of(motions, state.coordinates, velocities);
     const MatrixXd& M = shape->cells[0].mass;
-    const Points Z = motions.deformed(state.coordinates),
+    const Points Z = support::deformed(motions, state.coordinates),
                  rates = s.tail(2 * motions.n_nodes()).reshaped(2, motions.n_nodes());
     return motions.mass * s.head<2>().squaredNorm() / 2 + (Z * M).cwiseProduct(Z).sum() * s[2] * s[2] / 2 +
            (rates * M).cwiseProduct(rates).sum() / 2 + block().elastic_energy(state);
@@ -230,7 +232,7 @@ TEST_P(CorotationalBlocks, TheTangentIsTheDerivativeOfTheForcesOfAnUnstrainedBlo
       rule.damping = {3, 0.004};
       one.begin(rule, 0.01);
       MatrixXd A, differences(one.n(), one.n());
-      A = one.block().tangent(VectorXd::Zero(one.n()));
+      A = support::tangent_of(one.block(), VectorXd::Zero(one.n()));
       for (Index k = 0; k < one.n(); ++k) {
         const VectorXd h = 1e-6 * VectorXd::Unit(one.n(), k);
         differences.col(k) = (one.resistance(h) - one.resistance(-h)) / 2e-6;

@@ -2,6 +2,7 @@
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
+#include <tests/support/shape_motions.hpp>
 
 #include <gtest/gtest.h>
 #include <cstdlib>
@@ -64,11 +65,11 @@ TEST(MotionShape, DeformationsCarryNoMomentaAndNodesReadBack) {
     EXPECT_LE((u * motions.weights).norm(), round_off);
     EXPECT_LE(std::abs(motions.turning.cwiseProduct(u).sum()), 1e-14 * motions.rest_inertia);
     const VectorXd zero = VectorXd::Zero(motions.n_coordinates());
-    EXPECT_LE((motions.nodes + motions.node_displacements(zero, s) - y).norm(), 1e-13);
+    EXPECT_LE((motions.nodes + support::node_displacements(motions, zero, s) - y).norm(), 1e-13);
 
     const Points v = Points::Random(2, motions.n_nodes());
-    const VectorXd rates = motions.velocities_of(s, v);
-    EXPECT_LE((motions.node_velocities(s, rates) - v).norm(), 1e-13);
+    const VectorXd rates = support::velocities_of(motions, s, v);
+    EXPECT_LE((support::node_velocities(motions, s, rates) - v).norm(), 1e-13);
     const Points deforming = rates.tail(2 * motions.n_nodes()).reshaped(2, motions.n_nodes());
     EXPECT_LE((deforming * motions.weights).norm(), 1e-14);
     EXPECT_LE(std::abs(motions.turning.cwiseProduct(deforming).sum()), 1e-13 * motions.rest_inertia);
@@ -79,11 +80,13 @@ TEST(MotionShape, VelocitiesAreTheRatesOfDisplacements) {
   for (const CorotationalShape& shape : shapes()) {
     const MotionShape& motions = shape.motions();
     const VectorXd s = motions.coordinates_of(some_nodes(motions));
-    const VectorXd rates = motions.velocities_of(s, Points::Random(2, motions.n_nodes()));
+    const VectorXd rates = support::velocities_of(motions, s, Points::Random(2, motions.n_nodes()));
     const double dt = 1e-6;
-    const Points by_difference =
-        (motions.node_displacements(s, dt * rates) - motions.node_displacements(s, -dt * rates)) / (2 * dt);
-    EXPECT_LE((motions.node_velocities(s, rates) - by_difference).norm(), 1e-9 * by_difference.norm());
+    const Points by_difference = (support::node_displacements(motions, s, dt * rates) -
+                                  support::node_displacements(motions, s, -dt * rates)) /
+                                 (2 * dt);
+    EXPECT_LE((support::node_velocities(motions, s, rates) - by_difference).norm(),
+              1e-9 * by_difference.norm());
   }
 }
 
@@ -93,8 +96,9 @@ TEST(MotionShape, TwoDisplacementsAreOneAfterTheOther) {
     const VectorXd start = motions.coordinates_of(some_nodes(motions)),
                    by = 0.3 * VectorXd::Random(motions.n_coordinates()),
                    zero = VectorXd::Zero(motions.n_coordinates());
-    const Points at_once = motions.node_displacements(zero, start + by),
-                 in_two = motions.node_displacements(zero, start) + motions.node_displacements(start, by);
+    const Points at_once = support::node_displacements(motions, zero, start + by),
+                 in_two = support::node_displacements(motions, zero, start) +
+                          support::node_displacements(motions, start, by);
     EXPECT_LE((at_once - in_two).norm(), 1e-13 * (1 + at_once.norm()));
   }
 }

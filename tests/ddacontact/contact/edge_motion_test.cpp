@@ -27,18 +27,22 @@ VertexEdgeGradient gradient_at(const Vec6& x) {
   return {x.head<2>(), x.segment<2>(2), x.tail<2>()};
 }
 
+GapAndSlip at_rest(const Vec6& x, double lock) {
+  return gap_and_slip(place_at(x), place_at(Vec6::Zero()), lock, Directions::of_end);
+}
+
 /// The gap (lock is not used) or the slip, with its two gradients.
 struct Measure {
   bool is_gap;
   double lock;
 
-  double value(const Vec6& x) const { return is_gap ? gap(place_at(x)) : slip(place_at(x), lock); }
+  double value(const Vec6& x) const { return is_gap ? gap(place_at(x)) : at_rest(x, lock).slip; }
   Vec6 gradient(const Vec6& x) const {
-    return components(is_gap ? gap_gradient(place_at(x)) : slip_gradient(place_at(x), lock));
+    return components(is_gap ? at_rest(x, lock).by_gap : at_rest(x, lock).by_slip);
   }
   Vec6 mean_gradient(const Vec6& x0, const Vec6& x1) const {
-    return components(is_gap ? gap_mean_gradient(place_at(x0), place_at(x1))
-                             : slip_mean_gradient(place_at(x0), place_at(x1), lock));
+    const GapAndSlip mean = gap_and_slip(place_at(x0), place_at(x1 - x0), lock, Directions::mean);
+    return components(is_gap ? mean.by_gap : mean.by_slip);
   }
   VertexEdgeForm first_order(const VertexEdgePositions& positions) const {
     return is_gap ? gap_form(positions) : slip_form(positions, lock);
@@ -121,8 +125,8 @@ TEST(EdgeMotion, GapIsNegativeInsideACounterClockwiseBlockAndSlipGrowsAlongItsEd
   const VertexEdgePositions inside{{0.5, 0.1}, {0, 0}, {2, 0}}, outside{{0.5, -0.1}, {0, 0}, {2, 0}};
   EXPECT_DOUBLE_EQ(gap(inside), -0.1);
   EXPECT_DOUBLE_EQ(gap(outside), 0.1);
-  EXPECT_DOUBLE_EQ(slip(inside, 0), 0.5);
-  EXPECT_DOUBLE_EQ(slip(inside, 0.75), -1);
+  EXPECT_DOUBLE_EQ(at_rest(coordinates(inside), 0).slip, 0.5);
+  EXPECT_DOUBLE_EQ(at_rest(coordinates(inside), 0.75).slip, -1);
 }
 
 TEST_P(EdgeMotion, ValuesAreGoodToAFewRoundingsOfTheEdge) {
@@ -265,32 +269,6 @@ TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
     ASSERT_TRUE(std::ranges::equal(own.unknowns(), any.unknowns()));
     EXPECT_TRUE(std::ranges::equal(own.coefficients(), any.coefficients()));
     EXPECT_EQ(of_own.change_along(by, d), any.change(d));
-  }
-}
-
-/// All at once are the bytes of one after the other.
-TEST(GapAndSlip, AreThoseOfTheFunctionsOfEach) {
-  std::mt19937 random{7};
-  for (int trial = 0; trial < 100; ++trial) {
-    const VertexEdgePositions start = place_at(random_place(0.5, random)),
-                              by = place_at(0.1 * Vec6::Random()),
-                              end{start.i + by.i, start.j + by.j, start.k + by.k};
-    const double lock = 0.3;
-    for (const Directions directions : {Directions::of_start, Directions::mean, Directions::of_end}) {
-      const bool mean = directions == Directions::mean;
-      const VertexEdgePositions& at = directions == Directions::of_start ? start : end;
-      const GapAndSlip all = gap_and_slip(start, by, lock, directions);
-      EXPECT_EQ(all.start_gap, gap(start));
-      EXPECT_EQ(all.gap, gap(start) + gap_change(start, by));
-      EXPECT_EQ(all.slip, slip(start, lock) + slip_change(start, by, lock));
-      const VertexEdgeGradient by_gap = mean ? gap_mean_gradient(start, end) : gap_gradient(at),
-                               by_slip =
-                                   mean ? slip_mean_gradient(start, end, lock) : slip_gradient(at, lock);
-      EXPECT_EQ(coordinates({all.by_gap.i, all.by_gap.j, all.by_gap.k}),
-                coordinates({by_gap.i, by_gap.j, by_gap.k}));
-      EXPECT_EQ(coordinates({all.by_slip.i, all.by_slip.j, all.by_slip.k}),
-                coordinates({by_slip.i, by_slip.j, by_slip.k}));
-    }
   }
 }
 

@@ -1,6 +1,7 @@
 /// \file Two polygons and the contacts found between them.
 #pragma once
 
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/half_width.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
 #include <tests/support/random_polygon.hpp>
@@ -13,11 +14,26 @@
 #include <set>
 #include <vector>
 
+namespace ddacontact {
+
+/// Of outlines whose sides are computed for this alone.
+inline void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
+                          std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
+                          std::vector<Choice>& choices) {
+  OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
+  table.set(0, a.vertices);
+  table.set(1, b.vertices);
+  find_contacts(a, table[0], b, table[1], limits, earlier, contacts, choices);
+}
+
+}  // namespace ddacontact
+
 namespace support {
 
+using ddacontact::coincidence;
 using ddacontact::VertexEdge;
 
-inline constexpr double coincidence = 1e-6, lip = 1e-4;
+inline constexpr double lip = 1e-4;
 
 inline Points box(double x, double y, double width, double height) {
   Points p(2, 4);

@@ -161,7 +161,6 @@ TEST(FrictionProblem, FindsTheMinimumInFewIterationsFromAnyStart) {
     EXPECT_NEAR(p.gradient(d).lpNorm<Eigen::Infinity>(), report.residual, p.round_off(d)) << seed;
     EXPECT_EQ((d - start - p.on_free(d - start)).norm(), 0) << "prescribed degrees of freedom have moved";
     EXPECT_LE(report.iterations, 15) << seed;
-    EXPECT_EQ(problem.n_iterations(), report.iterations);
     EXPECT_LE(problem.cholesky().n_factorizations(), report.iterations);
   }
 }

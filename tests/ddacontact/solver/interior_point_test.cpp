@@ -128,7 +128,7 @@ TEST(InteriorPoint, BlocksStickSlideAndLiftOffAsTheLawSays) {
   Found found(stacks({{0, 0}, {-60e3, 0}, {15e3, 0}, {0, 30e3}}));
   found.expect_law();
   EXPECT_EQ(found.count(0, 1, normal_acts | shear_acts), 2);
-  EXPECT_EQ(found.count(2, 4, open), 2);
+  EXPECT_EQ(found.count(2, 4, none_acts), 2);
   const int up = found.count(1, 3, normal_acts | at_upper), down = found.count(1, 3, normal_acts | at_lower);
   EXPECT_EQ(up + down, 2);
   EXPECT_EQ(up * down, 0);
@@ -139,7 +139,7 @@ TEST(InteriorPoint, WithoutFrictionContactsAreOpenOrPressed) {
   Found found(stacks({{0, 0}, {-60e3, 0}, {15e3, 0}, {0, 30e3}}, 0));
   found.expect_law();
   for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}}) EXPECT_EQ(found.count(a, b, normal_acts), 2);
-  EXPECT_EQ(found.count(2, 4, open), 2);
+  EXPECT_EQ(found.count(2, 4, none_acts), 2);
 }
 
 TEST(InteriorPoint, ForcesOfTheStepBeforeMayBeAllThatThereIs) {

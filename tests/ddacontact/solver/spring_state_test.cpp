@@ -39,7 +39,7 @@ TEST(SpringState, OfAForceIsWhatTheLawSays) {
   EXPECT_EQ(Case(rock, false, 100, 30).of_force(), normal_acts | shear_acts);
   EXPECT_EQ(Case(rock, false, 100, 60).of_force(), normal_acts | at_upper);
   EXPECT_EQ(Case(rock, false, 100, -60).of_force(), normal_acts | at_lower);
-  EXPECT_EQ(Case(rock, false, -1, 30).of_force(), open);
+  EXPECT_EQ(Case(rock, false, -1, 30).of_force(), none_acts);
   EXPECT_EQ(Case(rock, true, -5, 10).of_force(), normal_acts | shear_acts) << "a bond bears tension";
   EXPECT_EQ(Case(rock, true, -50, 10).of_force(), shear_acts) << "and shear while it is pulled open";
   EXPECT_EQ(Case(rock, true, -50, -90).of_force(), at_lower);
@@ -51,7 +51,7 @@ TEST(SpringState, BilateralContactsAreClosedAndAbsentOnesOpen) {
   one.term.normal = ContactTerm::Normal::bilateral;
   EXPECT_TRUE(state_of(one.term, rock, false, {-100, 0}) & normal_acts);
   one.term.normal = ContactTerm::Normal::absent;
-  EXPECT_EQ(state_of(one.term, rock, false, {100, 0}), open);
+  EXPECT_EQ(state_of(one.term, rock, false, {100, 0}), none_acts);
 }
 
 /// The state where the springs are evaluated is that of the clipped force, and gives this force back.
@@ -61,7 +61,7 @@ TEST(SpringState, OfSpringsIsThatOfTheirClippedForces) {
     const Case one(rock, k % 2 == 0, support::uniform(-30, 60, random), support::uniform(-60, 60, random));
     const unsigned char state = state_at(one.term, one.law, one.springs);
     ASSERT_EQ(state, one.of_force()) << k;
-    if (state == open) continue;
+    if (state == none_acts) continue;
     const ContactForce force = force_in_state(one.law, one.bonded, state, one.springs);
     EXPECT_NEAR(force.normal, one.clipped.normal, 1e-12) << k;
     EXPECT_NEAR(force.shear, one.clipped.shear, 1e-12) << k;
@@ -72,6 +72,6 @@ TEST(SpringState, SlipTurnsRoundByWayOfSticking) {
   EXPECT_EQ(next_state(normal_acts | at_upper, normal_acts | at_lower), normal_acts | shear_acts);
   EXPECT_EQ(next_state(normal_acts | at_lower, normal_acts | at_upper), normal_acts | shear_acts);
   EXPECT_EQ(next_state(normal_acts | at_upper, normal_acts | at_upper), normal_acts | at_upper);
-  EXPECT_EQ(next_state(normal_acts | at_upper, open), open);
-  EXPECT_EQ(next_state(open, normal_acts | at_lower), normal_acts | at_lower);
+  EXPECT_EQ(next_state(normal_acts | at_upper, none_acts), none_acts);
+  EXPECT_EQ(next_state(none_acts, normal_acts | at_lower), normal_acts | at_lower);
 }

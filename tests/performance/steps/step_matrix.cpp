@@ -1,4 +1,5 @@
 #include "step_matrix.hpp"
+#include <tests/support/block_tangent.hpp>
 
 #include <polyfem/assembly/pattern_matrix.hpp>
 
@@ -31,7 +32,7 @@ polyfem::SparseMatrix step_matrix(Stepper& stepper) {
   matrix.set_zero();
   int element = 0;
   for (const int b : active)
-    matrix.add(element++, blocks.block(b).tangent(VectorXd::Zero(blocks.block(b).n_unknowns())));
+    matrix.add(element++, support::tangent_of(blocks.block(b), VectorXd::Zero(blocks.block(b).n_unknowns())));
   for (const Contact* contact : closed) {
     matrix.add_outer(element, contact->law.normal_stiffness,
                      contact->motion.form(contact->first_gap()).coefficients());
