@@ -86,7 +86,7 @@ TEST(StaticCheck, OneErrorForEachLooseBlock) {
 }
 
 TEST(StaticCheck, FallsAlongGravityWhereverThisPoints) {
-  EXPECT_EQ(loose_blocks(scene_with({"3, -9"}, "[0, 9.8]")), Blocks{}) << "upwards";
+  EXPECT_EQ(loose_blocks(scene_with({"3, -9"}, "[1, 9.8]")), Blocks{}) << "upwards";
   EXPECT_EQ(loose_blocks(scene_with({"11, -0.5"}, "[-1, 0]")), Blocks{}) << "sideways";
   EXPECT_EQ(loose_blocks(scene_with({"-9, -0.5"}, "[-1, 0]")), Blocks{1}) << "away";
   EXPECT_EQ(loose_blocks(scene_with({"14, 8"}, "[-1, -1]")), Blocks{}) << "aslant";
