@@ -22,7 +22,8 @@ inline constexpr auto pair_of = [](const ContactRecord& of) { return block_pair(
 /// Of contacts ordered by their pairs, those of one.
 template <class SomeContact>
 std::span<const SomeContact> of_pair(const Pair& pair, const std::vector<SomeContact>& contacts) {
-  return std::ranges::equal_range(contacts, pair, {}, pair_of);
+  return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
+          std::ranges::upper_bound(contacts, pair, {}, pair_of)};
 }
 /// Those of the pair of a contact.
 inline std::span<const Contact> of_same_pair(const VertexEdge& contact,

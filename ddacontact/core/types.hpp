@@ -23,6 +23,7 @@ using polyfem::Vec2;
 using polyfem::Vec3;
 using polyfem::VectorXd;
 
+/// Infinity.
 inline constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Consecutive entries of an array that belong to one block.

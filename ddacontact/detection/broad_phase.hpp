@@ -19,13 +19,15 @@ inline bool touch(const Box& a, const Box& b) {
          b.low.y() <= a.high.y();
 }
 
-/// A box shifted, widened on every side, and the smallest one around two.
+/// A box that is moved.
 inline Box shifted(const Box& box, const Vec2& by) {
   return {box.low + by, box.high + by};
 }
+/// A box that is wider on every side.
 inline Box widened(const Box& box, double margin) {
   return {box.low.array() - margin, box.high.array() + margin};
 }
+/// The smallest box around two.
 inline Box joined(const Box& a, const Box& b) {
   return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
 }

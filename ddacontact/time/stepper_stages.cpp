@@ -31,6 +31,7 @@ bool are_same(const JointStrength& a, const JointStrength& b) {
          a.restitution == b.restitution && a.dashpot == b.dashpot && a.glued == b.glued &&
          a.residual_friction == b.residual_friction && a.dilation == b.dilation &&
          a.dilation_slip == b.dilation_slip && a.ductile == b.ductile &&
+         a.normal_stiffness == b.normal_stiffness && a.shear_stiffness == b.shear_stiffness &&
          a.compressive_strength == b.compressive_strength && !a.friction_law && !b.friction_law;
 }
 

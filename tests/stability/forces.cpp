@@ -58,7 +58,8 @@ ContactCheck check_contacts(const Scene& scene, int steps) {
                                 (-contact.normal - (was_bonded ? law.tension : 0)) / largest});
       if (!is_slipping(contact.history.state) || contact.shear == 0) continue;
       const double slipped =
-          contact.end_slip - slip(place_of(contact.pair, stepper.blocks(), before), contact.history.lock);
+          contact.end_slip -
+          slip_form(place_of(contact.pair, stepper.blocks(), before), contact.history.lock).constant;
       check.work = std::max(check.work, std::copysign(1, contact.shear) * slipped /
                                             support::pair_size(stepper.blocks(), contact.pair));
       check.work_over_energy = std::max(check.work_over_energy, contact.shear * slipped / largest_energy);

@@ -57,6 +57,6 @@ struct Travel {
 Travel run_slider(const Slider& slider, Stepper& stepper);
 
 /// The part of the chapter on vibrations of soft sliders, against the eigenvalues of the equations.
-void vibration_by_friction(Report& report);
+void vibration_by_friction(verification::Report& report);
 
 }  // namespace validation
