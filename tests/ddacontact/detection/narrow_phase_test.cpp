@@ -1,4 +1,3 @@
-#include <ddacontact/detection/contact_length.hpp>
 #include <ddacontact/detection/separation.hpp>
 #include <tests/ddacontact/detection/polygon_pair.hpp>
 #include <tests/support/random_polygon.hpp>
@@ -222,31 +221,6 @@ TEST(NarrowPhase, NothingMeetsThroughTheThicknessOfAPlate) {
     EXPECT_EQ(found, (std::set<VertexEdge>{{1, 0, 0, 2}, {1, 1, 0, 2}}))
         << "thickness " << h << ", reach " << search_margin;
   }
-}
-
-/// The two contacts of an overlap stand for half of it each, a lonely vertex for nothing.
-TEST(NarrowPhase, ContactLengthsOfAnOverlapAddUpToIt) {
-  std::mt19937 random(12);
-  for (int trial = 0; trial < 500; ++trial) {
-    const double w = uniform(0.5, 3, random), v = uniform(0.5, 3, random),
-                 shift = uniform(0.2 - v, w - 0.2, random);
-    const PolygonPair pair =
-        PolygonPair{box(0, -1, w, 1), box(shift, 0, v, 1)}.moved(uniform(0, 7, random), Vec2(1, 2));
-    double sum = 0;
-    for (const VertexEdge& c : pair.contacts(0.05)) {
-      const double length = contact_length(pair.of(c.vertex_block), pair.of(c.edge_block), c,
-                                           pair.of(c.vertex_block), [](int, int) { return true; })
-                                .total();
-      EXPECT_NEAR(length, (std::min(w, shift + v) - std::max(0., shift)) / 2, 1e-12);
-      sum += length;
-    }
-    EXPECT_NEAR(sum, std::min(w, shift + v) - std::max(0., shift), 1e-12);
-  }
-  Points wedge(2, 3);
-  wedge << 1, 2, 0,  //
-      0, 1, 1;
-  EXPECT_EQ(
-      contact_length(wedge, box(0, -1, 2, 1), {0, 0, 1, 2}, wedge, [](int, int) { return true; }).total(), 0);
 }
 
 /// Flush faces of two squares that only lie at each other, shifted by what round-off may leave: each corner

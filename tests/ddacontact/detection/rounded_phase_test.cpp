@@ -95,15 +95,4 @@ TEST(RoundedPhase, FacesThatLieOnEachOtherTouchInTwoPlaces) {
   }
 }
 
-TEST(RoundCorners, TouchBothEdgesAndLeaveSomeOfThem) {
-  Points notched(2, 6);
-  notched << 0, 2, 2, 1, 1, 0, 0, 0, 1, 1, 2, 2;
-  EXPECT_NEAR(largest_rounding(notched).radius, 0.5, 1e-14);
-  const RoundedBlock rounded = round_corners(notched, 0.1);
-  for (int v = 0; v < 6; ++v) EXPECT_EQ(rounded.corners[v].is_arc, v != 3);
-  const Points at = centres(notched, rounded);
-  EXPECT_NEAR((at.col(0) - Vec2(0.1, 0.1)).norm(), 0, 1e-15);
-  EXPECT_NEAR((at.col(2) - Vec2(1.9, 0.9)).norm(), 0, 1e-15);
-}
-
 }  // namespace
