@@ -92,40 +92,6 @@ TEST(Water, OnOuterFacesAlonePressesABlockDown) {
   EXPECT_NEAR(force_on(*built.stepper, 1).y(), 2 * (2e4 + 3 * unit_weight_of_water), 0.1);
 }
 
-TEST(Water, OfAnyPolygonUnderWaterIsTheWeightOfItsVolume) {
-  const Points polygon = line({{0, 0}, {3, -1}, {4, 2}, {1.5, 1}, {-1, 3}});
-  for (const Points& table : {line({{0, 9}}), line({{-2, 8}, {1, 8}, {6, 8}})}) {
-    Vec2 sum = Vec2::Zero();
-    double moment = 0;
-    for (Index k = 0; k < polygon.cols(); ++k) {
-      const Vec2 start = polygon.col(k), end = polygon.col((k + 1) % polygon.cols());
-      // Parts of an edge add up to it.
-      for (const auto& [from, to] : {std::pair{0.0, 0.3}, {0.3, 1.0}}) {
-        const ddacontact::EdgeForces forces = ddacontact::water_forces(table, 10, start, end, from, to);
-        sum += forces.start + forces.end;
-        moment += cross(start, forces.start) + cross(end, forces.end);
-      }
-    }
-    const polyfem::AreaMoments moments = polyfem::area_moments(polygon);
-    EXPECT_NEAR((sum - Vec2(0, 10 * moments.area)).norm(), 0, 1e-11);
-    EXPECT_NEAR(moment, 10 * moments.area * moments.centroid.x(), 1e-11);
-  }
-}
-
-TEST(Water, AboveTheTableThereIsNone) {
-  const Points table = line({{0, 1}, {2, 0}});
-  const auto on_wall = [&](double x, double low, double high) {
-    return ddacontact::water_forces(table, 10, {x, high}, {x, low}, 0, 1);
-  };
-  EXPECT_EQ(on_wall(0.5, 1, 2).start, Vec2(0, 0));
-  const ddacontact::EdgeForces half = on_wall(1, -1, 2);  // wet from -1 to .5
-  EXPECT_NEAR((half.start + half.end).x(), 10 * 1.5 * 1.5 / 2, 1e-12);
-  EXPECT_NEAR(half.start.x() * 3, 10 * 1.5 * 1.5 / 2 * 0.5, 1e-12);  // its centre is .5 m above the foot
-  // Beyond the ends the table is level.
-  EXPECT_NEAR((on_wall(-5, 0, 1).start + on_wall(-5, 0, 1).end).x(), 5, 1e-12);
-  EXPECT_EQ(on_wall(7, 0, 1).end, Vec2(0, 0));
-}
-
 /// A float of half the density of water bobs with the frequency of its water plane.
 TEST(Water, AFloatBobs) {
   Scene scene = wet_scene(1e-3, 0, line({{0, 0}}));
