@@ -66,6 +66,9 @@ TEST(CorotationalShape, UnknownsAndNodesTellEachOther) {
     if (!shape.has_basis()) continue;
     const MatrixXd there_and_back = MatrixXd(shape.inverse_basis) * MatrixXd(shape.basis);
     EXPECT_LE((there_and_back - MatrixXd::Identity(shape.n_unknowns(), shape.n_unknowns())).norm(), 1e-13);
+    // Linear fields come back, with points on straight edges as well.
+    const VectorXd back = shape.basis * (shape.inverse_basis * shape.nodes.reshaped());
+    EXPECT_LE((back - shape.nodes.reshaped()).norm(), 1e-13);
     for (int axis = 0; axis < 2; ++axis)  // a shift by 1 moves all of the unknowns along the axis by 1
       for (Index u = 0; u < shape.n_unknowns(); ++u)
         EXPECT_NEAR(shape.translations(u, axis), u % 2 == axis, 1e-13);
