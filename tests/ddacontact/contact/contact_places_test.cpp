@@ -82,6 +82,7 @@ TEST(ContactPlaces, AVertexThatIsHeldHasNoContact) {
   EXPECT_EQ(rolls.of_vertex(0)->law.friction, 0);
   EXPECT_GT(rolls.of_vertex(0)->law.cohesion, 0);
   EXPECT_FALSE(Faces(plate, upper, {0.5}, {{1, {0}, false, true, {}}}).of_vertex(0)) << "without a bond";
+  EXPECT_TRUE(Faces(plate, upper, {0.5}, {{1, {0}, true, false, {}}}).of_vertex(0)) << "it may lift off";
 }
 
 /// The length of a corner lies beyond the end of its edge, on another joint.

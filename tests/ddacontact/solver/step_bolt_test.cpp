@@ -138,3 +138,13 @@ TEST(StepBolt, YieldingTakesTheForceTimesTheWay) {
     EXPECT_NEAR(numbers[Bolt::plastic(0)] - bar.state.bolts[Bolt::plastic(0)], 0.1, 1e-12);
   }
 }
+
+/// What is neither stored nor given back has yielded, with means too.
+TEST(StepBolt, WorkIsStoredOrLostToYielding) {
+  InstalledBar bar(1e4, 3e4);
+  StepBolt step = bar.begun(Directions::mean);
+  const VectorXd d = bar.pulled({-0.06, -0.08}), F = forces_at(step, d);
+  VectorXd numbers = bar.state.bolts;
+  const double change = (3e4 * 3e4 - 1e4 * 1e4) * (5 + 2) / (2 * 6e6);
+  EXPECT_NEAR(step.end(numbers).dissipated, -F.dot(d) - change, 1e-8);
+}

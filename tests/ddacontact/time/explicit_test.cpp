@@ -70,20 +70,6 @@ double difference(const std::vector<double>& energies, const std::vector<double>
 
 }  // namespace
 
-TEST(Explicit, SubstepsAreNoLongerThanTheStiffestBlockAllows) {
-  Scene scene = explicit_scene(1e-2, 1);
-  scene.blocks = {block(rectangle(0, 0, 1, 1)), block(rectangle(3, 0, 0.5, 0.5))};
-  const BuiltScene built = run(scene);
-  const StableStep stable = *built.stepper->stable_step();
-  EXPECT_EQ(stable.block, 1) << "the smaller one";
-  EXPECT_EQ(stable.n_decaying, 0);
-  EXPECT_NEAR(stable.critical, critical_step(*built.stepper->blocks().block(1).shape(), {}), 1e-15);
-  EXPECT_EQ(built.stepper->counts().substeps, std::ceil(1e-2 / stable.dt));
-  Scene decaying = scene;
-  decaying.analysis.scheme = Scheme::decaying;
-  EXPECT_FALSE(run(decaying).stepper->stable_step());
-}
-
 TEST(Explicit, VibrationsKeepTheirEnergyToSecondOrder) {
   const double coarse = largest_loss(1e-4), fine = largest_loss(0.5e-4);
   EXPECT_LE(coarse, 1e-2);
@@ -120,26 +106,6 @@ TEST(Explicit, SliversDecay) {
   for (const ContactRecord& contact : built.stepper->contacts())
     if (contact.pair.edge_block == 0 || contact.pair.vertex_block == 0) weight += contact.normal;
   EXPECT_NEAR(weight, 20.01 * 2500 * 10, 1e-2 * 20 * 2500 * 10);
-}
-
-/// A block that is alone, or one of a few, is no sliver, and one that no step is short enough for stays as it
-/// is where time_step is.
-TEST(Explicit, FewBlocksVibrateAll) {
-  Scene scene = explicit_scene(1e-6, 1);
-  scene.blocks = {block(rectangle(0, 0, 1, 1)), block(rectangle(3, 0, 1, 0.01))};
-  const StableStep stable = *run(scene).stepper->stable_step();
-  EXPECT_EQ(stable.block, 1);
-  EXPECT_EQ(stable.dt, 1e-6);
-  EXPECT_EQ(stable.n_decaying, 0);
-  scene.blocks = {block(rectangle(0, 0, 1, 1), true)};
-  EXPECT_FALSE(run(scene).stepper->stable_step());
-}
-
-TEST(Explicit, DampingThatLeavesNoStepIsRefused) {
-  Scene scene = explicit_scene(1e-3, 1);
-  scene.analysis.damping.stiffness = 0.1;
-  scene.blocks = {block(rectangle(0, 0, 1, 1))};
-  EXPECT_THROW(build(scene), Error);
 }
 
 /// Dynamic steps solve contacts to 1e-3, static ones to 1e-8, and both to what is requested.

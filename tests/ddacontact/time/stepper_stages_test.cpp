@@ -45,29 +45,6 @@ TEST(Stages, OnesThatChangeNothingChangeNoBit) {
   EXPECT_EQ(one.stepper->counts().linear_solves, many.stepper->counts().linear_solves);
 }
 
-TEST(Stages, TheLastOneGoesOn) {
-  Scene scene = slope_scene(30, 20);
-  scene.stages = {settling(scene, 2), scene.stage("slide")};
-  scene.stages.back().analysis.steps = 1;
-  BuiltScene built = build(scene);
-  run(*built.stepper, 10);
-  EXPECT_EQ(built.stepper->counts().steps, 10);
-  EXPECT_NEAR(built.stepper->state().time, 0.1, 1e-15);
-}
-
-TEST(Stages, TimeRunsOnWithEachStagesStep) {
-  Scene scene = slope_scene(30, 20);
-  scene.stages = {scene.stage("coarse"), scene.stage("fine")};
-  scene.stages[0].analysis.steps = 3;
-  scene.stages[0].analysis.time_step = 0.02;
-  scene.stages[1].analysis.steps = 4;
-  scene.stages[1].analysis.time_step = 0.005;
-  BuiltScene built = build(scene);
-  run(*built.stepper, 7);
-  EXPECT_DOUBLE_EQ(built.stepper->state().time, 0.08);
-  EXPECT_DOUBLE_EQ(scene.end_time(), 0.08);
-}
-
 TEST(Stages, ABlockThatIsTakenOutLeavesNothing) {
   Scene scene = beam_scene();
   scene.loads = {point_load(2, Vec2(4.5, 0.5), constant(Vec2(0, -1e5)))};
