@@ -1,3 +1,4 @@
+#include <ddacontact/time/energy_accounts.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 using namespace support;
@@ -16,7 +17,7 @@ Scene dropped(BlockModel model) {
 
 }  // namespace
 
-TEST(Energy, TheLedgerOfADroppedAndSlidingBlockCloses) {
+TEST(EnergyAccounts, TheLedgerOfADroppedAndSlidingBlockCloses) {
   for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
     const BuiltScene built = build(dropped(model));
     double friction = 0;
@@ -49,7 +50,7 @@ TEST(Energy, TheLedgerOfADroppedAndSlidingBlockCloses) {
 }
 
 /// Loads and moved supports do their work.
-TEST(Energy, TheWorkOfLoadsAndSupportsIsCounted) {
+TEST(EnergyAccounts, TheWorkOfLoadsAndSupportsIsCounted) {
   Scene scene = rock_scene(0.01, 50);
   scene.analysis.gravity.setZero();
   scene.blocks = {block(rectangle(0, 0, 2, 1)), block(rectangle(0, 5, 2, 1)), block(rectangle(9, 0, 1, 1))};
@@ -71,31 +72,7 @@ TEST(Energy, TheWorkOfLoadsAndSupportsIsCounted) {
   EXPECT_LE(std::abs(stepper.energy().balance_error()), 1e-10);
 }
 
-TEST(EnergyLedger, BalancesAgainstTheLargestEnergyExchangedSoFar) {
-  EnergyLedger ledger;
-  ledger.now.kinetic = 100;
-  ledger.start();
-  ledger.close_step();
-  EXPECT_EQ(ledger.balance_error(), 0);  // nothing exchanged
-  ledger.now.kinetic = 60;
-  ledger.now.gravity = 40;
-  ledger.close_step();
-  EXPECT_EQ(ledger.balance_error(), 0);
-  ledger.now.kinetic = 90;
-  ledger.now.gravity = 12;
-  ledger.close_step();
-  EXPECT_DOUBLE_EQ(ledger.balance_error(), 2. / 40);
-  for (double Energy::*dissipated : {&Energy::elastic, &Energy::friction_dissipated,
-                                     &Energy::numerical_dissipated, &Energy::damping_dissipated}) {
-    EnergyLedger other = ledger;
-    other.now.*dissipated = 4;
-    EXPECT_DOUBLE_EQ(other.balance_error(), 6. / 40);
-  }
-  ledger.now.external = 2;
-  EXPECT_DOUBLE_EQ(ledger.balance_error(), 0);
-}
-
-TEST(Energy, AStaticStepLeavesNothingInMotionAlsoNotItsMovingSupports) {
+TEST(EnergyAccounts, AStaticStepLeavesNothingInMotionAlsoNotItsMovingSupports) {
   for (BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
     Scene scene = rock_scene(0.1, 10);
     scene.analysis.mode = Mode::statics;
@@ -112,7 +89,7 @@ TEST(Energy, AStaticStepLeavesNothingInMotionAlsoNotItsMovingSupports) {
   }
 }
 
-TEST(Energy, RoundOffOfAFreeFlightIsNoExchange) {
+TEST(EnergyAccounts, RoundOffOfAFreeFlightIsNoExchange) {
   Scene scene = rock_scene(0.01, 50);
   scene.analysis.gravity.setZero();
   scene.blocks = {block(rectangle(0, 0, 2, 1))};
@@ -122,4 +99,45 @@ TEST(Energy, RoundOffOfAFreeFlightIsNoExchange) {
     run(*built.stepper, 1);
     EXPECT_EQ(built.stepper->energy().balance_error(), 0);
   }
+}
+
+TEST(EnergyAccounts, KineticEnergyIsThatOfBlocksThatMove) {
+  Scene scene = rock_scene(0.01, 1);
+  scene.blocks = {block(rectangle(0, 0, 2, 1)), block(rectangle(5, 0, 1, 1)),
+                  block(rectangle(9, 0, 1, 1), true)};
+  scene.blocks[0].velocity = {3, 4};
+  scene.blocks[1].angular_velocity = 2;
+  const BuiltScene built = build(scene);
+  VectorXd velocity = built.stepper->state().velocity;
+  velocity.tail(8).setConstant(7);
+  EXPECT_NEAR(kinetic_energy(built.stepper->blocks(), velocity), 4000 * 25. / 2 + 2000. / 6 * 4 / 2, 1e-9);
+}
+
+/// Springs store unless they are open or only multipliers; on the slip while they stick.
+TEST(EnergyAccounts, SpringsStoreAsTheirContactsAre) {
+  ContactProperties properties{100, 40, JointTable(JointStrength{}), {0, 0}};
+  ContactRecord contact;
+  contact.pair = {0, 0, 1, 0};
+  contact.end_gap = -0.2;
+  contact.end_slip = 0.5;
+  for (const auto& [state, stored] :
+       {std::pair{ContactState::open, 0.}, {ContactState::stick, 2. + 5}, {ContactState::slip_forward, 2.}}) {
+    contact.history.state = state;
+    EXPECT_DOUBLE_EQ(spring_energy({contact, contact}, properties), 2 * stored);
+  }
+  properties.method = ContactMethod::staged;
+  properties.penetration_tolerance = 1e-6;
+  contact.history.state = ContactState::stick;
+  EXPECT_EQ(spring_energy({contact}, properties), 0);
+}
+
+TEST(EnergyAccounts, HeldVerticesStoreInTheDirectionsThatAreHeld) {
+  Scene scene = rock_scene(0.01, 1);
+  scene.blocks = {block(rectangle(0, 0, 1, 1))};
+  BuiltScene built = build(scene);
+  blocks_of(built).fixed_vertices = {{0, 2, true, false, {}}};
+  BlockState state = built.stepper->state();
+  state.position.col(2) += Vec2(0.1, 0.7);
+  const ContactProperties properties{100, 40, JointTable(JointStrength{}), {0}};
+  EXPECT_NEAR(elastic_energy(built.stepper->blocks(), state, {}, properties), 100 * 0.01 / 2, 1e-12);
 }

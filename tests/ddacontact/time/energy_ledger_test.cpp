@@ -236,4 +236,27 @@ TEST(EnergyLedger, OfVerticesHeldBySpringsCloses) {
   }
   const double weight = 20e3, stored = weight * weight / (4 * scene.contact.normal_stiffness);
   EXPECT_NEAR(built.stepper->energy().now.elastic, stored, 0.01 * stored);
+
+TEST(EnergyLedger, BalancesAgainstTheLargestEnergyExchangedSoFar) {
+  EnergyLedger ledger;
+  ledger.now.kinetic = 100;
+  ledger.start();
+  ledger.close_step();
+  EXPECT_EQ(ledger.balance_error(), 0);  // nothing exchanged
+  ledger.now.kinetic = 60;
+  ledger.now.gravity = 40;
+  ledger.close_step();
+  EXPECT_EQ(ledger.balance_error(), 0);
+  ledger.now.kinetic = 90;
+  ledger.now.gravity = 12;
+  ledger.close_step();
+  EXPECT_DOUBLE_EQ(ledger.balance_error(), 2. / 40);
+  for (double Energy::*dissipated : {&Energy::elastic, &Energy::friction_dissipated,
+                                     &Energy::numerical_dissipated, &Energy::damping_dissipated}) {
+    EnergyLedger other = ledger;
+    other.now.*dissipated = 4;
+    EXPECT_DOUBLE_EQ(other.balance_error(), 6. / 40);
+  }
+  ledger.now.external = 2;
+  EXPECT_DOUBLE_EQ(ledger.balance_error(), 0);
 }

@@ -242,25 +242,6 @@ TEST(Rest, AMovedSupportCarriesTheBlockThatRestsOnIt) {
     }
 }
 
-/// A block that hangs by held vertices carries its weight there, whatever its model and however it is held.
-TEST(Rest, HeldVerticesCarryABlock) {
-  for (BlockModel model : {BlockModel::wachspress, BlockModel::affine})
-    for (Preset preset : {Preset::standard, Preset::paper}) {
-      Scene scene = rock_scene(0.05, 60);
-      scene.analysis.mode = Mode::statics;
-      scene.analysis.preset = preset;
-      scene.blocks = {block(rectangle(0, 0, 2, 1))};
-      scene.blocks[0].model = model;
-      scene.blocks[0].fixed_vertices = {2, 3};
-      const BuiltScene built = run(scene);
-      const Points& reactions = built.stepper->reactions();
-      EXPECT_NEAR(reactions.row(1).sum(), weight_above, 1e-6 * weight_above);
-      EXPECT_NEAR(reactions.row(0).sum(), 0, 1e-6 * weight_above);
-      EXPECT_EQ(reactions.col(0).norm() + reactions.col(1).norm(), 0);
-      EXPECT_NEAR(reactions(1, 2), weight_above / 2, 1e-5 * weight_above);
-    }
-}
-
 /// A vertex that a support holds upright stands on the corner of a fixed block: what both bear cannot be told
 /// apart, and the support bears it.
 TEST(Rest, AFixedVertexOnACornerLeavesItsForceToTheSupport) {

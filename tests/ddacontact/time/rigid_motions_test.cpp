@@ -14,6 +14,9 @@ BuiltScene supported_blocks() {
   Scene scene = rock_scene(0.1, 1);
   scene.blocks = {block(rectangle(0, 0, 2, 1)), block(rectangle(3, 0, 1, 1)), block(rectangle(6, 0, 1, 4)),
                   block(rectangle(9, 0, 1, 1), true)};
+  for (int b : {0, 1})
+    scene.blocks[static_cast<std::size_t>(b)].vertices =
+        turned(scene.blocks[static_cast<std::size_t>(b)].vertices, 0.3);
   scene.blocks[0].model = BlockModel::affine;
   scene.supports = {{1, {2}, true, true, {}}, {2, {0}, false, true, {}}};
   return build(scene);
@@ -88,7 +91,12 @@ TEST(RigidMotions, RatesOfFormsAreThoseOfTheirMotions) {
   VectorXd v = VectorXd::Zero(blocks.n_unknowns());
   motions.add_motion(q, v);
   EXPECT_NEAR(rate.change(q), form.change(v), 1e-13);
-  AffineForm at_hinge;  // moves nothing: exactly 0
+  // A held place and the distance of two places of a block: exactly 0.
+  AffineForm at_hinge, distance;
   blocks.block(1).vertex_map(2).add_to(at_hinge, {0.3, -1});
-  for (const double c : motions.rate_form(at_hinge).coefficients()) EXPECT_EQ(c, 0);
+  const Vec2 along = blocks.block(0).reference().col(2) - blocks.block(0).reference().col(0);
+  blocks.block(0).vertex_map(2).add_to(distance, along);
+  blocks.block(0).vertex_map(0).add_to(distance, -along);
+  for (const AffineForm& still : {at_hinge, distance})
+    for (const double c : motions.rate_form(still).coefficients()) EXPECT_EQ(c, 0);
 }

@@ -1,7 +1,6 @@
 // Stress inside a block as the strain of vertex displacements.
 
 #include <ddacontact/block/block_system.hpp>
-#include <ddacontact/classic/affine_block.hpp>
 #include <ddacontact/classic/vertex_block.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/material/linear_elastic.hpp>
@@ -118,23 +117,25 @@ TEST_P(StrainDisplacement, OfARectangleInBendingIsLinear) {
   }
 }
 
-TEST(StrainDisplacementOfAnAffineBlock, IsItsUniformStress) {
-  std::mt19937 random(29);
-  const Points outline = support::random_convex_polygon(6, random);
-  std::vector<std::unique_ptr<Block>> blocks;
-  blocks.push_back(std::make_unique<AffineBlock>(BlockMaterial{elasticity, 1500}, outline));
-  BlockSystem system(std::move(blocks));
-  BlockState state = system.initial_state();
-  system.prepare(state, true);
-  state.stress.col(0) << 3e4, -2e4, 1e4;
-  const Points w = system.block(0).strain_displacement(state);
-  polyfem::ShapeValues shape;
-  for (int k = 0; k < 20; ++k) {
-    polyfem::wachspress(outline, support::random_point_in(outline, random), shape);
-    const Mat2 gradient = w * shape.gradients.transpose();
-    const Vec3 stress = elasticity * Vec3(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
-    EXPECT_LE((stress - state.stress.col(0)).norm(), 1e-10 * 3e4);
-  }
+TEST_P(StrainDisplacement, UsesMeanValueFunctionsWhileACornerIsConcave) {
+  Points outline(2, 4);
+  outline << 0, 2, 2, 0,  //
+      0, 0, 2, 2;
+  VertexBlockAtRest one(outline, GetParam());
+  EXPECT_EQ(one.block().n_stress_points(), 4 * rule.weights.size());
+  EXPECT_EQ(one.block().vertex_map(3).first_unknown(), 6);
+  EXPECT_EQ(one.block().cell(0).basis, &polyfem::wachspress);
+  const Vec2 shift = Vec2(0.6, 0.6) - outline.col(2);
+  one.state.position.col(2) += shift;
+  one.system.prepare(one.state);
+  EXPECT_EQ(one.block().cell(0).basis, &polyfem::wachspress) << "which come back";
+  const MatrixXd K = one.block().stiffness();
+  EXPECT_LE((K * one.block().rigid_modes()).norm(), 1e-11 * K.norm());
+  EXPECT_NEAR(one.block().mass_total(), 1500 * 4, 1e-9) << "no mass is lost";
+  VectorXd F = VectorXd::Zero(8);
+  one.block().add_body_force({0, -2}, F);
+  EXPECT_NEAR(one.block().translations().col(1).dot(F), -2 * 4, 1e-12);
+  EXPECT_NEAR(one.block().rotation().dot(F), 0, 1e-12);
 }
 
 }  // namespace

@@ -282,6 +282,42 @@ TEST_P(BlockModels, UnknownLengthsScaleWithTheBlockWhereUnknownsAreAnglesOrStrai
   EXPECT_LE((4 * scaled - scaled_twice).norm(), 1e-12 * scaled_twice.norm());
 }
 
+/// Of a step by Newmark's scheme with damping, from a stress, a velocity and an acceleration.
+TEST_P(BlockModels, ATangentIsTheDerivativeOfTheForcesOfAStep) {
+  for_each_block([&](OneBlock one) {
+    StepRule rule{Scheme::newmark, 0.25, 0.5, {.mass = 3, .stiffness = 0.02}};
+    const int n = one.block().n_unknowns();
+    one.state.stress = 1e4 * Tensors::Random(3, one.system.n_stress_points());
+    const VectorXd v = one.whole(VectorXd::Random(n)), a = one.whole(VectorXd::Random(n));
+    const double dt = 0.05;
+    one.system.begin_step(one.state, {rule, dt, v, a});
+    const VectorXd d = 1e-3 * VectorXd::Random(n), h = VectorXd::Random(n);
+    const auto sum = [&](const VectorXd& at) -> VectorXd {
+      BlockForces forces;
+      one.block().forces(at, forces);
+      return forces.elastic + forces.inertia + forces.damping;
+    };
+    const VectorXd change = one.block().tangent(d) * h;
+    EXPECT_LE((sum(d + h) - sum(d) - change).norm(), 1e-9 * change.norm());
+    BlockForces forces;
+    one.block().forces(d, forces);
+    const double stored = one.block().stored_energy(d + 1e-3 * h) - one.block().stored_energy(d - 1e-3 * h);
+    EXPECT_NEAR(stored, 2e-3 * forces.elastic.dot(h), 1e-8 * forces.elastic.norm());
+    // Inertia is mass times the acceleration at the end; the trapezoidal rule for the velocity.
+    BlockState next = one.state;
+    next.velocity = v;
+    next.carried = a;
+    one.system.end_step(one.whole(d), VectorXd::Zero(v.size()), next);
+    EXPECT_LE((one.block().mass() * one.part(next.carried) - forces.inertia).norm(),
+              1e-9 * forces.inertia.norm());
+    EXPECT_LE((next.velocity - v - dt / 2 * (a + next.carried)).norm(), 1e-12 * next.velocity.norm());
+    EXPECT_LE((one.part(dt * v + dt * dt / 4 * (a + next.carried)) - d).norm(), 1e-12);
+    VectorXd path(n);
+    one.block().free_path(path);
+    EXPECT_EQ(path, one.part(dt * v));
+  });
+}
+
 // Three models of one triangle, and the two bases of the affine block, are one physics.
 
 namespace {
@@ -340,28 +376,5 @@ TEST(AffineBlock, IsTheSamePhysicsInEveryBasis) {
     const Points outline = support::random_convex_polygon(n, random).colwise() + Vec2(2, 1);
     OneBlock plain(Model::affine, outline), by_vertices(Model::affine_by_vertices, outline);
     expect_same_physics(plain, by_vertices);
-  }
-}
-
-TEST(AffineBlock, ControlVerticesAreDistinctWellSpreadAndHeldOnesFirst) {
-  std::mt19937 random(31);
-  for (int trial = 0; trial < 300; ++trial) {
-    const int n = 3 + trial % 8;
-    const Points outline = support::random_convex_polygon(n, random);
-    std::vector<bool> fixed_x(n), fixed_y(n);
-    for (int v = 0; v < n; ++v) {
-      fixed_x[v] = random() % 3 == 0;
-      fixed_y[v] = random() % 3 == 0;
-    }
-    const ControlVertices control = choose_control_vertices(outline, fixed_x, fixed_y);
-    for (const auto& [chosen, held] : {std::pair(control.x, fixed_x), std::pair(control.y, fixed_y)}) {
-      EXPECT_TRUE(chosen[0] != chosen[1] && chosen[1] != chosen[2] && chosen[2] != chosen[0]);
-      const auto n_held = std::count(held.begin(), held.end(), true);
-      const auto among = std::count_if(chosen.begin(), chosen.end(), [&h = held](int v) { return h[v]; });
-      EXPECT_EQ(among, std::min<std::ptrdiff_t>(3, n_held));
-      if (n_held > 0) continue;
-      const Vec2 a = outline.col(chosen[0]), b = outline.col(chosen[1]), c = outline.col(chosen[2]);
-      EXPECT_GT(std::abs(cross(b - a, c - a)), 0.2 * polyfem::signed_area(outline));
-    }
   }
 }

@@ -1,0 +1,86 @@
+#include <ddacontact/time/motion_accounts.hpp>
+#include <tests/ddacontact/time/trial_of.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace support;
+
+namespace {
+
+/// A block of 2 m2 and 40 kN in flight.
+Scene flying_block(const Vec2& velocity) {
+  Scene scene = default_mechanics(0.01);
+  scene.blocks = {block(rectangle(0, 0, 2, 1))};
+  scene.blocks[0].velocity = velocity;
+  return scene;
+}
+
+Energy energy_of_step(TrialOf& step) {
+  const TrialSolution solution = step.solve();
+  Energy energy;
+  std::vector<Contact> contacts = step.trial.contacts();
+  account_motion_step(step.trial.system(), step.state, solution.straight, solution.residual, contacts,
+                      energy);
+  return energy;
+}
+
+}  // namespace
+
+TEST(MotionAccounts, SizeOfForcesIsThatOfTheResultantOrOfTheMomentOverTheSize) {
+  const BuiltScene built = build(flying_block({0, 0}));
+  const Block& of = built.stepper->blocks().block(0);
+  const auto size = [&](const Vec2& on_one, const Vec2& on_other) {
+    VectorXd F = VectorXd::Zero(built.stepper->blocks().n_unknowns());
+    of.vertex_map(1).add_force(on_one, F);  // at (1, -1/2) from the centre
+    of.vertex_map(3).add_force(on_other, F);
+    return size_of_forces(of, F);
+  };
+  EXPECT_NEAR(size({3, 4}, {0, 0}), 5, 1e-12);
+  EXPECT_NEAR(size({0, 6}, {0, -6}), 12 / std::sqrt(2.), 1e-12) << "a couple";
+  EXPECT_NEAR(size({2, -1}, {-2, 1}), 0, 1e-12) << "along the diagonal";
+}
+
+/// In free fall mass times acceleration is the weight, the largest force too where reactions are smaller.
+TEST(MotionAccounts, ForcesOfABlockThatFallsAreItsWeight) {
+  TrialOf step(flying_block({1, 2}));
+  const TrialSolution solution = step.solve();
+  for (const double reaction : {0., 50e3}) {
+    Points reactions = Points::Zero(2, 4);
+    reactions(0, 3) = -reaction;
+    const std::vector<BlockForceSum> sums = sum_forces(step.trial.system(), solution.straight, reactions);
+    ASSERT_EQ(sums.size(), 1u);
+    EXPECT_NEAR(sums[0].resultant, 40e3, 1e-3);
+    EXPECT_NEAR(sums[0].largest, std::max(40e3, reaction), 1e-6);
+  }
+}
+
+TEST(MotionAccounts, WeightAndLoadsWorkOnTheStraightMotion) {
+  TrialOf step(flying_block({1, 2}));
+  step.blocks.body_loads = {{0, constant({700, 0})}};
+  const Energy energy = energy_of_step(step);
+  EXPECT_NEAR(energy.gravity, 40e3 * (2 * 0.01 - 10 * 1e-4 / 2), 1e-6);
+  EXPECT_NEAR(energy.external, 1400 * (0.01 + 1400. / 4000 * 1e-4 / 2), 1e-6);
+}
+
+/// A load that grows within the step works with its value in the middle, which the scheme makes up for.
+TEST(MotionAccounts, AGrowingLoadWorksWithItsMean) {
+  TrialOf still(flying_block({1, 0})), grows(flying_block({1, 0}));
+  grows.blocks.body_loads = {{0, {TimeFunction::Kind::rate, {700 / 0.01, 0}, {}}}};
+  const Energy without = energy_of_step(still), with = energy_of_step(grows);
+  EXPECT_NEAR(with.external, 2 * 350 * 0.01, 1e-9);
+  EXPECT_NEAR(with.numerical_dissipated - without.numerical_dissipated, with.external, 1e-9);
+}
+
+/// A block that a support moves evenly from rest: its reaction works on the way.
+TEST(MotionAccounts, SupportsWorkByTheirReactions) {
+  Scene scene = flying_block({0, 0});
+  scene.analysis.gravity.setZero();
+  scene.supports = {{0, {0, 1, 2, 3}, true, true, {TimeFunction::Kind::rate, {0.5, 0}, {}}}};
+  TrialOf step(scene);
+  const TrialSolution solution = step.solve();
+  double work = 0;
+  for (const PrescribedDof& held : step.blocks.prescribed_dofs())
+    work += solution.residual.force[held.unknown] * (held.axis == 0 ? 0.5 * 0.01 : 0);
+  EXPECT_GT(work, 0);
+  EXPECT_NEAR(energy_of_step(step).external, work, 1e-9 * work);
+}
