@@ -24,7 +24,7 @@ Points pentagon(double size = 1) {
   return size * outline;
 }
 
-std::vector<CorotationalShape> shapes(double size = 1) {
+std::vector<CorotationalShape> motion_shapes(double size = 1) {
   std::srand(1);  // of Eigen's random matrices: whatever tests ran before
   std::vector<CorotationalShape> all;
   all.push_back(polygon_shape(rock(), pentagon(size), polyfem::suitable_basis(pentagon(size)),
@@ -46,7 +46,7 @@ Points some_nodes(const MotionShape& shape) {
 }  // namespace
 
 TEST(MotionShape, HasTheMassOfTheOutlineAboutItsCentre) {
-  for (const CorotationalShape& shape : shapes()) {
+  for (const CorotationalShape& shape : motion_shapes()) {
     const MotionShape& motions = shape.motions();
     const polyfem::AreaMoments moments = polyfem::area_moments(pentagon());
     EXPECT_NEAR(motions.mass, rock().density * moments.area, 1e-9 * motions.mass);
@@ -56,7 +56,7 @@ TEST(MotionShape, HasTheMassOfTheOutlineAboutItsCentre) {
 }
 
 TEST(MotionShape, DeformationsCarryNoMomentaAndNodesReadBack) {
-  for (const CorotationalShape& shape : shapes()) {
+  for (const CorotationalShape& shape : motion_shapes()) {
     const MotionShape& motions = shape.motions();
     const Points y = some_nodes(motions);
     const VectorXd s = motions.coordinates_of(y);
@@ -77,7 +77,7 @@ TEST(MotionShape, DeformationsCarryNoMomentaAndNodesReadBack) {
 }
 
 TEST(MotionShape, VelocitiesAreTheRatesOfDisplacements) {
-  for (const CorotationalShape& shape : shapes()) {
+  for (const CorotationalShape& shape : motion_shapes()) {
     const MotionShape& motions = shape.motions();
     const VectorXd s = motions.coordinates_of(some_nodes(motions));
     const VectorXd rates = support::velocities_of(motions, s, Points::Random(2, motions.n_nodes()));
@@ -91,7 +91,7 @@ TEST(MotionShape, VelocitiesAreTheRatesOfDisplacements) {
 }
 
 TEST(MotionShape, TwoDisplacementsAreOneAfterTheOther) {
-  for (const CorotationalShape& shape : shapes()) {
+  for (const CorotationalShape& shape : motion_shapes()) {
     const MotionShape& motions = shape.motions();
     const VectorXd start = motions.coordinates_of(some_nodes(motions)),
                    by = 0.3 * VectorXd::Random(motions.n_coordinates()),
@@ -105,7 +105,7 @@ TEST(MotionShape, TwoDisplacementsAreOneAfterTheOther) {
 
 TEST(MotionShape, AShapeAtRestHasNoDeformationAtAllWhateverItsSize) {
   for (double size : {1e-3, 1., 1e3})
-    for (const CorotationalShape& shape : shapes(size)) {
+    for (const CorotationalShape& shape : motion_shapes(size)) {
       const MotionShape& motions = shape.motions();
       const Points y =
           turned_by(0.4) * motions.nodes + size * Vec2(0.5, -1) * motions.translation.transpose();

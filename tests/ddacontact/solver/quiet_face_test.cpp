@@ -30,9 +30,9 @@ struct Dashpots {
     return v;
   }
   /// The force on the block.
-  Vec2 force(const StepRule& rule, double dt, const VectorXd& before, const VectorXd& d) const {
+  Vec2 force(const StepRule& rule, double time_step, const VectorXd& before, const VectorXd& d) const {
     StepQuietFace quiet(blocks(), face);
-    quiet.begin(blocks(), built.stepper->state(), {rule, dt, before, VectorXd()});
+    quiet.begin(blocks(), built.stepper->state(), {rule, time_step, before, VectorXd()});
     VectorXd F = VectorXd::Zero(d.size());
     quiet.add_forces(d, F);
     const Block& of = blocks().block(1);
@@ -51,14 +51,14 @@ StepRule by_scheme(Scheme scheme) {
 /// Density times the speed of pressure waves across the face and of shear waves along it, by its length.
 TEST(QuietFace, DashpotsHaveTheImpedanceOfTheRock) {
   const double E = 1e8, nu = 0.25, M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), G = E / (2 * (1 + nu)),
-               across = 3 * std::sqrt(2000 * M), along = 3 * std::sqrt(2000 * G), dt = 0.01;
+               across = 3 * std::sqrt(2000 * M), along = 3 * std::sqrt(2000 * G), time_step = 0.01;
   for (const BlockModel model : {BlockModel::wachspress, BlockModel::affine})
     for (const double angle : {0., 0.6}) {
       const Dashpots of(angle, model);
       const Eigen::Rotation2Dd R(angle);
       const Vec2 v = R * Vec2(2, -5);
-      const Vec2 force =
-          of.force(by_scheme(Scheme::newmark), dt, of.all({7, 7, 0}), dt * of.all({v.x(), v.y(), 0}));
+      const Vec2 force = of.force(by_scheme(Scheme::newmark), time_step, of.all({7, 7, 0}),
+                                  time_step * of.all({v.x(), v.y(), 0}));
       EXPECT_LE((force - R * Vec2(-2 * across, 5 * along)).norm(), 1e-9 * across);
     }
 }
@@ -66,13 +66,14 @@ TEST(QuietFace, DashpotsHaveTheImpedanceOfTheRock) {
 /// With half steps half of the velocity is that before; a static step has none.
 TEST(QuietFace, TakesTheVelocityAtWhichItsForcesAct) {
   const Dashpots of(0);
-  const double dt = 0.02;
-  const VectorXd before = of.all({3, 0, 0}), d = dt * of.all({1, 0, 0});
-  const Vec2 whole = of.force(by_scheme(Scheme::newmark), dt, before, d);
-  EXPECT_LE((of.force(by_scheme(Scheme::decaying), dt, before, d) - 2 * whole).norm(), 1e-9 * whole.norm());
+  const double time_step = 0.02;
+  const VectorXd before = of.all({3, 0, 0}), d = time_step * of.all({1, 0, 0});
+  const Vec2 whole = of.force(by_scheme(Scheme::newmark), time_step, before, d);
+  EXPECT_LE((of.force(by_scheme(Scheme::decaying), time_step, before, d) - 2 * whole).norm(),
+            1e-9 * whole.norm());
   StepRule at_rest = by_scheme(Scheme::decaying);
   at_rest.starts_at_rest = true;
-  EXPECT_EQ(of.force(at_rest, dt, before, d).norm(), 0);
+  EXPECT_EQ(of.force(at_rest, time_step, before, d).norm(), 0);
 }
 
 TEST(QuietFace, TheTangentIsTheDerivativeOfTheForces) {

@@ -236,6 +236,7 @@ TEST(EnergyLedger, OfVerticesHeldBySpringsCloses) {
   }
   const double weight = 20e3, stored = weight * weight / (4 * scene.contact.normal_stiffness);
   EXPECT_NEAR(built.stepper->energy().now.elastic, stored, 0.01 * stored);
+}
 
 TEST(EnergyLedger, BalancesAgainstTheLargestEnergyExchangedSoFar) {
   EnergyLedger ledger;
