@@ -303,6 +303,10 @@ TEST_P(BlockModels, ATangentIsTheDerivativeOfTheForcesOfAStep) {
     one.block().forces(d, forces);
     const double stored = one.block().stored_energy(d + 1e-3 * h) - one.block().stored_energy(d - 1e-3 * h);
     EXPECT_NEAR(stored, 2e-3 * forces.elastic.dot(h), 1e-8 * forces.elastic.norm());
+    VectorXd F = VectorXd::Zero(v.size());
+    one.block().add_stress_forces(one.state, F);
+    EXPECT_LE((sum(VectorXd::Zero(n)) - one.block().mass() * one.part(-a - 4 / dt * v) + one.part(F)).norm(),
+              1e-9 * change.norm());
     // Inertia is mass times the acceleration at the end; the trapezoidal rule for the velocity.
     BlockState next = one.state;
     next.velocity = v;

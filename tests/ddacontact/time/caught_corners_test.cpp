@@ -57,4 +57,7 @@ TEST(CaughtCorners, BearOnOneBlockAndArePressedAgainstTheOther) {
   EXPECT_EQ(free.caught(), 2) << "it bore there at the start of the step";
   free.contacts.pop_back();
   EXPECT_EQ(free.caught(), -1);
+  AtASeam same(0.005);
+  same.contacts[0].pair = {2, 1, 1, 2};  // both sides of one block
+  EXPECT_EQ(same.caught(), -1);
 }

@@ -141,3 +141,19 @@ TEST(EnergyAccounts, HeldVerticesStoreInTheDirectionsThatAreHeld) {
   const ContactProperties properties{100, 40, JointTable(JointStrength{}), {0}};
   EXPECT_NEAR(elastic_energy(built.stepper->blocks(), state, {}, properties), 100 * 0.01 / 2, 1e-12);
 }
+
+/// A block set free hangs from vertices that moving springs hold; what is left is of second order in its
+/// strain.
+TEST(EnergyAccounts, TheLedgerOfHoldingSpringsCloses) {
+  Scene scene = rock_scene(0.01, 20);
+  scene.analysis.preset = Preset::paper;
+  scene.blocks = {block(rectangle(0, 0, 2, 1))};
+  scene.blocks[0].model = BlockModel::affine;
+  scene.contact.normal_stiffness = 1e8;
+  scene.supports = {{0, {2}, true, true, {TimeFunction::Kind::rate, {0.1, 0.1}, {}}},
+                    {0, {3}, true, true, {TimeFunction::Kind::rate, {0.1, 0.1}, {}}}};
+  const BuiltScene built = run(scene);
+  ASSERT_EQ(built.stepper->blocks().fixed_vertices.size(), 4u);
+  EXPECT_GT(std::abs(built.stepper->energy().now.external), 1);
+  EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-5);
+}
