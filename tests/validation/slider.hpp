@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mechanics_scenes.hpp>
+#include <report.hpp>
 
 #include <fmt/format.h>
 
@@ -57,6 +58,6 @@ struct Travel {
 Travel run_slider(const Slider& slider, Stepper& stepper);
 
 /// The part of the chapter on vibrations of soft sliders, against the eigenvalues of the equations.
-void vibration_by_friction(verification::Report& report);
+void vibration_by_friction(Report& report);
 
 }  // namespace validation

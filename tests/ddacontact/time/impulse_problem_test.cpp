@@ -43,10 +43,10 @@ TEST(ImpulseProblem, StopsABlockThatLandsFlat) {
   LandingBlock block(0);
   ASSERT_TRUE(block.problem.solve(block.rates({0, -3, 0}), 1e-12));
   const NormalAndShear impulses = block.problem.impulses();
-  ASSERT_EQ(impulses.normal.size(), 2);
-  EXPECT_NEAR(impulses.normal[0], 4000 * 3 / 2, 1e-6);
-  EXPECT_NEAR(impulses.normal[1], 4000 * 3 / 2, 1e-6);
-  EXPECT_EQ(impulses.shear.norm(), 0);
+  ASSERT_EQ(impulses.rows(), 2);
+  EXPECT_NEAR(impulses(0, 0), 4000 * 3 / 2, 1e-6);
+  EXPECT_NEAR(impulses(1, 0), 4000 * 3 / 2, 1e-6);
+  EXPECT_EQ(impulses.col(1).norm(), 0);
   EXPECT_LE(block.problem.largest_rate(), 1e-12);
   EXPECT_GT(block.problem.n_rounds(), 0);
   VectorXd after = block.of.v;
@@ -57,23 +57,23 @@ TEST(ImpulseProblem, StopsABlockThatLandsFlat) {
 TEST(ImpulseProblem, WhatSeparatesTakesNoImpulseUnlessItIsBound) {
   LandingBlock free(0), bound(0, ContactTerm::Normal::bilateral);
   ASSERT_TRUE(free.problem.solve(free.rates({0, 2, 0}), 1e-12));
-  EXPECT_EQ(free.problem.impulses().normal.norm(), 0);
+  EXPECT_EQ(free.problem.impulses().col(0).norm(), 0);
   EXPECT_EQ(free.problem.largest_rate(), 0);
   ASSERT_TRUE(bound.problem.solve(bound.rates({0, 2, 0}), 1e-12));
-  EXPECT_NEAR(bound.problem.impulses().normal.sum(), -4000 * 2, 1e-6);
+  EXPECT_NEAR(bound.problem.impulses().col(0).sum(), -4000 * 2, 1e-6);
 }
 
 /// Stopped by both contacts where they bear that, else by their bounds.
 TEST(ImpulseProblem, ShearStaysWithinItsBounds) {
   LandingBlock sticks(1e9), slides(1e9), bonded(std::numeric_limits<double>::infinity());
   ASSERT_TRUE(sticks.problem.solve(sticks.rates({1, -3, 0}), 1e-12));
-  EXPECT_NEAR(std::abs(sticks.problem.impulses().shear.sum()), 4000, 1e-6);
+  EXPECT_NEAR(std::abs(sticks.problem.impulses().col(1).sum()), 4000, 1e-6);
   slides.problem.set_bounds(Eigen::Vector2d(500, 500));
   ASSERT_TRUE(slides.problem.solve(slides.rates({1, -3, 0}), 1e-12));
-  EXPECT_NEAR(std::abs(slides.problem.impulses().shear.sum()), 1000, 1e-6);
+  EXPECT_NEAR(std::abs(slides.problem.impulses().col(1).sum()), 1000, 1e-6);
   bonded.problem.set_bounds(Eigen::Vector2d(500, 500));  // of bonds they stay infinite
   ASSERT_TRUE(bonded.problem.solve(bonded.rates({1, -3, 0}), 1e-12));
-  EXPECT_NEAR(std::abs(bonded.problem.impulses().shear.sum()), 4000, 1e-6);
+  EXPECT_NEAR(std::abs(bonded.problem.impulses().col(1).sum()), 4000, 1e-6);
   VectorXd after = sticks.of.v;
   sticks.motions.add_motion(sticks.problem.change(sticks.problem.impulses()), after);
   EXPECT_LE(after.norm(), 1e-9);

@@ -26,34 +26,6 @@ Energy energy_of_step(TrialOf& step) {
 
 }  // namespace
 
-TEST(MotionAccounts, SizeOfForcesIsThatOfTheResultantOrOfTheMomentOverTheSize) {
-  const BuiltScene built = build(flying_block({0, 0}));
-  const Block& of = built.stepper->blocks().block(0);
-  const auto size = [&](const Vec2& on_one, const Vec2& on_other) {
-    VectorXd F = VectorXd::Zero(built.stepper->blocks().n_unknowns());
-    of.vertex_map(1).add_force(on_one, F);  // at (1, -1/2) from the centre
-    of.vertex_map(3).add_force(on_other, F);
-    return size_of_forces(of, F);
-  };
-  EXPECT_NEAR(size({3, 4}, {0, 0}), 5, 1e-12);
-  EXPECT_NEAR(size({0, 6}, {0, -6}), 12 / std::sqrt(2.), 1e-12) << "a couple";
-  EXPECT_NEAR(size({2, -1}, {-2, 1}), 0, 1e-12) << "along the diagonal";
-}
-
-/// In free fall mass times acceleration is the weight, the largest force too where reactions are smaller.
-TEST(MotionAccounts, ForcesOfABlockThatFallsAreItsWeight) {
-  TrialOf step(flying_block({1, 2}));
-  const TrialSolution solution = step.solve();
-  for (const double reaction : {0., 50e3}) {
-    Points reactions = Points::Zero(2, 4);
-    reactions(0, 3) = -reaction;
-    const std::vector<BlockForceSum> sums = sum_forces(step.trial.system(), solution.straight, reactions);
-    ASSERT_EQ(sums.size(), 1u);
-    EXPECT_NEAR(sums[0].resultant, 40e3, 1e-3);
-    EXPECT_NEAR(sums[0].largest, std::max(40e3, reaction), 1e-6);
-  }
-}
-
 TEST(MotionAccounts, WeightAndLoadsWorkOnTheStraightMotion) {
   TrialOf step(flying_block({1, 2}));
   step.blocks.body_loads = {{0, constant({700, 0})}};
