@@ -82,9 +82,9 @@ TEST(ImpulseProblem, ShearStaysWithinItsBounds) {
 /// Impulses work on rates as what they change works on motions.
 TEST(ImpulseProblem, ChangesAreTheTransposeOfRates) {
   const LandingBlock block(0);
-  const NormalAndShear impulses{Eigen::Vector2d(3, -1), Eigen::Vector2d(2, 5)};
+  NormalAndShear impulses(2, 2);
+  impulses << 3, 2, -1, 5;
   const Vec3 w(0.5, -2, 4);
   const NormalAndShear rates = block.problem.change_of_rates(w);
-  EXPECT_NEAR(block.problem.change(impulses).dot(w),
-              impulses.normal.dot(rates.normal) + impulses.shear.dot(rates.shear), 1e-12);
+  EXPECT_NEAR(block.problem.change(impulses).dot(w), impulses.cwiseProduct(rates).sum(), 1e-12);
 }
