@@ -128,21 +128,19 @@ StrengthTrial StrengthReduction::try_factor(double factor, const TrialLimits& li
   Scene scene = scene_;
   for (auto stage = scene.stages.begin() + n_settling_; stage != scene.stages.end(); ++stage)
     for (const int j : joints_) stage->joints[j] = reduced(stage->joints[j], factor);
-  bool releases = n_settling_ + 1 < static_cast<int>(scene.stages.size());
   const auto trial_of_scene = [&] {
     const BuiltScene built = build(scene);
     if (settled_) built.stepper->restore(*settled_);
     built.stepper->interrupt_when(given_up);
-    StrengthTrial trial = run_trial(*built.stepper, limits);
-    releases = releases && built.stepper->stage_end().stage <= n_settling_;
-    return trial;
+    return run_trial(*built.stepper, limits);
   };
   StrengthTrial trial = trial_of_scene();
-  if (trial.verdict == Verdict::stopped && releases && settled_ && !(given_up && given_up())) {
+  const bool releases = settled_ && n_settling_ + 1 < static_cast<int>(scene.stages.size());
+  if (trial.verdict == Verdict::stopped && releases && !(given_up && given_up())) {
     scene.stages.erase(scene.stages.begin() + n_settling_);
     const std::string why = trial.reason;
     trial = trial_of_scene();
-    trial.reason += " (let go by dynamic steps, for static ones stopped: " + why + ")";
+    trial.reason += " (let go by dynamic steps, for after static ones it stopped: " + why + ")";
   }
   trial.factor = factor;
   return trial;

@@ -51,7 +51,7 @@ struct PressedBlock {
 
 }  // namespace
 
-/// Ten to a thousand times as stiff as the vertex against the block behind it, whatever was asked for.
+/// Ten to a thousand times as stiff as the vertex against the block behind it, whatever was requested.
 TEST(AugmentedContacts, StiffnessesAreBoundedByThoseOfTheBlocks) {
   for (const double asked : {1., 1e20}) {
     PressedBlock block;

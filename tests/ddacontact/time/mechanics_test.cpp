@@ -128,7 +128,7 @@ TEST(SpinningCorotationalBlock, SlowsDownAsItsSchemeSays) {
 }
 
 /// A rigid motion about the vertex: the reaction does no work, whatever the step.
-TEST(HeldVertex, ABlockThatTurnsAboutItKeepsItsEnergyAndItsPeriod) {
+TEST(FixedVertex, ABlockThatTurnsAboutItKeepsItsEnergyAndItsPeriod) {
   for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value})
     for (const Scheme scheme : {Scheme::decaying, Scheme::central_difference, Scheme::midpoint})
       for (const double time_step : {0.02, 0.005}) {

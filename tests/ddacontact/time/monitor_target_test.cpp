@@ -5,7 +5,7 @@
 
 using namespace support;
 
-/// In flight without gravity, turning: its centre goes straight on, and points about it.
+/// In flight without gravity, turning: its centre moves on a line, and points about it.
 TEST(MonitorTarget, TellsWhereAPointIsWhereItWasAndHowFastItGoes) {
   Scene scene = rock_scene(0.01, 5);
   scene.analysis.kinematics = Kinematics::corotational;

@@ -26,14 +26,6 @@ Energy energy_of_step(TrialOf& step) {
 
 }  // namespace
 
-TEST(MotionAccounts, WeightAndLoadsWorkOnTheStraightMotion) {
-  TrialOf step(flying_block({1, 2}));
-  step.blocks.body_loads = {{0, constant({700, 0})}};
-  const Energy energy = energy_of_step(step);
-  EXPECT_NEAR(energy.gravity, 40e3 * (2 * 0.01 - 10 * 1e-4 / 2), 1e-6);
-  EXPECT_NEAR(energy.external, 1400 * (0.01 + 1400. / 4000 * 1e-4 / 2), 1e-6);
-}
-
 /// A load that grows within the step works with its value in the middle, which the scheme makes up for.
 TEST(MotionAccounts, AGrowingLoadWorksWithItsMean) {
   TrialOf still(flying_block({1, 0})), grows(flying_block({1, 0}));
