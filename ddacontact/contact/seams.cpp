@@ -16,19 +16,15 @@ struct OnEdge {
   Contact* contact;
 };
 
-bool is_rigid_coulomb(const Contact& contact) {
-  return !contact.law.compliant && !contact.law.friction_law && !contact.pair.corner;
-}
-
 }  // namespace
 
 void share_friction_at_seams(const BlockSystem& blocks, const BlockState& state,
                              const ContactProperties& properties, std::vector<Contact>& contacts) {
-  const std::vector<JointTable::Entry>& joints = properties.joints.entries();
-  if (std::ranges::all_of(joints, [](const auto& joint) { return !joint.between; })) return;
+  const auto is_general = [](const JointTable::Entry& joint) { return !joint.between; };
+  if (std::ranges::all_of(properties.joints.entries(), is_general)) return;
   std::vector<OnEdge> corners;
   for (Contact& contact : contacts) {
-    if (!is_rigid_coulomb(contact)) continue;
+    if (contact.law.compliant || contact.law.friction_law || contact.pair.corner) continue;
     const VertexEdgePositions& at = contact.motion.start;
     corners.push_back(
         {contact.pair.edge_block, contact.pair.edge, (at.k - at.j).normalized().dot(at.i - at.j), &contact});
@@ -45,9 +41,10 @@ void share_friction_at_seams(const BlockSystem& blocks, const BlockState& state,
   for (std::size_t k = 1; k < corners.size(); ++k) {
     const OnEdge &one = corners[k - 1], &other = corners[k];
     Contact &a = *one.contact, &b = *other.contact;
+    const double same_place = properties.lip * std::min(a.size, b.size);
     if (std::pair(one.edge_block, one.edge) != std::pair(other.edge_block, other.edge) ||
         a.pair.vertex_block == b.pair.vertex_block || a.law.friction == b.law.friction ||
-        other.along - one.along > properties.lip * std::min(a.size, b.size))
+        other.along - one.along > same_place || std::abs(a.gap - b.gap) > same_place)
       continue;
     const double of_a = length(a.pair), of_b = length(b.pair);
     if (of_a > 0 && of_b > 0)
