@@ -38,12 +38,11 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
     const double last = system.largest_motion(b, change), way = system.largest_motion(b, d) + last;
     bends[b] = last * way / system.size_of(b);
   }
-  for (const PrescribedDof& held : system.blocks().prescribed_dofs()) {
-    const int b = system.blocks().block_of_point(held.vertex);
-    if (system.blocks().is_movable(b) &&
-        bends[static_cast<std::size_t>(b)] > held_point_error * system.size_of(b))
+  const BlockSystem& blocks = system.blocks();
+  for (const PrescribedDof& held : blocks.prescribed_dofs())
+    if (const int b = blocks.block_of_point(held.vertex);
+        blocks.is_movable(b) && bends[b] > held_point_error * system.size_of(b))
       return false;
-  }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const VertexEdge& pair = contacts.contacts()[c].pair;
     const double bend = bends[pair.vertex_block] + bends[pair.edge_block];

@@ -17,24 +17,30 @@ constexpr int fewest_settling_steps = 1000;
 constexpr int release_steps = 100;
 
 double release_time_step(const Scene& scene) {
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = inf;
   for (const BlockDescription& block : scene.blocks)
     smallest = std::min(smallest, std::sqrt(std::abs(polyfem::signed_area(block.vertices))));
   const double g = scene.analysis.gravity.norm();
   return g > 0 ? std::sqrt(2 * TrialLimits{}.slip * smallest / (release_steps * g)) : 0;
 }
 
+/// Static steps until all rests.
+StageDescription settling(StageDescription stage, std::string name, int steps) {
+  stage.name = std::move(name);
+  stage.analysis.mode = Mode::statics;
+  stage.analysis.steps = steps;
+  stage.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
+  return stage;
+}
+
 /// In two parts: settled while glued, then as it is.
 Scene with_settling(Scene scene) {
   if (scene.contact.method == ContactMethod::classic)
     throw Error("a scene of one part settles glued, which the method \"classic\" cannot (write [[stage]]s)");
-  StageDescription settling = scene.stage("settle"), own = scene.stage("");
-  settling.analysis.mode = Mode::statics;
-  settling.analysis.steps = std::max(scene.analysis.steps, fewest_settling_steps);
-  settling.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
-  for (Joint& joint : settling.joints) joint.glued = true;
-  if (!scene.stages.empty()) own = scene.stages.front();
-  scene.stages = {settling, own};
+  StageDescription glued =
+      settling(scene.stage(""), "settle", std::max(scene.analysis.steps, fewest_settling_steps));
+  for (Joint& joint : glued.joints) joint.glued = true;
+  scene.stages = {glued, scene.stages.empty() ? scene.stage("") : scene.stages.front()};
   return scene;
 }
 
@@ -51,13 +57,9 @@ bool lets_glue_go(const Scene& scene) {
 
 /// The beginning of the last stage as a static one.
 void insert_release(Scene& scene) {
-  StageDescription release = scene.stages.back();
-  release.name = "release";
-  release.analysis.mode = Mode::statics;
-  release.analysis.steps = release_steps;
+  StageDescription release = settling(scene.stages.back(), "release", release_steps);
   release.analysis.time_step = std::max(release.analysis.time_step, release_time_step(scene));
   release.reset_displacements = false;
-  release.until = RestCriterion{.kinetic = std::nullopt, .displacement = TrialLimits{}.rest_speed};
   scene.stages.insert(std::prev(scene.stages.end()), std::move(release));
 }
 
