@@ -102,16 +102,6 @@ TEST_F(Verdict, UntilEndsAStageAndResumedRunsEndItWithTheSameStep) {
   }
 }
 
-TEST_F(Verdict, UntilOfTheLastStageEndsTheRun) {
-  std::string text = slope_scene("static", 30, settle_until);
-  write("slope.toml", text.substr(0, text.rfind("[[stage]]")));
-  ASSERT_EQ(dda("run slope.toml --quiet"), 0) << err_;
-  const long steps = summary("slope-out")["steps_completed"];
-  EXPECT_LT(steps, 400);
-  ASSERT_EQ(dda("run slope.toml --quiet -o again --resume slope-out/checkpoint.bin --steps 1000"), 0) << err_;
-  EXPECT_EQ(summary("again")["steps_completed"], steps) << "nothing is left to do";
-}
-
 TEST_F(Verdict, UntilThatNeverComesTrueIsWarnedOf) {
   std::string text = slope_scene("static", 30, settle_until);
   text.replace(text.find("friction_angle = 80"), 19, "friction_angle = 20");

@@ -2,7 +2,6 @@
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <ddacontact/output/run_verdict.hpp>
-#include <ddacontact/time/run_record.hpp>
 
 #include <algorithm>
 
@@ -147,27 +146,6 @@ TEST(Until, ARunThatEndsBeforeItsLoadsDoSaysSo) {
   load.force = ddacontact::history_function(TimeFunction::Kind::history, {{5, 0, 0}, {6, 1e3, 0}});
   scene.loads = {load};
   EXPECT_TRUE(warned());
-}
-
-/// Where the stage stands is part of what a run carries on, also at its very end.
-TEST(Until, ResumedRunsEndStagesWithTheSameStep) {
-  for (const Mode mode : {Mode::dynamic, Mode::statics}) {
-    const Scene scene = drop_scene(mode, mode == Mode::statics ? 0 : 0.01, 1000, at_rest);
-    const BuiltScene whole = build(scene);
-    std::vector<std::string> records;
-    do {
-      records.push_back(to_bytes(whole.stepper->run_record()));
-      run(*whole.stepper, 1);
-    } while (whole.stepper->stage() == 0);
-    const std::string end = to_bytes(whole.stepper->run_record());
-    for (std::size_t at : {records.size() - 1, records.size() - 2, records.size() / 2, std::size_t(1)}) {
-      const BuiltScene resumed = build(scene);
-      resumed.stepper->restore(run_record_from(records[at]));
-      EXPECT_TRUE(to_bytes(resumed.stepper->run_record()) == records[at]);
-      run(*resumed.stepper, static_cast<int>(records.size() - at));
-      EXPECT_TRUE(to_bytes(resumed.stepper->run_record()) == end) << "from step " << at;
-    }
-  }
 }
 
 TEST(StaticVerdict, OutOfBalanceIsTold) {

@@ -39,12 +39,3 @@ TEST_P(RandomMasonryTest, BlocksDoNotOverlapAndDifferFromSeedToSeed) {
   }
   EXPECT_GE(sizes.size(), 4u);
 }
-
-TEST_P(RandomMasonryTest, IsTheSameForTheSameSeed) {
-  const auto seed = static_cast<std::uint64_t>(n_masonry_kinds * 3 + GetParam());
-  const auto one = random_masonry(seed).scene, same = random_masonry(seed).scene;
-  ASSERT_EQ(one.blocks.size(), same.blocks.size());
-  for (std::size_t b = 0; b < one.blocks.size(); ++b)
-    EXPECT_EQ(one.blocks[b].vertices, same.blocks[b].vertices);
-  EXPECT_EQ(one.loads[0].force.value, same.loads[0].force.value);
-}

@@ -6,8 +6,6 @@
 #include "overlap_area.hpp"
 #include "rigid_rock.hpp"
 
-#include <ddacontact/scene/reader.hpp>
-#include <ddacontact/scene/writer.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <gtest/gtest.h>
@@ -15,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 using namespace support;
 using ddacontact::BlockDescription;
@@ -37,14 +34,6 @@ TEST(RandomSlopes, HaveAsManyBlocksAsAsked) {
   }
   EXPECT_GE(n_free(random_slope(1, {190, 210})), 190);
   EXPECT_LE(n_free(random_slope(1, {190, 210})), 210);
-}
-
-TEST(RandomSlopes, AreTheSameForTheSameSeedAndOtherForOthers) {
-  const Scene one = random_slope(5), same = random_slope(5), other = random_slope(6);
-  ASSERT_EQ(one.blocks.size(), same.blocks.size());
-  for (std::size_t b = 0; b < one.blocks.size(); ++b)
-    EXPECT_EQ(one.blocks[b].vertices, same.blocks[b].vertices);
-  EXPECT_FALSE(one.blocks[0].vertices == other.blocks[0].vertices);
 }
 
 TEST(RandomSlopes, FreeBlocksAreNoSlivers) {
@@ -91,29 +80,6 @@ TEST(RandomSlopes, JointsAreClosedAndBlocksDoNotOverlap) {
       }
     }
     EXPECT_NEAR(covered + surface, around, 1e-6 * around) << seed;
-  }
-}
-
-TEST(RandomSlopes, CanBeReadBackFromAFile) {
-  Scene scene = random_slope(3);
-  scene.analysis.steps = 1;
-  scene.analysis.time_step = 0.01;
-  std::ostringstream text;
-  ddacontact::write_scene(text, scene);
-  const ddacontact::SceneReading reading = ddacontact::read_scene_text(text.str(), "slope.toml");
-  for (const ddacontact::Problem& problem : reading.problems) ADD_FAILURE() << problem.text();
-  ASSERT_TRUE(reading.scene);
-  ASSERT_EQ(reading.scene->blocks.size(), scene.blocks.size());
-  for (std::size_t b = 0; b < scene.blocks.size(); ++b)
-    EXPECT_EQ(reading.scene->blocks[b].vertices, scene.blocks[b].vertices);
-}
-
-TEST(RandomSlabs, MoveBelowTheirDipAndRestAboveIt) {
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Slab slab = random_slab(seed);
-    const RigidBlocks blocks = rigid_blocks(slab.scene);
-    EXPECT_FALSE(can_be_held(blocks, 0.999 * std::tan(slab.dip))) << seed;
-    EXPECT_TRUE(can_be_held(blocks, 1.001 * std::tan(slab.dip))) << seed;
   }
 }
 
