@@ -122,21 +122,6 @@ TEST(NarrowPhase, PairsBeyondReachDoNotMeet) {
   }
 }
 
-/// What is not in touch must not be found in touch: a vertex on its edge with a negative gap closes at once.
-TEST(NarrowPhase, SeparatedPolygonsHaveNoPenetratedContact) {
-  std::mt19937 random(6);
-  for (int trial = 0; trial < 5000; ++trial) {
-    const double search_margin = std::pow(10, uniform(-2, -0.3, random));
-    const double separation = search_margin * std::pow(10, uniform(-4, 0, random));
-    const PolygonPair pair = random_pair(separation, random);
-    for (const VertexEdge& c : pair.contacts(search_margin)) {
-      if (pair.inset(c) < -coincidence) continue;
-      EXPECT_GE(pair.gap(c), 0) << "trial " << trial << ", reach " << search_margin << ", separation "
-                                << separation << ", inset " << pair.inset(c);
-    }
-  }
-}
-
 /// Every vertex that lies on an edge of the other polygon, well within it, and belongs to two touching
 /// polygons.
 TEST(NarrowPhase, EveryTouchingVertexIsFound) {
@@ -157,37 +142,6 @@ TEST(NarrowPhase, EveryTouchingVertexIsFound) {
     EXPECT_EQ(found, pair.contact_set(search_margin, {}, true)) << "trial " << trial;
   }
   EXPECT_GT(n_touching, 2500);
-}
-
-/// A shallow overlap is told by a contact that is as deep as the polygons overlap.
-TEST(NarrowPhase, AShallowOverlapIsFoundAtItsDepth) {
-  std::mt19937 random(8);
-  for (int trial = 0; trial < 3000; ++trial) {
-    const double depth = std::pow(10, uniform(-6, -2.5, random));
-    const PolygonPair pair = random_pair(-depth, random);
-    double deepest = 0;
-    for (const VertexEdge& c : pair.contacts(0.1)) deepest = std::min(deepest, pair.gap(c));
-    EXPECT_LE(deepest, -0.99 * depth) << "trial " << trial;
-  }
-}
-
-TEST(NarrowPhase, FoundContactsDoNotDependOnThePlaceOrNumberingOfTheFrame) {
-  std::mt19937 random(9);
-  for (int trial = 0; trial < 1000; ++trial) {
-    const double search_margin = uniform(0.02, 0.3, random);
-    const PolygonPair pair = random_pair(search_margin * uniform(-0.1, 0.9, random), random);
-    const auto found = pair.contact_set(search_margin);
-    EXPECT_EQ(found,
-              pair.moved(uniform(0, 7, random), Vec2(uniform(-9, 9, random), 3)).contact_set(search_margin));
-
-    const int n_a = static_cast<int>(pair.a.cols()), n_b = static_cast<int>(pair.b.cols());
-    std::set<VertexEdge> of_mirror;
-    for (const VertexEdge& c : pair.mirrored().contact_set(search_margin)) {
-      const int n_v = c.vertex_block == 0 ? n_a : n_b, n_e = c.edge_block == 0 ? n_a : n_b;
-      of_mirror.insert({c.vertex_block, n_v - 1 - c.vertex, c.edge_block, (2 * n_e - 2 - c.edge) % n_e});
-    }
-    EXPECT_EQ(found, of_mirror) << "trial " << trial;
-  }
 }
 
 /// A resting contact stays where it was while corners jitter about each other by less than the coincidence.

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <numbers>
 #include <sstream>
 
 namespace {
@@ -104,29 +103,6 @@ TEST(Domain, ContactsFollowTheJointOfTheirEdge) {
   EXPECT_EQ(properties.joint_of({.vertex_block = 9, .vertex = 0, .edge_block = 5, .edge = 2}), 1);
   EXPECT_EQ(properties.joint_of({.vertex_block = 6, .vertex = 0, .edge_block = 5, .edge = 1}), 0);
   EXPECT_LT(properties.strength({.vertex_block = 9, .vertex = 0, .edge_block = 5, .edge = 2}).friction, 0.2);
-}
-
-TEST(Domain, ABlockSlidesByTheLawOfTheJointBelowIt) {
-  const Scene slope = scene(R"([[domain.trace]]
-joint = "bedding"
-points = [[0, 1], [4, 3.309401076758503]]
-[[domain.region]]
-name = "base"
-polygon = [[0, 0], [4, 0], [4, 3]]
-fixed = true
-[[monitor]]
-name = "slider"
-block = "d0"
-at = "centroid"
-)");
-  ASSERT_EQ(slope.blocks.size(), 2u);
-  ASSERT_FALSE(slope.blocks[0].fixed);
-  const BuiltScene built = build(slope);
-  for (int step = 0; step < 2; ++step) ASSERT_TRUE(built.stepper->step());
-  const double degree = std::numbers::pi / 180,
-               acceleration = 9.8 * (std::sin(30 * degree) - std::cos(30 * degree) * std::tan(10 * degree));
-  EXPECT_NEAR(observe(built.monitor_targets[0], *built.stepper).velocity.norm(), 0.02 * acceleration,
-              0.002 * acceleration);
 }
 
 TEST(Domain, IsWrittenBackAsItsBlocks) {

@@ -1,7 +1,5 @@
 #include <tests/ddacontact/simple_scenes.hpp>
 
-#include <ddacontact/time/run_record.hpp>
-
 using namespace support;
 
 namespace {
@@ -70,14 +68,4 @@ TEST(IslandsApart, TakeWhatTheOneTakesThatNeedsMost) {
     most = std::max(most, one.stepper->counts().open_close_iterations);
   }
   EXPECT_EQ(all.stepper->counts().open_close_iterations, most);
-}
-
-TEST(IslandsApart, AResumedRunIsTheSameToTheBit) {
-  const Scene scene = falling_stacks(3);
-  BuiltScene whole = build(scene), resumed = build(scene);
-  run(*whole.stepper, 15);
-  resumed.stepper->restore(run_record_from(to_bytes(whole.stepper->run_record())));
-  run(*whole.stepper, 15);
-  run(*resumed.stepper, 15);
-  EXPECT_TRUE(to_bytes(whole.stepper->run_record()) == to_bytes(resumed.stepper->run_record()));
 }

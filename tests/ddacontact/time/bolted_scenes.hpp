@@ -73,20 +73,4 @@ inline void expect_closed(const Stepper& stepper, double tolerance = 1e-6) {
   EXPECT_LE(std::abs(stepper.energy().balance_error()), tolerance);
 }
 
-/// 100 kN on a plane of 45 degrees, with a friction angle of 30, under a soft anchored bolt along its normal.
-inline Scene bolted_slope(double pretension) {
-  Scene scene = hanging_block(0.1, 20);
-  scene.analysis.mode = Mode::statics;
-  scene.materials[0] = {"rock", 2500, 1e11, 0.2};
-  scene.joints[0].friction_angle = 30;
-  const double a = radians(45);
-  scene.blocks = {block(turned(rectangle(-5, -4, 15, 4), a), true), block(turned(rectangle(0, 0, 2, 2), a))};
-  const Vec2 along(std::cos(a), std::sin(a)), normal(-std::sin(a), std::cos(a));
-  RockBolt bolt = steel_bolt(along - 3 * normal, along + normal);
-  bolt.young = 1e9;
-  bolt.pretension = pretension;
-  scene.bolts = {bolt};
-  return scene;
-}
-
 }  // namespace support

@@ -190,36 +190,6 @@ TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
   }
 }
 
-/// A block that only slows down gains nothing: what damping by mass takes is what its velocity loses.
-TEST(EnergyLedger, DampingByMassTakesWhatAFlightLoses) {
-  Scene scene = rock_at(0.02, 50);
-  scene.analysis.gravity.setZero();
-  scene.analysis.damping = {2, 0};
-  scene.blocks = {block(rectangle(0, 0, 1, 1))};
-  scene.blocks[0].velocity = {4, 0};
-  scene.blocks[0].angular_velocity = 1;
-  const BuiltScene built = run(scene);
-  const Energy& now = built.stepper->energy().now;
-  const double start = 2000 * (16 + 1. / 6) / 2;
-  EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-9);
-  EXPECT_NEAR(now.damping_dissipated, start - now.kinetic, 2e-3 * start);
-  EXPECT_NEAR(now.kinetic, start * std::exp(-4), 0.1 * start * std::exp(-4));
-}
-
-/// What blocks overlap by at the start is their rest: springs of contacts store what they are pressed beyond.
-TEST(EnergyLedger, AnOverlapOfTheStartStoresNothing) {
-  for (const Scheme scheme : {Scheme::backward_euler, Scheme::midpoint}) {
-    Scene scene = rock_at(0.002, 50);
-    scene.analysis.scheme = scheme;
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 0;
-    scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, -1e-3, 1, 1))};
-    const BuiltScene built = run(scene);
-    EXPECT_LE(travel(*built.stepper, 1).norm(), 1e-5);
-    EXPECT_LE(std::abs(built.stepper->energy().balance_error()), 1e-6);
-  }
-}
-
 /// A block of six unknowns hangs at two corners by springs, which a support lifts for a while.
 TEST(EnergyLedger, OfVerticesHeldBySpringsCloses) {
   Scene scene = paper_mechanics(rock_at(0.01, 400));

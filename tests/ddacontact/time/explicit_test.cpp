@@ -23,23 +23,6 @@ Scene explicit_scene(double time_step, int steps) {
   return scene;
 }
 
-/// A block whose lower side is held, when gravity finds it: the largest part of the elastic energy that the
-/// scheme has given or taken at any time.
-double largest_loss(double time_step) {
-  Scene scene = explicit_scene(time_step, static_cast<int>(0.02 / time_step));
-  scene.blocks = {block(rectangle(0, 0, 1, 1))};
-  scene.supports = {{0, {0, 1}, true, true, constant(Vec2::Zero())}};
-  const BuiltScene built = build(scene);
-  double loss = 0, elastic = 0;
-  for (int k = 0; k < scene.analysis.steps; ++k) {
-    run(*built.stepper, 1);
-    loss = std::max(loss, std::abs(built.stepper->energy().now.numerical_dissipated));
-    elastic = std::max(elastic, built.stepper->energy().now.elastic);
-    EXPECT_LE(built.stepper->energy().balance_error(), 1e-10);
-  }
-  return loss / elastic;
-}
-
 /// Kinetic and elastic energy of a wall of 60 bricks of 10 GPa, every .1 ms for 10 ms of sudden gravity.
 std::vector<double> energies_of_wall(Scheme scheme, double time_step) {
   Scene scene = explicit_scene(time_step, static_cast<int>(std::lround(1e-2 / time_step)));
@@ -69,12 +52,6 @@ double difference(const std::vector<double>& energies, const std::vector<double>
 }
 
 }  // namespace
-
-TEST(Explicit, VibrationsKeepTheirEnergyToSecondOrder) {
-  const double coarse = largest_loss(1e-4), fine = largest_loss(0.5e-4);
-  EXPECT_LE(coarse, 1e-2);
-  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
-}
 
 /// Against steps ten times as short; the default damps what is shorter than a step.
 TEST(Explicit, AWallKeepsItsEnergy) {

@@ -1,8 +1,6 @@
 /// \file Joints that are glued while a stage lasts.
 #include "../simple_scenes.hpp"
 
-#include <ddacontact/time/run_record.hpp>
-
 #include <algorithm>
 #include <string>
 
@@ -269,42 +267,6 @@ TEST(Glue, OfOneJointLeavesOthers) {
   const double s = 9.8 * std::sin(radians(40)) * 0.2 * 0.2 / 2;
   EXPECT_NEAR(travel(*built.stepper, 1).norm(), s, 1e-3 * s);
   EXPECT_LE(furthest(*built.stepper, 2), 1e-5);
-}
-
-TEST(Glue, SleepersWakeWhenItEnds) {
-  Scene scene = glued_first(slope(), Mode::dynamic, 100, 20);
-  BuiltScene built = build(scene);
-  Stepper& stepper = *built.stepper;
-  run(stepper, 100);
-  EXPECT_TRUE(stepper.is_asleep(1));
-  const Vec2 held = centre(stepper, 1);
-  run(stepper, 20);
-  const double s = 9.8 * std::sin(radians(40)) * 0.2 * 0.2 / 2;
-  EXPECT_NEAR((centre(stepper, 1) - held).norm(), s, 1e-3 * s);
-}
-
-TEST(Glue, GoesOnFromARecordToTheBit) {
-  for (const bool classic : {false, true}) {
-    Scene scene = ceiling();
-    scene.blocks.push_back(block(rectangle(0, -2, 1, 1)));
-    scene.blocks.push_back(block(rectangle(-5, -3, 10, 1), true));
-    if (classic) scene = paper_mechanics(scene);
-    scene.stages = {stage_of(scene, true, Mode::statics, 4), stage_of(scene, true, Mode::dynamic, 6),
-                    stage_of(scene, false, Mode::dynamic, 12)};
-    BuiltScene whole = build(scene);
-    std::vector<std::string> records{to_bytes(whole.stepper->run_record())};
-    for (int k = 0; k < scene.n_steps(); ++k) {
-      run(*whole.stepper, 1);
-      records.push_back(to_bytes(whole.stepper->run_record()));
-    }
-    for (std::size_t k = 0; k < records.size(); ++k) {
-      BuiltScene warm_start = build(scene);
-      warm_start.stepper->restore(run_record_from(records[k]));
-      EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records[k]);
-      run(*warm_start.stepper, static_cast<int>(records.size() - 1 - k));
-      EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records.back()) << "from step " << k;
-    }
-  }
 }
 
 /// A region cut by three slanting joints into blocks some of whose held corners touch each other: these

@@ -1,10 +1,7 @@
 /// \file Blocks in motion and collision. What they do on slopes, in stacks and in flight is checked by the
 /// verification pages (doc/verification/slope.cpp, resting.cpp, toppling.cpp, tumbling.cpp), over more steps,
 /// angles and ratios.
-#include <ddacontact/block/corotational_shape.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
-
-#include <Eigen/LU>
 
 using namespace support;
 
@@ -28,12 +25,6 @@ Scene stiff_scene(double time_step, double end_time, Scheme scheme = Scheme::dec
   return scene;
 }
 
-Points pentagon() {
-  Points p(2, 5);
-  p << 0, 2, 2.5, 1, -0.3, 0, 0, 1.2, 2, 1;
-  return p;
-}
-
 RigidVelocity rigid(const Stepper& stepper, int b) {
   return rigid_velocity(stepper.blocks().block(b), stepper.state().velocity);
 }
@@ -49,83 +40,7 @@ double mechanical_energy(const Stepper& stepper) {
   return now.kinetic + now.elastic + now.gravity;
 }
 
-Scene spinning(BlockModel model, Scheme scheme, int turns, double young = 35e9) {
-  Scene scene = stiff_scene(0.01, turns, scheme);
-  scene.analysis.gravity.setZero();
-  scene.materials[0].young = young;
-  scene.blocks = {block(pentagon())};
-  scene.blocks[0].model = model;
-  scene.blocks[0].velocity = {3, 1};
-  scene.blocks[0].angular_velocity = one_turn;
-  return scene;
-}
-
-/// Of the area that turns steadily, K u = w^2 M (X + u), over that at rest, less 1.
-double centrifugal_stretch(const Block& block, BlockModel model, double w) {
-  const Points outline = block.reference().colwise() - polyfem::area_moments(block.reference()).centroid;
-  const CorotationalShape shape = model == BlockModel::affine
-                                      ? affine_shape(block.material(), outline)
-                                      : polygon_shape(block.material(), outline, polyfem::wachspress,
-                                                      choose_integration(outline, GradientCorrection::on));
-  const ShapeCell& cell = shape.cells.front();
-  MatrixXd A = cell.elastic.stiffness();
-  const Index m = shape.nodes.cols();
-  for (Index a = 0; a < m; ++a)
-    for (Index b = 0; b < m; ++b) A.block<2, 2>(2 * a, 2 * b) -= w * w * cell.mass(a, b) * Mat2::Identity();
-  const Points load = w * w * shape.nodes * cell.mass;
-  const VectorXd u = A.fullPivLu().solve(VectorXd(load.reshaped()));
-  Points stretched = shape.nodes + u.reshaped(2, m);
-  if (shape.points.size() > 0) stretched = (stretched * shape.points.transpose()).eval();
-  return polyfem::area_moments(stretched).area / polyfem::area_moments(outline).area - 1;
-}
-
-class Spinning : public testing::TestWithParam<std::tuple<BlockModel, Scheme>> {};
-
 }  // namespace
-
-TEST_P(Spinning, KeepsMomentaEnergyAndTheAreaOfItsCentrifugalStretch) {
-  const auto [model, scheme] = GetParam();
-  const BuiltScene built = build(spinning(model, scheme, 20));
-  Stepper& stepper = *built.stepper;
-  const Vec2 v0 = rigid(stepper, 0).linear;
-  const double L0 = spin_momentum(stepper, 0), E0 = mechanical_energy(stepper);
-  double area = 0;
-  for (int k = 0; k < 2000; ++k) {
-    run(stepper, 1);
-    ASSERT_LE((rigid(stepper, 0).linear - v0).norm(), 1e-12 * v0.norm()) << k;
-    ASSERT_NEAR(spin_momentum(stepper, 0), L0, 1e-9 * L0) << k;
-    ASSERT_LE(mechanical_energy(stepper), E0 * (1 + 1e-9)) << k;
-    const Block& of = stepper.blocks().block(0);
-    if (k >= 1000) area += (of.moments().area / of.reference_area() - 1) / 1000;
-  }
-  const double stretch = centrifugal_stretch(stepper.blocks().block(0), model, rigid(stepper, 0).angular);
-  EXPECT_GT(stretch, 5e-7);
-  EXPECT_NEAR(area, stretch, 1e-8);
-  EXPECT_NEAR(mechanical_energy(stepper), E0, scheme == Scheme::midpoint ? 1e-9 * E0 : 1e-6 * E0);
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, Spinning,
-                         testing::Combine(testing::Values(BlockModel::wachspress, BlockModel::affine),
-                                          testing::Values(Scheme::midpoint, Scheme::decaying)));
-
-/// Forces at the end of a step have no moment about the shape there: tan(theta) = w dt, and w' dt =
-/// sin(theta).
-TEST(SpinningCorotationalBlock, SlowsDownAsItsSchemeSays) {
-  const double w2 = std::pow(one_turn * 0.01, 2);
-  struct Law {
-    Scheme scheme;
-    double young, loss;  // of 1 / L^2 a step
-  };
-  for (const Law& law : {Law{Scheme::dda, 35e9, w2}, Law{Scheme::backward_euler, 35e9, 2 * w2},
-                         Law{Scheme::newmark, 1e8, 0}}) {
-    const BuiltScene built = build(spinning(BlockModel::wachspress, law.scheme, 2, law.young));
-    const double L0 = spin_momentum(*built.stepper, 0);
-    for (int n = 1; n <= 200; ++n) {
-      run(*built.stepper, 1);
-      ASSERT_NEAR(spin_momentum(*built.stepper, 0) / L0, 1 / std::sqrt(1 + n * law.loss), 0.01) << n;
-    }
-  }
-}
 
 /// A rigid motion about the vertex: the reaction does no work, whatever the step.
 TEST(FixedVertex, ABlockThatTurnsAboutItKeepsItsEnergyAndItsPeriod) {
@@ -150,23 +65,6 @@ TEST(FixedVertex, ABlockThatTurnsAboutItKeepsItsEnergyAndItsPeriod) {
         EXPECT_NEAR(std::atan2(x(1, 1) - x(1, 0), x(0, 1) - x(0, 0)), 0.2 * one_turn,
                     0.2 * one_turn * second_order);
       }
-}
-
-/// Friction alone takes a block along, with mu g.
-TEST(ShakenBase, ThatStartsAtOnceTakesABlockAlongByFriction) {
-  for (const double dt : {0.01, 0.005, 0.002}) {
-    Scene scene = stiff_scene(dt, 0.3);
-    scene.joints[0].friction_angle = 15;
-    scene.blocks = {block(rectangle(-3, -1, 8, 1)), block(rectangle(0, 0, 2, 1))};
-    Support base;
-    base.vertices = {0, 1, 2, 3};
-    base.displacement.kind = TimeFunction::Kind::history;
-    base.displacement.history = {{0, 0, 0}, {0.1, 0, 0}, {1, 0.9, 0}};
-    scene.supports = {base};
-    const BuiltScene built = run(scene);
-    const double mu_g = std::tan(radians(15)) * g;
-    EXPECT_NEAR(rigid(*built.stepper, 1).linear.x(), mu_g * 0.2, 2 * mu_g * dt) << dt;
-  }
 }
 
 TEST(ShakenBase, CarriesABlockWithTheForcesOfItsAcceleration) {
@@ -287,58 +185,6 @@ TEST(Impact, OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy) {
           }
           EXPECT_LT(momentum(stepper, 0).x(), 0.7 * x0);
         }
-}
-
-/// A bar of 20 blocks of 0.5 m, bonded or pressed together, held sideways by having no Poisson's ratio,
-/// pushed at one end.
-TEST(Wave, CrossesContactsAtItsSpeed) {
-  constexpr int n = 20;
-  constexpr double p = 1e7, h = 0.5, density = 2500, young = 35e9;
-  const double c = std::sqrt(young / density);
-  for (const bool bonded : {true, false}) {
-    Scene scene = stiff_scene(0.5 * h / c, 1);
-    scene.analysis.gravity = Vec2(0, 0);
-    scene.materials[0].poisson = 0;
-    scene.joints[0].cohesion = scene.joints[0].tensile_strength = bonded ? 1e9 : 0;
-    for (int b = 0; b < n; ++b) {
-      scene.blocks.push_back(block(rectangle(b * h, 0, h, h)));
-      if (!bonded) scene.blocks.back().stress = Vec3(-p, 0, 0);
-    }
-    scene.blocks.push_back(block(rectangle(n * h, 0, h, h), true));
-    scene.loads = {pressure_load(0, 3, bonded ? p : 2 * p)};
-    const BuiltScene built = build(scene);
-    const double wanted = p / (density * c);
-    double arrival = 0;  // of half the velocity, in the middle of the bar
-    while (arrival == 0 && built.stepper->state().time < n * h / c) {
-      const double before = rigid(*built.stepper, n / 2).linear.x(), time = built.stepper->state().time;
-      run(*built.stepper, 1);
-      const double after = rigid(*built.stepper, n / 2).linear.x();
-      if (after > wanted / 2)
-        arrival = time + (wanted / 2 - before) / (after - before) * (built.stepper->state().time - time);
-    }
-    EXPECT_NEAR(arrival * c / ((n / 2 + 0.5) * h), 1, 0.02) << (bonded ? "bonded" : "pressed");
-    // Behind the front all blocks have the velocity of the wave.
-    EXPECT_NEAR(rigid(*built.stepper, n / 4).linear.x(), wanted, 0.15 * wanted);
-  }
-}
-
-/// From the start, and from the step on in which gravity begins: velocities of Newmark's scheme are exact.
-TEST(Newmark, FallsFreelyFromTheFirstStepOn) {
-  Scene scene = stiff_scene(0.01, 0.5, Scheme::newmark);
-  scene.blocks = {block(rectangle(0, 0, 1, 1))};
-  scene.stages = {scene.stage("weightless"), scene.stage("falling")};
-  scene.stages[0].analysis.gravity = Vec2(0, 0);
-  scene.stages[0].analysis.steps = 5;
-  for (const bool staged : {false, true}) {
-    if (!staged) scene.stages.erase(scene.stages.begin());
-    const BuiltScene built = run(scene);
-    const double t = 0.5;
-    EXPECT_NEAR(rigid(*built.stepper, 0).linear.y(), -g * t, 1e-9 * g * t);
-    EXPECT_NEAR(travel(*built.stepper, 0).y(), -g * t * t / 2, 1e-9 * g);
-    scene.stages.insert(scene.stages.begin(), scene.stage("weightless"));
-    scene.stages[0].analysis.gravity = Vec2(0, 0);
-    scene.stages[0].analysis.steps = 5;
-  }
 }
 
 /// So are they from the step on in which a load comes in, whatever gamma.

@@ -241,34 +241,6 @@ TEST(Sleeping, WhatIsSlowIsNotAtRest) {
   EXPECT_GT(travel(*built.stepper, 1).norm(), 1e-5);
 }
 
-/// Sleepers, a block that flies past them and then hits some, records at all times between.
-TEST(Sleeping, AResumedRunIsTheSameToTheBit) {
-  Scene scene = stack_scene(2);
-  for (int k = 0; k < 4; ++k) scene.blocks.push_back(block(rectangle(3 + 1.5 * k, 0, 1, 1)));
-  scene.blocks.push_back(block(rectangle(-4, 2.2, 0.6, 0.6)));
-  scene.blocks.back().velocity = Vec2(6.5, 6);
-  BuiltScene whole = build(scene);
-  Stepper& stepper = *whole.stepper;
-  std::vector<std::string> records{to_bytes(stepper.run_record())};
-  int most = 0;
-  for (int k = 0; k < 160; ++k) {
-    run(stepper, 1);
-    most = std::max(most, n_asleep(stepper));
-    records.push_back(to_bytes(stepper.run_record()));
-  }
-  EXPECT_GE(most, 5);
-  EXPECT_GT(stepper.counts().rejected, 0) << "something was woken";
-  for (std::size_t from = 20; from < records.size(); from += 20) {
-    BuiltScene resumed = build(scene);
-    resumed.stepper->restore(run_record_from(records[from]));
-    ASSERT_TRUE(to_bytes(resumed.stepper->run_record()) == records[from]) << from;
-    for (std::size_t k = from + 1; k < records.size(); ++k) {
-      run(*resumed.stepper, 1);
-      ASSERT_TRUE(to_bytes(resumed.stepper->run_record()) == records[k]) << from << ' ' << k;
-    }
-  }
-}
-
 /// An interruption after a try that woke blocks leaves the record as it was.
 TEST(Sleeping, AnInterruptedRunIsTheSameToTheBit) {
   Scene scene = stack_scene(2);

@@ -74,25 +74,6 @@ TEST(Stages, ABlockThatIsTakenOutLeavesNothing) {
   EXPECT_LE(std::abs(stepper.energy().balance_error()), 1e-6);
 }
 
-TEST(Stages, JointsOfAStageLastAsLongAsIt) {
-  Scene scene = slope_scene(40, 0);
-  StageDescription glued = scene.stage("glued");
-  glued.joints[0].cohesion = 1e6;
-  glued.joints[0].tensile_strength = 1e6;
-  glued.analysis.steps = 20;
-  StageDescription free = scene.stage("free");
-  free.analysis.steps = 20;
-  scene.stages = {glued, free};
-  BuiltScene built = build(scene);
-  Stepper& stepper = *built.stepper;
-  run(stepper, 20);
-  const Vec2 held = stepper.blocks().block(1).centroid();
-  EXPECT_LE(stepper.blocks().displacements(stepper.state()).colwise().norm().maxCoeff(), 1e-5);
-  run(stepper, 20);
-  const double t = 0.2, s = 9.8 * std::sin(radians(40)) * t * t / 2;
-  EXPECT_NEAR((stepper.blocks().block(1).centroid() - held).norm(), s, 1e-3 * s);
-}
-
 TEST(Stages, AStaticStageTakesTheVelocitiesOut) {
   Scene scene = slope_scene(0, 30);
   scene.blocks[1].velocity = Vec2(3, 0);
@@ -127,27 +108,6 @@ TEST(Stages, EverySchemeSettlesInStaticSteps) {
     const Points after = built.stepper->blocks().displacements(built.stepper->state());
     EXPECT_LE((after - before).norm(), 1e-6 * before.norm()) << static_cast<int>(scheme);
   }
-}
-
-/// The push of a later stage: (50 kN - tan(30) W) / m from rest then.
-TEST(Stages, ALoadComesInWithItsStage) {
-  Scene scene = slope_scene(0, 30);
-  Load push;
-  push.block = 1;
-  push.at = Vec2(0, 0.5);
-  push.force.value = Vec2(50e3, 0);
-  scene.loads = {push};
-  scene.stages = {scene.stage("before"), scene.stage("pushed")};
-  scene.stages[0].analysis.steps = 20;
-  scene.stages[1].loads = {0};
-  scene.stages[1].analysis.steps = 100;
-  BuiltScene built = build(scene);
-  run(*built.stepper, 20);
-  EXPECT_LT(travel(*built.stepper, 1).norm(), 1e-5);
-  run(*built.stepper, 100);
-  const double acceleration = 50e3 / 5000 - 9.8 * std::tan(radians(30));
-  EXPECT_NEAR(travel(*built.stepper, 1).x(), acceleration / 2, 1e-3 * acceleration);
-  EXPECT_LT(std::abs(built.stepper->energy().balance_error()), 1e-6);
 }
 
 /// Bricks one upon the other, the upper two by later stages: what is below bears what has come.
