@@ -1,7 +1,7 @@
 #include <ddacontact/block/block_system.hpp>
 
 #include <ddacontact/block/corotational_motion.hpp>
-#include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/core/for_all.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -171,7 +171,7 @@ BlockState BlockSystem::initial_state() const {
 }
 
 void BlockSystem::prepare(const BlockState& state, bool first_time) {
-  for_blocks(n_blocks(), [&](int b) {
+  for_all(n_blocks(), [&](int b) {
     if (first_time || has_matrices(b)) blocks_[b]->prepare(state);
   });
 }
@@ -273,7 +273,7 @@ std::vector<const TimeFunction*> BlockSystem::time_functions() const {
 
 void BlockSystem::find_coordinates(BlockState& state) const {
   state.coordinates = VectorXd::Zero(n_coordinates_);
-  for_blocks(n_blocks(), [&](int b) {
+  for_all(n_blocks(), [&](int b) {
     if (unchanging_[b] || !block(b).shape()) return;
     const Range &c = block(b).coordinates(), &p = block(b).points();
     const CorotationalShape& shape = *block(b).shape();
@@ -325,13 +325,13 @@ Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) 
 }
 
 void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
-  for_blocks(n_blocks(), [&](int b) {
+  for_all(n_blocks(), [&](int b) {
     if (has_matrices(b)) blocks_[b]->begin_step(state, start);
   });
 }
 
 void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const {
-  for_blocks(n_blocks(), [&](int b) {
+  for_all(n_blocks(), [&](int b) {
     if (is_unchanging(b)) return;
     const Range& u = block(b).unknowns();
     blocks_[b]->end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), is_free(b), next);
@@ -340,7 +340,7 @@ void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockSta
 
 VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) const {
   VectorXd displaced = d;
-  for_blocks(n_blocks(), [&](int b) {
+  for_all(n_blocks(), [&](int b) {
     if (is_unchanging(b)) return;
     const Range& u = block(b).unknowns();
     block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));

@@ -3,7 +3,6 @@
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/kinematics.hpp>
-#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
@@ -348,12 +347,6 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
     }
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));
-}
-
-double ContactBuilder::memory() const {
-  return outlines_.memory() + nearby_.memory() +
-         bytes_of(properties_.materials, half_width_, size_, boxes_, margins_, pairs_, search_margin_,
-                  closure_, found_in_, choices_in_, first_found_, missed_);
 }
 
 }  // namespace ddacontact

@@ -68,9 +68,6 @@ class ContactBuilder {
   /// From now on contacts follow these joints, their bonds too.
   void set_joints(JointTable joints) { properties_.joints = std::move(joints); }
 
-  /// Bytes of the heap.
-  double memory() const;
-
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
 

@@ -1,6 +1,6 @@
-#include <ddacontact/block/for_blocks.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/contact/contacts_by_pair.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/missed_penetrations.hpp>
 
@@ -34,7 +34,7 @@ Points ContactBuilder::contact_outline(const BlockState& state, int block) const
 bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
                                  const std::vector<Contact>& contacts) {
   missed_.clear();
-  for_blocks(blocks_.n_blocks(), [&](int b) {
+  for_all(blocks_.n_blocks(), [&](int b) {
     const Range& v = blocks_.block(b).vertices();
     boxes_[b] = bounding_box(v.columns_of(end.position));
   });

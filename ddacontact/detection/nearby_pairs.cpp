@@ -1,7 +1,5 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 
-#include <ddacontact/core/bytes_of.hpp>
-
 #include <algorithm>
 #include <iterator>
 
@@ -23,10 +21,6 @@ void NearbyPairs::find(const std::vector<Box>& boxes, const std::vector<double>&
   pairs.clear();
   std::ranges::copy_if(candidates_, std::back_inserter(pairs),
                        [&](const Pair& pair) { return touch(boxes[pair[0]], boxes[pair[1]]); });
-}
-
-double NearbyPairs::memory() const {
-  return bytes_of(wide_, candidates_);
 }
 
 }  // namespace ddacontact

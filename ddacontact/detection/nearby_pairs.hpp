@@ -17,8 +17,6 @@ class NearbyPairs {
   void find(const std::vector<Box>& boxes, const std::vector<double>& margins, std::vector<Pair>& pairs);
   /// How often pairs were looked for.
   long n_searches() const { return n_searches_; }
-  /// Bytes of the heap.
-  double memory() const;
 
  private:
   std::vector<Box> wide_;  ///< that `candidates_` overlap in

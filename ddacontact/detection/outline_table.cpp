@@ -1,7 +1,5 @@
 #include <ddacontact/detection/outline_table.hpp>
 
-#include <ddacontact/core/bytes_of.hpp>
-
 namespace ddacontact {
 
 OutlineTable::OutlineTable(std::span<const int> n_vertices) {
@@ -27,10 +25,6 @@ void OutlineTable::set(int polygon, const PointsRef& vertices) {
   }
   boxes_[polygon] = {low, high};
   concave_[polygon] = concave;
-}
-
-double OutlineTable::memory() const {
-  return bytes_of(first_, sides_, boxes_, concave_);
 }
 
 }  // namespace ddacontact

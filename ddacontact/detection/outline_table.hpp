@@ -44,9 +44,6 @@ class OutlineTable {
             concave_[polygon] != 0};
   }
 
-  /// Bytes of the heap.
-  double memory() const;
-
  private:
   std::vector<int> first_{0};  ///< of each polygon, in sides_
   std::vector<Side> sides_;

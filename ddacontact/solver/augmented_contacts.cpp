@@ -1,6 +1,6 @@
 #include <ddacontact/solver/augmented_contacts.hpp>
 
-#include <ddacontact/contact/for_contacts.hpp>
+#include <ddacontact/core/for_all.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -42,7 +42,7 @@ AugmentedContacts::AugmentedContacts(const StepSystem& system, const ContactSolv
       forces_(contacts.size()) {}
 
 void AugmentedContacts::begin() {
-  for_contacts(size(), [&](std::size_t c) { begin(contacts_[c], multipliers_[c]); });
+  for_all(contacts_.size(), [&](std::size_t c) { begin(contacts_[c], multipliers_[c]); });
 }
 
 void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
@@ -106,7 +106,7 @@ void AugmentedContacts::take_first_forces() {
 
 void AugmentedContacts::evaluate(VectorXd& d) {
   const VectorXd displaced = system_.displacement(d);
-  for_contacts(size(),
+  for_all(contacts_.size(),
                [&](std::size_t c) { evaluate(contacts_[c], displaced, d, multipliers_[c], terms_[c]); });
 }
 
@@ -138,7 +138,7 @@ void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displac
 }
 
 void AugmentedContacts::find_springs(const VectorXd& d) {
-  for_contacts(size(), [&](std::size_t c) {
+  for_all(contacts_.size(), [&](std::size_t c) {
     springs_[c] = springs_at(terms_[c], d);
     law_states_[c] = state_at(terms_[c], contacts_[c].law, springs_[c]);
   });
@@ -229,7 +229,7 @@ void AugmentedContacts::settle([[maybe_unused]] double negligible) {
 }
 
 void AugmentedContacts::end(const VectorXd& d) {
-  for_contacts(size(), [&](std::size_t c) {
+  for_all(contacts_.size(), [&](std::size_t c) {
     contacts_[c].gap = gap_at(c, d);
     contacts_[c].gap_change = terms_[c].gap.change(d);
     contacts_[c].slip_change = terms_[c].slip.change(d);

@@ -1,6 +1,6 @@
 #include <ddacontact/solver/contact_solver.hpp>
 
-#include <ddacontact/contact/for_contacts.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/solver/anderson.hpp>
 #include <ddacontact/solver/augmented_contacts.hpp>
 #include <ddacontact/solver/interior_point.hpp>
@@ -99,7 +99,7 @@ class ContactSolver {
 
   /// The forces of the contacts in their states, how far they are off the law, and the residual.
   void evaluate_states() {
-    for_contacts(states_.size(), [&](std::size_t c) {
+    for_all(states_.size(), [&](std::size_t c) {
       const ContactForce force = contacts_.forces()[c] = contacts_.force_in(states_[c], c),
                          law = contacts_.law_force(c);
       off_[c] = contacts_.law_states()[c] == states_[c]

@@ -1,7 +1,7 @@
 #include <ddacontact/solver/step_system.hpp>
 
-#include <ddacontact/block/for_blocks.hpp>
-#include <ddacontact/core/bytes_of.hpp>
+#include <ddacontact/core/for_all.hpp>
+
 
 #include <algorithm>
 #include <cassert>
@@ -108,7 +108,7 @@ void StepSystem::find_own_forces(const VectorXd& d) const {
   own_at_ = d;
   own_forces_.resize(d.size());
   own_sums_.resize(active_.size());
-  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+  for_all(active_.size(), [&](int a) {
     thread_local BlockForces of_block;
     const Block& block = blocks_.block(active_[a]);
     const Range& u = block.unknowns();
@@ -142,7 +142,7 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   find_own_forces(d);
   residual.force = -residual.external;
   sums_.assign(blocks_.n_blocks(), {0, 0, inf, 0});
-  for_blocks(static_cast<int>(active_.size()), [&](int a) { sums_[active_[a]] = sum_up(a, residual.force); });
+  for_all(active_.size(), [&](int a) { sums_[active_[a]] = sum_up(a, residual.force); });
   measure(residual);
 }
 
@@ -246,7 +246,7 @@ VectorXd StepSystem::bolt_forces(const VectorXd& d) const {
 
 VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
-  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+  for_all(active_.size(), [&](int a) {
     const Block& block = blocks_.block(active_[a]);
     block.free_path(block.unknowns().of(d));
   });
@@ -263,7 +263,7 @@ VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
 
 void StepSystem::linearize(const VectorXd& d) {
   diagonal_ = VectorXd::Zero(blocks_.n_unknowns());
-  for_blocks(static_cast<int>(assembled_.size()), [&](int a) {
+  for_all(assembled_.size(), [&](int a) {
     const Block& block = blocks_.block(assembled_[a]);
     const Range& u = block.unknowns();
     block.tangent(u.of(d), problem_.elements().subspan(first_element_[a], block.n_parts()));
@@ -295,7 +295,7 @@ void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
   assert(whole_change.size() == d.size());
   const double furthest = largest_relative_move(whole_change);
   const VectorXd change = whole_change * (furthest > largest_move ? largest_move / furthest : 1);
-  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+  for_all(active_.size(), [&](int a) {
     const int b = active_[a];
     const Range& u = blocks_.block(b).unknowns();
     if (blocks_.is_free(b))
@@ -310,12 +310,6 @@ double StepSystem::largest_relative_move(const VectorXd& change) const {
   double largest = 0;
   for (int b : active_) largest = std::max(largest, largest_motion(b, change) / size_of(b));
   return largest;
-}
-
-double StepSystem::memory() const {
-  return problem_.memory() + bytes_of(active_, assembled_, first_element_, fixed_point_springs_, sums_,
-                                      unknown_lengths_, diagonal_, prescribed_, load_forces_, gravity_forces_,
-                                      magnitude_, stiffest_, own_at_, own_forces_, own_sums_);
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

@@ -105,9 +105,6 @@ class StepSystem {
   const VectorXd& load_forces() const { return load_forces_; }
   const VectorXd& gravity_forces() const { return gravity_forces_; }
 
-  /// Bytes of the heap, without the factor.
-  double memory() const;
-
  private:
   /// Of the forces on a block: what they leave over, their sum, and what round-off may leave.
   struct Sums {

@@ -1,12 +1,21 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
-#include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/solver/bolt_law.hpp>
 #include <ddacontact/time/joint_springs.hpp>
+
+#include <numeric>
 
 namespace ddacontact {
 
 namespace {
+
+/// In the order of the blocks.
+double sum_over_blocks(int n_blocks, const auto& value) {
+  VectorXd values(n_blocks);
+  for_all(n_blocks, [&](int b) { values[b] = value(b); });
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 /// What elastic forces took from the block's motion and do not store, with the work of inertia; and what its
 /// damping took.
@@ -97,7 +106,7 @@ void account_step(const StepSystem& system, const TrialSolution& solution, const
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     energy.external += solution.residual.force[held.unknown] * motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());
-  for_blocks(blocks.n_blocks(), [&](int b) {
+  for_all(blocks.n_blocks(), [&](int b) {
     if (!blocks.is_unchanging(b)) losses.col(b) = block_losses(blocks.block(b), d, motion);
   });
   for (const auto& of_block : losses.colwise()) {

@@ -17,15 +17,6 @@
 
 namespace ddacontact {
 
-/// Bytes of the heap between two steps, by what takes them; the blocks and what describes them are the rest.
-struct StepMemory {
-  double state = 0;      ///< of the blocks, with reactions
-  double contacts = 0;   ///< of the last substep, and what it handed to the next
-  double detection = 0;  ///< outlines, boxes, pairs
-  double equations = 0;  ///< matrices of the blocks, the pattern and vectors of (13); without its factor
-  double factor = 0;     ///< of (13), and what making it takes
-};
-
 /// Owns the blocks, their state and their contacts, and integrates them in time.
 class Stepper {
  public:
@@ -79,8 +70,8 @@ class Stepper {
   const Points& reactions() const { return run_.reactions; }
   const StepCounts& counts() const { return run_.counts; }
   const StepTimes& times() const { return trial_.times(); }
-  /// While no block sleeps.
-  StepMemory memory() const;
+  /// Bytes of the heap that the factor of (13) takes, while no block sleeps.
+  double factor_memory() const { return trial_.system().problem().cholesky().memory(); }
   /// Whether a block sleeps: see Sleeping.
   bool is_asleep(int b) const { return sleepers_.is_asleep(b); }
   /// The present stage, or the one whose steps have all been made.

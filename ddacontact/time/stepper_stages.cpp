@@ -1,5 +1,4 @@
 // Where a stepper begins and where it is among its stages, and going on from there.
-#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
@@ -258,16 +257,6 @@ void Stepper::restore(StepRecord record) {
   start_accounts();
   if (record.sleeping.island.empty()) return;
   sleepers_.restore(record.sleeping);
-}
-
-StepMemory Stepper::memory() const {
-  const BlockState& s = state_;
-  return {.state = bytes_of(s.bolts, s.origin, s.position, s.velocity, s.carried, s.stress, s.coordinates,
-                            s.rotation, run_.reactions),
-          .contacts = bytes_of(contacts_, trial_.contacts()),
-          .detection = trial_.builder().memory() + bytes_of(search_margin_),
-          .equations = trial_.system().memory(),
-          .factor = trial_.system().problem().cholesky().memory()};
 }
 
 RunRecord Stepper::run_record() const {

@@ -1,5 +1,5 @@
 // Where a trial leads the blocks.
-#include <ddacontact/block/for_blocks.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/support_velocity.hpp>
 #include <ddacontact/time/trial_step.hpp>
@@ -28,7 +28,7 @@ TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
   next.time += dt;
   blocks_.end_step(solution.straight, solution.residual.external, next);
   std::vector<char> is_concave(blocks_.n_blocks(), 0);
-  for_blocks(blocks_.n_blocks(), [&](int b) {
+  for_all(blocks_.n_blocks(), [&](int b) {
     if (blocks_.is_unchanging(b)) return;
     const Range& v = blocks_.block(b).vertices();
     const auto outline = next.position.middleCols(v.first, v.count);

@@ -175,12 +175,7 @@ Measurement measure(const Case& what, const Effort& effort) {
   }
   samples.write(row);
   row.heap_steps = heap() - heap_built;
-  const StepMemory memory = stepper.memory();
-  row.state_memory = 1e-6 * memory.state;
-  row.contact_memory = 1e-6 * memory.contacts;
-  row.detection_memory = 1e-6 * memory.detection;
-  row.equation_memory = 1e-6 * memory.equations;
-  row.factor_memory = 1e-6 * memory.factor;
+  row.factor_memory = 1e-6 * stepper.factor_memory();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   row.peak = static_cast<double>(usage.ru_maxrss) * 1024e-6;

@@ -40,9 +40,8 @@ struct Measurement {
   double largest_speed = 0;  ///< of an unknown at the end, m/s
 
   // Memory, MB: of the process at most; of its heap what building takes, and what steps add to that; and of
-  // both together what the parts of StepMemory take.
-  double peak = 0, heap_blocks = 0, heap_steps = 0;
-  double state_memory = 0, contact_memory = 0, detection_memory = 0, equation_memory = 0, factor_memory = 0;
+  // both together what the factor takes.
+  double peak = 0, heap_blocks = 0, heap_steps = 0, factor_memory = 0;
 
   // CHOLMOD alone on the matrix of the last step, s and MB: vertices ordered by AMD and by METIS.
   double amd_analysis = 0, amd_factorization = 0, amd_solution = 0, amd_factor = 0;

@@ -132,20 +132,11 @@ double kilobytes(const Measurement& m) {
 }
 
 Table memory_table(std::span<const Measurement> table) {
-  Table rows{{"kB a block", "blocks", "shapes, names", "state", "contacts", "detection", "equations", "all",
-              "factor", "largest while it ran, with the scene"}};
-  for (const Measurement& m : table) {
-    if (m.steps == 0) continue;
-    const double parts = m.state_memory + m.contact_memory + m.detection_memory + m.equation_memory;
-    std::vector<std::string> row{way_of(m), fmt::format("{}", m.blocks),
-                                 fmt::format("{:.2f}", kilobytes(m) - 1e3 * parts / m.blocks)};
-    for (const double part : {m.state_memory, m.contact_memory, m.detection_memory, m.equation_memory,
-                              1e-3 * kilobytes(m) * m.blocks})
-      row.push_back(fmt::format("{:.2f}", 1e3 * part / m.blocks));
-    row.push_back(number_text(1e3 * m.factor_memory / m.blocks));
-    row.push_back(fmt::format("{:.2f}", 1e3 * m.peak / m.blocks));
-    rows.push_back(row);
-  }
+  Table rows{{"kB a block", "blocks", "all", "factor", "largest while it ran, with the scene"}};
+  for (const Measurement& m : table)
+    if (m.steps > 0)
+      rows.push_back({way_of(m), fmt::format("{}", m.blocks), fmt::format("{:.2f}", kilobytes(m)),
+                      number_text(1e3 * m.factor_memory / m.blocks), fmt::format("{:.2f}", 1e3 * m.peak / m.blocks)});
   return rows;
 }
 

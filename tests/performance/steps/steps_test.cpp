@@ -77,19 +77,13 @@ TEST(Measurements, HavePhasesThatSumUpToTheStep) {
   EXPECT_EQ(m.limit(), 0);
 }
 
-TEST(Measurements, HavePartsOfTheMemoryThatIsTaken) {
+TEST(Measurements, HaveTheMemoryThatIsTaken) {
   // The solution of the step after the last is kept for it.
   for (const auto& [time_step, most] : {std::pair{1e-4, 6.1}, std::pair{1e-2, 8.0}}) {
     const Measurement m = measure({.scene = "wall", .size = 2000, .time_step = time_step},
                                   {.warm_steps = 0, .steps = 1, .cholmod = false});
-    double parts = 0;
-    for (const double part : {m.state_memory, m.contact_memory, m.detection_memory, m.equation_memory}) {
-      EXPECT_GT(part, 0);
-      parts += part;
-    }
     const double all = m.heap_blocks + m.heap_steps - m.factor_memory;
-    EXPECT_LT(parts, all);
-    EXPECT_GT(parts, 0.5 * all);
+    EXPECT_GT(m.heap_steps, 0);
     EXPECT_LT(1e3 * all / m.blocks, most) << "kB a block";
   }
 }
