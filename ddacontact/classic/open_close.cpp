@@ -2,6 +2,7 @@
 
 #include <ddacontact/classic/spring_law.hpp>
 #include <ddacontact/solver/anderson.hpp>
+#include <ddacontact/solver/contact_solver.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -136,11 +137,14 @@ std::vector<ContactTerm> terms_of(const std::vector<Contact>& contacts) {
   return terms;
 }
 
+/// Solutions of (13) in a trial step and in one pass, and what may be left of the residual's scale.
+constexpr int max_iterations = ContactSolverOptions{}.max_solutions, max_iterations_per_pass = 30;
+constexpr double residual_tolerance = ContactSolverOptions{}.residual_tolerance;
 /// Friction of a pass counts as found when the residual fell by this, and when it is below tolerance.
 constexpr double sufficient_decrease = 1e-3;
 
-OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
-                        const std::vector<ContactTerm>& terms, std::vector<Contact>& contacts, VectorXd& d) {
+OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& terms,
+                        std::vector<Contact>& contacts, VectorXd& d) {
   OpenCloseReport report;
   Residual& r = report.residual;
   for (Contact& contact : contacts) contact.was_closed = contact.closed();
@@ -155,7 +159,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
   Restraint restraint;
   VectorXd correction;
 
-  while (report.iterations < options.max_iterations) {
+  while (report.iterations < max_iterations) {
     if (!system.problem().factorize(terms, springs_in_states(contacts))) {
       report.status = SolutionStatus::not_positive_definite;
       return report;
@@ -164,7 +168,7 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
       return is_slipping(contact.history.state) && contact.law.has_friction();
     });
     const double before = r.largest;
-    const int last = std::min(options.max_iterations, report.iterations + options.max_iterations_per_pass);
+    const int last = std::min(max_iterations, report.iterations + max_iterations_per_pass);
     do {
       system.problem().solve(r.force, correction);
       acceleration.advance(-correction, system.unknown_lengths(), d);
@@ -174,11 +178,11 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
         report.status = SolutionStatus::not_finite;
         return report;
       }
-    } while (friction_to_find && !r.balanced(options.residual_tolerance) &&
+    } while (friction_to_find && !r.balanced(residual_tolerance) &&
              r.largest > sufficient_decrease * before && report.iterations < last);
 
     std::vector<Disagreement> disagreements = find_disagreements(d, contacts, terms);
-    if (disagreements.empty() && r.balanced(options.residual_tolerance)) {
+    if (disagreements.empty() && r.balanced(residual_tolerance)) {
       report.status = SolutionStatus::settled;
       return report;
     }
@@ -202,10 +206,9 @@ OpenCloseReport iterate(StepSystem& system, const OpenCloseOptions& options,
 
 }  // namespace
 
-OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
-                                   std::vector<Contact>& contacts, VectorXd& d) {
+OpenCloseReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d) {
   const std::vector<ContactTerm> terms = terms_of(contacts);
-  OpenCloseReport report = iterate(system, options, terms, contacts, d);
+  OpenCloseReport report = iterate(system, terms, contacts, d);
   const std::vector<ContactForce> forces = forces_in_states(contacts, terms, d);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     contacts[c].normal = forces[c].normal;

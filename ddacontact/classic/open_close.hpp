@@ -5,13 +5,6 @@
 
 namespace ddacontact {
 
-/// When the iteration ends.
-struct OpenCloseOptions {
-  int max_iterations = 600;  ///< solutions of (13) per try
-  int max_iterations_per_pass = 30;
-  double residual_tolerance = 1e-8;  ///< of the residual's scale
-};
-
 /// How the iteration ended.
 struct OpenCloseReport {
   SolutionStatus status = SolutionStatus::states_unsettled;
@@ -27,7 +20,6 @@ struct OpenCloseReport {
 /// For given states the size of friction (49) depends on the penetration, which (13) leaves out of K: the
 /// iteration d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Leaves the states in
 /// `contacts` and sets their `was_closed`.
-OpenCloseReport iterate_open_close(StepSystem& system, const OpenCloseOptions& options,
-                                   std::vector<Contact>& contacts, VectorXd& d);
+OpenCloseReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d);
 
 }  // namespace ddacontact

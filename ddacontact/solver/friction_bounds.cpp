@@ -7,8 +7,9 @@
 namespace ddacontact {
 
 BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, VectorXd& wanted)>& solve,
-                            const BoundsOptions& options, VectorXd& bounds) {
-  constexpr int anderson_depth = 5, patience = 8;
+                            VectorXd& bounds) {
+  constexpr double tolerance = 1e-9;
+  constexpr int max_solves = 100, anderson_depth = 5, patience = 8;
   constexpr double sufficient_decrease = 0.8, least_damping = 0.1;
   BoundsReport report;
   AndersonAcceleration acceleration(anderson_depth);
@@ -16,13 +17,13 @@ BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, Vec
   VectorXd wanted = bounds, next = bounds;
   bool accelerated = true;
   double damping = 0.5, least = inf;
-  for (int solves_without_gain = 0; report.solves < options.max_solves;) {
+  for (int solves_without_gain = 0; report.solves < max_solves;) {
     bounds = next;
     solve(bounds, wanted);
     ++report.solves;
     const VectorXd change = wanted - bounds;
     const double difference = change.size() ? change.cwiseAbs().maxCoeff() : 0;
-    report.settled = difference == 0 || difference <= options.tolerance * bounds.cwiseMax(wanted).maxCoeff();
+    report.settled = difference == 0 || difference <= tolerance * bounds.cwiseMax(wanted).maxCoeff();
     if (report.settled) return report;
 
     solves_without_gain = difference < sufficient_decrease * least ? 0 : solves_without_gain + 1;

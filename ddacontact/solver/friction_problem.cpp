@@ -1,6 +1,5 @@
 #include <ddacontact/solver/friction_problem.hpp>
 
-#include <ddacontact/core/bytes_of.hpp>
 #include <ddacontact/solver/small_product.hpp>
 
 #include <algorithm>
@@ -145,12 +144,6 @@ void FrictionProblem::solve_roughly(const VectorXd& residual, VectorXd& correcti
   solve_by(&polyfem::Cholesky::solve_roughly, residual, correction);
 }
 
-double FrictionProblem::memory() const {
-  return matrix_.memory() + bytes_of(equation_, elements_.first, elements_.rows, matrices_, factored_springs_,
-                                     active_, pieces_, trial_pieces_, rhs_, solution_, residual_, step_,
-                                     trial_, magnitudes_);
-}
-
 VectorXd FrictionProblem::free_part(const VectorXd& b) const {
   VectorXd part = b;
   for (std::size_t u = 0; u < equation_.size(); ++u)
@@ -158,11 +151,10 @@ VectorXd FrictionProblem::free_part(const VectorXd& b) const {
   return part;
 }
 
-void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
-                                       const VectorXd& g0, const VectorXd& d, VectorXd& residual) const {
+void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& g0,
+                                       const VectorXd& d, VectorXd& residual) const {
   residual = g0;
-  const VectorXd change = d - d0;
-  for_elements([&](int e, std::span<const int> u) { add_product(matrices_[e], u, change, residual); });
+  for_elements([&](int e, std::span<const int> u) { add_product(matrices_[e], u, d, residual); });
   for (const ContactTerm& contact : contacts) {
     const ContactForce force = contact_force(contact, d);
     if (force.normal != 0) contact.gap.add_gradient(-force.normal, residual);
@@ -170,24 +162,14 @@ void FrictionProblem::compute_residual(const std::vector<ContactTerm>& contacts,
   }
 }
 
-double FrictionProblem::largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const {
-  double largest = 0;
-  for (Index k = 0; k < r.size(); ++k)
-    if (equation_[k] >= 0) {
-      const double size = std::abs(r[k]) / unknown_lengths[k];
-      if (!(size <= largest)) largest = size;  // lets a NaN through
-    }
-  return largest;
-}
-
 /// Whether every entry of residual_ is no more than the round-off of its sum at d.
-bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
-                                   const VectorXd& g0, const VectorXd& d) {
+bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& g0,
+                                   const VectorXd& d) {
   magnitudes_ = g0.cwiseAbs();
   for_elements([&](int e, std::span<const int> u) {
     for (std::size_t l = 0; l < u.size(); ++l)
       for (std::size_t k = 0; k < u.size(); ++k)
-        magnitudes_[u[k]] += std::abs(matrices_[e](k, l)) * std::abs(d[u[l]] - d0[u[l]]);
+        magnitudes_[u[k]] += std::abs(matrices_[e](k, l) * d[u[l]]);
   });
   for (const ContactTerm& c : contacts) {
     if (c.normal == ContactTerm::Normal::absent) continue;
@@ -219,12 +201,13 @@ double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, co
   return line_search_.find_minimum(slope, std::inner_product(step_.begin(), step_.end(), force.begin(), 0.0));
 }
 
-MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contacts, const VectorXd& d0,
-                                         const VectorXd& g0, const MinimizeOptions& options, VectorXd& d) {
+MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contacts, const VectorXd& g0,
+                                         const MinimizeOptions& options, VectorXd& d) {
   MinimizeReport report;
   const auto measure = [&] {
-    compute_residual(contacts, d0, g0, d, residual_);
-    report.residual = largest_over_lengths(residual_, options.unknown_lengths);
+    compute_residual(contacts, g0, d, residual_);
+    const VectorXd left = free_part(residual_);
+    report.residual = left.allFinite() ? left.lpNorm<Eigen::Infinity>() : inf;
   };
   measure();
   find_pieces(contacts, d, pieces_);
@@ -237,7 +220,7 @@ MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contact
     // The minimum of the piece that d is in is exact but for round-off; solving again repairs what it can of
     // that.
     if (report.residual <= options.tolerance || (kept && report.residual > before / 2) ||
-        is_round_off(contacts, d0, g0, d)) {
+        is_round_off(contacts, g0, d)) {
       report.status = MinimizeStatus::converged;
       return report;
     }

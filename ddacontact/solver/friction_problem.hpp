@@ -12,8 +12,7 @@ namespace ddacontact {
 
 /// When FrictionProblem::minimize ends.
 struct MinimizeOptions {
-  VectorXd unknown_lengths;  ///< of every unknown, see Block::unknown_lengths
-  double tolerance = 0;      ///< of the residual over the lengths, N per m; round-off passes in any case
+  double tolerance = 0;      ///< of the gradient; round-off passes in any case
   int max_iterations = 100;  ///< solutions
 };
 
@@ -24,11 +23,11 @@ enum class MinimizeStatus { converged, iteration_limit, not_positive_definite, n
 struct MinimizeReport {
   MinimizeStatus status = MinimizeStatus::iteration_limit;
   int iterations = 0;   ///< solutions
-  double residual = 0;  ///< the largest of the free unknowns over their lengths at the end, N per m
+  double residual = 0;  ///< the largest entry of the gradient by free unknowns at the end
 };
 
 /// The potential
-///   g0 . (d - d0) + (d - d0) . A (d - d0) / 2 + sum of the contacts'
+///   g0 . d + d . A d / 2 + sum of the contacts'
 /// of unknowns d, some of them held: strictly convex when A is positive definite on the free ones, once
 /// differentiable and piecewise quadratic. A is a sum of dense matrices, each over some of the unknowns.
 class FrictionProblem {
@@ -71,26 +70,22 @@ class FrictionProblem {
   /// b with 0 at prescribed degrees of freedom.
   VectorXd free_part(const VectorXd& b) const;
 
-  /// Gradient of the potential at d, of prescribed degrees of freedom too. g0: the smooth part's at d0.
-  void compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
-                        const VectorXd& d, VectorXd& residual) const;
+  /// Gradient of the potential at d, of prescribed degrees of freedom too.
+  void compute_residual(const std::vector<ContactTerm>& contacts, const VectorXd& g0, const VectorXd& d,
+                        VectorXd& residual) const;
   /// Moves the free unknowns of d to where the potential is least: Newton's method, the minimum along each
   /// direction taken exactly, so that the potential falls in every iteration. Where A is positive definite it
   /// ends after finitely many iterations, up to round-off.
-  MinimizeReport minimize(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
+  MinimizeReport minimize(const std::vector<ContactTerm>& contacts, const VectorXd& g0,
                           const MinimizeOptions& options, VectorXd& d);
 
   const polyfem::Cholesky& cholesky() const { return cholesky_; }
-  /// Bytes of the heap, without the factor.
-  double memory() const;
 
  private:
   void set_pattern(const std::vector<ContactTerm>& contacts);
   void solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&), const VectorXd& b,
                 VectorXd& x);
-  double largest_over_lengths(const VectorXd& r, const VectorXd& unknown_lengths) const;
-  bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& d0, const VectorXd& g0,
-                    const VectorXd& d);
+  bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& g0, const VectorXd& d);
   double step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d);
 
   std::vector<int> equation_;

@@ -4,6 +4,8 @@
 #include <ddacontact/core/sort_once.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -35,24 +37,24 @@ std::vector<Members> find_islands(const BlockSystem& blocks, const std::vector<C
   const int n_blocks = blocks.n_blocks();
   DisjointSets islands(n_blocks);
   std::vector<char> meets(n_blocks, 0);
-  const auto moves = [&](int b) { return b >= 0 && !blocks.is_unchanging(b); };
-  for (const Contact& contact : contacts) {
-    const int a = contact.pair.vertex_block, b = contact.pair.edge_block;
-    meets[a] = meets[b] = 1;
-    if (moves(a) && moves(b)) islands.join(a, b);
-  }
-  std::vector<std::pair<const Bolt*, int>> bolts;  // with the first block of each that moves
-  for (const Bolt& bolt : blocks.bolts) {
-    if (!acts(bolt, blocks)) continue;
-    int first = -1;
-    for (const MaterialPoint& node : bolt.nodes) {
-      if (!moves(node.block)) continue;
-      meets[node.block] = 1;
-      if (first < 0) first = node.block;
-      islands.join(first, node.block);
+  const auto moves = [&](int b) { return !blocks.is_unchanging(b); };
+  // Calls visit(blocks, number of the contact) for what joins blocks; -1: it is a bolt.
+  const auto for_links = [&](const auto& visit) {
+    for (int c = 0; c < static_cast<int>(contacts.size()); ++c) visit(contacts[c].pair.blocks(), c);
+    for (const Bolt& bolt : blocks.bolts) {
+      std::vector<int> of_nodes;
+      for (const MaterialPoint& node : bolt.nodes)
+        if (node.block >= 0) of_nodes.push_back(node.block);
+      if (acts(bolt, blocks)) visit(of_nodes, -1);
     }
-    if (first >= 0) bolts.emplace_back(&bolt, first);
-  }
+  };
+  for_links([&](const auto& linked, int) {
+    const auto first = std::ranges::find_if(linked, moves);
+    for (int b : linked) {
+      meets[b] = 1;
+      if (moves(b)) islands.join(*first, b);
+    }
+  });
   std::vector<int> numbers(n_blocks + 1, -1);  // of islands by their roots; last of those that meet nothing
   std::vector<Members> members;
   const auto island_of = [&](int b) -> Members& {
@@ -65,16 +67,13 @@ std::vector<Members> find_islands(const BlockSystem& blocks, const std::vector<C
   };
   for (int b = 0; b < n_blocks; ++b)
     if (moves(b)) island_of(b).blocks.push_back(b);
-  for (int c = 0; c < static_cast<int>(contacts.size()); ++c) {
-    const int a = contacts[c].pair.vertex_block, b = contacts[c].pair.edge_block;
-    Members& island = island_of(moves(a) ? a : b);
-    island.contacts.push_back(c);
-    for (int end : {a, b})
-      if (!moves(end)) island.blocks.push_back(end);
-  }
-  for (const auto& [bolt, first] : bolts)
-    for (const MaterialPoint& node : bolt->nodes)
-      if (node.block >= 0 && !moves(node.block)) island_of(first).blocks.push_back(node.block);
+  for_links([&](const auto& linked, int contact) {
+    const auto first = std::ranges::find_if(linked, moves);
+    if (first == linked.end()) return;
+    Members& island = island_of(*first);
+    if (contact >= 0) island.contacts.push_back(contact);
+    std::ranges::copy_if(linked, std::back_inserter(island.blocks), std::not_fn(moves));
+  });
   return members;
 }
 

@@ -248,7 +248,7 @@ class Flight {
     JumpReport report;
     do {
       const auto [taking_part, least] = find_participants(then, times, first);
-      report = impact(blocks_, taking_part, before, {.least_approach = least / 2});
+      report = impact(blocks_, taking_part, before, least / 2);
     } while (add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
     result_.normal_loss += report.normal_loss;

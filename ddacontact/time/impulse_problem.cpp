@@ -106,15 +106,13 @@ double ImpulseProblem::largest_rate() const {
 }
 
 bool ImpulseProblem::solve(const NormalAndShear& rates, double tolerance) {
-  const VectorXd zero = VectorXd::Zero(n_);
-  const MinimizeOptions options{.unknown_lengths = VectorXd::Ones(n_),
-                                .tolerance = 0.1 * tolerance / steepest_};
+  const MinimizeOptions options{.tolerance = 0.1 * tolerance / steepest_};
   VectorXd w = change(impulses()), d;
   set_rates(rates, w);
   double least = inf;
   for (int rounds_without_gain = 0, round = 0; round < max_rounds; ++round) {
-    d = zero;
-    if (problem_.minimize(terms_, zero, w, options, d).status != MinimizeStatus::converged) return false;
+    d.setZero(n_);
+    if (problem_.minimize(terms_, w, options, d).status != MinimizeStatus::converged) return false;
     ++n_rounds_;
     for (ContactTerm& term : terms_) {
       const ContactForce impulse = contact_force(term, d);

@@ -158,7 +158,7 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
   };
   problem.forget_impulses();
   VectorXd bounds = of.bounds(given);
-  const BoundsReport agreement = iterate_bounds(solve, {}, bounds);
+  const BoundsReport agreement = iterate_bounds(solve, bounds);
   solves += agreement.solves;
   return vanish && agreement.settled;
 }
@@ -171,16 +171,17 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
 // lost. With several e, with shear, which gives nothing back, or with rates of deformation there is no such
 // theorem: what would make energy is taken in part.
 JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
-                  const ImpactOptions& options) {
+                  double least_approach) {
+  constexpr double vanishing = 1e-10;  // of the largest approach: rates that should vanish
   JumpReport report;
   report.jump = VectorXd::Zero(blocks.n_unknowns());
   report.impulses.resize(contacts.size());
-  const Participants of = find_participants(blocks, contacts, v, options.least_approach);
+  const Participants of = find_participants(blocks, contacts, v, least_approach);
   if (of.contacts.empty()) return report;
 
   Setting setting(blocks, of.blocks, of.terms, v);
   ImpulseProblem& problem = setting.problem;
-  const double tolerance = options.tolerance * of.approach;
+  const double tolerance = vanishing * of.approach;
   const NormalAndShear none = NormalAndShear::Zero(of.contacts.size(), 2);
   report.settled =
       solve_with_friction(setting.rates, of, none.col(of_gap), tolerance, problem, report.solves);

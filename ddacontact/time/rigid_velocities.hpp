@@ -24,12 +24,6 @@ struct ContactImpulse {
   double normal = 0, shear = 0;
 };
 
-/// What starts an impact, and how well it is solved.
-struct ImpactOptions {
-  double least_approach = 0;  ///< m/s: only islands with a contact that approaches faster take part
-  double tolerance = 1e-10;   ///< of the largest approach: rates that should vanish
-};
-
 /// A jump of velocities.
 struct JumpReport {
   bool settled = true;  ///< rates that should vanish do, and friction agrees with the normal impulses
@@ -52,7 +46,8 @@ struct JumpReport {
 /// of the forms, of all unknowns; the jump is a rigid motion of each block that its prescribed degrees of
 /// freedom allow, on the shapes last prepared. Momentum is that of the impulses, equal and opposite. The
 /// kinetic energy never rises.
+/// \param[in] least_approach  m/s: only islands with a contact that approaches faster take part
 JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
-                  const ImpactOptions& options);
+                  double least_approach);
 
 }  // namespace ddacontact

@@ -1,6 +1,6 @@
 #include <ddacontact/time/trial_step.hpp>
 
-#include <ddacontact/contact/for_contacts.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/contact/seams.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/waves.hpp>
@@ -97,7 +97,7 @@ bool TrialStep::take_missed(const BlockState& next) {
 
 void TrialStep::keep_start() {
   share_friction_at_seams(blocks_, state_, builder_->properties(), contacts_);
-  for_contacts(contacts_.size(), [&](std::size_t c) {
+  for_all(contacts_.size(), [&](std::size_t c) {
     contacts_[c].start_state = contacts_[c].history.state;
     contacts_[c].start_bonded = contacts_[c].history.bonded;
   });
@@ -106,7 +106,7 @@ void TrialStep::keep_start() {
 
 void TrialStep::restart() {
   if (!solved_) return;
-  for_contacts(contacts_.size(), [&](std::size_t c) { builder_->restart(contacts_[c]); });
+  for_all(contacts_.size(), [&](std::size_t c) { builder_->restart(contacts_[c]); });
   solved_ = false;
 }
 
@@ -156,7 +156,7 @@ bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::
 TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSolution* warm_start) {
   std::optional<Swapped> at_impact;  // the step starts from where the impact leads it
   if (impact.changes()) at_impact.emplace(state_, impact.start);
-  const StepStart start = step_from(analysis_, state_, dt, state_.carried_dt);
+  const StepStart start = step_from(analysis_, state_, dt);
   {
     const polyfem::Stopwatch watch(times_.assembly);
     if (impact.changes()) blocks_.prepare(state_);
@@ -206,7 +206,7 @@ void TrialStep::add(const polyfem::CholeskyWork& work) {
 }
 
 void TrialStep::solve_by_open_close(TrialSolution& solution) {
-  OpenCloseReport report = iterate_open_close(*system_, open_close_, contacts_, solution.d);
+  OpenCloseReport report = iterate_open_close(*system_, contacts_, solution.d);
   counts_.open_close_iterations += report.iterations;
   solution.residual = std::move(report.residual);
   solution.friction_unsettled = report.status == SolutionStatus::friction_unsettled;

@@ -95,7 +95,7 @@ class TrialStep {
  private:
   bool is_static() const { return analysis_.mode == Mode::statics; }
   bool is_classic() const { return builder_->properties().method == ContactMethod::classic; }
-  StepRule rule(double dt) const { return rule_from(analysis_, state_, dt, state_.carried_dt); }
+  StepRule rule(double dt) const { return rule_from(analysis_, state_, dt); }
   /// Keeps the part of the contacts that a solution changes.
   void keep_start();
   /// Restores the contacts to before the last solution, if there was one.
@@ -127,7 +127,6 @@ class TrialStep {
   const AnalysisOptions& analysis_;
   StepCounts& counts_;
   ContactSolverOptions options_;
-  OpenCloseOptions open_close_;
   std::optional<ContactBuilder> builder_;
   std::optional<StepSystem> system_;  ///< of the blocks that are present
   IslandsApart islands_;

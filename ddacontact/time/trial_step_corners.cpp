@@ -64,8 +64,7 @@ TrialSolution TrialStep::solve(double dt) {
       if (impact.changes() || without.impact.changes()) {  // the step of the solution, not that without
         const BlockState& from = impact.changes() ? impact.start : state_;
         blocks_.prepare(from);
-        system_->set_step(from, step_from(analysis_, from, dt, state_.carried_dt),
-                          builder_->properties().normal_stiffness);
+        system_->set_step(from, step_from(analysis_, from, dt), builder_->properties().normal_stiffness);
         blocks_.prepare(state_);
       }
     }

@@ -23,7 +23,7 @@ struct OneStep {
     contacts = built.stepper->contacts_to_begin_with();
     const BlockState& state = built.stepper->state();
     system.set_step(state, step_start(state, 0.1), 1e9);
-    report = iterate_open_close(system, {}, contacts, d);
+    report = iterate_open_close(system, contacts, d);
   }
   static Scene scene(const Vec2& force, double cohesion) {
     Scene s = rock_scene(0.1, 1);
@@ -109,7 +109,7 @@ TEST(OpenClose, WithoutContactsOneSolutionIsEnough) {
   std::vector<Contact> none;
   VectorXd d;
   system.set_step(built.stepper->state(), step_start(built.stepper->state(), 0.1), 1e9);
-  const OpenCloseReport report = iterate_open_close(system, {}, none, d);
+  const OpenCloseReport report = iterate_open_close(system, none, d);
   EXPECT_EQ(report.status, SolutionStatus::settled);
   EXPECT_EQ(report.iterations, 1);
   EXPECT_EQ(report.disagreeing, -1);

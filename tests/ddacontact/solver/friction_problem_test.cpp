@@ -34,7 +34,7 @@ struct RandomProblem {
   std::vector<Range> elements;
   std::vector<MatrixXd> matrices;
   std::vector<ContactTerm> contacts;
-  VectorXd d0, g0;
+  VectorXd g0;
 
   explicit RandomProblem(unsigned seed, double contrast = 1e3) : random(seed) {
     const int n_blocks = integer(2, 20);
@@ -45,7 +45,6 @@ struct RandomProblem {
     }
     int rows = 0;
     for (int k = 0; k < 6 * n_blocks; ++k) equation.push_back(k < 6 || uniform(0, 1) < 0.1 ? -1 : rows++);
-    d0 = vector();
     g0 = 100 * vector();
     for (int c = integer(0, 60); c > 0; --c) contacts.push_back(contact(n_blocks, contrast));
   }
@@ -88,14 +87,14 @@ struct RandomProblem {
     return made;
   }
   MinimizeOptions options(int max_iterations = 100) const {
-    return {VectorXd::Ones(d0.size()), 0, max_iterations};
+    return {0, max_iterations};
   }
 
   /// The potential, written out by cases.
   double energy(const VectorXd& d) const {
-    double sum = g0.dot(d - d0);
+    double sum = g0.dot(d);
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      const VectorXd u = (d - d0).segment(elements[e].first, 6);
+      const VectorXd u = d.segment(elements[e].first, 6);
       sum += u.dot(matrices[e] * u) / 2;
     }
     for (const ContactTerm& c : contacts) {
@@ -112,7 +111,7 @@ struct RandomProblem {
   VectorXd gradient(const VectorXd& d) const {
     VectorXd r = g0;
     for (std::size_t e = 0; e < elements.size(); ++e)
-      r.segment(elements[e].first, 6) += matrices[e] * (d - d0).segment(elements[e].first, 6);
+      r.segment(elements[e].first, 6) += matrices[e] * d.segment(elements[e].first, 6);
     for (const ContactTerm& c : contacts) {
       if (c.normal == Normal::absent) continue;
       double N = c.normal_multiplier - c.normal_stiffness * c.gap(d);
@@ -139,7 +138,7 @@ TEST(FrictionProblem, TheResidualIsTheGradientOfThePotential) {
     RandomProblem p(seed, 3);
     const VectorXd d = p.vector();
     VectorXd r;
-    p.problem().compute_residual(p.contacts, p.d0, p.g0, d, r);
+    p.problem().compute_residual(p.contacts, p.g0, d, r);
     EXPECT_LE((p.on_free(r) - p.gradient(d)).norm(), 1e-12 * r.norm());
     for (Index k = 0; k < d.size(); ++k) {
       const VectorXd h = 1e-6 * VectorXd::Unit(d.size(), k);
@@ -155,7 +154,7 @@ TEST(FrictionProblem, FindsTheMinimumInFewIterationsFromAnyStart) {
     FrictionProblem problem = p.problem();
     const VectorXd start = (seed % 2 ? 1e3 : 1) * p.vector();
     VectorXd d = start;
-    const MinimizeReport report = problem.minimize(p.contacts, p.d0, p.g0, p.options(), d);
+    const MinimizeReport report = problem.minimize(p.contacts, p.g0, p.options(), d);
     EXPECT_EQ(report.status, MinimizeStatus::converged) << seed;
     EXPECT_LE(p.gradient(d).lpNorm<Eigen::Infinity>(), p.round_off(d)) << seed;
     EXPECT_NEAR(p.gradient(d).lpNorm<Eigen::Infinity>(), report.residual, p.round_off(d)) << seed;
@@ -173,7 +172,7 @@ TEST(FrictionProblem, ThePotentialFallsInEveryIteration) {
     double before = p.energy(start);
     for (int iterations = 1;; ++iterations) {
       VectorXd d = start;
-      const MinimizeReport report = problem.minimize(p.contacts, p.d0, p.g0, p.options(iterations), d);
+      const MinimizeReport report = problem.minimize(p.contacts, p.g0, p.options(iterations), d);
       EXPECT_LE(p.energy(d), before + 1e-14 * p.energy(start)) << seed << " iteration " << iterations;
       before = p.energy(d);
       if (report.status == MinimizeStatus::converged) break;
@@ -197,8 +196,8 @@ TEST(FrictionProblem, AMassAgainstAWallIsPushedBackByItsSpringAndMultiplier) {
       problem.elements()[0](0, 0) = 1;
       problem.matrices_changed();
       VectorXd x = VectorXd::Constant(1, 7);
-      const VectorXd zero = VectorXd::Zero(1), g0 = VectorXd::Constant(1, -force);
-      const MinimizeReport report = problem.minimize({wall}, zero, g0, {VectorXd::Ones(1), 0}, x);
+      const VectorXd g0 = VectorXd::Constant(1, -force);
+      const MinimizeReport report = problem.minimize({wall}, g0, {}, x);
       EXPECT_EQ(report.status, MinimizeStatus::converged);
       const double closed = (force + multiplier) / 10;
       EXPECT_NEAR(x[0], 9 * closed <= multiplier ? closed : force, 1e-14);
@@ -281,21 +280,22 @@ TEST(FrictionProblem, SaysWhenNothingHoldsAnUnknown) {
   problem.elements()[0](0, 0) = 0;
   problem.matrices_changed();
   VectorXd x = VectorXd::Zero(1);
-  EXPECT_EQ(problem.minimize({wall}, x, VectorXd::Ones(1), {VectorXd::Ones(1), 0}, x).status,
+  EXPECT_EQ(problem.minimize({wall}, VectorXd::Ones(1), {}, x).status,
             MinimizeStatus::not_positive_definite);
   EXPECT_EQ(
-      problem.minimize({wall}, x, VectorXd::Constant(1, std::nan("")), {VectorXd::Ones(1), 0}, x).status,
+      problem.minimize({wall}, VectorXd::Constant(1, std::nan("")), {}, x).status,
       MinimizeStatus::not_finite);
 }
 
 TEST(FrictionProblem, WithoutFreeUnknownsThereIsNothingToDo) {
   RandomProblem p(5);
   p.equation.assign(p.equation.size(), -1);
-  VectorXd d = p.d0;
-  const MinimizeReport report = p.problem().minimize(p.contacts, p.d0, p.g0, p.options(), d);
+  const VectorXd start = p.vector();
+  VectorXd d = start;
+  const MinimizeReport report = p.problem().minimize(p.contacts, p.g0, p.options(), d);
   EXPECT_EQ(report.status, MinimizeStatus::converged);
   EXPECT_EQ(report.iterations, 0);
-  EXPECT_EQ(d, p.d0);
+  EXPECT_EQ(d, start);
 }
 
 /// Walls that all begin to act at the same place, where the unknown starts.
