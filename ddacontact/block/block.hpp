@@ -18,7 +18,7 @@ struct CorotationalShape;
 class BlockMotion;
 
 /// Motions of a block as a rigid body, a row an unknown: unit translations in x and y, and a unit rotation.
-using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, BlockState::n_rigid>;
 
 /// What a block is made of.
 struct BlockMaterial {

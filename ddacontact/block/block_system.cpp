@@ -45,7 +45,7 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
 Points BlockSystem::reference() const {
   Points points(2, static_cast<Index>(block_of_point_.size()));
   for (const auto& block : blocks_)
-    points.middleCols(block->points().first, block->points().count) = block->reference();
+    block->points().columns_of(points) = block->reference();
   return points;
 }
 
@@ -160,11 +160,11 @@ BlockState BlockSystem::initial_state() const {
   state.position = reference();
   for (int b = 0; b < n_blocks(); ++b) {
     const Range &v = block(b).vertices(), &all = block(b).points();
-    state.origin.col(b) = block(b).grid_point(state.position.middleCols(v.first, v.count).rowwise().mean());
-    state.position.middleCols(all.first, all.count).colwise() -= state.origin.col(b);
+    state.origin.col(b) = block(b).grid_point(v.columns_of(state.position).rowwise().mean());
+    all.columns_of(state.position).colwise() -= state.origin.col(b);
   }
   state.velocity = state.carried = VectorXd::Zero(n_unknowns_);
-  state.stress = Tensors::Zero(3, n_stress_points_);
+  state.stress.setZero(Eigen::NoChange, n_stress_points_);
   state.rotation = VectorXd::Zero(n_blocks());
   state.bolts = VectorXd::Zero(bolts.empty() ? 0 : bolts.back().numbers.end());
   return state;
@@ -278,8 +278,8 @@ void BlockSystem::find_coordinates(BlockState& state) const {
     const Range &c = block(b).coordinates(), &p = block(b).points();
     const CorotationalShape& shape = *block(b).shape();
     const Points nodes =
-        NodalKinematics<polyfem::AnyNodes>(shape).of_points(state.position.middleCols(p.first, p.count));
-    state.coordinates.segment(c.first, c.count) = shape.motions().coordinates_of(nodes);
+        NodalKinematics<polyfem::AnyNodes>(shape).of_points(p.columns_of(state.position));
+    c.of(state.coordinates) = shape.motions().coordinates_of(nodes);
   });
 }
 
@@ -321,7 +321,7 @@ void BlockSystem::count_displacements_from(const BlockState& zero) {
 Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) const {
   const Range& v = block(b).vertices();
   const Vec2 shift = state.origin.col(b) - state.origin.col(origin_of);
-  return state.position.middleCols(v.first, v.count).colwise() + shift;
+  return v.columns_of(state.position).colwise() + shift;
 }
 
 void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
@@ -334,7 +334,7 @@ void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockSta
   for_all(n_blocks(), [&](int b) {
     if (is_unchanging(b)) return;
     const Range& u = block(b).unknowns();
-    blocks_[b]->end_step(d.segment(u.first, u.count), external.segment(u.first, u.count), is_free(b), next);
+    blocks_[b]->end_step(u.of(d), u.of(external), is_free(b), next);
   });
 }
 
@@ -343,7 +343,7 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
   for_all(n_blocks(), [&](int b) {
     if (is_unchanging(b)) return;
     const Range& u = block(b).unknowns();
-    block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
+    block(b).displacement(u.of(d), u.of(displaced));
   });
   // A point that turns with its block leaves the straight line that its support prescribes.
   constexpr int most_rounds = 8;
@@ -359,15 +359,14 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
     if (moved.empty()) break;
     for (int b : moved) {
       const Range& u = block(b).unknowns();
-      block(b).displacement(d.segment(u.first, u.count), displaced.segment(u.first, u.count));
+      block(b).displacement(u.of(d), u.of(displaced));
     }
   }
   return displaced;
 }
 
 Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_points) const {
-  const Range& range = block(point.block).points();
-  return at_points.middleCols(range.first, range.count) * point.weights;
+  return block(point.block).points().columns_of(at_points) * point.weights;
 }
 
 Vec2 BlockSystem::displacement(const MaterialPoint& point, const VectorXd& d) const {

@@ -8,7 +8,7 @@ namespace ddacontact {
 namespace {
 
 /// Three vertices, held ones first, spread as widely as a greedy choice makes them.
-std::array<int, 3> choose_three(const PointsRef& outline, const std::vector<bool>& held) {
+decltype(ControlVertices::x) choose_three(const PointsRef& outline, const std::vector<bool>& held) {
   const int n = static_cast<int>(outline.cols());
   const auto best = [&](const auto& score) {
     int chosen = 0;

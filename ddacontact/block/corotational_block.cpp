@@ -36,7 +36,7 @@ Points CorotationalBlock::nodes(const PointsRef& points) const {
 }
 
 Points CorotationalBlock::nodes(const BlockState& state) const {
-  return nodes(state.position.middleCols(points().first, points().count));
+  return nodes(points().columns_of(state.position));
 }
 
 void CorotationalBlock::map_points() {
@@ -85,7 +85,7 @@ double CorotationalBlock::kinetic_energy(const Eigen::Ref<const VectorXd>& veloc
 void CorotationalBlock::add_body_force(const Vec2& b, VectorXd& F) const {
   const Vec2 per_mass = b / material().density;
   with_nodes(*shape_, [&](const auto& nodes) {
-    nodes.add_forces_on_unknowns(nodes.weight(per_mass), F.segment(unknowns().first, unknowns().count));
+    nodes.add_forces_on_unknowns(nodes.weight(per_mass), unknowns().of(F));
   });
 }
 
@@ -97,7 +97,7 @@ void CorotationalBlock::prepare_shape(const PointsRef& points) {
 
 TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {
   if (state.stress.cols() == 0) return state.stress;
-  return state.stress.middleCols(stress_points().first, stress_points().count);
+  return stress_points().columns_of(state.stress);
 }
 
 void CorotationalBlock::begin_step(const BlockState& state, const StepStart& start) {
@@ -108,19 +108,19 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   if (!start_.matrices || !start_.matrices->are_for(rule, start.dt))
     start_.matrices = step_matrices(*shape_, rule, start.dt);
   if (start.rule.has_half_steps()) {
-    const auto velocity = start.velocity.segment(u.first, u.count);
+    const auto velocity = u.of(start.velocity);
     const VectorXd initial = initial_force(state);
     if (state.coordinates.size() > 0)
-      BlockMotion::begin(*shape_, state.coordinates.segment(coordinates().first, coordinates().count),
+      BlockMotion::begin(*shape_, coordinates().of(state.coordinates),
                          velocity, initial, start_);
     else
       BlockMotion::begin(*shape_, shape_->motions().coordinates_of(nodes(state)), velocity, initial, start_);
     return;
   }
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
-    const auto y = nodes.of_points(state.position.middleCols(p.first, p.count));
-    CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(start.velocity.segment(u.first, u.count)),
-                                nodes.to_nodes(start.acceleration.segment(u.first, u.count)),
+    const auto y = nodes.of_points(p.columns_of(state.position));
+    CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(u.of(start.velocity)),
+                                nodes.to_nodes(u.of(start.acceleration)),
                                 initial_stress(state), start_);
   });
 }
@@ -180,10 +180,10 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   if (const auto by_motions = motion()) {
     const VectorXd none;
     const BlockMotion::Numbers forces = is_free ? external : BlockMotion::Numbers(none);
-    auto points = next.position.middleCols(p.first, p.count);
-    auto velocity = next.carried.segment(u.first, u.count);
+    auto points = p.columns_of(next.position);
+    auto velocity = u.of(next.carried);
     if (next.coordinates.size() > 0) {
-      by_motions->end(d, forces, next.coordinates.segment(coordinates().first, coordinates().count), points,
+      by_motions->end(d, forces, coordinates().of(next.coordinates), points,
                       velocity);
     } else {
       VectorXd of_block = shape_->motions().coordinates_of(nodes(next));
@@ -194,11 +194,11 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   }
   with_step([&](const auto& nodes, const auto& step) {
     const auto moved = nodes.to_nodes(d);
-    nodes.put_points(step.y0() + moved, next.position.middleCols(p.first, p.count));
+    nodes.put_points(step.y0() + moved, p.columns_of(next.position));
     auto end = step.end(moved);
     if (is_free) step.keep_momenta(moved, external, end);
-    nodes.to_unknowns(end.velocity, next.velocity.segment(u.first, u.count));
-    nodes.to_unknowns(end.acceleration, next.carried.segment(u.first, u.count));
+    nodes.to_unknowns(end.velocity, u.of(next.velocity));
+    nodes.to_unknowns(end.acceleration, u.of(next.carried));
   });
   follow_with_origin(next);
 }
@@ -229,8 +229,8 @@ CorotationalBlock::Frame CorotationalBlock::cell_frame(const BlockState& state, 
   if (state.coordinates.size() == 0)
     return NodalKinematics<polyfem::AnyNodes>(*shape_).frame(y, static_cast<std::size_t>(c));
   // That of the motions, in which forces were balanced.
-  const auto s = state.coordinates.segment(coordinates().first, coordinates().count);
-  const Points u = s.tail(s.size() - 3).reshaped(2, shape_->nodes.cols());
+  const auto s = coordinates().of(state.coordinates);
+  const Points u = s.tail(shape_->nodes.size()).reshaped(2, shape_->nodes.cols());
   const std::vector<int>& nodes = shape_->cells[c].nodes;
   Frame frame;
   frame.rotation = turned_by(s[2]);
@@ -245,7 +245,7 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state, int c) con
 }
 
 double CorotationalBlock::elastic_energy_of_deformation(const BlockState& state) const {
-  const auto u = state.coordinates.segment(coordinates().first + 3, coordinates().count - 3);
+  const auto u = coordinates().of(state.coordinates).tail(shape_->nodes.size());
   double energy = 0;
   if (!u.isZero(0))
     energy = with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>&) {
@@ -277,7 +277,7 @@ VectorXd CorotationalBlock::initial_force(const BlockState& state) const {
 double CorotationalBlock::elastic_energy(const BlockState& state) const {
   if (state.coordinates.size() > 0) return elastic_energy_of_deformation(state);
   return with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
-    const auto y = nodes.of_points(state.position.middleCols(points().first, points().count));
+    const auto y = nodes.of_points(points().columns_of(state.position));
     double energy = 0;
     for (int c = 0; c < n_cells(); ++c) {
       const ShapeCell& cell = shape_->cells[c];
@@ -305,13 +305,13 @@ Tensors CorotationalBlock::cell_stresses(const BlockState& state, const Frame& f
     stress = material().elasticity * strain;
   }
   const TensorsRef initial = initial_stress(state, c);
-  if (initial.cols() == 0) return Tensors::Zero(3, stress.cols()) + stress;
+  if (initial.cols() == 0) return Tensors::Zero(stress.rows(), stress.cols()) + stress;
   return initial + stress;
 }
 
 Tensors CorotationalBlock::stress(const BlockState& state) const {
   const Points y = nodes(state);
-  Tensors sigma(3, n_stress_points());
+  Tensors sigma(Tensors::RowsAtCompileTime, n_stress_points());
   for (int c = 0; c < n_cells(); ++c) {
     const Frame frame = cell_frame(state, y, c);
     const Tensors of_cell = cell_stresses(state, frame, c);

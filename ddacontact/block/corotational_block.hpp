@@ -16,7 +16,9 @@ class CorotationalBlock final : public Block {
                     std::shared_ptr<const CorotationalShape> shape);
 
   const CorotationalShape* shape() const override { return shape_.get(); }
-  int n_coordinates() const override { return 3 + 2 * static_cast<int>(shape_->nodes.cols()); }
+  int n_coordinates() const override {
+    return BlockState::n_rigid + 2 * static_cast<int>(shape_->nodes.cols());
+  }
   int n_unknowns() const override { return static_cast<int>(shape_->n_unknowns()); }
   int n_stress_points() const override { return static_cast<int>(shape_->integration_weights.size()); }
   bool changes_stress() const override { return false; }

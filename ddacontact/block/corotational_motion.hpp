@@ -171,7 +171,8 @@ class NodalKinematics {
 /// Calls work(NodalKinematics<Of>(shape)) with arrays that live without the heap where the nodes are few.
 template <class Work>
 decltype(auto) with_nodes(const CorotationalShape& shape, Work&& work) {
-  if (shape.is_one_cell() && shape.nodes.cols() == 4) return work(NodalKinematics<polyfem::FourNodes>(shape));
+  if (shape.is_one_cell() && shape.nodes.cols() == polyfem::FourNodes::Vectors::ColsAtCompileTime)
+    return work(NodalKinematics<polyfem::FourNodes>(shape));
   if (shape.is_one_cell() && shape.nodes.cols() <= polyfem::FewNodes::Vectors::MaxColsAtCompileTime)
     return work(NodalKinematics<polyfem::FewNodes>(shape));
   return work(NodalKinematics<polyfem::AnyNodes>(shape));

@@ -183,8 +183,9 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   const polyfem::AreaMoments moments = polyfem::area_moments(outline);
   const double size = std::sqrt(moments.area);
   CorotationalShape shape;
-  shape.nodes.resize(2, 3);
-  shape.mean_gradient.resize(2, 3);
+  constexpr Index n_nodes = 3;
+  shape.nodes.resize(2, n_nodes);
+  shape.mean_gradient.resize(2, n_nodes);
   shape.nodes << Vec2::Zero(), size * Mat2::Identity();
   shape.mean_gradient << Vec2::Zero(), Mat2::Identity() / size;
   shape.translation = Vec3(1, 0, 0);
@@ -212,7 +213,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
 
   const Index n = outline.cols();
   shape.n_outline = static_cast<int>(n);
-  shape.points.resize(n, 3);
+  shape.points.resize(n, n_nodes);
   shape.points << VectorXd::Ones(n), (outline.colwise() - moments.centroid).transpose() / size;
   shape.nodes_of_points = shape.points.colPivHouseholderQr().solve(MatrixXd::Identity(n, n));
 
@@ -220,8 +221,8 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
     const Index n_unknowns = shape.nodes.size();
     MatrixXd displacements =
         MatrixXd::Zero(n_unknowns, n_unknowns);  // of the control vertices, by the changes of the nodes
-    for (int k = 0; k < 3; ++k)
-      for (int a = 0; a < 3; ++a) {
+    for (Index k = 0; k < n_nodes; ++k)
+      for (Index a = 0; a < n_nodes; ++a) {
         displacements(2 * k, 2 * a) = shape.points(control->x[k], a);
         displacements(2 * k + 1, 2 * a + 1) = shape.points(control->y[k], a);
       }

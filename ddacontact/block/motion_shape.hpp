@@ -7,7 +7,7 @@
 /// / 2 + u' M u' / 2, with I of the deformed shape, less terms of the order of the strain squared.
 #pragma once
 
-#include <ddacontact/core/types.hpp>
+#include <ddacontact/block/state.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -29,7 +29,7 @@ struct MotionShape {
   Eigen::SparseMatrix<double> stiffness;  ///< K of all cells, 2m x 2m; empty: that of the only one
 
   Index n_nodes() const { return nodes.cols(); }
-  Index n_coordinates() const { return 3 + 2 * n_nodes(); }
+  Index n_coordinates() const { return BlockState::n_rigid + nodes.size(); }
 
   /// The coordinates of nodes at y, with the angle in (-pi, pi]. Deformations of the size of round-off are
   /// none.

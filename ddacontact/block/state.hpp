@@ -11,6 +11,9 @@ namespace ddacontact {
 /// exact as the block is small, wherever it is. Origins are multiples of a power of two of about the block's
 /// size: their differences are exact, and so is moving one after its block.
 struct BlockState {
+  /// Coordinates of a block as a rigid body: two of its centre of mass, and its angle.
+  static constexpr int n_rigid = 3;
+
   double time = 0;
   Points origin;    ///< of each block, relative to the model's origin
   Points position;  ///< the points of all blocks, relative to their block's origin

@@ -33,7 +33,7 @@ StressMoments moments_of_forces(const polyfem::PolygonRule& rule, std::span<cons
   }
   const double spin = moment / second_moments(rule).trace();
   StressMoments moments;
-  for (int strain = 0; strain < 3; ++strain)
+  for (int strain = 0; strain < moments.rows(); ++strain)
     for (int axis = 0; axis < 2; ++axis) {
       double work = 0;
       for (const ActingForce& acting : forces)

@@ -14,7 +14,7 @@ struct ActingForce {
 };
 
 /// Integrals over a block of a stress (xx, yy, xy) times x and times y: 3 x 2.
-using StressMoments = Eigen::Matrix<double, 3, 2>;
+using StressMoments = Eigen::Matrix<double, Tensors::RowsAtCompileTime, 2>;
 
 /// Of any stress in equilibrium with these forces and a uniform force `body` per volume: six quadratic
 /// displacements have the six linear strains, and the work of the forces on them is that of the stress. What

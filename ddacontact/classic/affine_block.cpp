@@ -6,6 +6,8 @@ namespace ddacontact {
 
 namespace {
 
+constexpr int n_strains = Tensors::RowsAtCompileTime;
+
 /// T of (3) at distance r from the centroid.
 Transformation transformation(const Vec2& r) {
   Transformation T;
@@ -29,7 +31,7 @@ AffineBlock::AffineBlock(const BlockMaterial& material, const PointsRef& outline
 
 VectorXd AffineBlock::unknown_lengths() const {
   VectorXd lengths = VectorXd::Ones(n_unknowns());
-  if (!control_) lengths.tail<4>().setConstant(size());
+  if (!control_) lengths.tail(n_unknowns() - 2).setConstant(size());
   return lengths;
 }
 
@@ -38,7 +40,7 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
   const Vec2& centroid = moments().centroid;
   if (control_) {
     Mat6 displacements;  // of the control vertices, by the unknowns (1)
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < control_->x.size(); ++k) {
       displacements.row(2 * k) = transformation(outline.col(control_->x[k]) - centroid).row(0);
       displacements.row(2 * k + 1) = transformation(outline.col(control_->y[k]) - centroid).row(1);
     }
@@ -56,7 +58,7 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
 
   const double area = moments().area;
   Mat6 K = Mat6::Zero();
-  K.bottomRightCorner<3, 3>() = area * material().elasticity;
+  K.bottomRightCorner<n_strains, n_strains>() = area * material().elasticity;
   stiffness_ = basis_.transpose() * K * basis_;
 
   Mat6 M = Mat6::Zero();  // integral of T^T T: r = x - centroid integrates to zero
@@ -75,7 +77,7 @@ PointMap AffineBlock::vertex_map(int vertex) const {
 
 void AffineBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {
   const Vec3 stress = state.stress.col(stress_points().first);
-  unknowns().of(F) -= moments().area * basis_.bottomRows<3>().transpose() * stress;
+  unknowns().of(F) -= moments().area * basis_.bottomRows<n_strains>().transpose() * stress;
 }
 
 void AffineBlock::add_body_force(const Vec2& b, VectorXd& F) const {
@@ -83,7 +85,7 @@ void AffineBlock::add_body_force(const Vec2& b, VectorXd& F) const {
 }
 
 void AffineBlock::add_stress(const VectorXd& d, Tensors& stress) const {
-  const Vec3 strain = basis_.bottomRows<3>() * unknowns().of(d);
+  const Vec3 strain = basis_.bottomRows<n_strains>() * unknowns().of(d);
   stress.col(stress_points().first) += material().elasticity * strain;
 }
 

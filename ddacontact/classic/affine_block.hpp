@@ -9,7 +9,7 @@
 namespace ddacontact {
 
 /// Displacements of a point by the unknowns (1), T of (3).
-using Transformation = Eigen::Matrix<double, 2, 6>;
+using Transformation = Eigen::Matrix<double, 2, PointMap::capacity>;
 
 /// Unknowns: (u0 v0 r0 eps_x eps_y gamma_xy) about the centroid (1); or, given control vertices, their
 /// displacements (u v u v u v), which span the same affine fields.

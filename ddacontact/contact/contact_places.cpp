@@ -14,7 +14,7 @@ namespace {
 
 /// Two vertices nearer to each other than this part of the shorter edge that they meet are at one place. What
 /// moves a contact by less of its own motion does not.
-constexpr double same_place = 0.01;
+constexpr double same_place = near_corner;
 
 }  // namespace
 

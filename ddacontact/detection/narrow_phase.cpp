@@ -102,118 +102,113 @@ bool is_within(double distance, const Vec2& x) {
 }
 
 /// The entrance edges of the vertices of one polygon into another.
-class Entrances {
- public:
-  Entrances(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
-            const PairLimits& limits, std::span<const EarlierContact> earlier, Workspace& work,
-            std::vector<Choice>& choices)
-      : a_(a),
-        b_(b),
-        of_a_(of_a),
-        of_b_(of_b),
-        limits_(limits),
-        earlier_(earlier),
-        edges_(work.edges),
-        near_(work.at_vertex),
-        choices_(choices),
-        margin_(std::max(limits.search_margin, limits.max_depth) + 2 * limits.coincidence) {}
+struct Entrances {
+  const Outline& a;
+  const OutlineSides& of_a;
+  const Outline& b;
+  const OutlineSides& of_b;
+  const PairLimits& limits;
+  std::span<const EarlierContact> earlier;
+  std::vector<NumberedEdge>& edges;  ///< of b that a may be near
+  std::vector<Candidate>& near;      ///< of the vertex at hand
+  std::vector<Choice>& choices;
 
   void find(std::vector<Candidate>& found) {
     found.clear();
-    edges_.clear();
+    edges.clear();
     // A vertex further from the polygon than the search margin is met by none of its edges.
-    const double margin = limits_.search_margin + 2 * limits_.coincidence;
-    const Box near_b = widened(of_b_.box, margin);
-    for (int i = 0; i < a_.vertices.cols(); ++i) {
-      const Vec2 x = a_.vertices.col(i);
-      if (!touch({x, x}, near_b) || of_a_.sides[i].corner == Corner::reflex) continue;
-      if (edges_.empty()) collect_edges();
+    const double margin = limits.search_margin + 2 * limits.coincidence;
+    const Box near_b = widened(of_b.box, margin);
+    for (int i = 0; i < a.vertices.cols(); ++i) {
+      const Vec2 x = a.vertices.col(i);
+      if (!touch({x, x}, near_b) || of_a.sides[i].corner == Corner::reflex) continue;
+      if (edges.empty()) collect_edges();
       add_entrances_of(i, found);
     }
   }
 
- private:
   void collect_edges() {
-    const Box near_a = widened(of_a_.box, margin_);
-    for (int e = 0; e < b_.vertices.cols(); ++e) {
-      const Vec2 p = b_.vertices.col(e), q = b_.vertices.col(next(e, b_.vertices));
+    const Box near_a = widened(
+        of_a.box, std::max(limits.search_margin, limits.max_depth) + 2 * limits.coincidence);
+    for (int e = 0; e < b.vertices.cols(); ++e) {
+      const Vec2 p = b.vertices.col(e), q = b.vertices.col(next(e, b.vertices));
       if (touch({p.cwiseMin(q), p.cwiseMax(q)}, near_a))
-        edges_.push_back({e, DirectedEdge(p, of_b_.sides[e])});
+        edges.push_back({e, DirectedEdge(p, of_b.sides[e])});
     }
   }
 
   void add_entrances_of(int i, std::vector<Candidate>& found) {
-    const VertexCorner corner(a_.vertices.col(i), of_a_.sides[previous(i, a_.vertices)], of_a_.sides[i]);
+    const VertexCorner corner(a.vertices.col(i), of_a.sides[previous(i, a.vertices)], of_a.sides[i]);
     const Vec2& x = corner.x;
-    near_.clear();
+    near.clear();
     bool behind = false;
-    for (const auto& [e, edge] : edges_) {
-      const VertexEdge contact{a_.block, i, b_.block, e};
-      const EarlierContact* const earlier = find_earlier(earlier_, contact);
-      const double offset = earlier ? earlier->gap_offset : 0, gap = edge.gap(x) - offset;
-      if (gap < -limits_.max_depth || gap > limits_.search_margin) continue;
+    for (const auto& [e, edge] : edges) {
+      const VertexEdge contact{a.block, i, b.block, e};
+      const EarlierContact* const before = find_earlier(earlier, contact);
+      const double offset = before ? before->gap_offset : 0, gap = edge.gap(x) - offset;
+      if (gap < -limits.max_depth || gap > limits.search_margin) continue;
       const double overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
-      if (!is_within(limits_.search_margin, {off, aside})) continue;
-      if (!corner.admissible(edge.normal, limits_.search_margin)) continue;
-      const bool stays = overshoot <= limits_.coincidence && earlier && earlier->closed;
-      near_.push_back({contact, gap, overshoot, edge.normal, offset, earlier && earlier->wins_ties, stays});
-      behind = behind || is_behind(near_.back());
+      if (!is_within(limits.search_margin, {off, aside})) continue;
+      if (!corner.admissible(edge.normal, limits.search_margin)) continue;
+      const bool stays = overshoot <= limits.coincidence && before && before->closed;
+      near.push_back({contact, gap, overshoot, edge.normal, offset, before && before->wins_ties, stays});
+      behind = behind || is_behind(near.back());
     }
-    if (near_.empty()) return;
+    if (near.empty()) return;
     bool inside = false;
     if (behind) {
       inside = !is_outside(x);
-      if (!inside) std::erase_if(near_, [this](const Candidate& c) { return is_behind(c); });
+      if (!inside) std::erase_if(near, [this](const Candidate& c) { return is_behind(c); });
     }
     keep_nearest_of_straight_runs();
-    if (near_.size() > 1) choose(inside);
-    for (Candidate& c : near_) {
+    if (near.size() > 1) choose(inside);
+    for (Candidate& c : near) {
       c.strict = corner.admissible(c.normal, 0);
       found.push_back(c);
     }
   }
 
-  bool is_behind(const Candidate& c) const { return c.gap < -limits_.depth_inside(); }
+  bool is_behind(const Candidate& c) const { return c.gap < -limits.depth_inside(); }
 
   /// Whether x has not passed all lines of a convex polygon; of another whether it is no deeper in it than
   /// that. Where none is passed: whether it is further outside than the coincidence.
   bool is_outside(const Vec2& x) {
-    const bool by_passing = limits_.lip < inf;
-    if (!of_b_.concave) {
-      const double least = by_passing ? -limits_.lip : limits_.coincidence;
-      for (int e = 0; e < b_.vertices.cols(); ++e)
-        if (DirectedEdge(b_.vertices.col(e), of_b_.sides[e]).gap(x) > least) return true;
+    const bool by_passing = limits.lip < inf;
+    if (!of_b.concave) {
+      const double least = by_passing ? -limits.lip : limits.coincidence;
+      for (int e = 0; e < b.vertices.cols(); ++e)
+        if (DirectedEdge(b.vertices.col(e), of_b.sides[e]).gap(x) > least) return true;
       return false;
     }
-    const bool on_outline = std::ranges::any_of(edges_, [&](const NumberedEdge& of) {
-      return is_within(limits_.depth_inside(), {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
+    const bool on_outline = std::ranges::any_of(edges, [&](const NumberedEdge& of) {
+      return is_within(limits.depth_inside(), {of.edge.gap(x), std::max(of.edge.overshoot(x), 0.0)});
     });
-    return polyfem::contains(b_.vertices, x) ? by_passing && on_outline : by_passing || !on_outline;
+    return polyfem::contains(b.vertices, x) ? by_passing && on_outline : by_passing || !on_outline;
   }
 
   /// Of edges that are collinear the vertex is over one.
   void keep_nearest_of_straight_runs() {
     const auto joined = [this](const Candidate& p, const Candidate& q) {
-      return goes_straight_on(b_.vertices, p.contact.edge, q.contact.edge);
+      return goes_straight_on(b.vertices, p.contact.edge, q.contact.edge);
     };
     std::size_t last = 0;
-    for (std::size_t k = 1; k < near_.size(); ++k) {
-      if (!joined(near_[last], near_[k]))
-        near_[++last] = near_[k];
-      else if (is_nearer(near_[k], near_[last]))
-        near_[last] = near_[k];
+    for (std::size_t k = 1; k < near.size(); ++k) {
+      if (!joined(near[last], near[k]))
+        near[++last] = near[k];
+      else if (is_nearer(near[k], near[last]))
+        near[last] = near[k];
     }
-    if (near_.empty()) return;
-    near_.resize(last + 1);
-    if (last > 0 && joined(near_.back(), near_.front())) {
-      if (!is_nearer(near_.front(), near_.back())) near_.front() = near_.back();
-      near_.pop_back();
+    if (near.empty()) return;
+    near.resize(last + 1);
+    if (last > 0 && joined(near.back(), near.front())) {
+      if (!is_nearer(near.front(), near.back())) near.front() = near.back();
+      near.pop_back();
     }
   }
   bool is_nearer(const Candidate& p, const Candidate& q) const {
     if (p.kept != q.kept) return p.kept;
-    const double round_off = limits_.round_off();
+    const double round_off = limits.round_off();
     if (std::abs(p.aside() - q.aside()) > round_off) return p.aside() < q.aside();
     return std::abs(p.gap) < std::abs(q.gap) - round_off;
   }
@@ -223,39 +218,39 @@ class Entrances {
     const auto later = [this](const Candidate& p, const Candidate& q) {
       return std::pair(order(p), -p.contact.edge) > std::pair(order(q), -q.contact.edge);
     };
-    std::ranges::sort(near_, later);
+    std::ranges::sort(near, later);
     if (inside) came_in_through_the_nearest();
     std::size_t n_chosen = 1;
-    for (std::size_t k = 1; k < near_.size(); ++k) {
+    for (std::size_t k = 1; k < near.size(); ++k) {
       const auto excludes = [&](const Candidate& c) {
-        return !of_b_.concave || turns_left(b_.vertices, c.contact.edge, near_[k].contact.edge) ||
-               turns_left(b_.vertices, near_[k].contact.edge, c.contact.edge);
+        return !of_b.concave || turns_left(b.vertices, c.contact.edge, near[k].contact.edge) ||
+               turns_left(b.vertices, near[k].contact.edge, c.contact.edge);
       };
-      const auto chosen = near_.begin() + static_cast<std::ptrdiff_t>(n_chosen),
-                 excluding = std::find_if(near_.begin(), chosen, excludes);
+      const auto chosen = near.begin() + static_cast<std::ptrdiff_t>(n_chosen),
+                 excluding = std::find_if(near.begin(), chosen, excludes);
       if (excluding == chosen)
-        near_[n_chosen++] = near_[k];
+        near[n_chosen++] = near[k];
       else if (!inside)
-        choices_.push_back(
-            {excluding->contact, order(*excluding).ties_with(order(near_[k]), limits_.round_off())});
+        choices.push_back(
+            {excluding->contact, order(*excluding).ties_with(order(near[k]), limits.round_off())});
     }
-    near_.resize(n_chosen);
+    near.resize(n_chosen);
   }
-  Order order(const Candidate& of) const { return {of, Passage(of, a_, b_, limits_.lip)}; }
+  Order order(const Candidate& of) const { return {of, Passage(of, a, b, limits.lip)}; }
 
   /// Of a vertex inside: first the edge it came through; of those it is behind else only kept ones and the
   /// other side of a notch.
   void came_in_through_the_nearest() {
     const auto came_less = [this](const Candidate& p, const Candidate& q) {
       const auto rank = [this](const Candidate& c) {
-        return std::tuple(c.gap <= limits_.coincidence, c.kept, -c.distance());
+        return std::tuple(c.gap <= limits.coincidence, c.kept, -c.distance());
       };
       return rank(p) < rank(q);
     };
-    const auto entrance = std::ranges::max_element(near_, came_less);
-    std::rotate(near_.begin(), entrance, entrance + 1);
-    const int of_entrance = near_.front().contact.edge;
-    std::erase_if(near_, [&](const Candidate& c) {
+    const auto entrance = std::ranges::max_element(near, came_less);
+    std::rotate(near.begin(), entrance, entrance + 1);
+    const int of_entrance = near.front().contact.edge;
+    std::erase_if(near, [&](const Candidate& c) {
       const int e = c.contact.edge;
       return is_behind(c) && !c.kept && e != of_entrance && !share_notch(e, of_entrance) &&
              !share_notch(of_entrance, e);
@@ -263,22 +258,13 @@ class Entrances {
   }
   /// Whether the outline goes from edge `from` to edge `to` by one reflex corner, else straight.
   bool share_notch(int from, int to) const {
-    const PointsRef& polygon = b_.vertices;
+    const PointsRef& polygon = b.vertices;
     int first = from;
     while (first != to && corner_at(polygon, next(first, polygon)) == Corner::straight)
       first = next(first, polygon);
     if (first == to || corner_at(polygon, next(first, polygon)) != Corner::reflex) return false;
     return goes_straight_on(polygon, next(first, polygon), to);
   }
-
-  const Outline &a_, &b_;
-  const OutlineSides &of_a_, &of_b_;
-  const PairLimits& limits_;
-  std::span<const EarlierContact> earlier_;
-  std::vector<NumberedEdge>& edges_;  ///< of b that a may be near
-  std::vector<Candidate>& near_;      ///< of the vertex at hand
-  std::vector<Choice>& choices_;
-  double margin_;
 };
 
 /// The end of an edge that is nearer to x.
@@ -342,8 +328,8 @@ void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b,
                    std::vector<VertexEdge>& contacts, std::vector<Choice>& choices) {
   thread_local Workspace work;
   auto &in_b = work.in_b, &in_a = work.in_a;
-  Entrances(a, of_a, b, of_b, limits, earlier, work, choices).find(in_b);
-  Entrances(b, of_b, a, of_a, limits, earlier, work, choices).find(in_a);
+  Entrances{a, of_a, b, of_b, limits, earlier, work.edges, work.at_vertex, choices}.find(in_b);
+  Entrances{b, of_b, a, of_a, limits, earlier, work.edges, work.at_vertex, choices}.find(in_a);
   for (Candidate& p : in_b)
     for (Candidate& q : in_a)
       if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.search_margin))

@@ -58,72 +58,59 @@ bool was_closed(std::span<const EarlierContact> earlier, const VertexEdge& conta
                              [&](const EarlierContact& of) { return of.closed && of.pair == contact; });
 }
 
-class CirclesOnOutline {
- public:
-  CirclesOnOutline(const RoundedOutline& a, const RoundedOutline& b, const PairLimits& limits,
-                   std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                   std::vector<Choice>& choices)
-      : a_(a),
-        b_(b),
-        limits_(limits),
-        radius_(a.radius()),
-        earlier_(earlier),
-        contacts_(contacts),
-        choices_(choices) {}
+struct CirclesOnOutline {
+  const RoundedOutline &a, &b;
+  const PairLimits& limits;
+  std::span<const EarlierContact> earlier;
+  std::vector<VertexEdge>& contacts;
+  std::vector<Choice>& choices;
+  double radius = a.radius();
 
   void find() {
-    for (int i = 0; i < a_.size(); ++i) {
-      if (a_.is_reflex(i)) continue;
+    for (int i = 0; i < a.size(); ++i) {
+      if (a.is_reflex(i)) continue;
       const double time = time_of_entry(i);
-      for (int e = 0; e < b_.size(); ++e) {
+      for (int e = 0; e < b.size(); ++e) {
         add_edge(i, e, time);
         add_corner(i, e, time);
       }
     }
   }
 
- private:
   /// When the motion takes the circle deep into the other outline; 1: not within the step.
   double time_of_entry(int i) const {
-    const double level = -radius_ / 2;
+    const double level = -radius / 2;
     double earliest = 1;
-    for (int e = 0; e < b_.size(); ++e) {
-      const OverEdge start(a_, i, b_, e, 0), end(a_, i, b_, e, 1);
+    for (int e = 0; e < b.size(); ++e) {
+      const OverEdge start(a, i, b, e, 0), end(a, i, b, e, 1);
       if (start.gap < level || end.gap >= level) continue;
       const double time = (start.gap - level) / (start.gap - end.gap);
-      const OverEdge then(a_, i, b_, e, time);
-      if (then.along >= -radius_ && then.along <= then.length + radius_) earliest = std::min(earliest, time);
+      const OverEdge then(a, i, b, e, time);
+      if (then.along >= -radius && then.along <= then.length + radius) earliest = std::min(earliest, time);
     }
     return earliest;
   }
 
   void add_edge(int i, int e, double time) {
-    const VertexEdge contact{a_.block(), i, b_.block(), e};
-    const OverEdge over(a_, i, b_, e, time);
+    const VertexEdge contact{a.block(), i, b.block(), e};
+    const OverEdge over(a, i, b, e, time);
     // A joint with stiffness may close by more than the radius.
-    const double deepest = was_closed(earlier_, contact) ? std::max(limits_.max_depth, radius_) : radius_;
-    if (over.gap > limits_.search_margin || over.gap <= -deepest) return;
+    const double deepest = was_closed(earlier, contact) ? std::max(limits.max_depth, radius) : radius;
+    if (over.gap > limits.search_margin || over.gap <= -deepest) return;
     const double from_end = std::min(over.along, over.length - over.along);
-    if (from_end >= -limits_.coincidence) add(contact, from_end);
+    if (from_end >= -limits.coincidence) add(contact, from_end);
   }
   void add_corner(int i, int j, double time) {
-    const Vec2 apart = a_.centre(i, time) - b_.vertex(j, time);
-    if (apart.norm() - radius_ > limits_.search_margin || !b_.faces(j, apart, time) ||
-        !a_.faces(i, -apart, time))
+    const Vec2 apart = a.centre(i, time) - b.vertex(j, time);
+    if (apart.norm() - radius > limits.search_margin || !b.faces(j, apart, time) ||
+        !a.faces(i, -apart, time))
       return;
-    add({a_.block(), i, b_.block(), j, true}, 0);
+    add({a.block(), i, b.block(), j, true}, 0);
   }
   void add(const VertexEdge& contact, double from_end) {
-    contacts_.push_back(contact);
-    if (from_end <= limits_.search_margin) choices_.push_back({contact, false});
+    contacts.push_back(contact);
+    if (from_end <= limits.search_margin) choices.push_back({contact, false});
   }
-
-  const RoundedOutline &a_, &b_;
-  const PairLimits& limits_;
-  double radius_;
-  std::span<const EarlierContact> earlier_;
-  std::vector<VertexEdge>& contacts_;
-  std::vector<Choice>& choices_;
 };
 
 /// Whether contacts p of a's vertex and q of b's are the same end of two edges that lie on each other.
@@ -147,8 +134,8 @@ void find_rounded_contacts(const Outline& a, const RoundedBlock& rounded_a, cons
                            std::vector<Choice>& choices) {
   const RoundedOutline of_a(a, rounded_a), of_b(b, rounded_b);
   std::vector<VertexEdge> found;
-  CirclesOnOutline(of_a, of_b, limits, earlier, found, choices).find();
-  CirclesOnOutline(of_b, of_a, limits, earlier, found, choices).find();
+  CirclesOnOutline{of_a, of_b, limits, earlier, found, choices}.find();
+  CirclesOnOutline{of_b, of_a, limits, earlier, found, choices}.find();
   std::vector<char> dropped(found.size(), 0);
   for (std::size_t p = 0; p < found.size(); ++p)
     for (std::size_t q = 0; q < found.size(); ++q)

@@ -12,6 +12,7 @@ namespace ddacontact {
 
 namespace {
 
+/// Solutions while mu falls, and to find the path for one mu.
 constexpr int most_solutions = 60;
 /// Near: sqrt(mu) is this part of the largest sum of forces on a block, and what forces leave over on a block
 /// that part of their sum. The states are told there when a solution changes none, and at this part of both.
@@ -32,53 +33,57 @@ constexpr double step_growth = 1.5, step_cut = 0.25;
 /// itself. Where it asks for much more, or does not get there in so many solutions, the step was too long.
 constexpr double near_path = 0.5, far_from_path = 10;
 constexpr int most_corrections = 4;
-/// Solutions to find the path for one mu, for how many, and to follow it.
-constexpr int most_first_corrections = 60, most_path_starts = 5, most_path_solutions = 600;
+/// Values of mu for which the path is looked for, and solutions to follow it.
+constexpr int most_path_starts = 5, most_path_solutions = 600;
 /// Of friction, in solutions along the path: it may turn where the equations are nearly singular.
 constexpr double path_tolerance = 1e-6;
 
-class InteriorPoint {
- public:
-  InteriorPoint(StepSystem& system, const std::vector<Contact>& contacts, const std::vector<SweptLaw>& laws,
-                const std::function<void()>& look, std::vector<ContactTerm>& terms, VectorXd& d)
-      : system_(system),
-        contacts_(contacts),
-        laws_(laws),
-        look_(look),
-        terms_(terms),
-        d_(d),
-        inside_(terms.size()),
-        forces_(terms.size()),
-        active_(terms.size()) {}
+/// See find_interior_point_states.
+struct InteriorPoint {
+  StepSystem& system;
+  const std::vector<Contact>& contacts;
+  const std::vector<SweptLaw>& laws;
+  const std::function<void()>& look;
+  std::vector<ContactTerm>& terms;
+  VectorXd& d;
+  std::vector<InteriorContact> inside{terms.size()};
+  std::vector<ContactForce> forces{terms.size()};
+  std::vector<unsigned char> active = std::vector<unsigned char>(terms.size());
+  std::vector<Coupling> couplings{};
+  std::vector<unsigned char> states{};  ///< told last
+  double scale = 0;                     ///< the largest sum of forces on a block
+  bool rough = true;                    ///< iterations solve in single precision, as long as these do
+  Residual residual{};
+  VectorXd rhs{}, correction{};
+  InteriorReport report{};
 
   InteriorReport solve() {
-    if (!let_mu_fall() && report_.found) follow_path();
-    return report_;
+    if (!let_mu_fall() && report.found) follow_path();
+    return report;
   }
 
-  unsigned char state(std::size_t c) const { return inside_[c].state(laws_[c]); }
+  unsigned char state(std::size_t c) const { return inside[c].state(laws[c]); }
 
- private:
   /// Mehrotra's method. False: mu does not fall far enough.
   bool let_mu_fall() {
-    look_();
-    for (std::size_t c = 0; c < inside_.size(); ++c)
-      forces_[c] = {terms_[c].normal_multiplier, laws_[c].shear};
-    system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
-    scale_ = residual_.scale;
-    evaluate_interior(scale_ * scale_);
-    system_.problem().order_for_many(terms_);
-    while (report_.solutions < most_solutions) {
+    look();
+    for (std::size_t c = 0; c < inside.size(); ++c)
+      forces[c] = {terms[c].normal_multiplier, laws[c].shear};
+    system.compute_residual(d, contacts, terms, forces, residual);
+    scale = residual.scale;
+    evaluate_interior(scale * scale);
+    system.problem().order_for_many(terms);
+    while (report.solutions < most_solutions) {
       balance();
       const double mean = mean_product(0);
-      report_.found = std::isfinite(mean) && std::isfinite(residual_.block_relative);
-      if (report_.found && tells_states(way_left(mean))) return true;
-      report_.found = report_.found && factorize();
-      if (!report_.found) return false;
+      report.found = std::isfinite(mean) && std::isfinite(residual.block_relative);
+      if (report.found && tells_states(way_left(mean))) return true;
+      report.found = report.found && factorize();
+      if (!report.found) return false;
       const double mu = find_direction(mean);
-      ++report_.solutions;
+      ++report.solutions;
       advance(longest(trimmed_part));
-      look_();
+      look();
       evaluate_interior(mu);
     }
     return false;
@@ -86,14 +91,14 @@ class InteriorPoint {
 
   /// What is left of mu and of forces, 1: near.
   double way_left(double mean) const {
-    return std::max(std::sqrt(mean) / (near_law * scale_), residual_.block_relative / near_balance);
+    return std::max(std::sqrt(mean) / (near_law * scale), residual.block_relative / near_balance);
   }
 
   /// Whether the states can be told where so much of the way is left.
   bool tells_states(double way) {
-    const std::vector<unsigned char> before = std::exchange(states_, {});
-    for (std::size_t c = 0; c < inside_.size(); ++c) states_.push_back(state(c));
-    return way <= nearer || (way <= 1 && states_ == before);
+    const std::vector<unsigned char> before = std::exchange(states, {});
+    for (std::size_t c = 0; c < inside.size(); ++c) states.push_back(state(c));
+    return way <= nearer || (way <= 1 && states == before);
   }
 
   /// A point of the path, with the direction in which it was reached.
@@ -118,16 +123,16 @@ class InteriorPoint {
   /// its end, whether mu falls or rises on the way: where friction is large there are several solutions, and
   /// the path turns round between them, where Newton's method for a smaller mu leads nowhere.
   void follow_path() {
-    rough_ = false;
-    const int last = report_.solutions + most_path_solutions;
+    rough = false;
+    const int last = report.solutions + most_path_solutions;
     bool on_path = false;
-    int n_starts = 0, n_corrections = most_first_corrections;
+    int n_starts = 0, n_corrections = most_solutions;
     double longest_now = longest_step, step = longest_step, first = 0;
     PathPoint kept;
-    while (report_.solutions < last) {
-      if (!on_path && n_corrections == most_first_corrections) {
+    while (report.solutions < last) {
+      if (!on_path && n_corrections == most_solutions) {
         if (n_starts == most_path_starts) return;
-        first = std::pow(more, n_starts++) * scale_ * scale_;
+        first = std::pow(more, n_starts++) * scale * scale;
         begin_all(first);
         n_corrections = 0;
       }
@@ -137,16 +142,16 @@ class InteriorPoint {
         longest_now /= 2;
         step = longest_now;
         on_path = false;
-        n_corrections = most_first_corrections;
+        n_corrections = most_solutions;
         kept.direction.clear();
         continue;
       }
       if (on_path && tells_states(way)) return;
       PathStep path;
       path.off = inf;
-      if (std::isfinite(mean) && std::isfinite(residual_.block_relative) && factorize())
+      if (std::isfinite(mean) && std::isfinite(residual.block_relative) && factorize())
         path = look_along_path(mean);
-      ++report_.solutions;
+      ++report.solutions;
       const bool reached = path.off <= near_path;
       if (on_path && !reached && (!(path.off <= far_from_path) || n_corrections == most_corrections)) {
         step *= step_cut;
@@ -156,7 +161,7 @@ class InteriorPoint {
         continue;
       }
       if (!on_path && !std::isfinite(path.off)) {
-        n_corrections = most_first_corrections;
+        n_corrections = most_solutions;
         continue;
       }
       double part = on_path ? path.nearest : 0;
@@ -165,22 +170,22 @@ class InteriorPoint {
         const double sense = keep_direction(kept.direction, path.D);
         if (n_corrections == 0) step = std::min(step * step_growth, longest_now);
         part = path.nearest + sense * step / std::max(1.0, path.steepest);
-        kept = {inside_, d_, std::move(path.D)};
+        kept = {inside, d, std::move(path.D)};
         n_corrections = 0;
       } else {
         ++n_corrections;
       }
       combine(path, part);
       advance(std::min(1.0, longest()));
-      look_();
+      look();
       evaluate_interior(mean);
     }
   }
 
   void return_to(const PathPoint& point) {
-    inside_ = point.inside;
-    d_ = point.d;
-    look_();
+    inside = point.inside;
+    d = point.d;
+    look();
     evaluate_interior(mean_product(0));
   }
 
@@ -194,21 +199,21 @@ class InteriorPoint {
 
   /// From the start of the step, with these products.
   void begin_all(double mu) {
-    d_ = system_.prescribed();
-    look_();
-    for (InteriorContact& i : inside_) i = {};
+    d = system.prescribed();
+    look();
+    for (InteriorContact& i : inside) i = {};
     evaluate_interior(mu);
   }
 
   PathStep look_along_path(double mean) {
     PathStep path;
     solve_for(mean, 0, path_tolerance);
-    path.centred = inside_;
-    path.correction = correction_;
-    path.C = relative_changes(inside_);
+    path.centred = inside;
+    path.correction = correction;
+    path.C = relative_changes();
     path.C.push_back(0);
     solve_for(0, 0, path_tolerance);
-    path.D = relative_changes(inside_);
+    path.D = relative_changes();
     path.D.push_back(-1);
     double CD = 0, DD = 0;
     for (std::size_t k = 0; k < path.D.size(); ++k) {
@@ -225,7 +230,7 @@ class InteriorPoint {
   }
 
   /// Of the numbers of the pairs of each contact.
-  static std::vector<double> relative_changes(const std::vector<InteriorContact>& inside) {
+  std::vector<double> relative_changes() const {
     std::vector<double> changes;
     for (const InteriorContact& i : inside) {
       const auto append = [&](const InteriorPair& pair, bool acts) {
@@ -242,8 +247,8 @@ class InteriorPoint {
   /// Makes the solution C + part * D of that which leads to the end of the path.
   void combine(const PathStep& path, double part) {
     const auto between = [&](double centred, double& end) { end = centred + part * (end - centred); };
-    for (std::size_t c = 0; c < inside_.size(); ++c) {
-      InteriorContact& i = inside_[c];
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      InteriorContact& i = inside[c];
       const InteriorContact& centred = path.centred[c];
       for (InteriorPair InteriorContact::*pair :
            {&InteriorContact::normal, &InteriorContact::upper, &InteriorContact::lower}) {
@@ -252,25 +257,25 @@ class InteriorPoint {
       }
       between(centred.dT, i.dT);
     }
-    correction_ = path.correction + part * (correction_ - path.correction);
+    correction = path.correction + part * (correction - path.correction);
   }
 
   void evaluate_interior(double mu) {
-    for (std::size_t c = 0; c < inside_.size(); ++c) inside_[c].evaluate(terms_[c], laws_[c], d_, mu);
+    for (std::size_t c = 0; c < inside.size(); ++c) inside[c].evaluate(terms[c], laws[c], d, mu);
   }
 
   void balance() {
-    for (std::size_t c = 0; c < inside_.size(); ++c) {
-      const InteriorContact& i = inside_[c];
-      forces_[c] = i.acts ? ContactForce{i.N(), i.T} : ContactForce{};
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      const InteriorContact& i = inside[c];
+      forces[c] = i.acts ? ContactForce{i.N(), i.T} : ContactForce{};
     }
-    system_.compute_residual(d_, contacts_, terms_, forces_, residual_);
+    system.compute_residual(d, contacts, terms, forces, residual);
   }
 
   double mean_product(double length) {
     double sum = 0;
     int n = 0;
-    for (InteriorContact& i : inside_)
+    for (InteriorContact& i : inside)
       i.for_pairs([&](const InteriorPair& pair) {
         sum += (pair.x + length * pair.dx) * (pair.s + length * pair.ds);
         ++n;
@@ -280,27 +285,27 @@ class InteriorPoint {
 
   /// The matrix with each spring as stiff as its contact's place between its bounds makes it.
   bool factorize() {
-    system_.linearize(d_);
-    couplings_.clear();
-    for (std::size_t c = 0; c < inside_.size(); ++c) {
-      InteriorContact& i = inside_[c];
-      active_[c] = none_acts;
+    system.linearize(d);
+    couplings.clear();
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      InteriorContact& i = inside[c];
+      active[c] = none_acts;
       if (!i.acts) continue;
       i.find_rates();
-      terms_[c].normal_stiffness = i.w * i.p;
-      terms_[c].tangential_stiffness = i.wt * i.p_t;
-      active_[c] = i.sheared ? all_act : normal_acts;
+      terms[c].normal_stiffness = i.w * i.p;
+      terms[c].tangential_stiffness = i.wt * i.p_t;
+      active[c] = i.sheared ? all_act : normal_acts;
       if (i.mixed * i.rate != 0)
-        couplings_.push_back({&terms_[c].slip, &terms_[c].gap, i.mixed * i.rate * i.w * i.p, c});
+        couplings.push_back({&terms[c].slip, &terms[c].gap, i.mixed * i.rate * i.w * i.p, c});
     }
-    return system_.problem().factorize(terms_, active_);
+    return system.problem().factorize(terms, active);
   }
 
   /// As far as it looks that mu may fall, with what is known of the second order then. Returns mu; where no
   /// contact acts yet, that of the start.
   double find_direction(double mean) {
     solve_for(0, 0, friction_tolerance);
-    if (mean == 0) return scale_ * scale_;
+    if (mean == 0) return scale * scale;
     const double length = longest(), part = std::max(mean_product(length) / mean, least_part),
                  mu = mean * part * part * part;
     solve_for(mu, length, friction_tolerance);
@@ -309,31 +314,31 @@ class InteriorPoint {
 
   /// Newton's method for balance and the contacts' equations.
   void solve_for(double mu, double second_order, double tolerance) {
-    rhs_ = residual_.force;
-    for (std::size_t c = 0; c < inside_.size(); ++c) {
-      InteriorContact& i = inside_[c];
+    rhs = residual.force;
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      InteriorContact& i = inside[c];
       if (!i.acts) continue;
       i.aim(mu, second_order);
-      terms_[c].gap.add_gradient(-i.cN, rhs_);
-      if (i.sheared) terms_[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs_);
+      terms[c].gap.add_gradient(-i.cN, rhs);
+      if (i.sheared) terms[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs);
     }
-    const LinearSolution exact = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve(b, x); },
-                         rough = [&](const VectorXd&b, VectorXd&x) { system_.problem().solve_roughly(b, x); };
-    if (!solve_coupled(exact, rough_ ? rough : exact, couplings_, rhs_, tolerance, correction_)) {
-      ++report_.fallbacks;
-      if (std::exchange(rough_, false)) solve_coupled(exact, exact, couplings_, rhs_, tolerance, correction_);
+    const LinearSolution exact = [&](const VectorXd&b, VectorXd&x) { system.problem().solve(b, x); },
+                         quick = [&](const VectorXd&b, VectorXd&x) { system.problem().solve_roughly(b, x); };
+    if (!solve_coupled(exact, rough ? quick : exact, couplings, rhs, tolerance, correction)) {
+      ++report.fallbacks;
+      if (std::exchange(rough, false)) solve_coupled(exact, exact, couplings, rhs, tolerance, correction);
     }
-    for (std::size_t c = 0; c < inside_.size(); ++c) {
-      InteriorContact& i = inside_[c];
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      InteriorContact& i = inside[c];
       if (!i.acts) continue;
-      i.follow(terms_[c].gap.change(correction_), i.sheared ? terms_[c].slip.change(correction_) : 0);
+      i.follow(terms[c].gap.change(correction), i.sheared ? terms[c].slip.change(correction) : 0);
     }
   }
 
   /// How far all contacts but this part of them may follow the solution.
   double longest(double trimmed = 0) {
     std::vector<double> lengths{1};
-    for (InteriorContact& i : inside_) lengths.push_back(i.longest());
+    for (InteriorContact& i : inside) lengths.push_back(i.longest());
     const auto first = lengths.begin() + static_cast<Index>(trimmed * static_cast<double>(lengths.size()));
     std::nth_element(lengths.begin(), first, lengths.end());
     return *first;
@@ -341,26 +346,9 @@ class InteriorPoint {
 
   /// Each contact as far as it may: what that leaves over the next solution makes good.
   void advance(double longest_of_all) {
-    for (InteriorContact& i : inside_) i.advance(std::min(longest_of_all, i.longest()));
-    if (correction_.allFinite()) system_.move(-longest_of_all * correction_, d_);
+    for (InteriorContact& i : inside) i.advance(std::min(longest_of_all, i.longest()));
+    if (correction.allFinite()) system.move(-longest_of_all * correction, d);
   }
-
-  StepSystem& system_;
-  const std::vector<Contact>& contacts_;
-  const std::vector<SweptLaw>& laws_;
-  const std::function<void()>& look_;
-  std::vector<ContactTerm>& terms_;
-  VectorXd& d_;
-  std::vector<InteriorContact> inside_;
-  std::vector<ContactForce> forces_;
-  std::vector<unsigned char> active_;
-  std::vector<Coupling> couplings_;
-  std::vector<unsigned char> states_;  ///< told last
-  double scale_ = 0;                   ///< the largest sum of forces on a block
-  bool rough_ = true;                  ///< iterations solve in single precision, as long as these do
-  Residual residual_;
-  VectorXd rhs_, correction_;
-  InteriorReport report_;
 };
 
 }  // namespace
@@ -369,7 +357,7 @@ InteriorReport find_interior_point_states(StepSystem& system, const std::vector<
                                           const std::vector<SweptLaw>& laws,
                                           const std::function<void()>& look, std::vector<ContactTerm>& terms,
                                           VectorXd& d, std::vector<unsigned char>& states) {
-  InteriorPoint point(system, contacts, laws, look, terms, d);
+  InteriorPoint point{system, contacts, laws, look, terms, d};
   const InteriorReport report = point.solve();
   for (std::size_t c = 0; c < terms.size(); ++c) states[c] = point.state(c);
   return report;

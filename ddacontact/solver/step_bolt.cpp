@@ -39,7 +39,7 @@ StepBolt::StepBolt(const BlockSystem& blocks, const Bolt& bolt)
 
 void StepBolt::begin(const BlockSystem& blocks, const BlockState& state, Directions directions) {
   directions_ = directions;
-  numbers_ = state.bolts.segment(bolt_->numbers.first, bolt_->numbers.count);
+  numbers_ = bolt_->numbers.of(state.bolts);
   for (std::size_t i = 0; i < maps_.size(); ++i) {
     maps_[i].clear();
     for_terms(blocks, bolt_->nodes[i], [&](int unknown, const Vec2& column) {
@@ -122,7 +122,7 @@ double StepBolt::largest_stiffness() const {
 }
 
 BoltLosses StepBolt::end(VectorXd& numbers) const {
-  auto own = numbers.segment(bolt_->numbers.first, bolt_->numbers.count);
+  auto own = bolt_->numbers.of(numbers);
   BoltLosses losses = follow(*bolt_, elongation_, own);
   if (directions_ != Directions::mean || losses.tears) return losses;
   // With means what yields takes the mean of its force at both ends.

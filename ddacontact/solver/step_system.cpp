@@ -119,7 +119,7 @@ void StepSystem::find_own_forces(const VectorXd& d) const {
     for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping})
       sum += f->cwiseQuotient(lengths).lpNorm<1>();
     for (const VectorXd* f : {&load_forces_, &gravity_forces_})
-      sum += f->segment(u.first, u.count).cwiseQuotient(lengths).lpNorm<1>();
+      sum += u.of(*f).cwiseQuotient(lengths).lpNorm<1>();
     own_sums_[a] = {sum, u.of(d).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};
   });
 }

@@ -53,7 +53,7 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     auto points = block.points().columns_of(later.position);
     points = ((R * (points.colwise() - centre)).colwise() + (centre + shift)).eval();
     if (later.coordinates.size() == 0) continue;
-    auto s = later.coordinates.segment<3>(block.coordinates().first);
+    auto s = later.coordinates.segment<BlockState::n_rigid>(block.coordinates().first);
     s.head<2>() = (centre + shift + R * (Vec2(s.head<2>()) - centre)).eval();
     s[2] += times[b] * v.angular;
   }

@@ -33,9 +33,6 @@ std::string why_rejected(SolutionStatus status, const std::string& between) {
   return status == SolutionStatus::settled ? "" : whys.at(status)[0] + between + whys.at(status)[1];
 }
 
-/// A step is solved again at most so often for contacts that closed fast and were not predicted.
-constexpr int most_impact_rounds = 4;
-
 /// Two states are in each other's place while it lives.
 class Swapped {
  public:
@@ -119,7 +116,7 @@ TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm
   if (!has_impacts) return solve_with(dt, {}, warm_start);
   std::vector<char> forced;
   TrialSolution solution;
-  for (int round = 0; round < most_impact_rounds; ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);

@@ -93,6 +93,10 @@ class TrialStep {
   const StepTimes& times() const { return times_; }
 
  private:
+  /// A step is solved again so often at most: for contacts that closed fast and were not predicted, and for
+  /// lines that corners meet.
+  static constexpr int most_rounds = 4;
+
   bool is_static() const { return analysis_.mode == Mode::statics; }
   bool is_classic() const { return builder_->properties().method == ContactMethod::classic; }
   StepRule rule(double dt) const { return rule_from(analysis_, state_, dt); }

@@ -7,9 +7,6 @@ namespace ddacontact {
 
 namespace {
 
-/// A step is solved so often for lines that turn out to be others.
-constexpr int most_corner_rounds = 4;
-
 /// Those that contacts had, by the pairs that are still among them; both lists are in the order of the pairs
 /// of blocks.
 std::vector<ContactForce> forces_still_there(const std::vector<Contact>& had,
@@ -68,8 +65,8 @@ TrialSolution TrialStep::solve(double dt) {
         blocks_.prepare(state_);
       }
     }
-    if (changed && round == most_corner_rounds) ++counts_.unsettled_corners;
-    if (!changed || round == most_corner_rounds) {
+    if (changed && round == most_rounds) ++counts_.unsettled_corners;
+    if (!changed || round == most_rounds) {
       contacts_ = solved;
       solved_ = true;
       break;

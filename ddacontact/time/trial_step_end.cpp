@@ -31,7 +31,7 @@ TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
   for_all(blocks_.n_blocks(), [&](int b) {
     if (blocks_.is_unchanging(b)) return;
     const Range& v = blocks_.block(b).vertices();
-    const auto outline = next.position.middleCols(v.first, v.count);
+    const auto outline = v.columns_of(next.position);
     is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
     const double angle = best_fit_rotation(blocks_.block(b).reference().leftCols(v.count), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
@@ -39,7 +39,7 @@ TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!is_concave[b]) continue;
     const Range& v = blocks_.block(b).vertices();
-    end.rejection = defect_of(blocks_.names[b], next.position.middleCols(v.first, v.count));
+    end.rejection = defect_of(blocks_.names[b], v.columns_of(next.position));
     if (!end.rejection.empty()) return end;
     end.concave.push_back(b);
   }
