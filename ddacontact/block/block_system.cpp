@@ -44,8 +44,7 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(s
 
 Points BlockSystem::reference() const {
   Points points(2, static_cast<Index>(block_of_point_.size()));
-  for (const auto& block : blocks_)
-    block->points().columns_of(points) = block->reference();
+  for (const auto& block : blocks_) block->points().columns_of(points) = block->reference();
   return points;
 }
 
@@ -277,8 +276,7 @@ void BlockSystem::find_coordinates(BlockState& state) const {
     if (unchanging_[b] || !block(b).shape()) return;
     const Range &c = block(b).coordinates(), &p = block(b).points();
     const CorotationalShape& shape = *block(b).shape();
-    const Points nodes =
-        NodalKinematics<polyfem::AnyNodes>(shape).of_points(p.columns_of(state.position));
+    const Points nodes = NodalKinematics<polyfem::AnyNodes>(shape).of_points(p.columns_of(state.position));
     c.of(state.coordinates) = shape.motions().coordinates_of(nodes);
   });
 }

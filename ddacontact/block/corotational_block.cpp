@@ -111,8 +111,7 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
     const auto velocity = u.of(start.velocity);
     const VectorXd initial = initial_force(state);
     if (state.coordinates.size() > 0)
-      BlockMotion::begin(*shape_, coordinates().of(state.coordinates),
-                         velocity, initial, start_);
+      BlockMotion::begin(*shape_, coordinates().of(state.coordinates), velocity, initial, start_);
     else
       BlockMotion::begin(*shape_, shape_->motions().coordinates_of(nodes(state)), velocity, initial, start_);
     return;
@@ -120,8 +119,7 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     const auto y = nodes.of_points(p.columns_of(state.position));
     CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(u.of(start.velocity)),
-                                nodes.to_nodes(u.of(start.acceleration)),
-                                initial_stress(state), start_);
+                                nodes.to_nodes(u.of(start.acceleration)), initial_stress(state), start_);
   });
 }
 
@@ -183,8 +181,7 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
     auto points = p.columns_of(next.position);
     auto velocity = u.of(next.carried);
     if (next.coordinates.size() > 0) {
-      by_motions->end(d, forces, coordinates().of(next.coordinates), points,
-                      velocity);
+      by_motions->end(d, forces, coordinates().of(next.coordinates), points, velocity);
     } else {
       VectorXd of_block = shape_->motions().coordinates_of(nodes(next));
       by_motions->end(d, forces, of_block, points, velocity);

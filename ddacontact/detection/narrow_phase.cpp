@@ -128,12 +128,11 @@ struct Entrances {
   }
 
   void collect_edges() {
-    const Box near_a = widened(
-        of_a.box, std::max(limits.search_margin, limits.max_depth) + 2 * limits.coincidence);
+    const Box near_a =
+        widened(of_a.box, std::max(limits.search_margin, limits.max_depth) + 2 * limits.coincidence);
     for (int e = 0; e < b.vertices.cols(); ++e) {
       const Vec2 p = b.vertices.col(e), q = b.vertices.col(next(e, b.vertices));
-      if (touch({p.cwiseMin(q), p.cwiseMax(q)}, near_a))
-        edges.push_back({e, DirectedEdge(p, of_b.sides[e])});
+      if (touch({p.cwiseMin(q), p.cwiseMax(q)}, near_a)) edges.push_back({e, DirectedEdge(p, of_b.sides[e])});
     }
   }
 

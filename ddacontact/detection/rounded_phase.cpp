@@ -102,8 +102,7 @@ struct CirclesOnOutline {
   }
   void add_corner(int i, int j, double time) {
     const Vec2 apart = a.centre(i, time) - b.vertex(j, time);
-    if (apart.norm() - radius > limits.search_margin || !b.faces(j, apart, time) ||
-        !a.faces(i, -apart, time))
+    if (apart.norm() - radius > limits.search_margin || !b.faces(j, apart, time) || !a.faces(i, -apart, time))
       return;
     add({a.block(), i, b.block(), j, true}, 0);
   }

@@ -107,7 +107,7 @@ void AugmentedContacts::take_first_forces() {
 void AugmentedContacts::evaluate(VectorXd& d) {
   const VectorXd displaced = system_.displacement(d);
   for_all(contacts_.size(),
-               [&](std::size_t c) { evaluate(contacts_[c], displaced, d, multipliers_[c], terms_[c]); });
+          [&](std::size_t c) { evaluate(contacts_[c], displaced, d, multipliers_[c], terms_[c]); });
 }
 
 void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displaced, const VectorXd& d,

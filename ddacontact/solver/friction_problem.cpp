@@ -168,8 +168,7 @@ bool FrictionProblem::is_round_off(const std::vector<ContactTerm>& contacts, con
   magnitudes_ = g0.cwiseAbs();
   for_elements([&](int e, std::span<const int> u) {
     for (std::size_t l = 0; l < u.size(); ++l)
-      for (std::size_t k = 0; k < u.size(); ++k)
-        magnitudes_[u[k]] += std::abs(matrices_[e](k, l) * d[u[l]]);
+      for (std::size_t k = 0; k < u.size(); ++k) magnitudes_[u[k]] += std::abs(matrices_[e](k, l) * d[u[l]]);
   });
   for (const ContactTerm& c : contacts) {
     if (c.normal == ContactTerm::Normal::absent) continue;

@@ -67,8 +67,7 @@ struct InteriorPoint {
   /// Mehrotra's method. False: mu does not fall far enough.
   bool let_mu_fall() {
     look();
-    for (std::size_t c = 0; c < inside.size(); ++c)
-      forces[c] = {terms[c].normal_multiplier, laws[c].shear};
+    for (std::size_t c = 0; c < inside.size(); ++c) forces[c] = {terms[c].normal_multiplier, laws[c].shear};
     system.compute_residual(d, contacts, terms, forces, residual);
     scale = residual.scale;
     evaluate_interior(scale * scale);

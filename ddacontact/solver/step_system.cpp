@@ -2,7 +2,6 @@
 
 #include <ddacontact/core/for_all.hpp>
 
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include <ddacontact/core/for_all.hpp>
 
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +31,7 @@ double MotionLimits::largest_search_margin(int block) const {
 void MotionLimits::find_speeds(const BlockState& state, const std::vector<ContactRecord>& met) {
   own_speed_.resize(blocks_.n_blocks());
   for_all(blocks_.n_blocks(),
-             [&](int b) { own_speed_[b] = blocks_.block(b).furthest_vertex(state.going_on()); });
+          [&](int b) { own_speed_[b] = blocks_.block(b).furthest_vertex(state.going_on()); });
   speed_ = own_speed_;
   for (const ContactRecord& contact : met) {
     const int a = contact.pair.vertex_block, b = contact.pair.edge_block;

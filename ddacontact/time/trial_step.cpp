@@ -1,7 +1,7 @@
 #include <ddacontact/time/trial_step.hpp>
 
-#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/contact/seams.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/waves.hpp>
 #include <polyfem/core/stopwatch.hpp>

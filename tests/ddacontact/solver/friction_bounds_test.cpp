@@ -60,8 +60,7 @@ TEST(FrictionBounds, SettleWhenContactsChangeTheirStates) {
 TEST(FrictionBounds, WithoutSolutionTheIterationEnds) {
   VectorXd bounds = VectorXd::Zero(1);
   const BoundsReport report = iterate_bounds(
-      [](const VectorXd& b, VectorXd& wanted) { wanted = VectorXd::Constant(1, b[0] > 1 ? 0 : 2); },
-      bounds);
+      [](const VectorXd& b, VectorXd& wanted) { wanted = VectorXd::Constant(1, b[0] > 1 ? 0 : 2); }, bounds);
   EXPECT_FALSE(report.settled);
   EXPECT_EQ(report.solves, 100);
 }

@@ -86,9 +86,7 @@ struct RandomProblem {
     made.matrices_changed();
     return made;
   }
-  MinimizeOptions options(int max_iterations = 100) const {
-    return {0, max_iterations};
-  }
+  MinimizeOptions options(int max_iterations = 100) const { return {0, max_iterations}; }
 
   /// The potential, written out by cases.
   double energy(const VectorXd& d) const {
@@ -280,11 +278,9 @@ TEST(FrictionProblem, SaysWhenNothingHoldsAnUnknown) {
   problem.elements()[0](0, 0) = 0;
   problem.matrices_changed();
   VectorXd x = VectorXd::Zero(1);
-  EXPECT_EQ(problem.minimize({wall}, VectorXd::Ones(1), {}, x).status,
-            MinimizeStatus::not_positive_definite);
-  EXPECT_EQ(
-      problem.minimize({wall}, VectorXd::Constant(1, std::nan("")), {}, x).status,
-      MinimizeStatus::not_finite);
+  EXPECT_EQ(problem.minimize({wall}, VectorXd::Ones(1), {}, x).status, MinimizeStatus::not_positive_definite);
+  EXPECT_EQ(problem.minimize({wall}, VectorXd::Constant(1, std::nan("")), {}, x).status,
+            MinimizeStatus::not_finite);
 }
 
 TEST(FrictionProblem, WithoutFreeUnknownsThereIsNothingToDo) {

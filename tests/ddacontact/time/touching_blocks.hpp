@@ -77,9 +77,7 @@ struct TouchingBlocks {
     const Block& of = blocks.block(b);
     v.segment(of.unknowns().first, of.n_unknowns()) = of.rigid_modes() * rigid;
   }
-  JumpReport jump(double least_approach = 0) const {
-    return impact(blocks, contacts, v, least_approach);
-  }
+  JumpReport jump(double least_approach = 0) const { return impact(blocks, contacts, v, least_approach); }
   RigidVelocity velocity(int b, const VectorXd& of) const { return rigid_velocity(blocks.block(b), of); }
 
   double energy(const VectorXd& of) const {

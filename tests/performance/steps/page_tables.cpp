@@ -136,7 +136,8 @@ Table memory_table(std::span<const Measurement> table) {
   for (const Measurement& m : table)
     if (m.steps > 0)
       rows.push_back({way_of(m), fmt::format("{}", m.blocks), fmt::format("{:.2f}", kilobytes(m)),
-                      number_text(1e3 * m.factor_memory / m.blocks), fmt::format("{:.2f}", 1e3 * m.peak / m.blocks)});
+                      number_text(1e3 * m.factor_memory / m.blocks),
+                      fmt::format("{:.2f}", 1e3 * m.peak / m.blocks)});
   return rows;
 }
 
