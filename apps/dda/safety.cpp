@@ -135,7 +135,13 @@ std::string note_of_small_part(const SafetyFiles& files, const Scene& scene) {
 void warn_of_sharp_corners(const RoundedTrial& rounded, const std::string& file) {
   const std::string trial =
       fmt::format("{}: warning: with corners rounded by {:.2g} of a block's size ", file, rounded.rounding);
-  if (rounded.trial.verdict == Verdict::moves)
+  const long broken = rounded.trial.broken_bonds;
+  if (rounded.trial.verdict == Verdict::moves && broken > 0)
+    fmt::print(stderr,
+               "{}blocks move at F = {:.4g} already, where bonds of {} contacts broke: rounded corners break "
+               "them too early, or sharp ones interlock at steps that rock would not have\n",
+               trial, rounded.trial.factor, broken);
+  else if (rounded.trial.verdict == Verdict::moves)
     fmt::print(stderr,
                "{}blocks move at F = {:.4g} already: sharp corners interlock at steps that rock would not "
                "have (contact = {{ corner_rounding = {:.2g} }})\n",

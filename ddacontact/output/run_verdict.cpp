@@ -215,8 +215,8 @@ void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
   if (stepper.energy().created() > large_rise)
     warnings.push_back(
         "energy rose by " + figure(stepper.energy().created()) +
-        " of the largest exchanged above what loads and supports put in (a smaller 'time_step', "
-        "or scheme = \"decaying\"; scheme = \"newmark\" needs a gamma of 0.6)");
+        " of the largest exchanged above what loads and supports put in (a smaller 'time_step'; "
+        "\"decaying\" in place of another scheme; \"newmark\" needs a gamma of 0.6)");
 }
 
 }  // namespace

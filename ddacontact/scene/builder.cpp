@@ -67,6 +67,7 @@ class Builder {
       built_.labels.joint_names.push_back(scene_.joints[j].name.empty() ? std::to_string(j)
                                                                         : scene_.joints[j].name);
     note_bent_joints();
+    note_added_bonds();
     built_.labels.has_bolts = !scene_.bolts.empty();
     for (const Monitor& monitor : scene_.monitors)
       built_.monitor_targets.push_back(make_monitor_target(monitor, system));
@@ -153,6 +154,20 @@ class Builder {
         " acts at both ends of a face between blocks that are not meshed: bent, such a face "
         "resists three times as much as along its whole length (model = \"mesh\" where "
         "joints bend)");
+  }
+
+  /// Contacts are bonded that are closed when the run begins.
+  void note_added_bonds() {
+    for (const StageDescription& stage : scene_.stages)
+      for (const int b : stage.added)
+        if (std::ranges::any_of(stage.joints, [](const Joint& joint) {
+              return joint.cohesion > 0 || joint.tensile_strength > 0;
+            })) {
+          built_.notes.push_back("block " + scene_format::quoted(scene_.block_name(b)) +
+                                 ", and whatever else comes in by 'add', has friction alone: cohesion and "
+                                 "tensile strength hold contacts that are closed when the run begins");
+          return;
+        }
   }
 
   /// What scenes are rarely meant to be without.

@@ -33,8 +33,14 @@ until = { kinetic = 1e-8, displacement = 1e-5 }
 joints = { "cross joint" = { glued = true }, bedding = { glued = true } }
 reset_displacements = true
 
-[[stage]]                     # then they may slide and open
+[[stage]]                     # then they bear what they can; the rest is let go without a shock
 name  = "release"
+mode  = "static"
+steps = 100
+until = { kinetic = 1e-8, displacement = 1e-5 }
+
+[[stage]]                     # what does not rest moves
+name  = "motion"
 steps = 100
 )";
 

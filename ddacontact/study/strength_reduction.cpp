@@ -12,8 +12,8 @@ namespace ddacontact {
 namespace {
 
 constexpr int fewest_settling_steps = 1000;
-/// Static steps that let the glue go, so long that the smallest block falls by the slip of `TrialLimits` in
-/// all of them: vibrations die in steps much longer than their periods.
+/// Static steps that let go what strengths no longer hold, so long that the smallest block falls by the slip
+/// of `TrialLimits` in all of them: vibrations die in steps much longer than their periods.
 constexpr int release_steps = 100;
 
 double release_time_step(const Scene& scene) {
@@ -44,15 +44,12 @@ Scene with_settling(Scene scene) {
   return scene;
 }
 
-/// The dynamic last stage lets go what is glued in the one before, and does nothing else at its start: what
-/// an excavation shakes loose is its own.
-bool lets_glue_go(const Scene& scene) {
-  const StageDescription &last = scene.stages.back(), &before = *std::prev(scene.stages.end(), 2);
-  for (const std::vector<int>* done : {&last.removed, &last.bolts, &last.added, &last.loads})
-    if (!done->empty()) return false;
-  for (std::size_t j = 0; j < last.joints.size(); ++j)
-    if (before.joints[j].glued && !last.joints[j].glued) return last.analysis.mode == Mode::dynamic;
-  return false;
+/// Whether the dynamic last stage changes nothing but strengths at its start: what an excavation shakes loose
+/// is its own.
+bool begins_by_strengths(const Scene& scene) {
+  const StageDescription& last = scene.stages.back();
+  return last.analysis.mode == Mode::dynamic && last.removed.empty() && last.bolts.empty() &&
+         last.added.empty() && last.loads.empty();
 }
 
 /// The beginning of the last stage as a static one.
@@ -107,7 +104,7 @@ void StrengthReduction::settle(bool glues) {
   };
   while (!is_settled()) {
     if (stepper.step()) continue;
-    if (!glues || !lets_glue_go(scene_) || changed > 0)
+    if (!glues || !begins_by_strengths(scene_) || changed > 0)
       throw SettlingStopped("the scene does not settle: " + stepper.stop_reason());
     notes_.push_back("the scene does not settle glued (" + stepper.stop_reason() +
                      "): trials settle it as it is");
@@ -116,7 +113,7 @@ void StrengthReduction::settle(bool glues) {
     n_settling_ = 0;
     return;
   }
-  if (lets_glue_go(scene_) && changed <= stepper.state().time) insert_release(scene_);
+  if (begins_by_strengths(scene_) && changed <= stepper.state().time) insert_release(scene_);
   const Equilibrium& e = stepper.equilibrium();
   if (!e.in_balance())
     unsettled_ = "block \"" + scene_.block_name(e.unbalanced_block) + "\" is out of balance";

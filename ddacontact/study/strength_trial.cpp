@@ -63,6 +63,7 @@ void describe_end(const Stepper& stepper, const Way& way, double start_time, Str
   trial.time = stepper.state().time - start_time;
   trial.displacements = way.of_vertices();
   trial.pulled_bonds = describe_pulled_bonds(stepper);
+  trial.broken_bonds = stepper.counts().broken_bonds;
   const int first = way.furthest(ways);
   if (ways[first] == 0) return;
   trial.first_block = first;

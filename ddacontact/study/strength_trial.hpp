@@ -40,6 +40,7 @@ struct StrengthTrial {
   int first_block = -1;           ///< whose vertex went furthest, in sizes of the block
   std::vector<int> moved_blocks;  ///< that went a tenth as far at least, ascending
   std::string pulled_bonds;       ///< see `describe_pulled_bonds`
+  long broken_bonds = 0;          ///< since the run began
   Points displacements;           ///< of all vertices since the start of the trial, m
 };
 

@@ -45,6 +45,21 @@ bool have_same_forces(const Stage& a, const Stage& b) {
                             });
 }
 
+/// How many contacts glue holds that these joints cannot hold in its place.
+long count_beyond_strength(const std::vector<ContactRecord>& contacts, ContactProperties properties,
+                           const JointTable& joints) {
+  const ContactProperties glued = properties;
+  properties.joints = joints;
+  return std::ranges::count_if(contacts, [&](const ContactRecord& contact) {
+    if (!glued.is_glued(contact)) return false;
+    const JointLaw law = properties.law(contact);
+    const bool bonded = contact.history.bonded;
+    const double allowed = largest_unbalanced * std::hypot(contact.normal, contact.shear);
+    return -contact.normal > (bonded ? law.tension : 0) + allowed ||
+           std::abs(contact.shear) > shear_bound(law, contact.normal, bonded) + allowed;
+  });
+}
+
 }  // namespace
 
 Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties& contacts,
@@ -154,7 +169,13 @@ bool Stepper::enter_stage(int stage) {
   if (const Stage& next = stages_[stage]; next.relax > 0)
     blocks_.fading = {forces_of(next.removed), state_.time,
                       state_.time + next.relax * next.analysis.time_step};
+  const long n_beyond = count_beyond_strength(contacts_, properties_, stages_[stage].joints);
   apply(stages_[stage], state_.time);
+  if (!is_static() && n_beyond > 0)
+    run_.notes.push_back("at time " + std::to_string(state_.time) +
+                         " s dynamic steps let go at once what glue held at " + std::to_string(n_beyond) +
+                         " contacts beyond the strength of their joints: blocks " +
+                         "vibrate and may slip (put a static stage without glue before them)");
   progress_.stage = stage;
   progress_.steps = 0;
   progress_.came_to_rest = false;

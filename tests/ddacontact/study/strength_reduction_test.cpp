@@ -256,13 +256,21 @@ TEST(StrengthReduction, ShortStepsDoNotShakeBlocksLoose) {
   const double weight = density * gravity * (half + top) * height, b = std::atan((half - top) / height),
                factor =
                    std::tan(radians(friction)) / std::tan(b + std::atan(weight / (2 * pressure * height)));
-  for (const double time_step : {0.01, 0.001, 0.0002}) {
-    SCOPED_TRACE(time_step);
-    scene.analysis.time_step = time_step;
-    const StrengthReduction reduction(scene, {0});
-    EXPECT_EQ(reduction.try_factor(0.98 * factor).verdict, Verdict::rests);
-    EXPECT_EQ(reduction.try_factor(1.02 * factor).verdict, Verdict::moves);
-  }
+  for (const bool glued : {true, false})  // at first: trials let go glue, or the strength that they take away
+    for (const double time_step : {0.01, 0.001, 0.0002}) {
+      SCOPED_TRACE(testing::Message() << (glued ? "glued, " : "") << time_step);
+      scene.analysis.time_step = time_step;
+      scene.stages.clear();
+      if (!glued) {
+        scene.stages = {scene.stage("settle"), scene.stage("last")};
+        scene.stages[0].analysis.mode = Mode::statics;
+        scene.stages[0].analysis.time_step = 0.01;
+        scene.stages[0].analysis.steps = 100;
+      }
+      const StrengthReduction reduction(scene, {0});
+      EXPECT_EQ(reduction.try_factor(0.98 * factor).verdict, Verdict::rests);
+      EXPECT_EQ(reduction.try_factor(1.02 * factor).verdict, Verdict::moves);
+    }
 }
 
 TEST(StrengthReduction, NamesWhatMoves) {

@@ -297,3 +297,24 @@ TEST(Glue, BlocksWhoseHeldCornersTouchStandAsOne) {
     for (int b = 0; b < 4; ++b) EXPECT_LT(furthest(*built.stepper, b), 1e-4);
   }
 }
+
+/// Contacts whose glue, let go at once, is more than their joint bears are told; those let go statically are
+/// not.
+TEST(GlueLetGo, ByDynamicStepsIsToldWhereJointsCannotBearIt) {
+  const auto notes_of = [](double friction_angle, std::vector<Mode> without_glue) {
+    Scene scene = slope();
+    scene.joints[0].friction_angle = friction_angle;
+    scene.stages = {stage_of(scene, true, Mode::statics, 10)};
+    for (const Mode mode : without_glue) scene.stages.push_back(stage_of(scene, false, mode, 1));
+    const BuiltScene built = build(scene);
+    while (built.stepper->step()) {
+    }
+    return built.stepper->notes();
+  };
+  const std::vector<std::string> told = notes_of(30, {Mode::dynamic});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("at 2 contacts"), std::string::npos) << told[0];
+  EXPECT_TRUE(notes_of(45, {Mode::dynamic}).empty());
+  EXPECT_TRUE(notes_of(30, {Mode::statics}).empty());
+  EXPECT_TRUE(notes_of(30, {Mode::statics, Mode::dynamic}).empty());
+}
