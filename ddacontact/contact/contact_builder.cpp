@@ -74,7 +74,8 @@ void ContactBuilder::find_pairs(const BlockState& state) {
 
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                                       std::span<const ContactRecord> previous, bool ties,
-                                      std::vector<VertexEdge>& found, std::vector<Choice>& choices) const {
+                                      std::span<const CoveredPart> covered, std::vector<VertexEdge>& found,
+                                      std::vector<Choice>& choices) const {
   thread_local Points shifted_b, moved_a, moved_b;
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
@@ -118,7 +119,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                           found, choices);
   else
     find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
-                  {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, found, choices);
+                  {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, covered, found,
+                  choices);
   const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
   const bool stiff = any_compliant && !blocks_.has_rounded_corners();
   if (any_compliant || blocks_.has_rounded_corners()) leave_one_a_place(state, previous, found, first);
@@ -158,7 +160,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
     found.clear();
     choices.clear();
     for (Index p = begin; p < end; ++p)
-      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, found, choices);
+      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, {}, found, choices);
   };
   polyfem::for_ranges(n, pairs_of_range, std::ref(check_pairs));
   choices_.clear();

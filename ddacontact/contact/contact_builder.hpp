@@ -83,10 +83,14 @@ class ContactBuilder {
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state);
   /// Appends the contacts of a pair, and where they were preferred to others.
-  /// \param[in] ties  earlier contacts win ties
+  /// \param[in] ties     earlier contacts win ties
+  /// \param[in] covered  of sharp corners, see find_contacts
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
-                        std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
+                        std::span<const ContactRecord> previous, bool ties,
+                        std::span<const CoveredPart> covered, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
+  /// Where other blocks lie on the edges of these two, as near as joints are flush.
+  std::vector<CoveredPart> find_covered(const Pair& pair, const BlockState& state) const;
   /// Whether free unknowns move what has this form, by more than supports leave at the held end of an edge.
   bool is_moved(const Contact& contact, const VertexEdgeForm& by) const;
   /// Where supports alone hold two blocks together no one can tell the normal force: a bond bears shear by
@@ -97,7 +101,8 @@ class ContactBuilder {
   bool can_change(const BlockState& state, const VertexEdge& pair,
                   std::span<const ContactRecord> previous) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
-                   const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
+                   bool by_covers, const std::vector<ContactRecord>& previous,
+                   std::vector<Contact>& contacts);
   /// What a contact is of one of the step before: the same; of its vertex, with an edge that is collinear
   /// with its own; where vertex meets vertex, of the other vertex with this one's edge. The first is the
   /// nearest.

@@ -20,6 +20,10 @@ struct VertexCorner {
 
   VertexCorner(const Vec2& at, const Side& before, const Side& after)
       : x(at), sides{after.along(), -before.along()}, lengths{after.length, before.length} {}
+  void go_on(int side, const Vec2& along) {
+    sides[side] = along;
+    lengths[side] = along.norm();
+  }
   /// Whether it lies on the outer side of an edge with this normal, or may be turned there within the step.
   bool admissible(const Vec2& normal, double search_margin) const {
     for (int k : {0, 1})
@@ -35,9 +39,10 @@ struct Candidate {
   VertexEdge contact;
   double gap, overshoot;
   Vec2 normal;
-  double offset;        ///< of the gap
-  bool known;           ///< a contact before
-  bool kept;            ///< and closed
+  double offset;  ///< of the gap
+  bool known;     ///< a contact before
+  bool kept;      ///< and closed
+  bool covered;
   bool strict = false;  ///< admissible as it stands, without turning within the step
   bool dropped = false;
 
@@ -109,6 +114,7 @@ struct Entrances {
   const OutlineSides& of_b;
   const PairLimits& limits;
   std::span<const EarlierContact> earlier;
+  std::span<const CoveredPart> covered;
   std::vector<NumberedEdge>& edges;  ///< of b that a may be near
   std::vector<Candidate>& near;      ///< of the vertex at hand
   std::vector<Choice>& choices;
@@ -136,8 +142,28 @@ struct Entrances {
     }
   }
 
+  /// With what covers its sides.
+  VertexCorner corner_at_vertex(int i) const {
+    const int before = previous(i, a.vertices);
+    VertexCorner corner(a.vertices.col(i), of_a.sides[before], of_a.sides[i]);
+    for (const CoveredPart& part : covered) {
+      if (part.block != a.block) continue;
+      if (part.edge == i && part.from <= limits.lip) corner.go_on(0, part.before);
+      if (part.edge == before && part.to >= of_a.sides[before].length - limits.lip)
+        corner.go_on(1, part.after);
+    }
+    return corner;
+  }
+
+  bool is_covered(int e, double along) const {
+    return std::ranges::any_of(covered, [&](const CoveredPart& part) {
+      return part.block == b.block && part.edge == e && along >= part.from - limits.lip &&
+             along <= part.to + limits.lip;
+    });
+  }
+
   void add_entrances_of(int i, std::vector<Candidate>& found) {
-    const VertexCorner corner(a.vertices.col(i), of_a.sides[previous(i, a.vertices)], of_a.sides[i]);
+    const VertexCorner corner = corner_at_vertex(i);
     const Vec2& x = corner.x;
     near.clear();
     bool behind = false;
@@ -151,7 +177,8 @@ struct Entrances {
       if (!is_within(limits.search_margin, {off, aside})) continue;
       if (!corner.admissible(edge.normal, limits.search_margin)) continue;
       const bool stays = overshoot <= limits.coincidence && before && before->closed;
-      near.push_back({contact, gap, overshoot, edge.normal, offset, before && before->wins_ties, stays});
+      near.push_back({contact, gap, overshoot, edge.normal, offset, before && before->wins_ties, stays,
+                      is_covered(e, edge.tangent.dot(x - edge.start))});
       behind = behind || is_behind(near.back());
     }
     if (near.empty()) return;
@@ -160,6 +187,7 @@ struct Entrances {
       inside = !is_outside(x);
       if (!inside) std::erase_if(near, [this](const Candidate& c) { return is_behind(c); });
     }
+    if (!std::ranges::all_of(near, &Candidate::covered)) std::erase_if(near, &Candidate::covered);
     keep_nearest_of_straight_runs();
     if (near.size() > 1) choose(inside);
     for (Candidate& c : near) {
@@ -324,11 +352,12 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
 
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
                    const PairLimits& limits, std::span<const EarlierContact> earlier,
-                   std::vector<VertexEdge>& contacts, std::vector<Choice>& choices) {
+                   std::span<const CoveredPart> covered, std::vector<VertexEdge>& contacts,
+                   std::vector<Choice>& choices) {
   thread_local Workspace work;
   auto &in_b = work.in_b, &in_a = work.in_a;
-  Entrances{a, of_a, b, of_b, limits, earlier, work.edges, work.at_vertex, choices}.find(in_b);
-  Entrances{b, of_b, a, of_a, limits, earlier, work.edges, work.at_vertex, choices}.find(in_a);
+  Entrances{a, of_a, b, of_b, limits, earlier, covered, work.edges, work.at_vertex, choices}.find(in_b);
+  Entrances{b, of_b, a, of_a, limits, earlier, covered, work.edges, work.at_vertex, choices}.find(in_a);
   for (Candidate& p : in_b)
     for (Candidate& q : in_a)
       if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.search_margin))

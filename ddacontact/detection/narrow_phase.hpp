@@ -54,6 +54,14 @@ struct EarlierContact {
   bool wins_ties = true;  ///< where it is open
 };
 
+/// A part of an edge of one of the two polygons on which a third one lies: nothing enters there, and a corner
+/// at its end is that of both together.
+struct CoveredPart {
+  int block, edge;
+  double from, to;     ///< m from the start of the edge
+  Vec2 before, after;  ///< the sides of the third one that go on from there, away from either end
+};
+
 /// A contact whose corner may meet another edge's line as well.
 struct Choice {
   VertexEdge chosen;
@@ -77,8 +85,10 @@ struct Choice {
 /// them passed at the start. Where one is open the step's forces have to tell.
 ///
 /// \param[in] of_a, of_b  their sides; the boxes are relative to the origin of the vertices
+/// \param[in] covered     lines that are no entrance where there is another
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
                    const PairLimits& limits, std::span<const EarlierContact> earlier,
-                   std::vector<VertexEdge>& contacts, std::vector<Choice>& choices);
+                   std::span<const CoveredPart> covered, std::vector<VertexEdge>& contacts,
+                   std::vector<Choice>& choices);
 
 }  // namespace ddacontact

@@ -23,7 +23,7 @@ inline void find_contacts(const Outline& a, const Outline& b, const PairLimits& 
   OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
   table.set(0, a.vertices);
   table.set(1, b.vertices);
-  find_contacts(a, table[0], b, table[1], limits, earlier, contacts, choices);
+  find_contacts(a, table[0], b, table[1], limits, earlier, {}, contacts, choices);
 }
 
 }  // namespace ddacontact
