@@ -196,3 +196,26 @@ TEST(NarrowPhase, AnOpenContactStaysWhereTwoCornersLieAtOnePlace) {
   EXPECT_EQ(lower_corner({{beside, 0, false}}), beside);
   EXPECT_EQ(lower_corner({{beside, 0, false, false}}), over) << "ties are not to be won";
 }
+
+/// A square diagonally above another, corner on corner, that moves down and to the left, more steeply than
+/// not: it passes the side last, unless a third one covers that. Then it meets the top; with what covers the
+/// side level with the top too, and not where that rises.
+TEST(NarrowPhase, WhatAThirdPolygonCoversIsNoEntrance) {
+  const Points lower = box(0, 0, 1, 1), upper = box(1, 1, 1, 1);
+  const VertexEdge side{1, 0, 0, 1}, face{0, 2, 1, 3}, top{1, 0, 0, 2}, bottom{0, 2, 1, 0};
+  const auto met = [&](const std::vector<ddacontact::CoveredPart>& covered) {
+    const Points moved = upper.colwise() + Vec2(-1e-3, -2e-3);
+    std::vector<VertexEdge> found;
+    std::vector<Choice> choices;
+    find_contacts(Outline(0, lower), Outline(1, upper, moved), {0.01, 0.5, coincidence, lip}, {}, found,
+                  choices, covered);
+    EXPECT_EQ(found.size(), 1u);
+    return found.front();
+  };
+  const VertexEdge free = met({});
+  EXPECT_TRUE(free == side || free == face);
+  const VertexEdge level = met({{0, 1, 0, 1, {-1, 0}, {1, 0}}});
+  EXPECT_TRUE(level == top || level == bottom);
+  EXPECT_EQ(met({{0, 1, 0, 1, {-1, 0}, {1, 1}}}), top);
+  EXPECT_EQ(met({{0, 1, 0, 0.5, {-1, 0}, {0, 1}}}), free) << "not up to the corner";
+}

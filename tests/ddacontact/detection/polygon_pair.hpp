@@ -19,11 +19,11 @@ namespace ddacontact {
 /// Of outlines whose sides are computed for this alone.
 inline void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
                           std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                          std::vector<Choice>& choices) {
+                          std::vector<Choice>& choices, std::span<const CoveredPart> covered = {}) {
   OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
   table.set(0, a.vertices);
   table.set(1, b.vertices);
-  find_contacts(a, table[0], b, table[1], limits, earlier, {}, contacts, choices);
+  find_contacts(a, table[0], b, table[1], limits, earlier, covered, contacts, choices);
 }
 
 }  // namespace ddacontact

@@ -86,3 +86,41 @@ TEST(FlushJoint, ABlockOverANarrowerShaftStays) {
   const Scene scene = over_a_shaft(-3e-4, {.time_step = 1e-3, .duration = 0.1});
   EXPECT_NEAR(final_speed(scene, 2, Vec2(0, -1)), 0, 1e-3);
 }
+
+/// A smooth wedge between a plane of 50 degrees and nothing, its toe on level ground. Where plane and ground
+/// are two blocks, their corners at the seam below the toe hold it no more than one block does: there is no
+/// equilibrium.
+TEST(FlushJoint, CornersAtASeamBelowAToeHoldNothing) {
+  const Mat2 mirror = Vec2(-1, 1).asDiagonal();
+  const auto polygon = [](std::initializer_list<Vec2> corners) {
+    BlockDescription block;
+    block.vertices.resize(2, static_cast<Index>(corners.size()));
+    Index k = 0;
+    for (const Vec2& corner : corners) block.vertices.col(k++) = corner;
+    return block;
+  };
+  for (const Mode mode : {Mode::statics, Mode::dynamic})
+    for (const bool mirrored : {false, true}) {
+      Scene scene;
+      scene.materials = {{"stone", 2000, 20e9, 0.2}};
+      scene.joints = {{"joint", 0, 0, 0, std::nullopt}};
+      scene.contact.normal_stiffness = 40 * 20e9;
+      scene.contact.tangential_stiffness = 16 * 20e9;
+      scene.analysis.mode = mode;
+      scene.analysis.time_step = 0.01;
+      scene.analysis.steps = 20;
+      scene.analysis.max_displacement_ratio = 1;
+      scene.blocks = {polygon({{-8, -1}, {0, -1}, {0, 0}, {-8, 0}}),
+                      polygon({{0, -1}, {12, -1}, {12, 3}, {2.5, 3}, {0, 0}}),
+                      polygon({{0, 0}, {2.5, 3}, {0, 3}})};
+      scene.blocks[0].fixed = scene.blocks[1].fixed = true;
+      if (mirrored) scene = turned(scene, mirror);
+      const BuiltScene built = build(scene);
+      while (built.stepper->step()) {
+      }
+      EXPECT_EQ(built.stepper->stop_reason(), "");
+      EXPECT_FALSE(built.stepper->equilibrium().in_balance());
+      EXPECT_GT(built.stepper->blocks().displacements(built.stepper->state()).colwise().norm().maxCoeff(),
+                1e-3);
+    }
+}
