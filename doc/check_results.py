@@ -39,7 +39,8 @@ block = 0
 at = "centroid"
 """)
     settings = [f"--set={key}" for key in ("analysis.scheme=explicit", "analysis.block_model=mean_value", "analysis.time_step=1e-4",
-                                           "stage.0.mode=dynamic", "stage.0.steps=2", "stage.1.steps=2")]
+                                           "stage.0.mode=dynamic", "stage.0.steps=2", "stage.1.mode=dynamic", "stage.1.steps=2",
+                                           "stage.2.steps=2")]
     subprocess.run([dda, "run", scene, "-o", out, "--force", "--quiet", *settings], check=True, stderr=subprocess.DEVNULL)
     missing = [f"{key} of summary.json" for key in keys(json.loads((out / "summary.json").read_text())) if key not in named]
     for file in sorted(out.glob("*.csv")):

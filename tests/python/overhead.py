@@ -21,7 +21,7 @@ import polydda
 callback = (lambda step: None) if sys.argv[3] == "callback" else None
 polydda.run(sys.argv[1], sys.argv[2], on_step=callback, settings=sys.argv[4:], force=True)
 """
-SETTINGS = ["analysis.block_model=mean_value", "stage.release.steps=400"]
+SETTINGS = ["analysis.block_model=mean_value", "stage.motion.steps=400"]
 
 
 def times_of(command, out):
