@@ -124,21 +124,20 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   VectorXd d = VectorXd::Zero(blocks.n_unknowns());
   system.linearize(d);
   system.problem().contacts_changed();
-  const VectorXd g0 = system.smooth_residual(d), d0 = d;
+  const VectorXd g0 = system.smooth_residual(d);
   const double largest = g0.lpNorm<Eigen::Infinity>();
   for (const bool pressed_alone : {false, true}) {
     for (std::size_t c = 0; c < contacts.size(); ++c)
       terms[c].bound = pressed_alone && contact_force(terms[c], d).normal <= 0
                            ? 0
                            : std::numeric_limits<double>::infinity();
-    const MinimizeReport report = system.problem().minimize(
-        terms, d0, g0, {.unknown_lengths = system.unknown_lengths(), .tolerance = tolerance * largest}, d);
+    const MinimizeReport report = system.problem().minimize(terms, g0, {.tolerance = tolerance * largest}, d);
     if (report.status != MinimizeStatus::converged || !d.allFinite()) return result;
   }
   result.settled = true;
 
   VectorXd r;
-  system.problem().compute_residual(terms, d0, g0, d, r);
+  system.problem().compute_residual(terms, g0, d, r);
   add_forces(blocks, initial, contacts, terms, {system, d, r}, result);
   add_stresses(blocks, initial, start, d, result);
   return result;
