@@ -97,11 +97,9 @@ double error_with_friction(double mu) {
   for (MatrixXd& A : problem.elements()) A = m / (dt * dt) * MatrixXd::Identity(2, 2);
   problem.matrices_changed();
 
-  const VectorXd d0 = VectorXd::Zero(6);
-  VectorXd own = d0, of_library = d0;
+  VectorXd own = VectorXd::Zero(6), of_library = own;
   const std::vector<ContactForce> forces = gauss_seidel(problem, terms, mu, g0, 1e-8 * P, own);
-  const MinimizeOptions options{VectorXd::Ones(6), 1e-10 * P};
-  if (problem.minimize(terms, d0, g0, options, of_library).status != MinimizeStatus::converged)
+  if (problem.minimize(terms, g0, {.tolerance = 1e-10 * P}, of_library).status != MinimizeStatus::converged)
     throw Error("the minimizer of the library has not converged");
 
   double error = 0;

@@ -38,14 +38,16 @@ bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& wi
 std::vector<CoveredPart> ContactBuilder::find_covered(const Pair& pair, const BlockState& state) const {
   std::vector<CoveredPart> covered;
   const double near = lip(pair[0], pair[1], true);
+  const auto outline = [&](int b) { return blocks_.block(b).vertices().columns_of(state.position); };
   for (const int b : pair) {
-    const PointsRef own = blocks_.block(b).vertices().columns_of(state.position);
+    const PointsRef own = outline(b);
     for (int c = 0; c < blocks_.n_blocks(); ++c) {
       const Vec2 shift = state.origin.col(c) - state.origin.col(b);
+      const Box reach = widened(outlines_[b].box, search_margin_[b] + search_margin_[c]);
       if (c == pair[0] || c == pair[1] || !blocks_.is_present(c) ||
-          !touch(widened(outlines_[b].box, near), shifted(outlines_[c].box, shift)))
+          !touch(reach, shifted(outlines_[c].box, shift)))
         continue;
-      const Points third = blocks_.block(c).vertices().columns_of(state.position).colwise() + shift;
+      const Points third = outline(c).colwise() + shift;
       for (const TouchingEdges& part : touching_edges(own, third, near)) {
         const int e = static_cast<int>(part.edge), f = static_cast<int>(part.other), after_f = next(f, third);
         const Vec2 edge = along(own, e), start = own.col(e), end = own.col(next(e, own));
@@ -64,13 +66,17 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
                                  bool ties, bool by_covers, const std::vector<ContactRecord>& previous,
                                  std::vector<Contact>& contacts) {
   std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
+  BlockState end = state;  // a cover is one that stays
+  for (int b = 0; by_covers && b < blocks_.n_blocks(); ++b)
+    for (int v = 0; v < blocks_.block(b).n_vertices(); ++v)
+      end.position.col(blocks_.block(b).vertices().first + v) += blocks_.block(b).vertex_map(v)(motion);
   bool changed = false;
   std::vector<VertexEdge> found;
   for (const Pair& pair : pairs) {
     found.clear();
     const std::span<const ContactRecord> old = of_pair(pair, previous);
     find_contacts_of(pair, state, motion, old, ties,
-                     by_covers ? find_covered(pair, state) : std::vector<CoveredPart>(), found, choices_);
+                     by_covers ? find_covered(pair, end) : std::vector<CoveredPart>(), found, choices_);
     const std::span<const Contact> before = of_pair(pair, contacts);
     if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;
     changed = true;

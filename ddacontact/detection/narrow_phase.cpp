@@ -328,6 +328,10 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
       drop(p_over ? q : p);
     else if (p.kept == q.kept && (!p_over || (one_place && !p.kept)))
       drop(p.gap >= q.gap ? q : p);
+    // The one that stays is on the same line: what was preferred to others still is.
+    if (p.dropped != q.dropped)
+      for (Choice& choice : choices)
+        if (choice.chosen == (p.dropped ? p : q).contact) choice.chosen = (p.dropped ? q : p).contact;
   } else if (p.kept != q.kept && limits.lip == inf) {
     drop(p.kept ? q : p);
   } else if (p.strict != q.strict) {
