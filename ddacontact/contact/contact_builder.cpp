@@ -350,11 +350,14 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
                            bool ties) {
   contacts.resize(detect(state, motion, search_margin, previous, ties));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
-    const std::vector<VertexEdge>& found = found_in_[begin];
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      const std::span of_blocks = std::ranges::equal_range(found, block_pair(found[k]), {}, block_pair);
-      contacts[first_found_[begin] + k] =
-          carry_over(state, found[k], of_blocks, of_pair(block_pair(found[k]), previous));
+    std::size_t c = first_found_[begin];
+    for (std::span<const VertexEdge> rest = found_in_[begin]; !rest.empty();) {
+      const Pair pair = block_pair(rest.front());
+      const auto others = std::ranges::find_if(rest, [&](const auto& of) { return block_pair(of) != pair; });
+      const auto of_blocks = rest.first(others - rest.begin());
+      const std::span<const ContactRecord> before = of_pair(pair, previous);
+      for (const VertexEdge& entry : of_blocks) contacts[c++] = carry_over(state, entry, of_blocks, before);
+      rest = rest.subspan(of_blocks.size());
     }
   };
   polyfem::for_ranges(static_cast<Index>(found_in_.size()), 1, std::ref(carry_on_range));

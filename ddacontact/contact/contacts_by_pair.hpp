@@ -22,8 +22,8 @@ inline constexpr auto pair_of = [](const ContactRecord& of) { return block_pair(
 /// Of contacts ordered by their pairs, those of one.
 template <class SomeContact>
 std::span<const SomeContact> of_pair(const Pair& pair, const std::vector<SomeContact>& contacts) {
-  return {std::ranges::lower_bound(contacts, pair, {}, pair_of),
-          std::ranges::upper_bound(contacts, pair, {}, pair_of)};
+  const auto first = std::ranges::lower_bound(contacts, pair, {}, pair_of);
+  return {first, std::find_if(first, contacts.end(), [&](const auto& of) { return pair_of(of) != pair; })};
 }
 /// Those of the pair of a contact.
 inline std::span<const Contact> of_same_pair(const VertexEdge& contact,
