@@ -282,6 +282,12 @@ void StepSystem::linearize(const VectorXd& d) {
   for (const StepBolt& bolt : bolts_at(d)) problem_.elements()[of_faces++] = bolt.tangent();
   for (int e = 0; e < elements.n_elements(); ++e)
     diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
+  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+    const Block& block = blocks_.block(active_[a]);
+    const Range& u = block.unknowns();
+    for (int k = 0; k < u.count; ++k)
+      if (blocks_.equation()[u.first + k] < 0 || moves_as_a_whole(block, k)) diagonal_[u.first + k] = inf;
+  });
   problem_.matrices_changed();
 }
 
@@ -319,10 +325,7 @@ double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const
   // Of the unknowns that move the vertex by straining the block those with the least stiffness for their
   // lever give the estimate: what presses a vertex strains the block, whose mass alone may resist hardly.
   double softness = 0;
-  form.for_terms([&](int unknown, double c) {
-    if (blocks_.equation()[unknown] >= 0 && !moves_as_a_whole(block, unknown - block.unknowns().first))
-      softness += c * c / diagonal_[unknown];
-  });
+  form.for_terms([&](int unknown, double c) { softness += c * c / diagonal_[unknown]; });
   return softness > 0 ? 1 / softness : inf;
 }
 
