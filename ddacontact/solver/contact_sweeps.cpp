@@ -94,42 +94,37 @@ bool ContactSweeps::take_blocks(FrictionProblem& problem) {
 }
 
 void ContactSweeps::take_contacts(const std::vector<ContactTerm>& terms) {
-  rows_.clear();
-  rows_.reserve(terms.size());
-  int n_entries = 0;
-  std::size_t n_columns = 0;
+  rows_.assign(terms.size(), {});
   for (std::size_t c = 0; c < terms.size(); ++c) {
-    Row row;
+    Row& row = rows_[c];
     row.contact = static_cast<int>(c);
-    row.first_entry = n_entries;
-    std::array<int, AffineForm::capacity> seen;
     auto& [one, other] = row.sides;
+    int last = -1;
     for (int u : terms[c].gap.unknowns()) {
       const int slot = slot_[u];
       if (slot < 0) continue;
-      const int first = slot & ~1, block = block_of_[slot];
-      const auto end = seen.begin() + row.n_entries;
-      if (std::find(seen.begin(), end, first) != end) continue;
-      seen[row.n_entries++] = first;
-      if (block != one.block) (one.block < 0 ? one : other).block = block;
+      if (const int block = block_of_[slot]; block != one.block) (one.block < 0 ? one : other).block = block;
+      if ((slot & ~1) != last) ++row.n_entries;
+      last = slot & ~1;
     }
-    n_entries += row.n_entries;
     if (other.block >= 0 && other.block < one.block) std::swap(one, other);
+  }
+  order_rows();
+  int n_entries = 0;
+  std::size_t n_columns = 0;
+  for (Row& row : rows_) {
+    row.first_entry = n_entries;
+    n_entries += row.n_entries;
     for (Side& side : row.sides) {
       if (side.block < 0) continue;
       const Block& block = blocks_[side.block];
       side = {side.block, block.first, block.n, n_columns};
       n_columns += static_cast<std::size_t>(2 * block.n);
     }
-    rows_.push_back(row);
   }
-  order_rows();
   entries_.resize(n_entries);
   columns_.resize(n_columns);
-  for_all(rows_.size(), [&](Index r) {
-    Row& row = rows_[r];
-    set_entries(terms[row.contact], row);
-  });
+  for_all(rows_.size(), [&](Index r) { set_entries(terms[rows_[r].contact], rows_[r]); });
 }
 
 /// Groups are as many blocks as follow one another when the contacts are walked along from a first one.
@@ -182,120 +177,99 @@ void ContactSweeps::order_rows() {
 void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
   const std::span<const int> u = term.gap.unknowns();
   const bool sheared = term.slip.unknowns().size() == u.size();
-  Entry* const entries = entries_.data() + row.first_entry;
-  int n = 0;
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    const int slot = slot_[u[k]];
-    if (slot < 0) continue;
-    const int first = slot & ~1;
-    Entry* entry = std::find_if(entries, entries + n, [&](const Entry& e) { return e.slot == first; });
-    if (entry == entries + n) {
-      *entry = {first, Vec2::Zero(), Vec2::Zero()};
-      ++n;
-    }
-    entry->gap[slot & 1] = term.gap.coefficients()[k];
-    if (sheared) entry->slip[slot & 1] = term.slip.coefficients()[k];
-  }
-  row.normal = row.mixed = row.shear = 0;
+  Entry *const begin = entries_.data() + row.first_entry, *end = begin;
   for (const Side& side : row.sides) {
     if (side.block < 0) continue;
+    const Entry* const own = end;
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const int slot = slot_[u[k]], first = slot & ~1;
+      if (slot < side.first || slot >= side.first + side.n) continue;
+      if (end == own || end[-1].slot != first) *end++ = {first, {Vec2::Zero(), Vec2::Zero()}};
+      end[-1].by[slot - first] = {term.gap.coefficients()[k], sheared ? term.slip.coefficients()[k] : 0};
+    }
     const double* const inverse = inverses_.data() + blocks_[side.block].inverse;
-    double *const normal = columns_.data() + side.columns, *const shear = normal + side.n;
-    std::fill(normal, shear + side.n, 0);
-    const auto for_own_entries = [&](const auto& work) {
-      for (const Entry* entry = entries; entry < entries + n; ++entry)
-        if (const int at = entry->slot - side.first; at >= 0 && at < side.n) work(*entry, at);
-    };
-    for_own_entries([&](const Entry& entry, int at) {
-      const double *const by_first = inverse + at * side.n, *const by_second = by_first + side.n;
-      for (int k = 0; k < side.n; ++k) {
-        normal[k] += entry.gap[0] * by_first[k] + entry.gap[1] * by_second[k];
-        shear[k] += entry.slip[0] * by_first[k] + entry.slip[1] * by_second[k];
+    double* const columns = columns_.data() + side.columns;
+    std::fill(columns, columns + 2 * side.n, 0);
+    for (const Entry* entry = own; entry < end; ++entry) {
+      const int n = side.n;
+      const double* const from = inverse + (entry->slot - side.first) * n;
+      const Vec2 x = entry->by[0], y = entry->by[1];
+      for (int k = 0; k < n; k += 2) {
+        const Eigen::Map<const Vec2> by_x(from + k), by_y(from + n + k);
+        Eigen::Map<Vec2>(columns + k) += x[0] * by_x + y[0] * by_y;
+        Eigen::Map<Vec2>(columns + n + k) += x[1] * by_x + y[1] * by_y;
       }
-    });
-    for_own_entries([&](const Entry& entry, int at) {
-      row.normal += entry.gap[0] * normal[at] + entry.gap[1] * normal[at + 1];
-      row.mixed += entry.gap[0] * shear[at] + entry.gap[1] * shear[at + 1];
-      row.shear += entry.slip[0] * shear[at] + entry.slip[1] * shear[at + 1];
-    });
+    }
+    for (const Entry* entry = own; entry < end; ++entry) {
+      const double *const normal = columns + entry->slot - side.first, *const shear = normal + side.n;
+      for (int k : {0, 1}) {
+        row.normal += entry->by[k][0] * normal[k];
+        row.mixed += entry->by[k][0] * shear[k];
+        row.shear += entry->by[k][1] * shear[k];
+      }
+    }
   }
+  row.n_entries = static_cast<int>(end - begin);
 }
 
-/// What a contact's forces change of a block's displacements.
-void ContactSweeps::move(const Side& side, double normal, double shear) {
-  const double* const columns = columns_.data() + side.columns;
-  double* const x = change_.data() + side.first;
-  const auto add = [&]<int N>(std::integral_constant<int, N>) {
-    using Column = Eigen::Matrix<double, N, 1>;
-    Eigen::Map<Column>(x, side.n) += normal * Eigen::Map<const Column>(columns, side.n) +
-                                     shear * Eigen::Map<const Column>(columns + side.n, side.n);
+/// Gives a contact the force that its law demands.
+void ContactSweeps::visit(int r, Vec2& largest) {
+  const Row& row = rows_[r];
+  if (!row.acts) return;
+  Vec2 at(row.gap, row.slip);
+  for (const Entry *entry = entries_.data() + row.first_entry, *end = entry + row.n_entries; entry < end;
+       ++entry)
+    at += change_[entry->slot] * entry->by[0] + change_[entry->slot + 1] * entry->by[1];
+  auto force = forces_.col(r);
+  if (row.lets_go && force[0] == 0 && force[1] == 0 && at[0] >= 0) return;
+  const ContactForce now = row.solve(at[0], at[1], {force[0], force[1]});
+  const double normal = now.normal - force[0], shear = now.shear - force[1];
+  if (normal == 0 && shear == 0) return;
+  force << now.normal, now.shear;
+  const auto move = [&]<int N>(const Side& side, std::integral_constant<int, N>) {
+    const Eigen::Map<const Eigen::Matrix<double, N, 2>> by(columns_.data() + side.columns, side.n, 2);
+    Eigen::Map<Eigen::Matrix<double, N, 1>>(change_.data() + side.first, side.n) +=
+        normal * by.col(0) + shear * by.col(1);
   };
-  if (side.n == quadrilateral)
-    add(std::integral_constant<int, quadrilateral>{});
-  else
-    add(std::integral_constant<int, Eigen::Dynamic>{});
-}
-
-/// Gives a contact the force that its law demands. Returns how much that changed over the tolerance.
-double ContactSweeps::visit(Row& row, const Tolerance& tolerance) {
-  if (!row.acts) return 0;
-  const Entry *const first = entries_.data() + row.first_entry, *const end = first + row.n_entries;
-  double gap = row.gap, slip = row.slip;
-  for (const Entry* entry = first; entry < end; ++entry) {
-    const Eigen::Map<const Vec2> x(change_.data() + entry->slot);
-    gap += entry->gap.dot(x);
-    slip += entry->slip.dot(x);
-  }
-  const ContactForce before = row.force;
-  if (row.unilateral && row.slides && !row.law.bonded && before.normal == 0 && before.shear == 0 && gap >= 0)
-    return 0;
-  row.force = row.solve(gap - row.normal * before.normal - row.mixed * before.shear,
-                        slip - row.mixed * before.normal - row.shear * before.shear);
-  const double normal = row.force.normal - before.normal, shear = row.force.shear - before.shear;
-  if (normal == 0 && shear == 0) return 0;
   for (const Side& side : row.sides)
-    if (side.block >= 0) move(side, normal, shear);
-  const double change = std::abs(normal) + std::abs(shear),
-               of_gap =
-                   row.law.gap > 0 ? (row.normal + row.normal_compliance) / (tolerance.gap * row.law.gap) : 0;
-  return change * std::max(1 / (tolerance.force * row.law.scale), of_gap);
+    if (side.n == quadrilateral)
+      move(side, std::integral_constant<int, quadrilateral>{});
+    else
+      move(side, std::integral_constant<int, Eigen::Dynamic>{});
+  largest = largest.cwiseMax((std::abs(normal) + std::abs(shear)) * row.relative_change);
 }
 
-/// Returns the largest change.
-double ContactSweeps::visit_all(bool forth, const Tolerance& tolerance) {
+/// Returns the largest changes.
+Vec2 ContactSweeps::visit_all(bool forth) {
+  Points largest(2, n_groups() + 1);
   const auto visit_group = [&](Index group) {
     const auto g = static_cast<std::size_t>(group);
-    double largest = 0;
     const int first = first_of_group_[g], end = first_of_group_[g + 1];
-    for (int k = 0; k < end - first; ++k)
-      largest = std::max(largest, visit(rows_[forth ? first + k : end - 1 - k], tolerance));
-    return largest;
+    Vec2 of_group = Vec2::Zero();
+    for (int k = 0; k < end - first; ++k) visit(forth ? first + k : end - 1 - k, of_group);
+    largest.col(group) = of_group;
   };
-  VectorXd largest(n_groups() + 1);
   polyfem::for_ranges(n_groups(), 1, [&](Index begin, Index end) {
-    for (Index g = begin; g < end; ++g) largest[g] = visit_group(g);
+    for (Index g = begin; g < end; ++g) visit_group(g);
   });
-  largest[n_groups()] = visit_group(n_groups());
-  return largest.maxCoeff();
+  visit_group(n_groups());
+  return largest.rowwise().maxCoeff();
 }
 
 /// Whether many of the contacts that are or were closed have changed their states.
-bool ContactSweeps::has_many_changes(const Stop& stop) const {
+bool ContactSweeps::has_many_changes(const Stop& stop, const Points& before) const {
   int n_closed = 0, n_changed = 0;
-  for (const Row& row : rows_) {
-    const SpringState now = state_of(row.force, row.bound_under(row.force.normal));
-    if (now == none_acts && row.state_before == none_acts) continue;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto state = [&](const Points& forces) {
+      const auto force = forces.col(static_cast<Index>(r));
+      return state_of({force[0], force[1]}, rows_[r].bound_under(force[0]));
+    };
+    const SpringState now = state(forces_), then = state(before);
+    if (now == none_acts && then == none_acts) continue;
     ++n_closed;
-    if (now != row.state_before) ++n_changed;
+    if (now != then) ++n_changed;
   }
   return n_changed > stop.few && n_changed > stop.many * n_closed;
-}
-
-VectorXd ContactSweeps::forces() const {
-  VectorXd all(2 * static_cast<Index>(rows_.size()));
-  for (std::size_t r = 0; r < rows_.size(); ++r)
-    all.segment<2>(2 * static_cast<Index>(r)) << rows_[r].force.normal, rows_[r].force.shear;
-  return all;
 }
 
 void ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
@@ -311,12 +285,14 @@ void ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vect
     }
     change = (Eigen::Map<const MatrixXd>(inverses_.data() + inverse, n, n) * change).eval();
   });
+  forces_.resize(2, rows_.size());
   for_all(rows_.size(), [&](Index r) {
     Row& row = rows_[r];
     const auto c = static_cast<std::size_t>(row.contact);
     row.set_law(terms[c], laws[c], d);
-    row.force = forces_of_all[c];
-    row.state_before = state_of(row.force, row.bound_under(row.force.normal));
+    row.relative_change = {1 / row.law.scale,
+                           row.law.gap > 0 ? (row.normal + row.normal_compliance) / row.law.gap : 0};
+    forces_.col(r) << forces_of_all[c].normal, forces_of_all[c].shear;
   });
 }
 
@@ -326,21 +302,25 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
                                            std::vector<ContactForce>& forces_of_all) {
   begin(terms, laws, residual, d, forces_of_all);
   Report report;
-  VectorXd along_force, along;  // the direction of conjugate gradients
+  Points along_force;  // the direction of conjugate gradients
+  VectorXd along;
   for (double before = 0; report.sweeps < stop.most_sweeps;) {
-    const VectorXd force = forces(), change = change_;
+    const Points force = forces_;
+    const VectorXd change = change_;
     const Tolerance& tolerance = report.many_changes ? stop.many_changes : stop.quiet;
     for (bool forth : {true, false}) {
       ++report.sweeps;
-      report.settled = visit_all(forth, tolerance) <= 1;
+      const Vec2 largest = visit_all(forth);
+      report.settled = largest[0] <= tolerance.force && largest[1] <= tolerance.gap;
       if (report.settled) break;
     }
-    if (before == 0 && has_many_changes(stop)) {
+    if (before == 0 && has_many_changes(stop, force)) {
       report.many_changes = true;
       report.settled = report.settled && stop.quiet.force <= stop.many_changes.force;
     }
     if (report.settled) break;
-    const VectorXd by_force = forces() - force, by = change_ - change;
+    const Points by_force = forces_ - force;
+    const VectorXd by = change_ - change;
     const double now = by_force.squaredNorm(), further = now / before;
     if (!std::isfinite(now)) break;
     before = now;
@@ -349,16 +329,16 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
       along = by;
       continue;
     }
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      rows_[r].force.normal += further * along_force[2 * static_cast<Index>(r)];
-      rows_[r].force.shear += further * along_force[2 * static_cast<Index>(r) + 1];
-    }
+    forces_ += further * along_force;
     change_ += further * along;
     along_force = further * along_force + by_force;
     along = further * along + by;
   }
   report.settled = report.settled && change_.allFinite();
-  for (const Row& row : rows_) forces_of_all[row.contact] = row.force;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto force = forces_.col(static_cast<Index>(r));
+    forces_of_all[rows_[r].contact] = {force[0], force[1]};
+  }
   for (std::size_t k = 0; k < unknown_.size(); ++k)
     if (unknown_[k] >= 0) d[unknown_[k]] += change_[k];
   return report;

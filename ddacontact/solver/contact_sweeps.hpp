@@ -56,10 +56,10 @@ class ContactSweeps {
     int matrix, first, n;
     std::size_t inverse;
   };
-  /// How a contact follows two unknowns of a block, one after the other: coefficients of its gap and slip.
+  /// How gap and slip of a contact follow two unknowns of a block, one after the other.
   struct Entry {
     int slot;
-    Vec2 gap, slip;
+    std::array<Vec2, 2> by;
   };
   /// One of the blocks of a contact: where its unknowns and the columns of A^-1 G^T begin, its displacements
   /// by a unit normal force and by a unit shear force.
@@ -70,8 +70,8 @@ class ContactSweeps {
   /// A contact, with its blocks.
   struct Row : SweptContact {
     int contact = 0, first_entry = 0, n_entries = 0;
-    std::array<Side, 2> sides = {};  ///< of blocks that move, the earlier one first
-    SpringState state_before = none_acts;
+    std::array<Side, 2> sides = {};       ///< of blocks that move, the earlier one first
+    Vec2 relative_change = Vec2::Zero();  ///< of force and of gap as in Tolerance, by a change of 1 N per m
   };
 
   bool take_blocks(FrictionProblem& problem);
@@ -81,21 +81,20 @@ class ContactSweeps {
   /// Where sweeps begin: displacements that balance this residual, and contacts with these forces.
   void begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
              const VectorXd& residual, const VectorXd& d, const std::vector<ContactForce>& forces_of_all);
-  void move(const Side& side, double normal, double shear);
-  double visit(Row& row, const Tolerance& tolerance);
-  double visit_all(bool forth, const Tolerance& tolerance);
-  bool has_many_changes(const Stop& stop) const;
-  VectorXd forces() const;
+  void visit(int r, Vec2& largest);
+  Vec2 visit_all(bool forth);
+  bool has_many_changes(const Stop& stop, const Points& before) const;
 
   std::vector<int> slot_;      ///< of every unknown in packed vectors, -1: prescribed
   std::vector<int> unknown_;   ///< at every slot, -1: prescribed
   std::vector<int> block_of_;  ///< at every slot
   std::vector<Block> blocks_;
-  std::vector<double> inverses_;
+  VectorXd inverses_;
   std::vector<Row> rows_;            ///< group by group, then those between groups
   std::vector<int> first_of_group_;  ///< and of those between groups, and their end
   std::vector<Entry> entries_;
-  std::vector<double> columns_;
+  VectorXd columns_;
+  Points forces_;    ///< now, in the order of rows: normal, shear
   VectorXd change_;  ///< of d so far, packed
 };
 

@@ -4,26 +4,63 @@
 #include <ddacontact/solver/contact_term.hpp>
 #include <ddacontact/solver/swept_law.hpp>
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
 namespace ddacontact {
 
 /// A contact whose blocks answer to its own forces: its gap grows by `normal` N + `mixed` T and its slip by
 /// `mixed` N + `shear` T.
 struct SweptContact {
-  double normal = 0, mixed = 0, shear = 0;  ///< m per N per m; positive definite
-  bool acts = false, unilateral = true, slides = false, sheared = false;
+  double normal = 0, mixed = 0, shear = 0;                  ///< m per N per m; positive definite
   double normal_compliance = 0, tangential_compliance = 0;  ///< of the law's springs, m per N per m
-  double gap = 0, slip = 0;  ///< m, where sweeps begin, the gap from where nothing presses
-  double tension = 0;
+  double gap = 0, slip = 0;           ///< m, where sweeps begin, the gap from where nothing presses
+  double tension = 0;                 ///< infinite where it never opens
+  double friction = 0, cohesion = 0;  ///< of the law, the cohesion infinite where nothing slides
+  bool acts = false, slides = false, sheared = false;
+  bool lets_go = false;      ///< no force acts where it is open
+  bool has_own_law = false;  ///< JointLaw::friction_law
   SweptLaw law = {};
-  ContactForce force = {};  ///< now
 
   /// Takes the law, with gap and slip at d.
   void set_law(const ContactTerm& term, const SweptLaw& own, const VectorXd& d);
   /// The largest magnitude of T under N; infinity where shear has no bound.
-  double bound_under(double N) const;
+  double bound_under(double N) const {
+    if (has_own_law) [[unlikely]]
+      return slides ? shear_bound(*law.joint, N, law.bonded) : inf;
+    return std::max(0.0, N) * friction + cohesion;
+  }
   /// The forces that the law demands.
-  /// \param[in] gap_without, slip_without  m, without the contact's own forces
-  ContactForce solve(double gap_without, double slip_without) const;
+  /// \param[in] gap_before, slip_before  m, with the contact's own forces `before`
+  [[gnu::always_inline]] ContactForce solve(double gap_before, double slip_before,
+                                            const ContactForce& before = {}) const {
+    const double an = normal_compliance + normal,
+                 rn = normal * before.normal + mixed * before.shear - gap_before;
+    if (!sheared) return {std::max(-tension, rn / an), 0};
+    const double bound_before = bound_under(before.normal);
+    const double multiplier = law.sliding && slides ? std::copysign(bound_before, law.shear)
+                                                    : std::clamp(law.shear, -bound_before, bound_before);
+    const double at = tangential_compliance + shear, rt = multiplier * tangential_compliance +
+                                                          mixed * before.normal + shear * before.shear -
+                                                          slip_before;
+    const double determinant = an * at - mixed * mixed;
+    assert(an > 0 && at > 0 && determinant > 0);
+    const ContactForce stick{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
+    if (stick.normal > -tension && std::abs(stick.shear) <= bound_under(stick.normal)) return stick;
+    // Where friction that sticks would pull the contact open it slides under what presses without it; a bond
+    // that is pulled open bears shear.
+    const double near = stick.normal > -tension ? stick.normal : rn / an;
+    if (near <= -tension || !slides) {
+      const double most = bound_under(-tension);
+      return {-tension, std::clamp((rt + mixed * tension) / at, -most, most)};
+    }
+    // N with T = +- bound(N), the bound linear from there.
+    const double sense = stick.shear > 0 ? 1 : -1, most = bound_under(near),
+                 rate = sense * friction_rate(*law.joint, near, law.bonded);
+    const double N = std::max(-tension, (rn - mixed * (sense * most - rate * near)) / (an + rate * mixed));
+    return {N, sense * bound_under(N)};
+  }
 };
 
 }  // namespace ddacontact
