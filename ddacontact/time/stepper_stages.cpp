@@ -13,7 +13,7 @@ namespace ddacontact {
 namespace {
 
 /// What contacts are solved to by central differences where nothing else is requested: a step's error is made
-/// up for in the next, and the scheme's own is larger (doc/verification/tolerance.md).
+/// up for in the next, and the scheme's own is larger (doc/decisions.md).
 constexpr double tolerance_of_explicit_steps = 1e-3;
 
 /// Whether the pair names a vertex and an edge of these blocks, or rounded corners where they are rounded.
