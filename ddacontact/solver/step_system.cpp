@@ -282,7 +282,7 @@ void StepSystem::linearize(const VectorXd& d) {
   for (const StepBolt& bolt : bolts_at(d)) problem_.elements()[of_faces++] = bolt.tangent();
   for (int e = 0; e < elements.n_elements(); ++e)
     diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
-  for_blocks(static_cast<int>(active_.size()), [&](int a) {
+  for_all(active_.size(), [&](int a) {
     const Block& block = blocks_.block(active_[a]);
     const Range& u = block.unknowns();
     for (int k = 0; k < u.count; ++k)
