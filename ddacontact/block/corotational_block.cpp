@@ -30,13 +30,8 @@ CorotationalBlock::CorotationalBlock(const BlockMaterial& material, const Points
   map_points();
 }
 
-Points CorotationalBlock::nodes(const PointsRef& points) const {
-  if (shape_->points.size() == 0) return points;
-  return points * shape_->nodes_of_points.transpose();
-}
-
 Points CorotationalBlock::nodes(const BlockState& state) const {
-  return nodes(points().columns_of(state.position));
+  return NodalKinematics<polyfem::AnyNodes>(*shape_).of_points(points().columns_of(state.position));
 }
 
 void CorotationalBlock::map_points() {

@@ -61,7 +61,6 @@ class CorotationalBlock final : public Block {
   void prepare_shape(const PointsRef& points) override;
   void map_points();
   double elastic_energy_of_deformation(const BlockState& state) const;
-  Points nodes(const PointsRef& points) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const BlockState& state, const Points& y, int c) const;
   /// Empty: none.

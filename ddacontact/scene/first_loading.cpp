@@ -124,7 +124,9 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   VectorXd d = VectorXd::Zero(blocks.n_unknowns());
   system.linearize(d);
   system.problem().contacts_changed();
-  const VectorXd g0 = system.smooth_residual(d);
+  Residual without_contacts;
+  system.compute_residual(d, {}, {}, {}, without_contacts);
+  const VectorXd& g0 = without_contacts.force;
   const double largest = g0.lpNorm<Eigen::Infinity>();
   for (const bool pressed_alone : {false, true}) {
     for (std::size_t c = 0; c < contacts.size(); ++c)

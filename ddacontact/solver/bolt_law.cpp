@@ -14,37 +14,33 @@ namespace {
 constexpr int most_solutions = 200;
 
 /// The bar with its slips.
-class Bar {
- public:
-  Bar(const Bolt& bolt, const BoltNumbers& numbers, const VectorXd& elongation)
-      : bolt_(bolt),
-        numbers_(numbers),
-        elongation_(elongation),
-        n_segments_(bolt.n_segments()),
-        n_slips_(bolt.is_grouted() ? n_segments_ + 1 : 0),
-        slip_(n_slips_) {
-    for (int i = 0; i < n_slips_; ++i) slip_[i] = numbers[bolt.slip(i)];
-    start_ = slip_;
-  }
+struct Bar {
+  const Bolt& bolt;
+  const BoltNumbers& numbers;
+  const VectorXd& elongation;
+  int n_segments = bolt.n_segments(), n_slips = bolt.is_grouted() ? n_segments + 1 : 0;
+  VectorXd start = VectorXd::NullaryExpr(n_slips,
+                                         [this](Index i) { return numbers[bolt.slip(static_cast<int>(i))]; }),
+           slip = start;
+  std::vector<ClippedSpring> springs{};  ///< of segments, then of bonds; their force is -N and -T
 
   BoltForces solve() {
     look();
-    for (int solutions = 0; n_slips_ > 0 && solutions < most_solutions; ++solutions)
+    for (int solutions = 0; n_slips > 0 && solutions < most_solutions; ++solutions)
       if (!improve()) break;
     return forces();
   }
 
- private:
   ClippedSpring segment_spring(int k) const {
-    if (!bolt_.has_segment(k) || numbers_[Bolt::torn(k)] != 0) return {};
-    const double stiffness = bolt_.stiffness / numbers_[Bolt::length(k)];
-    return {-stiffness * (stretch(k) - numbers_[Bolt::plastic(k)]), stiffness, -bolt_.yield, bolt_.yield};
+    if (!bolt.has_segment(k) || numbers[Bolt::torn(k)] != 0) return {};
+    const double stiffness = bolt.stiffness / numbers[Bolt::length(k)];
+    return {-stiffness * (stretch(k) - numbers[Bolt::plastic(k)]), stiffness, -bolt.yield, bolt.yield};
   }
-  double stretch(int k) const { return elongation_[k] + (n_slips_ > 0 ? slip_[k + 1] - slip_[k] : 0); }
-  double bond_stiffness(int i) const { return bolt_.bond_stiffness * bolt_.bonded[i]; }
+  double stretch(int k) const { return elongation[k] + (n_slips > 0 ? slip[k + 1] - slip[k] : 0); }
+  double bond_stiffness(int i) const { return bolt.bond_stiffness * bolt.bonded[i]; }
   ClippedSpring bond_spring(int i) const {
-    const double strength = bolt_.bond_strength * bolt_.bonded[i];
-    return {-bond_stiffness(i) * (slip_[i] - numbers_[bolt_.plastic_slip(i)]), bond_stiffness(i), -strength,
+    const double strength = bolt.bond_strength * bolt.bonded[i];
+    return {-bond_stiffness(i) * (slip[i] - numbers[bolt.plastic_slip(i)]), bond_stiffness(i), -strength,
             strength};
   }
   /// Where all bonds slip the bar stays where it was: by a spring that only shows there.
@@ -53,24 +49,24 @@ class Bar {
   }
 
   void look() {
-    springs_.clear();
-    for (int k = 0; k < n_segments_; ++k) springs_.push_back(segment_spring(k));
-    for (int i = 0; i < n_slips_; ++i) springs_.push_back(bond_spring(i));
+    springs.clear();
+    for (int k = 0; k < n_segments; ++k) springs.push_back(segment_spring(k));
+    for (int i = 0; i < n_slips; ++i) springs.push_back(bond_spring(i));
   }
   std::vector<int> pieces() const {
-    std::vector<int> pieces;
-    for (const ClippedSpring& spring : springs_)
-      pieces.push_back(spring.acts() ? 0 : spring.force > 0 ? 1 : -1);
-    return pieces;
+    std::vector<int> found;
+    for (const ClippedSpring& spring : springs)
+      found.push_back(spring.acts() ? 0 : spring.force > 0 ? 1 : -1);
+    return found;
   }
-  double force(int spring) const { return -springs_[spring].clipped(); }
-  double stiffness(int spring) const { return springs_[spring].acts() ? springs_[spring].stiffness : 0; }
+  double force(int spring) const { return -springs[spring].clipped(); }
+  double stiffness(int spring) const { return springs[spring].acts() ? springs[spring].stiffness : 0; }
 
   /// Derivatives by the slips: of the potential, and of its gradient.
   VectorXd gradient() const {
-    VectorXd g(n_slips_);
-    for (int i = 0; i < n_slips_; ++i) g[i] = force(n_segments_ + i) + keeping(i) * (slip_[i] - start_[i]);
-    for (int k = 0; k < n_segments_; ++k) {
+    VectorXd g(n_slips);
+    for (int i = 0; i < n_slips; ++i) g[i] = force(n_segments + i) + keeping(i) * (slip[i] - start[i]);
+    for (int k = 0; k < n_segments; ++k) {
       g[k] -= force(k);
       g[k + 1] += force(k);
     }
@@ -78,18 +74,18 @@ class Bar {
   }
   /// The inverse of the second derivative, which is tridiagonal, times the columns of b.
   MatrixXd solve_for_slips(MatrixXd b) const {
-    VectorXd pivot(n_slips_);
-    for (int i = 0; i < n_slips_; ++i) {
-      pivot[i] = stiffness(n_segments_ + i) + keeping(i);
+    VectorXd pivot(n_slips);
+    for (int i = 0; i < n_slips; ++i) {
+      pivot[i] = stiffness(n_segments + i) + keeping(i);
       for (int k : {i - 1, i})
-        if (k >= 0 && k < n_segments_) pivot[i] += stiffness(k);
+        if (k >= 0 && k < n_segments) pivot[i] += stiffness(k);
       if (i == 0) continue;
       const double factor = stiffness(i - 1) / pivot[i - 1];
       pivot[i] -= factor * stiffness(i - 1);
       b.row(i) += factor * b.row(i - 1);
     }
-    for (int i = n_slips_ - 1; i >= 0; --i) {
-      if (i < n_segments_) b.row(i) += stiffness(i) * b.row(i + 1);
+    for (int i = n_slips - 1; i >= 0; --i) {
+      if (i < n_segments) b.row(i) += stiffness(i) * b.row(i + 1);
       b.row(i) /= pivot[i];
     }
     return b;
@@ -97,62 +93,53 @@ class Bar {
 
   /// A step of Newton's method, as far as the potential falls. False: it has led to the minimum.
   bool improve() {
-    const VectorXd step = solve_for_slips(-gradient()), from = slip_;
+    const VectorXd step = solve_for_slips(-gradient()), from = slip;
     const std::vector<int> before = pieces();
-    slip_ += step;
-    const std::vector<ClippedSpring> start = springs_;
+    slip += step;
+    const std::vector<ClippedSpring> springs_before = springs;
     look();
     if (pieces() == before) return false;
     LineSearch along;
-    for (int k = 0; k < n_segments_; ++k)
-      if (start[k].stiffness > 0) along.add(start[k], step[k + 1] - step[k]);
+    for (int k = 0; k < n_segments; ++k)
+      if (springs_before[k].stiffness > 0) along.add(springs_before[k], step[k + 1] - step[k]);
     double slope = 0, bend = 0;
-    for (int i = 0; i < n_slips_; ++i) {
-      along.add(start[n_segments_ + i], step[i]);
-      slope += keeping(i) * (from[i] - start_[i]) * step[i];
+    for (int i = 0; i < n_slips; ++i) {
+      along.add(springs_before[n_segments + i], step[i]);
+      slope += keeping(i) * (from[i] - start[i]) * step[i];
       bend += keeping(i) * step[i] * step[i];
     }
-    slip_ = from + along.find_minimum(slope, bend) * step;
+    slip = from + along.find_minimum(slope, bend) * step;
     look();
     return true;
   }
 
   BoltForces forces() const {
     BoltForces forces;
-    forces.axial.resize(n_segments_);
-    forces.stretch.resize(n_segments_);
-    forces.slip = slip_;
-    forces.bond.resize(n_slips_);
-    for (int i = 0; i < n_slips_; ++i) forces.bond[i] = force(n_segments_ + i);
-    VectorXd of_segments(n_segments_);
-    for (int k = 0; k < n_segments_; ++k) {
+    forces.axial.resize(n_segments);
+    forces.stretch.resize(n_segments);
+    forces.slip = slip;
+    forces.bond.resize(n_slips);
+    for (int i = 0; i < n_slips; ++i) forces.bond[i] = force(n_segments + i);
+    VectorXd of_segments(n_segments);
+    for (int k = 0; k < n_segments; ++k) {
       forces.axial[k] = force(k);
       forces.stretch[k] = stretch(k);
       of_segments[k] = stiffness(k);
     }
-    for (std::size_t k = 0; k < springs_.size(); ++k)
-      if (springs_[k].stiffness > 0)
-        forces.stored +=
-            force(static_cast<int>(k)) * force(static_cast<int>(k)) / (2 * springs_[k].stiffness);
+    for (std::size_t k = 0; k < springs.size(); ++k)
+      if (springs[k].stiffness > 0)
+        forces.stored += force(static_cast<int>(k)) * force(static_cast<int>(k)) / (2 * springs[k].stiffness);
     forces.stiffness = of_segments.asDiagonal();
-    if (n_slips_ == 0) return forces;
-    MatrixXd by_elongations = MatrixXd::Zero(n_slips_, n_segments_);
-    for (int k = 0; k < n_segments_; ++k) {
+    if (n_slips == 0) return forces;
+    MatrixXd by_elongations = MatrixXd::Zero(n_slips, n_segments);
+    for (int k = 0; k < n_segments; ++k) {
       by_elongations(k, k) = of_segments[k];
       by_elongations(k + 1, k) = -of_segments[k];
     }
     const MatrixXd slips = solve_for_slips(by_elongations);
-    forces.stiffness +=
-        of_segments.asDiagonal() * (slips.bottomRows(n_segments_) - slips.topRows(n_segments_));
+    forces.stiffness += of_segments.asDiagonal() * (slips.bottomRows(n_segments) - slips.topRows(n_segments));
     return forces;
   }
-
-  const Bolt& bolt_;
-  const BoltNumbers& numbers_;
-  const VectorXd& elongation_;
-  int n_segments_, n_slips_;
-  VectorXd slip_, start_;
-  std::vector<ClippedSpring> springs_;  ///< of segments, then of bonds; their force is -N and -T
 };
 
 /// Keeps what has yielded and where the bar is. Returns what yielding takes.
@@ -192,7 +179,7 @@ bool tear(const Bolt& bolt, const BoltForces& forces, Eigen::Ref<VectorXd> numbe
 }  // namespace
 
 BoltForces bolt_forces(const Bolt& bolt, const BoltNumbers& numbers, const VectorXd& elongation) {
-  return Bar(bolt, numbers, elongation).solve();
+  return Bar{bolt, numbers, elongation}.solve();
 }
 
 BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, Eigen::Ref<VectorXd> numbers) {

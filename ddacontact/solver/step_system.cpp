@@ -254,12 +254,6 @@ VectorXd StepSystem::free_path() const {
   return d;
 }
 
-VectorXd StepSystem::smooth_residual(const VectorXd& d) const {
-  Residual residual;
-  compute_residual(d, {}, {}, {}, residual);
-  return residual.force;
-}
-
 void StepSystem::linearize(const VectorXd& d) {
   diagonal_ = VectorXd::Zero(blocks_.n_unknowns());
   for_all(assembled_.size(), [&](int a) {
@@ -298,7 +292,8 @@ double StepSystem::largest_motion(int block, const VectorXd& d) const {
 
 void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
   assert(whole_change.size() == d.size());
-  const double furthest = largest_relative_move(whole_change);
+  double furthest = 0;  // relative to the block's size
+  for (int b : active_) furthest = std::max(furthest, largest_motion(b, whole_change) / size_of(b));
   const VectorXd change = whole_change * (furthest > largest_move ? largest_move / furthest : 1);
   for_all(active_.size(), [&](int a) {
     const int b = active_[a];
@@ -308,13 +303,6 @@ void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
     else
       u.of(d) += u.of(change);
   });
-}
-
-/// The furthest that a change moves a block, relative to the block's size.
-double StepSystem::largest_relative_move(const VectorXd& change) const {
-  double largest = 0;
-  for (int b : active_) largest = std::max(largest, largest_motion(b, change) / size_of(b));
-  return largest;
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

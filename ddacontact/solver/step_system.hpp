@@ -64,8 +64,6 @@ class StepSystem {
   /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where
   /// they should be.
   VectorXd displacement(VectorXd& d) const;
-  /// The residual without contacts.
-  VectorXd smooth_residual(const VectorXd& d) const;
   /// Makes the matrix anew for the blocks displaced by d.
   void linearize(const VectorXd& d);
   /// d += change, the rotations of free blocks carried out as such, see Block::add_change; less of it when a
@@ -81,7 +79,6 @@ class StepSystem {
   /// How far d moves the block at most, m.
   double largest_motion(int block, const VectorXd& d) const;
   double size_of(int block) const { return blocks_.block(block).size(); }
-  int n_vertices(int block) const { return blocks_.block(block).n_vertices(); }
   /// The stiffness of a vertex against displacements along a unit normal, with the inertia of the step: how
   /// much force moves it while the rest of its block is held; infinity when it is held itself.
   double vertex_stiffness(int block, int vertex, const Vec2& normal) const;
@@ -110,7 +107,6 @@ class StepSystem {
   struct Sums {
     double largest, left, sum, round_off;
   };
-  double largest_relative_move(const VectorXd& change) const;
   /// Counts a force on a block, and the stiffness it comes from.
   void add_force_on(int block, double magnitude, double stiffness) const;
   /// Adds the forces of holding springs, quiet faces and bolts.
