@@ -4,84 +4,34 @@
 #include <algorithm>
 #include <random>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace support {
 
-inline const char* const tokens[] = {"nan",
-                                     "inf",
-                                     "-inf",
-                                     "-1",
-                                     "0",
-                                     "1e308",
-                                     "-1e308",
-                                     "1e-308",
-                                     "5e-324",
-                                     "1e400",
-                                     "1e60",
-                                     "1e-30",
-                                     "1e150",
-                                     "-0.0",
-                                     "0x7fffffff",
-                                     "2147483647",
-                                     "2147483648",
-                                     "-9223372036854775808",
-                                     "9223372036854775807",
-                                     "99999999999999999999",
-                                     "true",
-                                     "[]",
-                                     "[[]]",
-                                     "{}",
-                                     "\"\"",
-                                     "\"5 cm\"",
-                                     "\"1 kN\"",
-                                     "\"1e308 MPa\"",
-                                     "\"1e-308 mm\"",
-                                     "\"nan Pa\"",
-                                     "\"auto\"",
-                                     "\"mean_value\"",
-                                     "\"mesh\"",
-                                     "\"wachspress\"",
-                                     "\"quads\"",
-                                     "{ cells = 1000000 }",
-                                     "{ cell_size = 1e-30 }",
-                                     "1979-05-27",
-                                     "12:00:00",
-                                     "[0, 0]",
-                                     "[[0, 0]]",
-                                     "[nan, 1]",
-                                     "\"centroid\"",
-                                     "\"\\u0000\"",
-                                     "'''",
-                                     "\"\"\"",
-                                     "#",
-                                     "[[",
-                                     "]]",
-                                     "=",
-                                     ".",
-                                     "a.b.c",
-                                     "\xff",
-                                     "\xed\xa0\x80",
-                                     "\xf4\x90\x80\x80",
-                                     "\n",
-                                     "\r",
-                                     "\t",
-                                     " ",
-                                     "null",
-                                     "{\"a\": 1}",
-                                     "{",
-                                     "}",
-                                     "(",
-                                     ")",
-                                     "EMPTY",
-                                     "POLYGON",
-                                     "GEOMETRYCOLLECTION",
-                                     "SRID=1;",
-                                     "[\"pillar\"]",
-                                     "{ interface = { cohesion = 1 } }",
-                                     "[[stage]]",
-                                     "steps",
-                                     "\"Polygon\"",
-                                     "\"Feature\""};
+/// Divided by |.
+inline constexpr std::string_view all_tokens =
+    "nan|inf|-inf|-1|0|1e308|-1e308|1e-308|5e-324|1e400|1e60|1e-30|1e150|-0.0|0x7fffffff|2147483647|"
+    "2147483648|-9223372036854775808|9223372036854775807|99999999999999999999|true|[]|[[]]|{}|\"\"|"
+    "\"5 cm\"|\"1 kN\"|\"1e308 MPa\"|\"1e-308 mm\"|\"nan Pa\"|\"auto\"|\"mean_value\"|\"mesh\"|"
+    "\"wachspress\"|\"quads\"|{ cells = 1000000 }|{ cell_size = 1e-30 }|1979-05-27|12:00:00|[0, 0]|"
+    "[[0, 0]]|[nan, 1]|\"centroid\"|\"\\u0000\"|'''|\"\"\"|#|[[|]]|=|.|a.b.c|\xff|\xed\xa0\x80|"
+    "\xf4\x90\x80\x80|\n|\r|\t| |null|{\"a\": 1}|{|}|(|)|EMPTY|POLYGON|GEOMETRYCOLLECTION|SRID=1;|"
+    "[\"pillar\"]|{ interface = { cohesion = 1 } }|[[stage]]|steps|\"Polygon\"|\"Feature\"";
+
+inline const std::vector<std::string>& tokens() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> parts(1);
+    for (const char c : all_tokens) {
+      if (c == '|')
+        parts.emplace_back();
+      else
+        parts.back() += c;
+    }
+    return parts;
+  }();
+  return all;
+}
 
 class Mutator {
  public:
@@ -112,7 +62,7 @@ class Mutator {
         text.resize(location);
         break;
       case 4:
-        text.insert(location, tokens[below(std::size(tokens))]);
+        text.insert(location, tokens()[below(tokens().size())]);
         break;
       case 5:
         swap_lines(text, location);
@@ -155,7 +105,7 @@ class Mutator {
     static const char* const separators = " \t\n,[]{}=\"'.";
     const std::size_t begin = std::min(text.find_first_not_of(separators, location), text.size());
     const std::size_t end = std::min(text.find_first_of(" \t\n,[]{}=\"'", begin), text.size());
-    text.replace(begin, end - begin, tokens[below(std::size(tokens))]);
+    text.replace(begin, end - begin, tokens()[below(tokens().size())]);
   }
 
   /// Keeps the syntax, so that what comes after it is tried too.
