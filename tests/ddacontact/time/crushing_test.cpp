@@ -2,6 +2,11 @@
 #include "../simple_scenes.hpp"
 
 #include <ddacontact/output/run_verdict.hpp>
+#include <ddacontact/scene/reader.hpp>
+
+#include <Eigen/LU>
+
+#include <random>
 
 using namespace support;
 
@@ -55,6 +60,95 @@ double thrust(const Stepper& stepper, int a, int b) {
   return sum;
 }
 
+/// The largest load on the arch of examples/arch_quarter_load.toml by the static theorem: thrusts with
+/// |M| <= N (b / 2 - N / (2 strength)) and |V| <= N tan(phi) in every joint, a concave program of the force
+/// and the moment at one springing and the load, solved by a barrier. Units are 100 kN and m.
+class ArchLimit {
+ public:
+  ArchLimit(double strength, double friction) : strength_(strength), friction_(friction) {
+    const double angle = std::numbers::pi / n, inner = 4, outer = 4.8;
+    const auto at = [&](double radius, int k) {
+      return Vec2(radius * std::cos(k * angle), radius * std::sin(k * angle));
+    };
+    Eigen::Matrix<double, 3, 5> before = Eigen::Matrix<double, 3, 5>::Identity();
+    before.col(4).setZero();
+    for (int k = 0; k <= n; ++k) {
+      const Vec2 outward = at(1, k), along(-outward.y(), outward.x()), middle = at((inner + outer) / 2, k);
+      add_joint(outward.transpose() * before.topRows(2), along.transpose() * before.topRows(2),
+                before.row(2) - middle.x() * before.row(1) + middle.y() * before.row(0), outer - inner);
+      Points voussoir(2, 4);
+      voussoir << at(inner, k), at(outer, k), at(outer, k + 1), at(inner, k + 1);
+      const polyfem::AreaMoments moments = polyfem::area_moments(voussoir);
+      const double weight = 2000 * 9.8 * moments.area / 1e5;
+      before(1, 4) -= weight;
+      before(2, 4) -= weight * moments.centroid.x();
+      if (k != loaded) continue;
+      before(1, 3) -= 1;
+      before(2, 3) += 2.2;
+    }
+  }
+
+  double largest_load() const {
+    Vec4 z = any_admissible();
+    for (double weight = 1e-2; weight > 1e-8; weight /= 2)
+      for (int round = 0; round < 30; ++round) z = newton(z, weight);
+    return z[3] * 1e5;
+  }
+
+ private:
+  using Vec4 = Eigen::Vector4d;
+  using Row = Eigen::Matrix<double, 1, 5>;
+  static constexpr int n = 13, loaded = 8;
+
+  /// linear . z + constant - square (thrust . z + thrust[4])^2 >= 0
+  struct Bound {
+    Row linear, thrust;
+    double square;
+
+    static double of(const Row& row, const Vec4& z) { return row.head<4>() * z + row[4]; }
+    double left(const Vec4& z) const { return of(linear, z) - square * std::pow(of(thrust, z), 2); }
+    Vec4 gradient(const Vec4& z) const {
+      return (linear - 2 * square * of(thrust, z) * thrust).head<4>().transpose();
+    }
+  };
+
+  void add_joint(const Row& shear, const Row& thrust, const Row& moment, double length) {
+    for (const double sign : {1.0, -1.0}) {
+      bounds_.push_back({length / 2 * thrust - sign * moment, thrust, 1e5 / (2 * strength_)});
+      bounds_.push_back({friction_ * thrust - sign * shear, thrust, 0});
+    }
+  }
+  bool is_admissible(const Vec4& z) const {
+    return std::ranges::all_of(bounds_, [&](const Bound& bound) { return bound.left(z) > 0; });
+  }
+  Vec4 any_admissible() const {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> part(0, 1);
+    while (true) {
+      const double across = -2 * part(random), up = 3 * part(random);
+      if (const Vec4 z(across, up, (4 + 0.8 * part(random)) * up, 0.01); is_admissible(z)) return z;
+    }
+  }
+  Vec4 newton(const Vec4& z, double weight) const {
+    Vec4 gradient(0, 0, 0, 1);
+    Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();
+    for (const Bound& bound : bounds_) {
+      const Vec4 slope = bound.gradient(z) / bound.left(z), thrust = bound.thrust.head<4>().transpose();
+      gradient += weight * slope;
+      hessian -= weight *
+                 (slope * slope.transpose() + 2 * bound.square / bound.left(z) * thrust * thrust.transpose());
+    }
+    Vec4 step = -hessian.inverse() * gradient;
+    const double decrement = std::sqrt(std::max(0.0, gradient.dot(step) / weight));
+    step /= 1 + decrement;
+    while (!is_admissible(z + step)) step /= 2;
+    return z + step;
+  }
+
+  double strength_, friction_;
+  std::vector<Bound> bounds_;
+};
+
 }  // namespace
 
 /// M = N (b / 2 - N / (2 strength)).
@@ -76,6 +170,27 @@ TEST(Crushing, BringsAVoussoirBeamDown) {
   }
   EXPECT_TRUE(stands(voussoir_beam(1.02e6)));
   EXPECT_FALSE(stands(voussoir_beam(0.98e6)));
+}
+
+TEST(Crushing, LowersTheLoadOfAnArchAsInLimitAnalysis) {
+  const double friction = std::tan(radians(35));
+  EXPECT_NEAR(ArchLimit(1e12, friction).largest_load(), 85.30e3, 0.02e3);
+  for (const double strength : {4e6, 2e6, 1e6}) {
+    const double limit = ArchLimit(strength, friction).largest_load();
+    const auto loaded = [&](double part) {
+      const SceneReading reading = read_scene(EXAMPLES "/arch_quarter_load.toml",
+                                              {"joint.0.compressive_strength=" + std::to_string(strength),
+                                               "parameters.load=" + std::to_string(-part * limit)});
+      EXPECT_TRUE(reading.scene);
+      BuiltScene built = build(*reading.scene);
+      while (!built.stepper->is_at_rest() && built.stepper->counts().steps < 200)
+        if (!built.stepper->step()) return false;
+      return built.stepper->is_at_rest();
+    };
+    EXPECT_LT(limit, 85e3);
+    EXPECT_TRUE(loaded(0.98)) << strength << ": " << limit;
+    EXPECT_FALSE(loaded(1.02)) << strength << ": " << limit;
+  }
 }
 
 TEST(Crushing, OfAWholeJointIsWarnedOf) {
