@@ -138,8 +138,8 @@ void warn_of_sharp_corners(const RoundedTrial& rounded, const std::string& file)
   const long broken = rounded.trial.broken_bonds;
   if (rounded.trial.verdict == Verdict::moves && broken > 0)
     fmt::print(stderr,
-               "{}blocks move at F = {:.4g} already, where bonds of {} contacts broke: rounded corners break "
-               "them too early, or sharp ones interlock at steps that rock would not have\n",
+               "{}blocks move at F = {:.4g} already, after {} bonds broke: rounded corners break them too "
+               "early, or sharp ones interlock at steps that rock would not have\n",
                trial, rounded.trial.factor, broken);
   else if (rounded.trial.verdict == Verdict::moves)
     fmt::print(stderr,

@@ -1,5 +1,6 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/block/corotational_block.hpp>
+#include <polyfem/core/parallel.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <tests/support/allocations.hpp>
 #include <tests/support/random_polygon.hpp>
