@@ -329,9 +329,9 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     else if (p.kept == q.kept && (!p_over || (one_place && !p.kept)))
       drop(p.gap >= q.gap ? q : p);
     // The one that stays is on the same line: what was preferred to others still is.
-    if (p.dropped != q.dropped)
-      for (Choice& choice : choices)
-        if (choice.chosen == (p.dropped ? p : q).contact) choice.chosen = (p.dropped ? q : p).contact;
+    const auto& [gone, stays] = p.dropped ? std::tie(p, q) : std::tie(q, p);
+    for (Choice& choice : choices)
+      if (gone.dropped && choice.chosen == gone.contact) choice = {stays.contact, choice.open && !stays.kept};
   } else if (p.kept != q.kept && limits.lip == inf) {
     drop(p.kept ? q : p);
   } else if (p.strict != q.strict) {
