@@ -40,11 +40,12 @@ std::vector<CoveredPart> ContactBuilder::find_covered(const Pair& pair, const Bl
   const double near = lip(pair[0], pair[1], true);
   const auto outline = [&](int b) { return blocks_.block(b).vertices().columns_of(state.position); };
   for (const int b : pair) {
+    if (blocks_.is_movable(b)) continue;
     const PointsRef own = outline(b);
     for (int c = 0; c < blocks_.n_blocks(); ++c) {
       const Vec2 shift = state.origin.col(c) - state.origin.col(b);
       const Box reach = widened(outlines_[b].box, search_margin_[b] + search_margin_[c]);
-      if (c == pair[0] || c == pair[1] || !blocks_.is_present(c) ||
+      if (c == pair[0] || c == pair[1] || blocks_.is_movable(c) || !blocks_.is_present(c) ||
           !touch(reach, shifted(outlines_[c].box, shift)))
         continue;
       const Points third = outline(c).colwise() + shift;
@@ -66,17 +67,13 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
                                  bool ties, bool by_covers, const std::vector<ContactRecord>& previous,
                                  std::vector<Contact>& contacts) {
   std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
-  BlockState end = state;  // a cover is one that stays
-  for (int b = 0; by_covers && b < blocks_.n_blocks(); ++b)
-    for (int v = 0; v < blocks_.block(b).n_vertices(); ++v)
-      end.position.col(blocks_.block(b).vertices().first + v) += blocks_.block(b).vertex_map(v)(motion);
   bool changed = false;
   std::vector<VertexEdge> found;
   for (const Pair& pair : pairs) {
     found.clear();
     const std::span<const ContactRecord> old = of_pair(pair, previous);
     find_contacts_of(pair, state, motion, old, ties,
-                     by_covers ? find_covered(pair, end) : std::vector<CoveredPart>(), found, choices_);
+                     by_covers ? find_covered(pair, state) : std::vector<CoveredPart>(), found, choices_);
     const std::span<const Contact> before = of_pair(pair, contacts);
     if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;
     changed = true;

@@ -25,7 +25,7 @@ TEST(MadeScenes, AreSoundWithDefaults) {
   EXPECT_GT(valid(made_scene(MadeSlope{})).blocks.size(), 100u);
   const Scene tunnel = valid(made_scene(MadeTunnel{}));
   EXPECT_GT(tunnel.blocks.size(), 100u);
-  EXPECT_GT(tunnel.stages.at(1).removed.size(), 2u);
+  EXPECT_GT(tunnel.stages.at(2).removed.size(), 2u);
   EXPECT_EQ(valid(made_scene(MadeArch{})).blocks.size(), 17u);
   EXPECT_EQ(valid(made_scene(MadeColumn{})).blocks.size(), 9u);
   EXPECT_EQ(valid(made_scene(MadeHeap{})).blocks.size(), 63u);
