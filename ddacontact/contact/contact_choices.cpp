@@ -40,12 +40,12 @@ std::vector<CoveredPart> ContactBuilder::find_covered(const Pair& pair, const Bl
   const double near = lip(pair[0], pair[1], true);
   const auto outline = [&](int b) { return blocks_.block(b).vertices().columns_of(state.position); };
   for (const int b : pair) {
-    if (blocks_.is_movable(b)) continue;
+    if (!blocks_.is_unchanging(b)) continue;
     const PointsRef own = outline(b);
     for (int c = 0; c < blocks_.n_blocks(); ++c) {
       const Vec2 shift = state.origin.col(c) - state.origin.col(b);
       const Box reach = widened(outlines_[b].box, search_margin_[b] + search_margin_[c]);
-      if (c == pair[0] || c == pair[1] || blocks_.is_movable(c) || !blocks_.is_present(c) ||
+      if (c == pair[0] || c == pair[1] || !blocks_.is_unchanging(c) || !blocks_.is_present(c) ||
           !touch(reach, shifted(outlines_[c].box, shift)))
         continue;
       const Points third = outline(c).colwise() + shift;
