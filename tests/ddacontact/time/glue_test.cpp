@@ -306,10 +306,7 @@ TEST(GlueLetGo, ByDynamicStepsIsToldWhereJointsCannotBearIt) {
     scene.joints[0].friction_angle = friction_angle;
     scene.stages = {stage_of(scene, true, Mode::statics, 10)};
     for (const Mode mode : without_glue) scene.stages.push_back(stage_of(scene, false, mode, 1));
-    const BuiltScene built = build(scene);
-    while (built.stepper->step()) {
-    }
-    return built.stepper->notes();
+    return run(scene).stepper->notes();
   };
   const std::vector<std::string> told = notes_of(30, {Mode::dynamic});
   ASSERT_EQ(told.size(), 1u);
