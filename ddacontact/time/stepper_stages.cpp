@@ -173,9 +173,10 @@ bool Stepper::enter_stage(int stage) {
   apply(stages_[stage], state_.time);
   if (!is_static() && n_beyond > 0)
     run_.notes.push_back("at time " + std::to_string(state_.time) +
-                         " s dynamic steps let go at once what glue held at " + std::to_string(n_beyond) +
-                         " contacts beyond the strength of their joints: blocks " +
-                         "vibrate and may slip (put a static stage without glue before them)");
+                         " s dynamic steps let go at once what glue held beyond the strength of the joints "
+                         "(contacts: " +
+                         std::to_string(n_beyond) +
+                         "): blocks vibrate and may slip (put a static stage without glue before them)");
   progress_.stage = stage;
   progress_.steps = 0;
   progress_.came_to_rest = false;
