@@ -291,8 +291,6 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
       contact.history.lock = fraction - old->end_slip / contact.edge_length();
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
   }
-  const bool on_same_line = old && kinship(state, old->pair, pair) <= Kinship::straight_on;
-  if (!on_same_line) stand_behind(contact);
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
       contact.is_on_edge(contact.first_slip().constant)) {
     contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
@@ -302,13 +300,6 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   if (properties_.is_glued(contact)) glue(contact);
   if (!contact.law.compliant) leave_out_friction(contact);
   return contact;
-}
-
-void ContactBuilder::stand_behind(Contact& contact) const {
-  const auto [a, b] = contact.pair.blocks();
-  if (properties_.has_multipliers() && !contact.law.compliant &&
-      contact.gap < -properties_.penetration_tolerance * contact.size && contact.gap >= -lip(a, b, true))
-    contact.history.gap_offset = contact.gap;
 }
 
 void ContactBuilder::glue(Contact& contact) const {

@@ -145,9 +145,6 @@ class ContactBuilder {
   /// one of a corner, where faces end.
   void leave_one_a_place(const BlockState& state, std::span<const ContactRecord> previous,
                          std::vector<VertexEdge>& found, std::size_t first) const;
-  /// A corner behind the line that it has come to bear on, no further than joints are flush to, stays there:
-  /// a step of the joint is not pushed out.
-  void stand_behind(Contact& contact) const;
   /// Glues a contact of a glued joint that is closed or touches: it sticks where it is. The gap of one that
   /// only touches counts as none from then on, so that glue adds no force.
   void glue(Contact& contact) const;

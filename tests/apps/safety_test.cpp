@@ -68,7 +68,7 @@ TEST_F(Program, ThreeCommandsGoFromNothingToAFactorOfSafety) {
 /// Blocks settle beside blocks that are fixed, and their corners slide down along flush faces past the
 /// corners of the joints in them: such corners stay on the face that they were closed on.
 TEST_F(Program, MadeSlopesOfAnySeedRun) {
-  for (const auto& [seed, spacing] : {std::pair(1, 2.6), {1, 2.8}, {3, 2.8}, {6, 3.4}, {7, 2.8}, {2, 3.}}) {
+  for (const auto& [seed, spacing] : {std::pair(1, 2.6), {1, 2.8}, {3, 2.8}, {6, 3.4}, {7, 2.8}}) {
     ASSERT_EQ(dda("make joints --seed " + std::to_string(seed) + " --spacing " + std::to_string(spacing) +
                   " -o rock.toml"),
               0)

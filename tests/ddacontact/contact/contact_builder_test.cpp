@@ -102,31 +102,6 @@ TEST(ContactBuilder, AnOpenContactThatIsPenetratedAtDetectionBeginsClosed) {
   }
 }
 
-/// A corner that comes to bear on another line, behind which it is by a step that counts as flush, stays
-/// there; one further behind, or on the line that it was on, is pushed out.
-TEST(ContactBuilder, AStepOfAFlushJointIsNotPushedOut) {
-  for (const auto& [behind, stays] : {std::pair(1e-5, true), {1e-7, false}, {1e-3, false}}) {
-    BlockOnPlate pair(0, 0.01);
-    ContactProperties properties = BlockOnPlate::properties(0.5);
-    properties.method = ContactMethod::staged;
-    properties.penetration_tolerance = 1e-6;
-    ContactBuilder builder(pair.built.stepper->blocks(), properties);
-    pair.move({0, -0.01 - behind});
-    std::vector<Contact> contacts;
-    builder.build(pair.state, pair.at_rest(), pair.search_margin, {}, contacts);
-    ASSERT_EQ(contacts.size(), 2u);
-    std::vector<ContactRecord> before;
-    for (const Contact& c : contacts) {
-      EXPECT_NEAR(c.history.gap_offset, stays ? -behind : 0, 1e-14) << behind;
-      before.push_back(c);
-      before.back().history.gap_offset = 0;
-      before.back().history.state = stick;
-    }
-    builder.build(pair.state, pair.at_rest(), pair.search_margin, before, contacts);
-    for (const Contact& c : contacts) EXPECT_EQ(c.history.gap_offset, 0) << behind;
-  }
-}
-
 /// Corners slide past each other: the contact goes from one block's vertex to the other's, with its spring's
 /// length.
 TEST(ContactBuilder, AContactHandedOverAtACornerKeepsItsSlip) {
