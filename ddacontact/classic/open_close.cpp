@@ -171,7 +171,8 @@ OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& term
     const int last = std::min(max_iterations, report.iterations + max_iterations_per_pass);
     do {
       system.problem().solve(r.force, correction);
-      acceleration.advance(-correction, system.unknown_lengths(), d);
+      d -= correction;
+      acceleration.advance(correction.cwiseProduct(system.unknown_lengths()), d);
       ++report.iterations;
       compute_residual();
       if (!std::isfinite(r.largest)) {

@@ -2,32 +2,41 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
+#include <limits>
+
 namespace ddacontact {
 
 void AndersonAcceleration::reset() {
-  dx_.clear();
-  df_.clear();
-  last_x_.resize(0);
+  n_ = 0;
+  last_y_.resize(0);
 }
 
-void AndersonAcceleration::advance(const VectorXd& f, const VectorXd& weights, VectorXd& x) {
-  if (last_x_.size() == x.size()) {
-    dx_.push_back(x - last_x_);
-    df_.push_back(f - last_f_);
-    if (dx_.size() > depth_) {
-      dx_.erase(dx_.begin());
-      df_.erase(df_.begin());
-    }
+double AndersonAcceleration::advance(const VectorXd& f, VectorXd& x) {
+  const Index depth = gram_.rows();
+  if (last_y_.size() == x.size()) {
+    dy_.resize(x.size(), depth);
+    df_.resize(f.size(), depth);
+    const Index k = n_++ % depth, n = std::min(n_, depth);
+    dy_.col(k) = x - last_y_;
+    df_.col(k) = f - last_f_;
+    gram_.col(k).head(n).noalias() = df_.leftCols(n).transpose() * df_.col(k);
+    gram_.row(k).head(n) = gram_.col(k).head(n).transpose();
+    along_.head(n) += gram_.col(k).head(n);
+    along_[k] = df_.col(k).dot(f);
   }
-  last_x_ = x;
+  last_y_ = x;
   last_f_ = f;
-  x += f;
-  if (df_.empty()) return;
-
-  MatrixXd dF(f.size(), static_cast<Index>(df_.size()));
-  for (std::size_t k = 0; k < df_.size(); ++k) dF.col(k) = df_[k].cwiseProduct(weights);
-  const VectorXd gamma = dF.colPivHouseholderQr().solve(f.cwiseProduct(weights));
-  for (std::size_t k = 0; k < df_.size(); ++k) x -= gamma[k] * (dx_[k] + df_[k]);
+  if (const Index n = std::min(n_, depth); n > 0) {
+    const VectorXd size = gram_.diagonal().head(n).cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
+    const MatrixXd relative =
+        size.asDiagonal().inverse() * gram_.topLeftCorner(n, n) * size.asDiagonal().inverse();
+    const VectorXd gamma = relative.completeOrthogonalDecomposition()
+                               .solve(along_.head(n).cwiseQuotient(size))
+                               .cwiseQuotient(size);
+    x.noalias() -= dy_.leftCols(n) * gamma;
+  }
+  return f.squaredNorm();
 }
 
 }  // namespace ddacontact

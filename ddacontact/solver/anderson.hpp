@@ -3,28 +3,31 @@
 
 #include <ddacontact/core/types.hpp>
 
-#include <vector>
-
 namespace ddacontact {
 
-/// Given x and the step f(x) that the plain iteration x <- x + f(x) would take, proposes the next x from the
-/// last few: x + f - (dX + dF) gamma with gamma the least-squares solution of dF gamma = f, where the columns
-/// of dX and dF are differences of successive x and f. On a linear iteration it does what GMRES does: it
-/// converges also where the plain iteration diverges.
+/// Given the step f(x) that the plain iteration x <- x + f(x) has taken, proposes the next x from the last
+/// few: x + f - dY gamma with gamma the least-squares solution of dF gamma = f, where the columns of dY and
+/// dF are differences of successive x + f and f. On a linear iteration it does what GMRES does: it converges
+/// also where the plain iteration diverges.
 class AndersonAcceleration {
  public:
   /// \param[in] depth  differences that are kept
-  explicit AndersonAcceleration(std::size_t depth = 8) : depth_(depth) {}
+  explicit AndersonAcceleration(Index depth = 8) : gram_(depth, depth), along_(depth) {}
 
   void reset();
-  /// \param[in,out] x  becomes the next iterate
-  /// \param[in] weights  make the entries of f comparable
-  void advance(const VectorXd& f, const VectorXd& weights, VectorXd& x);
+  /// \param[in] f      what the step has changed, of those unknowns that tell how far the iteration is from
+  /// its
+  ///   end, in comparable units
+  /// \param[in,out] x  after the step, and whatever else follows it linearly; becomes the next iterate
+  /// \return the square of the length of f
+  double advance(const VectorXd& f, VectorXd& x);
 
  private:
-  std::size_t depth_;
-  std::vector<VectorXd> dx_, df_;  ///< the oldest first
-  VectorXd last_x_, last_f_;
+  Index n_ = 0;       ///< differences taken; the last few are kept, the oldest is replaced
+  MatrixXd dy_, df_;  ///< a column each
+  MatrixXd gram_;     ///< dF^T dF
+  VectorXd along_;    ///< dF^T f
+  VectorXd last_y_, last_f_;
 };
 
 }  // namespace ddacontact

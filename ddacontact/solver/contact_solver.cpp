@@ -227,11 +227,9 @@ struct ContactSolver {
     if (!tangent.solve(contacts.terms(), active, contacts.couplings(states), report.residual.force,
                        correction))
       return leave_active_set();
-    VectorXd moved = d;
+    VectorXd moved = d - correction;
     if (solutions_of_states >= first_accelerated)
-      acceleration.advance(-correction, system.unknown_lengths(), moved);
-    else
-      moved -= correction;
+      acceleration.advance(correction.cwiseProduct(system.unknown_lengths()), moved);
     if (!moved.allFinite()) return leave_active_set();
     system.move(moved - d, d);
     ++report.iterations;

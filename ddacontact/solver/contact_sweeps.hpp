@@ -11,9 +11,8 @@ namespace ddacontact {
 
 /// Nonsmooth Gauss-Seidel iteration in the forces of the contacts (Moreau, Jean): displacements always
 /// balance the forces, d = A^-1 (Q + sum of G_c^T f_c), and each contact in turn is given the forces that its
-/// law demands while the others stay. A sweep forth and back is a step of nonlinear conjugate gradients
-/// (Silcowitz-Hansen, Niebe and Erleben 2010). Where inertia keeps what happens in a step near where it
-/// happens a few sweeps do.
+/// law demands while the others stay. Anderson acceleration takes the next forces from the last few sweeps.
+/// Where inertia keeps what happens in a step near where it happens a few sweeps do.
 ///
 /// Threads share groups of blocks with the contacts within each; those between groups come after them. What
 /// is found does not depend on the number of threads.
@@ -82,8 +81,14 @@ class ContactSweeps {
   void begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
              const VectorXd& residual, const VectorXd& d, const std::vector<ContactForce>& forces_of_all);
   void visit(int r, Vec2& largest);
-  Vec2 visit_all(bool forth);
-  bool has_many_changes(const Stop& stop, const Points& before) const;
+  Vec2 visit_all();
+  bool has_many_changes(const Stop& stop, const Points& before);
+  /// Of the iterate: d so far less d at the start, packed.
+  double* change() { return iterate_.data(); }
+  /// And normal and shear force of each contact, in the order of rows.
+  Eigen::Map<Points> forces() {
+    return {iterate_.data() + unknown_.size(), 2, static_cast<Index>(rows_.size())};
+  }
 
   std::vector<int> slot_;      ///< of every unknown in packed vectors, -1: prescribed
   std::vector<int> unknown_;   ///< at every slot, -1: prescribed
@@ -94,8 +99,7 @@ class ContactSweeps {
   std::vector<int> first_of_group_;  ///< and of those between groups, and their end
   std::vector<Entry> entries_;
   VectorXd columns_;
-  Points forces_;    ///< now, in the order of rows: normal, shear
-  VectorXd change_;  ///< of d so far, packed
+  VectorXd iterate_;  ///< displacements, and the forces that they balance
 };
 
 }  // namespace ddacontact

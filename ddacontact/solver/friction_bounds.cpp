@@ -13,7 +13,6 @@ BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, Vec
   constexpr double sufficient_decrease = 0.8, least_damping = 0.1;
   BoundsReport report;
   AndersonAcceleration acceleration(anderson_depth);
-  const VectorXd weights = VectorXd::Ones(bounds.size());
   VectorXd wanted = bounds, next = bounds;
   bool accelerated = true;
   double damping = 0.5, least = inf;
@@ -34,10 +33,12 @@ BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, Vec
       acceleration.reset();
       if (accelerated) damping = std::max(least_damping, damping / 2);
     }
-    if (accelerated)
-      acceleration.advance(change, weights, next);
-    else
+    if (accelerated) {
+      next = wanted;
+      acceleration.advance(change, next);
+    } else {
       next += damping * change;
+    }
     next = next.cwiseMax(0);
   }
   return report;

@@ -29,7 +29,9 @@ TEST(AndersonAcceleration, SolvesALinearIterationThatDivergesByItself) {
   AndersonAcceleration acceleration(8);
   for (int k = 0; k <= n; ++k) {
     plain += iteration.f(plain);
-    acceleration.advance(iteration.f(x), VectorXd::Ones(n), x);
+    const VectorXd f = iteration.f(x);
+    x += f;
+    acceleration.advance(f, x);
   }
   EXPECT_GT((plain - iteration.solution).norm(), 1e3);
   EXPECT_LT((x - iteration.solution).norm(), 1e-9);
@@ -40,25 +42,45 @@ TEST(AndersonAcceleration, TheFirstStepAndTheFirstAfterAResetArePlain) {
   AndersonAcceleration acceleration(8);
   VectorXd x = VectorXd::Zero(4);
   for (int k = 0; k < 3; ++k) {
-    const VectorXd before = x, f = iteration.f(x);
-    acceleration.advance(f, VectorXd::Ones(4), x);
+    const VectorXd f = iteration.f(x), plain = x + f;
+    x = plain;
+    acceleration.advance(f, x);
     if (k > 0) continue;
-    EXPECT_EQ(x, before + f);
+    EXPECT_EQ(x, plain);
   }
   acceleration.reset();
-  const VectorXd before = x, f = iteration.f(x);
-  acceleration.advance(f, VectorXd::Ones(4), x);
-  EXPECT_EQ(x, before + f);
+  const VectorXd f = iteration.f(x), plain = x + f;
+  x = plain;
+  acceleration.advance(f, x);
+  EXPECT_EQ(x, plain);
 }
 
-/// A zero weight takes an entry out of the least squares: the others are then met exactly by fewer
-/// differences.
-TEST(AndersonAcceleration, WeightsSayWhichEntriesCount) {
+/// What is not measured follows: the second unknown, far from its end, moves as the first one asks.
+TEST(AndersonAcceleration, WhatIsNotMeasuredFollowsLinearly) {
   AndersonAcceleration acceleration(8);
-  const auto f = [](const VectorXd& v) -> VectorXd {
-    return Eigen::Vector2d(3 * (1 - v[0]), 0.1 * (1 - v[1]));
-  };
-  VectorXd x = VectorXd::Zero(2);
-  for (int k = 0; k < 2; ++k) acceleration.advance(f(x), Eigen::Vector2d(1, 0), x);
+  Eigen::VectorXd x = VectorXd::Zero(2);  // the second is always twice the first
+  for (int k = 0; k < 2; ++k) {
+    const double f = 3 * (1 - x[0]);
+    x += Eigen::Vector2d(f, 2 * f);
+    acceleration.advance(VectorXd::Constant(1, f), x);
+  }
   EXPECT_NEAR(x[0], 1, 1e-12);
+  EXPECT_NEAR(x[1], 2, 1e-12);
+}
+
+/// More differences than are kept, and differences of zero.
+TEST(AndersonAcceleration, KeepsTheLastFew) {
+  const int n = 6;
+  const LinearIteration iteration(n);
+  VectorXd x = iteration.solution * 0.999;
+  AndersonAcceleration acceleration(2);
+  for (int k = 0; k < 60; ++k) {
+    const VectorXd f = 0.1 * iteration.f(x);
+    x += f;
+    acceleration.advance(f, x);
+  }
+  EXPECT_LT((x - iteration.solution).norm(), 1e-9);
+  acceleration.advance(VectorXd::Zero(n), x);
+  acceleration.advance(VectorXd::Zero(n), x);
+  EXPECT_TRUE(x.allFinite());
 }
