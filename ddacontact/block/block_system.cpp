@@ -99,11 +99,17 @@ void BlockSystem::remove(int b) {
   number_equations();
 }
 
-void BlockSystem::restore(int b) {
+void BlockSystem::restore(int b, double time) {
   const auto found = std::ranges::find(taken_out_, b, &TakenOut::block);
   assert(found != taken_out_.end() && !present_[b]);
   present_[b] = true;
   TakenOut& out = *found;
+  const auto begin = [&](auto& held) {
+    held.motion.start = time;
+    held.before = held.motion.at(time, end_time);
+  };
+  std::ranges::for_each(out.fixed_vertices, begin);
+  std::ranges::for_each(out.prescribed_dofs, begin);
   const auto give = [](auto& from, auto& to) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };
@@ -284,7 +290,8 @@ void BlockSystem::find_coordinates(BlockState& state) const {
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
   VectorXd d = VectorXd::Zero(n_unknowns_);
   for (const PrescribedDof& h : prescribed_dofs_) {
-    d[h.unknown] = h.motion.at(time, end_time)[h.axis] - total_displacement(state, h.vertex, h.axis);
+    const Vec2 target = h.motion.at(time, end_time) - h.before;
+    d[h.unknown] = target[h.axis] - total_displacement(state, h.vertex, h.axis);
   }
   return d;
 }

@@ -65,6 +65,7 @@ struct PrescribedDof {
   int vertex = 0;       ///< in the arrays of the state
   int axis = 0;         ///< 0: x, 1: y
   TimeFunction motion;  ///< total displacement since the start, m
+  Vec2 before{0, 0};    ///< of that, before its block came in
 };
 
 /// A vertex of a six-unknown block held as Shi does it: by stiff springs to where it should be.
@@ -72,6 +73,7 @@ struct FixedVertex {
   int block = 0, vertex = 0;  ///< vertex of the block, 0 .. n_vertices - 1
   bool x = true, y = true;
   TimeFunction motion;
+  Vec2 before{0, 0};  ///< as of a PrescribedDof
 };
 
 /// Owns the blocks; their unknowns, points and integration points are numbered in block order.
@@ -150,7 +152,7 @@ class BlockSystem {
   /// points stay in the arrays of the state.
   void remove(int b);
   /// A block that was taken out is there again, with what was taken out with it but the water on it.
-  void restore(int b);
+  void restore(int b, double time);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const;
   /// Prepares the blocks that have matrices for a state; `first_time` includes all others.

@@ -111,7 +111,7 @@ Vec2 TimeFunction::at(double time, double end_time) const {
     case Kind::constant:
       return part * value;
     case Kind::ramp:
-      return part * std::clamp(time / end_time, 0.0, 1.0) * value;
+      return part * (time < end_time ? std::max(0.0, (time - start) / (end_time - start)) : 1) * value;
     case Kind::rate:
       return part * time * value;
     case Kind::history:

@@ -11,12 +11,12 @@ namespace ddacontact {
 /// A force, displacement or the like as a function of time.
 struct TimeFunction {
   enum class Kind {
-    constant,              ///< `value` at all times
-    ramp,                  ///< grows linearly from 0 to `value` at the scene's end time, then constant
-    rate,                  ///< `value` times t
-    history,               ///< linear between the entries (t, x, y), constant outside
-    smooth_history,        ///< a cubic spline through the entries, at rest before and after them
-    velocity_history,      ///< the integral of what is linear between the entries, 0 at the first of them
+    constant,          ///< `value` at all times
+    ramp,              ///< grows linearly from 0 at `start` to `value` at the scene's end time, then constant
+    rate,              ///< `value` times t
+    history,           ///< linear between the entries (t, x, y), constant outside
+    smooth_history,    ///< a cubic spline through the entries, at rest before and after them
+    velocity_history,  ///< the integral of what is linear between the entries, 0 at the first of them
     acceleration_history,  ///< the integral of that, at rest before the first entry
   };
   Kind kind = Kind::constant;
@@ -25,7 +25,7 @@ struct TimeFunction {
   /// Values and derivatives at the entries, between which the function is cubic, of kinds after `history`.
   std::vector<std::pair<Vec2, Vec2>> curve{};
   double rise = 0;   ///< s, in which all of it grows linearly from nothing
-  double start = 0;  ///< of that, s
+  double start = 0;  ///< of that and of a ramp, s
 
   bool is_history() const { return kind >= Kind::history; }
   /// `end_time` is the length the scene itself states: steps times time_step, of all stages.

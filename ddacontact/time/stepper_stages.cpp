@@ -100,7 +100,7 @@ void Stepper::apply(const Stage& stage, double start_time) {
   limits_.set_analysis(analysis_);
   for (int b : stage.removed) blocks_.remove(b);
   if (!stage.added.empty()) {
-    for (int b : stage.added) blocks_.restore(b);
+    for (int b : stage.added) blocks_.restore(b, start_time);
     blocks_.prepare(state_, true);
     trial_.forget_pairs(properties_);  // it knows pairs of those that were there
     state_.coordinates.resize(0);

@@ -1,4 +1,5 @@
 // Blocks with rounded corners: what rolls rolls, and what stands on its faces stands and slides on them.
+#include <tests/ddacontact/simple_scenes.hpp>
 #include <tests/support/flush_joints.hpp>
 
 #include <gtest/gtest.h>
@@ -78,4 +79,22 @@ TEST(RoundedCorner, ABlockStandsAndSlidesOnItsFaces) {
     EXPECT_NEAR(final_speed(square_on_a_slope(20, 10, rounding, 0, 0.3), 1, down), expected, 1e-3 * expected)
         << rounding;
   }
+}
+
+/// A tower of 1 m by 3 m flush with the corner of the large block that it stands on, gravity tilted towards
+/// it: it turns about the end of its own arc, at tan a = (0.5 - r) / 1.5, in whatever order the blocks are.
+TEST(RoundedCorner, WhereCornersMeetTheSmallerBlockTurnsAboutItsOwn) {
+  constexpr double rounding = 0.01;
+  const double limit = std::atan((0.5 - rounding * std::sqrt(3)) / 1.5);
+  for (const bool base_first : {true, false})
+    for (const double tilt : {limit - 0.3 * degree, limit + 0.3 * degree}) {
+      Scene scene = rock_scene(0.02, 60);
+      scene.analysis.mode = Mode::statics;
+      scene.analysis.gravity = 9.8 * Vec2(std::sin(tilt), -std::cos(tilt));
+      scene.joints[0].friction_angle = 45;
+      scene.contact.corner_rounding = rounding;
+      scene.blocks = {block(rectangle(-9, -9, 10, 9), true), block(rectangle(0, 0, 1, 3))};
+      if (!base_first) std::swap(scene.blocks[0], scene.blocks[1]);
+      EXPECT_EQ(run(scene).stepper->is_at_rest(), tilt < limit) << base_first << ' ' << tilt / degree;
+    }
 }

@@ -309,3 +309,35 @@ TEST(RunRecord, RefusesOtherBytes) {
     EXPECT_THROW(run_record_from(bytes.substr(0, n)), Error) << n;
   EXPECT_THROW(run_record_from(bytes + "x"), Error);
 }
+
+/// What a support had prescribed before its block came in does not count; a displacement of the whole run is
+/// reached at its end.
+TEST(Stages, SupportsMoveABlockFromWhenItComesIn) {
+  using Kind = TimeFunction::Kind;
+  Scene scene = slope_scene(0, 30);
+  scene.stages = {scene.stage("before"), scene.stage("after")};
+  for (StageDescription& stage : scene.stages) stage.analysis.steps = 4;
+  const double dt = scene.analysis.time_step, speed = 0.1;
+  struct Motion {
+    TimeFunction function;
+    double first, last;
+  };
+  const std::vector<Motion> motions{{{Kind::rate, {speed, 0}, {}}, speed * dt, speed * 4 * dt},
+                                    {{Kind::ramp, {4e-3, 0}, {}}, 1e-3, 4e-3},
+                                    {{Kind::history, {0, 0}, {{0, 0, 0}, {8 * dt, 8e-3, 0}}}, 1e-3, 4e-3},
+                                    {{Kind::constant, {0, 0}, {}}, 0, 0}};
+  for (const bool springs : {false, true}) {
+    for (const auto& [function, first, last] : motions) {
+      Scene jacked = scene;
+      jacked.blocks.push_back(block(rectangle(0, 5, 1, 1)));
+      jacked.supports = {{2, {0, 1, 2, 3}, true, true, function}};
+      jacked.stages[1].added = {2};
+      if (springs) jacked.blocks[2].model = BlockModel::affine;
+      BuiltScene built = build(jacked);
+      run(*built.stepper, 5);
+      EXPECT_NEAR(travel(*built.stepper, 2).x(), first, 1e-12);
+      run(*built.stepper, 3);
+      EXPECT_NEAR(travel(*built.stepper, 2).x(), last, 1e-12);
+    }
+  }
+}
