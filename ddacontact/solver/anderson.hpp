@@ -12,7 +12,7 @@ namespace ddacontact {
 class AndersonAcceleration {
  public:
   /// \param[in] depth  differences that are kept
-  explicit AndersonAcceleration(Index depth = 8) : gram_(depth, depth), along_(depth) {}
+  explicit AndersonAcceleration(Index depth = 8) : depth_(depth) {}
 
   void reset();
   /// \param[in] f      what the step has changed, of those unknowns that tell how far the iteration is from
@@ -23,10 +23,9 @@ class AndersonAcceleration {
   double advance(const VectorXd& f, VectorXd& x);
 
  private:
+  Index depth_;
   Index n_ = 0;       ///< differences taken; the last few are kept, the oldest is replaced
   MatrixXd dy_, df_;  ///< a column each
-  MatrixXd gram_;     ///< dF^T dF
-  VectorXd along_;    ///< dF^T f
   VectorXd last_y_, last_f_;
 };
 
