@@ -1,7 +1,8 @@
 #include <ddacontact/study/strength_reduction.hpp>
 
 #include <ddacontact/output/run_verdict.hpp>
-#include <polyfem/geometry/area_moments.hpp>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,26 @@ namespace ddacontact {
 namespace {
 
 constexpr int fewest_settling_steps = 1000;
-/// Static steps that let go what strengths no longer hold, so long that the smallest block falls by the slip
-/// of `TrialLimits` in all of them: vibrations die in steps much longer than their periods.
+/// Static steps that let go what strengths no longer hold.
 constexpr int release_steps = 100;
+/// In each of them waves cross all blocks so often: inertia then hinders no block from bearing on what would
+/// slip in the meantime.
+constexpr int crossings_a_step = 10;
 
 double release_time_step(const Scene& scene) {
-  double smallest = inf;
-  for (const BlockDescription& block : scene.blocks)
-    smallest = std::min(smallest, std::sqrt(std::abs(polyfem::signed_area(block.vertices))));
-  const double g = scene.analysis.gravity.norm();
-  return g > 0 ? std::sqrt(2 * TrialLimits{}.slip * smallest / (release_steps * g)) : 0;
+  Eigen::AlignedBox2d box;
+  double slowest = inf;
+  for (const BlockDescription& block : scene.blocks) {
+    if (block.fixed) continue;
+    for (Index v = 0; v < block.vertices.cols(); ++v) box.extend(Vec2(block.vertices.col(v)));
+    const Material& material = scene.materials[block.material];
+    slowest = std::min(slowest, std::sqrt(material.young / material.density));
+  }
+  return box.isEmpty() || slowest == 0 ? 0 : crossings_a_step * box.diagonal().norm() / slowest;
+}
+
+bool has_strength(const Joint& joint) {
+  return joint.friction_angle > 0 || joint.cohesion > 0 || joint.tensile_strength > 0;
 }
 
 /// Static steps until all rests.
@@ -33,35 +44,37 @@ StageDescription settling(StageDescription stage, std::string name, int steps) {
   return stage;
 }
 
-/// In two parts: settled while glued, then as it is.
-Scene with_settling(Scene scene) {
+/// In two parts: settled while the joints to be reduced are glued, then as it is. Others bear from the
+/// beginning what they bear in the trials: glued, they would carry what is to press on the former.
+Scene with_settling(Scene scene, const std::vector<int>& joints) {
   if (scene.contact.method == ContactMethod::classic)
     throw Error("a scene of one part settles glued, which the method \"classic\" cannot (write [[stage]]s)");
   StageDescription glued =
       settling(scene.stage(""), "settle", std::max(scene.analysis.steps, fewest_settling_steps));
-  for (Joint& joint : glued.joints) joint.glued = true;
+  for (const int j : joints) glued.joints[j].glued = has_strength(glued.joints[j]);
   scene.stages = {glued, scene.stages.empty() ? scene.stage("") : scene.stages.front()};
   return scene;
 }
 
-/// Whether the dynamic last stage changes nothing but strengths at its start: what an excavation shakes loose
-/// is its own.
+/// Whether the last stage changes nothing but strengths at its start: what an excavation shakes loose is its
+/// own.
 bool begins_by_strengths(const Scene& scene) {
   const StageDescription& last = scene.stages.back();
-  return last.analysis.mode == Mode::dynamic && last.removed.empty() && last.bolts.empty() &&
-         last.added.empty() && last.loads.empty();
+  return last.removed.empty() && last.bolts.empty() && last.added.empty() && last.loads.empty();
 }
 
-/// The beginning of the last stage as a static one.
-void insert_release(Scene& scene) {
-  StageDescription release = settling(scene.stages.back(), "release", release_steps);
-  release.analysis.time_step = std::max(release.analysis.time_step, release_time_step(scene));
+/// The last stage begins with long static steps, or consists of them.
+void begin_by_release(Scene& scene) {
+  StageDescription& last = scene.stages.back();
+  const double time_step = std::max(last.analysis.time_step, release_time_step(scene));
+  if (last.analysis.mode == Mode::statics) {
+    last.analysis.time_step = time_step;
+    return;
+  }
+  StageDescription release = settling(last, "release", release_steps);
+  release.analysis.time_step = time_step;
   release.reset_displacements = false;
   scene.stages.insert(std::prev(scene.stages.end()), std::move(release));
-}
-
-bool has_strength(const Joint& joint) {
-  return joint.friction_angle > 0 || joint.cohesion > 0 || joint.tensile_strength > 0;
 }
 
 }  // namespace
@@ -81,7 +94,7 @@ Joint reduced(Joint joint, double factor) {
 }
 
 StrengthReduction::StrengthReduction(const Scene& scene, std::vector<int> joints)
-    : scene_(scene.stages.size() < 2 ? with_settling(scene) : scene),
+    : scene_(scene.stages.size() < 2 ? with_settling(scene, joints) : scene),
       n_settling_(static_cast<int>(scene_.stages.size()) - 1),
       joints_(std::move(joints)) {
   const std::vector<Joint>& last = scene_.stages.back().joints;
@@ -108,12 +121,12 @@ void StrengthReduction::settle(bool glues) {
       throw SettlingStopped("the scene does not settle: " + stepper.stop_reason());
     notes_.push_back("the scene does not settle glued (" + stepper.stop_reason() +
                      "): trials settle it as it is");
-    insert_release(scene_);
+    begin_by_release(scene_);
     scene_.stages.erase(scene_.stages.begin());
     n_settling_ = 0;
     return;
   }
-  if (begins_by_strengths(scene_) && changed <= stepper.state().time) insert_release(scene_);
+  if (begins_by_strengths(scene_) && changed <= stepper.state().time) begin_by_release(scene_);
   const Equilibrium& e = stepper.equilibrium();
   if (!e.in_balance())
     unsettled_ = "block \"" + scene_.block_name(e.unbalanced_block) + "\" is out of balance";

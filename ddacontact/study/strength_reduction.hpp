@@ -30,10 +30,10 @@ class SettlingStopped : public Error {
 };
 
 /// All trials start from the same settled state: that at the end of the stage before the last. A scene of one
-/// part is settled with all joints glued first, by static steps, as many as the scene has or 1000. Trials
-/// begin with static steps, which let go what glue or strength bore without shaking the blocks, unless loads
-/// are yet to change or the last stage excavates, builds or loads; a scene of one part that does not settle
-/// glued is settled by them.
+/// part is settled first with the joints to be reduced glued, by static steps, as many as the scene has or
+/// 1000. Trials begin with static steps, which let go what glue or strength bore without shaking the blocks,
+/// in steps so long that inertia does not count, unless loads are yet to change or the last stage excavates,
+/// builds or loads; a scene of one part that does not settle glued is settled by them.
 class StrengthReduction {
  public:
   /// Makes the settled state. Throws SettlingStopped, and Error when the scene is of the method
