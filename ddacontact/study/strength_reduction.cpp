@@ -1,8 +1,7 @@
 #include <ddacontact/study/strength_reduction.hpp>
 
 #include <ddacontact/output/run_verdict.hpp>
-
-#include <Eigen/Geometry>
+#include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +12,19 @@ namespace ddacontact {
 namespace {
 
 constexpr int fewest_settling_steps = 1000;
-/// Static steps that let go what strengths no longer hold.
-constexpr int release_steps = 100;
-/// In each of them waves cross all blocks so often: inertia then hinders no block from bearing on what would
-/// slip in the meantime.
-constexpr int crossings_a_step = 10;
+/// Static steps that let go what strengths no longer hold, in which waves cross each block so often: inertia
+/// then hinders no block from following another that slips and from pressing on it.
+constexpr int release_steps = 100, crossings_a_step = 20;
 
 double release_time_step(const Scene& scene) {
-  Eigen::AlignedBox2d box;
-  double slowest = inf;
+  double longest = 0;
   for (const BlockDescription& block : scene.blocks) {
     if (block.fixed) continue;
-    for (Index v = 0; v < block.vertices.cols(); ++v) box.extend(Vec2(block.vertices.col(v)));
     const Material& material = scene.materials[block.material];
-    slowest = std::min(slowest, std::sqrt(material.young / material.density));
+    const double size = std::sqrt(std::abs(polyfem::signed_area(block.vertices)));
+    longest = std::max(longest, size / std::sqrt(material.young / material.density));
   }
-  return box.isEmpty() || slowest == 0 ? 0 : crossings_a_step * box.diagonal().norm() / slowest;
+  return crossings_a_step * longest;
 }
 
 bool has_strength(const Joint& joint) {
@@ -71,8 +67,12 @@ void begin_by_release(Scene& scene) {
     last.analysis.time_step = time_step;
     return;
   }
-  StageDescription release = settling(last, "release", release_steps);
+  StageDescription release = last;
+  release.name = "release";
+  release.analysis.mode = Mode::statics;
   release.analysis.time_step = time_step;
+  release.analysis.steps = release_steps;
+  release.until.reset();
   release.reset_displacements = false;
   scene.stages.insert(std::prev(scene.stages.end()), std::move(release));
 }
