@@ -89,7 +89,8 @@ class ContactBuilder {
                         std::span<const ContactRecord> previous, bool ties,
                         std::span<const CoveredPart> covered, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
-  /// Where other blocks lie on the edges of these two, as near as joints are flush.
+  /// Where blocks that stay where they are lie on edges of these two that do so too, as near as joints are
+  /// flush.
   std::vector<CoveredPart> find_covered(const Pair& pair, const BlockState& state) const;
   /// Whether free unknowns move what has this form, by more than supports leave at the held end of an edge.
   bool is_moved(const Contact& contact, const VertexEdgeForm& by) const;

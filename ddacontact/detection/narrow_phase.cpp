@@ -17,12 +17,14 @@ struct VertexCorner {
   Vec2 x;
   std::array<Vec2, 2> sides;
   std::array<double, 2> lengths;
+  std::array<bool, 2> covered{};
 
   VertexCorner(const Vec2& at, const Side& before, const Side& after)
       : x(at), sides{after.along(), -before.along()}, lengths{after.length, before.length} {}
   void go_on(int side, const Vec2& along) {
     sides[side] = along;
     lengths[side] = along.norm();
+    covered[side] = true;
   }
   /// Whether it lies on the outer side of an edge with this normal, or may be turned there within the step.
   bool admissible(const Vec2& normal, double search_margin) const {
@@ -164,6 +166,7 @@ struct Entrances {
 
   void add_entrances_of(int i, std::vector<Candidate>& found) {
     const VertexCorner corner = corner_at_vertex(i);
+    if (corner.covered[0] && corner.covered[1]) return;
     const Vec2& x = corner.x;
     near.clear();
     bool behind = false;

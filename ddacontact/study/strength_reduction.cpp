@@ -14,7 +14,7 @@ namespace {
 constexpr int fewest_settling_steps = 1000;
 /// Static steps that let go what strengths no longer hold, in which waves cross each block so often: inertia
 /// then hinders no block from following another that slips and from pressing on it.
-constexpr int release_steps = 100, crossings_a_step = 20;
+constexpr int release_steps = 100, crossings_a_step = 5;
 
 double release_time_step(const Scene& scene) {
   double longest = 0;

@@ -218,4 +218,6 @@ TEST(NarrowPhase, WhatAThirdPolygonCoversIsNoEntrance) {
   EXPECT_TRUE(level == top || level == bottom);
   EXPECT_EQ(met({{0, 1, 0, 1, {-1, 0}, {1, 1}}}), top);
   EXPECT_EQ(met({{0, 1, 0, 0.5, {-1, 0}, {0, 1}}}), free) << "not up to the corner";
+  EXPECT_EQ(met({{0, 1, 0, 1, {-1, 0}, {1, 1}}, {0, 2, 0, 1, {1, 1}, {0, -1}}}).vertex_block, 1)
+      << "the lower corner is within what covers both of its sides";
 }
