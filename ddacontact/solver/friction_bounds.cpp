@@ -9,10 +9,10 @@ namespace ddacontact {
 BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, VectorXd& wanted)>& solve,
                             VectorXd& bounds) {
   constexpr double tolerance = 1e-9;
-  constexpr int max_solves = 100, patience = 8;
+  constexpr int max_solves = 100, anderson_depth = 5, patience = 8;
   constexpr double sufficient_decrease = 0.8, least_damping = 0.1;
   BoundsReport report;
-  AndersonAcceleration acceleration;
+  AndersonAcceleration acceleration(anderson_depth);
   VectorXd wanted = bounds, next = bounds;
   bool accelerated = true;
   double damping = 0.5, least = inf;

@@ -48,8 +48,8 @@ void InteriorContact::begin(const ContactTerm& term, const SweptLaw& law, double
   unilateral = term.normal != ContactTerm::Normal::bilateral;
   holds = std::isinf(term.bound);
   sheared = term.sheared && (law.bonded || holds || law.joint->has_friction());
-  const double root = std::sqrt(a * a + 4 * mu);
-  normal.begin(a > 0 ? (a + root) / 2 : 2 * mu / (root - a), mu);
+  const double half = a / 2, root = std::sqrt(half * half + mu);
+  normal.begin(a > 0 ? half + root : mu / (root - half), mu);
   if (!unilateral) normal.x = a;
   evaluate_friction(law);
   if (holds) T = q;
