@@ -148,12 +148,15 @@ void remove_file(const std::filesystem::path& path) {
     throw OutputError("cannot remove \"" + path.string() + "\": " + error.message());
 }
 
-/// Makes the directory without what an earlier run wrote at its end.
+/// Makes the directory without what an earlier run wrote at its end, or was writing when it was killed.
 std::filesystem::path begin_directory(std::filesystem::path directory) {
   directory = make_directory(std::move(directory));
   for (const char* name :
        {"summary.json", "blocks.csv", "vertices.csv", "contacts.csv", "bolts.csv", "supports.csv"})
     remove_file(directory / name);
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, ignored))
+    if (entry.path().extension().string().starts_with(".part")) remove_file(entry.path());
   return directory;
 }
 
