@@ -113,14 +113,15 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   move(a, start_a, moved_a);
   move(b, start_b, moved_b);
   const std::size_t first = found.size();
-  if (blocks_.has_rounded_corners())
-    find_rounded_contacts({a, start_a, moved_a.leftCols(of_a.count)}, blocks_.rounded(a),
-                          {b, start_b, moved_b.leftCols(of_b.count)}, blocks_.rounded(b), limits, earlier,
-                          found, choices);
+  const Outline one{a, start_a, moved_a.leftCols(of_a.count)},
+      other{b, start_b, moved_b.leftCols(of_b.count)};
+  if (!blocks_.has_rounded_corners())
+    find_contacts(one, outlines_[a], other, sides_b, limits, earlier, covered, found, choices);
+  else if (const RoundedBlock& round_a = blocks_.rounded(a), &round_b = blocks_.rounded(b);
+           round_b.radius < round_a.radius)  // of two corners at one place the first one stays
+    find_rounded_contacts(other, round_b, one, round_a, limits, earlier, found, choices);
   else
-    find_contacts({a, start_a, moved_a.leftCols(of_a.count)}, outlines_[a],
-                  {b, start_b, moved_b.leftCols(of_b.count)}, sides_b, limits, earlier, covered, found,
-                  choices);
+    find_rounded_contacts(one, round_a, other, round_b, limits, earlier, found, choices);
   const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
   const bool stiff = any_compliant && !blocks_.has_rounded_corners();
   if (any_compliant || blocks_.has_rounded_corners()) leave_one_a_place(state, previous, found, first);
