@@ -75,8 +75,7 @@ void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const 
              before.pair.vertex == of.vertex;
     });
     const bool is_straight = outlines_[of.vertex_block].sides[of.vertex].corner == Corner::straight;
-    const double radius = blocks_.has_rounded_corners() ? blocks_.rounded(of.vertex_block).radius : 0;
-    return std::tuple(!was_closed, length_of(state, of, bearing({})).total() == 0, is_straight, radius, of);
+    return std::tuple(!was_closed, length_of(state, of, bearing({})).total() == 0, is_straight, of);
   };
   for (const VertexEdge& of : of_blocks)
     if (std::ranges::any_of(of_blocks, [&](const VertexEdge& other) {
