@@ -143,7 +143,7 @@ class ContactBuilder {
   /// lies on a vertex of the other: together they would stand for the faces twice.
   bool are_at_one_place(const BlockState& state, const VertexEdge& a, const VertexEdge& b) const;
   /// Leaves one of contacts at one place: one that was closed, then one that lies along the other face, then
-  /// one of a corner, where faces end, then that with the smaller radius.
+  /// one of a corner, where faces end.
   void leave_one_a_place(const BlockState& state, std::span<const ContactRecord> previous,
                          std::vector<VertexEdge>& found, std::size_t first) const;
   /// Glues a contact of a glued joint that is closed or touches: it sticks where it is. The gap of one that
