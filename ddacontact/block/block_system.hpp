@@ -151,7 +151,8 @@ class BlockSystem {
   /// Takes a block out with its loads and supports and the bolts in it: nothing of it counts any more. Its
   /// points stay in the arrays of the state.
   void remove(int b);
-  /// A block that was taken out is there again, with what was taken out with it but the water on it.
+  /// A block that was taken out is there again, with what was taken out with it but the water on it. Its
+  /// supports move it by what they prescribe after this time, s.
   void restore(int b, double time);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const;

@@ -85,9 +85,8 @@ struct Choice {
 /// them passed at the start. Where one is open the step's forces have to tell.
 ///
 /// \param[in] of_a, of_b  their sides; the boxes are relative to the origin of the vertices
-/// \param[in] covered     lines that are no entrance where there is another; a corner with both sides covered
-/// meets
-///   none
+/// \param[in] covered     lines that are no entrance where there is another, and none for a corner with both
+///   sides covered
 void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
                    const PairLimits& limits, std::span<const EarlierContact> earlier,
                    std::span<const CoveredPart> covered, std::vector<VertexEdge>& contacts,

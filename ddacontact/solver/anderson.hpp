@@ -15,9 +15,7 @@ class AndersonAcceleration {
   explicit AndersonAcceleration(Index depth = 8) : depth_(depth) {}
 
   void reset();
-  /// \param[in] f      what the step has changed, of those unknowns that tell how far the iteration is from
-  /// its
-  ///   end, in comparable units
+  /// \param[in] f      what the step has changed, of unknowns that tell how far the end is, comparable
   /// \param[in,out] x  after the step, and whatever else follows it linearly; becomes the next iterate
   /// \return the square of the length of f
   double advance(const VectorXd& f, VectorXd& x);

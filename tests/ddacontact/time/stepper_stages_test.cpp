@@ -326,13 +326,13 @@ TEST(Stages, SupportsMoveABlockFromWhenItComesIn) {
                                     {{Kind::ramp, {4e-3, 0}, {}}, 1e-3, 4e-3},
                                     {{Kind::history, {0, 0}, {{0, 0, 0}, {8 * dt, 8e-3, 0}}}, 1e-3, 4e-3},
                                     {{Kind::constant, {0, 0}, {}}, 0, 0}};
-  for (const bool springs : {false, true}) {
+  for (const BlockModel model : {BlockModel::wachspress, BlockModel::affine}) {
     for (const auto& [function, first, last] : motions) {
       Scene jacked = scene;
       jacked.blocks.push_back(block(rectangle(0, 5, 1, 1)));
       jacked.supports = {{2, {0, 1, 2, 3}, true, true, function}};
       jacked.stages[1].added = {2};
-      if (springs) jacked.blocks[2].model = BlockModel::affine;
+      jacked.blocks[2].model = model;
       BuiltScene built = build(jacked);
       run(*built.stepper, 5);
       EXPECT_NEAR(travel(*built.stepper, 2).x(), first, 1e-12);
