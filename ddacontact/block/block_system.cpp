@@ -104,10 +104,7 @@ void BlockSystem::restore(int b, double time) {
   assert(found != taken_out_.end() && !present_[b]);
   present_[b] = true;
   TakenOut& out = *found;
-  const auto begin = [&](auto& held) {
-    held.motion.start = time;
-    held.before = held.motion.at(time, end_time);
-  };
+  const auto begin = [&](auto& held) { held.motion.begin(time, end_time); };
   std::ranges::for_each(out.fixed_vertices, begin);
   std::ranges::for_each(out.prescribed_dofs, begin);
   const auto give = [](auto& from, auto& to) {
@@ -290,7 +287,7 @@ void BlockSystem::find_coordinates(BlockState& state) const {
 VectorXd BlockSystem::prescribed(const BlockState& state, double time) const {
   VectorXd d = VectorXd::Zero(n_unknowns_);
   for (const PrescribedDof& h : prescribed_dofs_) {
-    const Vec2 target = h.motion.at(time, end_time) - h.before;
+    const Vec2 target = h.motion.at(time, end_time);
     d[h.unknown] = target[h.axis] - total_displacement(state, h.vertex, h.axis);
   }
   return d;

@@ -64,8 +64,7 @@ struct PrescribedDof {
   int unknown = 0;
   int vertex = 0;       ///< in the arrays of the state
   int axis = 0;         ///< 0: x, 1: y
-  TimeFunction motion;  ///< total displacement since the start, m
-  Vec2 before{0, 0};    ///< of that, before its block came in
+  TimeFunction motion;  ///< total displacement since the start, or since its block came in, m
 };
 
 /// A vertex of a six-unknown block held as Shi does it: by stiff springs to where it should be.
@@ -73,7 +72,6 @@ struct FixedVertex {
   int block = 0, vertex = 0;  ///< vertex of the block, 0 .. n_vertices - 1
   bool x = true, y = true;
   TimeFunction motion;
-  Vec2 before{0, 0};  ///< as of a PrescribedDof
 };
 
 /// Owns the blocks; their unknowns, points and integration points are numbered in block order.

@@ -106,19 +106,22 @@ double first_of_rest(const TimeFunction& function) {
 }  // namespace
 
 Vec2 TimeFunction::at(double time, double end_time) const {
+  const auto risen = [&]() -> Vec2 {
+    switch (kind) {
+      case Kind::constant:
+        return value;
+      case Kind::ramp:
+        return (time < end_time ? std::max(0.0, (time - start) / (end_time - start)) : 1) * value;
+      case Kind::rate:
+        return time * value;
+      case Kind::history:
+        return along_lines(history, time);
+      default:
+        return along_curve(history, curve, time);
+    }
+  };
   const double part = rise > 0 ? std::clamp((time - start) / rise, 0.0, 1.0) : 1;
-  switch (kind) {
-    case Kind::constant:
-      return part * value;
-    case Kind::ramp:
-      return part * (time < end_time ? std::max(0.0, (time - start) / (end_time - start)) : 1) * value;
-    case Kind::rate:
-      return part * time * value;
-    case Kind::history:
-      return part * along_lines(history, time);
-    default:
-      return part * along_curve(history, curve, time);
-  }
+  return part * risen() - before;
 }
 
 double TimeFunction::last_change(double end_time) const {

@@ -24,12 +24,18 @@ struct TimeFunction {
   std::vector<Vec3> history{};  ///< entries (t, x, y), t ascending
   /// Values and derivatives at the entries, between which the function is cubic, of kinds after `history`.
   std::vector<std::pair<Vec2, Vec2>> curve{};
-  double rise = 0;   ///< s, in which all of it grows linearly from nothing
-  double start = 0;  ///< of that and of a ramp, s
+  double rise = 0;    ///< s, in which all of it grows linearly from nothing
+  double start = 0;   ///< of that and of a ramp, s
+  Vec2 before{0, 0};  ///< taken off: what had come by the time that counts as its beginning
 
   bool is_history() const { return kind >= Kind::history; }
   /// `end_time` is the length the scene itself states: steps times time_step, of all stages.
   Vec2 at(double time, double end_time) const;
+  /// Counts from here on what it changes by: 0 at `time`.
+  void begin(double time, double end_time) {
+    start = time;
+    before = at(time, end_time);
+  }
   /// When it stops changing, s; 0 where it never changes or goes on at its rate for ever.
   double last_change(double end_time) const;
   bool changes_between(double from, double to, double end_time) const {

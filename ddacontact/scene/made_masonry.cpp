@@ -43,6 +43,10 @@ void expect_few(double blocks, const std::string& cure) {
                 scene_format::short_number(most_made_blocks) + ": " + cure + ")");
 }
 
+int n_courses(double height, const MadeWall& o) {
+  return static_cast<int>(std::lround(height / o.brick_height));
+}
+
 /// Bricks are counted before they are laid, and the piece beside the lintel is a quarter of a brick at least.
 void check(const MadeWall& o) {
   const double n = (std::floor(o.height / o.brick_height) + 1) * (std::floor(o.length / o.brick_length) + 1);
@@ -54,21 +58,25 @@ void check(const MadeWall& o) {
                 " m beside it (make the length at least " + text_of(o.door_width + beside) +
                 " m, or the door width " + (widest > 0 ? "at most " + text_of(widest) + " m, or " : "") +
                 "0 for none)");
+  if (o.door_width > 0 && n_courses(o.door_height, o) >= n_courses(o.height, o))
+    throw Error("a wall of the height " + text_of(o.height) + " m has no room for a lintel over a door of " +
+                text_of(o.door_height) + " m (make the height at least " +
+                text_of(o.door_height + o.brick_height) + " m, or the door width 0 for none)");
 }
 
 }  // namespace
 
 std::string made_scene(const MadeWall& o) {
   check(o);
-  const int n_courses = std::max(1, static_cast<int>(std::lround(o.height / o.brick_height))),
-            n_door = o.door_width > 0 ? static_cast<int>(std::lround(o.door_height / o.brick_height)) : 0;
+  const int n_all = std::max(1, n_courses(o.height, o)),
+            n_door = o.door_width > 0 ? n_courses(o.door_height, o) : 0;
   const double door = (o.length - o.door_width) / 2, bearing = o.brick_length / 2;
   std::string text =
       head_text("Wall of bricks",
                 "mode      = \"static\"\nsteps     = 20\ntime_step = 0.01              # s\n") +
       std::string(stone) +
       block_text("ground", rectangle(-o.brick_length, -o.brick_height, o.length + o.brick_length, 0), held);
-  for (int c = 0; c < n_courses; ++c) {
+  for (int c = 0; c < n_all; ++c) {
     const double bottom = c * o.brick_height, top = (c + 1) * o.brick_height;
     int n_bricks = 0;
     const auto lay = [&](double left, double right) {

@@ -37,6 +37,10 @@ Water water_of(const WaterRecord& record, const WaterRecord* before, const Vec2&
   if (gravity.y() >= 0)
     problems.error(record.locations.table, "water has no weight: gravity does not point down",
                    "write 'gravity' = [0, -9.8] in [analysis]");
+  if (gravity.x() != 0)
+    problems.warning(
+        record.locations.table, "gravity is inclined: the weight of water follows its vertical part alone",
+        "right for an earthquake; if the ground is inclined, turn the blocks instead of gravity");
   Water water;
   water.density = chosen(&WaterRecord::density).value_or(water.density);
   if (table) water.table = table->points;

@@ -85,9 +85,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
       if (!(axis == 0 ? prescribed.x : prescribed.y)) continue;
       FixedPointSpring spring{static_cast<int>(h), axis, {}, 0};
       blocks_.block(prescribed.block).vertex_map(prescribed.vertex).add_to(spring.form, Vec2::Unit(axis));
-      const auto target_at = [&](double then) {
-        return prescribed.motion.at(then, blocks_.end_time)[axis] - prescribed.before[axis];
-      };
+      const auto target_at = [&](double then) { return prescribed.motion.at(then, blocks_.end_time)[axis]; };
       const double target = target_at(time);
       spring.target_change = target - target_at(state.time);
       spring.form.constant = blocks_.total_displacement(state, v, axis) - target;

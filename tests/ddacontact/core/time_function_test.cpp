@@ -38,6 +38,20 @@ TEST(TimeFunction, HistoryMeetsItsEntriesIsLinearBetweenAndConstantOutside) {
   EXPECT_EQ(f.at(5, 9), Vec2(0, -8));
 }
 
+/// Every kind but the constant counts from its beginning on, a ramp the whole of its way to the end.
+TEST(TimeFunction, CountsFromItsBeginning) {
+  TimeFunction ramp{Kind::ramp, {1, -2}, {}}, rate{Kind::rate, {1, -2}, {}},
+      history{Kind::history, {0, 0}, {{1, 10, 0}, {2, 20, 8}, {4, 0, -8}}};
+  for (TimeFunction* f : {&ramp, &rate, &history}) {
+    f->begin(2, 10);
+    EXPECT_EQ(f->at(2, 10), Vec2(0, 0));
+  }
+  EXPECT_EQ(ramp.at(6, 10), Vec2(0.5, -1));
+  EXPECT_EQ(ramp.at(10, 10), Vec2(1, -2));
+  EXPECT_EQ(rate.at(5, 10), Vec2(3, -6));
+  EXPECT_EQ(history.at(3, 10), Vec2(-10, -8));
+}
+
 TEST(TimeFunction, HistoryOfOneEntryIsConstant) {
   const TimeFunction f{Kind::history, {0, 0}, {{1, 3, 4}}};
   for (double t : {0., 1., 2.}) EXPECT_EQ(f.at(t, 9), Vec2(3, 4));

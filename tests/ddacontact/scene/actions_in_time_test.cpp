@@ -191,6 +191,9 @@ TEST_F(ActionsInTime, WaterIsRefusedWithACure) {
   EXPECT_NE(problem_of("[water]\ntable = [[0, 1], [2, 1], [1, 0]]\n").find("turns back at x = 1 m"),
             std::string::npos);
   EXPECT_NE(problem_of("[water]\ntable = []\n").find("no points"), std::string::npos);
+  EXPECT_NE(problem_of("[[stage]]\nsteps = 1\ngravity = [2, -9]\nwater = { table = [[0, 1]] }\n")
+                .find("warning: gravity is inclined"),
+            std::string::npos);
   EXPECT_NE(problem_of("[water]\ntable = [[0, 1]]\ndensity = \"3 kN/m3\"\n").find("wrong unit"),
             std::string::npos);
 }

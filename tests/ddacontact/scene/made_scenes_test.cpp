@@ -49,6 +49,7 @@ TEST(MadeScenes, RefuseMeasuresOfNoWallAndOfTooManyBricks) {
   EXPECT_THROW(made_scene(MadeWall{.length = 0.3}), Error);
   EXPECT_THROW(made_scene(MadeWall{.door_width = 5.9}), Error);
   valid(made_scene(MadeWall{.door_width = 5.25}));
+  EXPECT_THROW(made_scene(MadeWall{.height = 2, .door_height = 2}), Error);
   valid(made_scene(MadeWall{.length = 0.3, .door_width = 0}));
 }
 
