@@ -20,6 +20,8 @@ using polyfem::PolygonMesh;
 /// Corners that turn by less, as a sine, leave no room for a grid.
 constexpr double least_turn_of_quads = 0.1;
 
+constexpr Index corners_of_quads = 4;
+
 double edge_length(const PointsRef& outline, Index k) {
   return (outline.col((k + 1) % outline.cols()) - outline.col(k)).norm();
 }
@@ -33,9 +35,11 @@ int rounded(double cells) {
 
 /// A grid of about so many quadrilaterals as square as they can be, whichever side comes first.
 PolygonMesh quads(const PointsRef& outline, double cells) {
-  if (outline.cols() != 4) throw Error("quads need an outline of four corners (ask for voronoi cells)");
+  constexpr Index last = corners_of_quads - 1;
+  if (outline.cols() != corners_of_quads)
+    throw Error("quads need an outline of four corners (ask for voronoi cells)");
   const double across = (edge_length(outline, 0) + edge_length(outline, 2)) / 2,
-               upwards = (edge_length(outline, 1) + edge_length(outline, 3)) / 2;
+               upwards = (edge_length(outline, 1) + edge_length(outline, last)) / 2;
   const auto along = [&](double length, double other) {
     const int beside = rounded(std::sqrt(cells * other / length));
     return std::max(1, rounded(beside < 1 ? cells : std::sqrt(cells * length / other)));
@@ -43,7 +47,7 @@ PolygonMesh quads(const PointsRef& outline, double cells) {
   const int n_x = along(across, upwards), n_y = along(upwards, across);
   return polyfem::mapped(polyfem::rectangles({0, 0}, {1, 1}, n_x, n_y), [&](const Vec2& s) -> Vec2 {
     return (1 - s.x()) * (1 - s.y()) * outline.col(0) + s.x() * (1 - s.y()) * outline.col(1) +
-           s.x() * s.y() * outline.col(2) + (1 - s.x()) * s.y() * outline.col(3);
+           s.x() * s.y() * outline.col(2) + (1 - s.x()) * s.y() * outline.col(last);
   });
 }
 
@@ -130,7 +134,8 @@ PolygonMesh cells_of(const Points& local, const MeshOptions& options, const std:
     throw Error("more than a million cells (ask for fewer `cells` or a larger `cell_size`)");
   polyfem::VoronoiOptions how;
   how.n_cells = static_cast<int>(std::lround(wanted));
-  const bool fits_quads = local.cols() == 4 && !polyfem::find_non_convex_corner(local, least_turn_of_quads);
+  const bool fits_quads =
+      local.cols() == corners_of_quads && !polyfem::find_non_convex_corner(local, least_turn_of_quads);
   const bool in_quads = options.kind == CellKind::quads || (options.kind == CellKind::by_shape && fits_quads);
   PolygonMesh cells = in_quads ? quads(local, wanted) : polyfem::voronoi(local, how);
   if (options.at_contact > 0 && !contact.empty())

@@ -41,12 +41,12 @@ BlockMotion::BlockMotion(const CorotationalShape& shape, const CorotationalStart
       is_explicit_(start.matrices->rule.is_explicit()),
       dt_(start.matrices->dt),
       impulse_time_(start.matrices->rule.impulse_time * dt_),
-      linear_before_(start.arrays[0]),
-      angular_before_(start.arrays[1][0]),
-      inertia_(start.arrays[2][0]),
-      leverage_(start.arrays[2][1]) {
-  const Vec2& axis = start.arrays[3];
-  turn_ << axis.x(), -axis.y(), axis.y(), axis.x();
+      linear_before_(start.arrays[velocity_before]),
+      angular_before_(start.arrays[spin_before][0]),
+      inertia_(start.arrays[about_centre][0]),
+      leverage_(start.arrays[about_centre][1]) {
+  const Vec2& x = start.arrays[axis_now];
+  turn_ << x.x(), -x.y(), x.y(), x.x();
 }
 
 void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinates, const Numbers& velocity,
@@ -63,12 +63,12 @@ void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinat
     const Vectors u = coordinates.tail(2 * m).reshaped(2, m), Z = motions.nodes + u,
                   of_shape = nodes.weighted(Z);
     put(shape_now, Z);
-    start.arrays[2] = {of_shape.cwiseProduct(Z).sum(), motions.weighted.cwiseProduct(Z).sum()};
-    start.arrays[3] = turned_by(coordinates[2]).col(0);
+    start.arrays[about_centre] = {of_shape.cwiseProduct(Z).sum(), motions.weighted.cwiseProduct(Z).sum()};
+    start.arrays[axis_now] = turned_by(coordinates[2]).col(0);
     const BlockMotion motion(shape, start);  // knows the shape: velocities can be taken apart
     const auto [linear, angular, rates] = motion.velocities<Of>(nodes.to_nodes(velocity));
-    start.arrays[0] = linear;
-    start.arrays[1] = {angular, 0};
+    start.arrays[velocity_before] = linear;
+    start.arrays[spin_before] = {angular, 0};
     put(deforming, rates);
     Vectors force = angular * angular * of_shape - motion.times_stiffness<Of>(u);
     if (initial.size() > 0) {

@@ -73,10 +73,12 @@ class BlockMotion {
   template <class Work>
   auto with_motion(const Numbers& d, const Work& work) const;
 
-  /// Arrays of the nodes in the block's frame: X + u; u' before; the right side without f; f0, where there is
-  /// any. Before them stand the numbers below.
+  /// What is kept of the start, two numbers a place: vc and omega before; Z M Z and X M Z with Z = X + u; the
+  /// first column of R.
+  enum Number : Index { velocity_before, spin_before, about_centre, axis_now, n_numbers };
+  /// After them arrays of the nodes in the block's frame: X + u; u' before; the right side without f; f0,
+  /// where there is any.
   enum Array : Index { shape_now, deforming, drive, stress_forces };
-  static constexpr Index n_numbers = 4;
   template <class Of>
   auto array(Array k) const {
     const Index m = shape_.motions().n_nodes();

@@ -2,6 +2,7 @@
 
 #include <ddacontact/block/corotational_motion.hpp>
 #include <ddacontact/core/for_all.hpp>
+#include <ddacontact/core/tolerances.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -354,7 +355,7 @@ VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) cons
     for (const PrescribedDof& held : prescribed_dofs_) {
       const int b = block_of_unknown_[held.unknown];
       const double error = displaced[held.unknown] - prescribed[held.unknown];
-      if (is_unchanging(b) || std::abs(error) <= held_point_error * block(b).size()) continue;
+      if (is_unchanging(b) || std::abs(error) <= few_ulps * block(b).size()) continue;
       d[held.unknown] -= error;
       if (moved.empty() || moved.back() != b) moved.push_back(b);
     }

@@ -55,9 +55,6 @@ struct FadingForces {
   }
 };
 
-/// How far a held point may be from where it should be, in parts of its block's size.
-constexpr double held_point_error = 1e-15;
-
 /// A displacement prescribed by leaving its unknown out of the equations. The unknown is the displacement of
 /// a point along an axis.
 struct PrescribedDof {

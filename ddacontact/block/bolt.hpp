@@ -35,17 +35,17 @@ struct Bolt {
   /// Whether both ends of a segment are points of blocks that are there.
   bool has_segment(int k) const { return nodes[k].block >= 0 && nodes[k + 1].block >= 0; }
 
-  // What BlockState::bolts has of it, by offset from `numbers.first` on: three numbers a segment, then, where
-  // it is grouted, two a node.
-  static constexpr int per_segment = 3;
+  // What BlockState::bolts has of it, by offset from `numbers.first` on, first of its segments, then, where
+  // it is grouted, of its nodes.
+  /// Of a segment: its length when it was installed and its elongation without force, m; 1: it has torn.
+  enum OfSegment { length_then, plastic_elongation, has_torn, per_segment };
   int n_numbers() const { return per_segment * n_segments() + (is_grouted() ? 2 * n_segments() + 2 : 0); }
-  static int length(int segment) { return per_segment * segment; }       ///< when it was installed, m
-  static int plastic(int segment) { return per_segment * segment + 1; }  ///< elongation without force, m
-  static int torn(int segment) { return per_segment * segment + 2; }     ///< 1: it has torn
-  int slip(int node) const {
-    return per_segment * n_segments() + 2 * node;
-  }                                                            ///< of the bar towards its last node, m
-  int plastic_slip(int node) const { return slip(node) + 1; }  ///< the part without force, m
+  static int length(int segment) { return per_segment * segment + length_then; }
+  static int plastic(int segment) { return per_segment * segment + plastic_elongation; }
+  static int torn(int segment) { return per_segment * segment + has_torn; }
+  /// Of a node: the slip of the bar towards its last node, and the part of it without force, m.
+  int slip(int node) const { return per_segment * n_segments() + 2 * node; }
+  int plastic_slip(int node) const { return slip(node) + 1; }
 };
 
 /// Whether it is installed and a segment of it may move.

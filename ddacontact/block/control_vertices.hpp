@@ -11,7 +11,8 @@ namespace ddacontact {
 /// Three vertices by whose displacements in x, and three (often the same) by whose displacements in y, an
 /// affine field can be told. With fixed vertices among them, fixing is leaving out their unknowns.
 struct ControlVertices {
-  std::array<int, 3> x, y;
+  static constexpr int n = 3;
+  std::array<int, n> x, y;
 };
 
 /// Control vertices that include as many of the fixed ones (`fixed_x[v]`, `fixed_y[v]`) as three can be.

@@ -1,6 +1,7 @@
 #include <ddacontact/block/corotational_shape.hpp>
 
 #include <ddacontact/block/corotational_motion.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/b_bar.hpp>
@@ -27,8 +28,6 @@ constexpr double fine = 1e-3;
 constexpr int few_vertices = 8;
 /// lambda over the shear modulus from which on displacements of polygons lock.
 constexpr double nearly_incompressible = 9;
-/// Entries of a basis below this are no more than round-off.
-constexpr double negligible = 1e-14;
 
 /// A matrix for x and y alike gives that of one axis.
 MatrixXd of_one_axis(const MatrixXd& M) {
@@ -183,7 +182,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   const polyfem::AreaMoments moments = polyfem::area_moments(outline);
   const double size = std::sqrt(moments.area);
   CorotationalShape shape;
-  constexpr Index n_nodes = 3;
+  constexpr Index n_nodes = ControlVertices::n;
   shape.nodes.resize(2, n_nodes);
   shape.mean_gradient.resize(2, n_nodes);
   shape.nodes << Vec2::Zero(), size * Mat2::Identity();
@@ -226,7 +225,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
         displacements(2 * k, 2 * a) = shape.points(control->x[k], a);
         displacements(2 * k + 1, 2 * a + 1) = shape.points(control->y[k], a);
       }
-    shape.basis = MatrixXd(displacements.inverse()).sparseView(1, negligible);
+    shape.basis = MatrixXd(displacements.inverse()).sparseView(1, length_round_off);
     shape.inverse_basis = displacements.sparseView();
   }
   complete(shape);

@@ -15,7 +15,8 @@ using polyfem::TriangleRule;
 
 Integration choose_integration(const PointsRef& outline, GradientCorrection correction,
                                const polyfem::Basis& basis) {
-  static const TriangleRule fine = polyfem::collapsed_gauss_rule(12, 12, 2);
+  constexpr int many = 12;
+  static const TriangleRule fine = polyfem::collapsed_gauss_rule(many, many, 2);
   const std::array rules{&polyfem::hammer_rule(3), &polyfem::hammer_rule(5), &fine};
   const Mat3 elasticity = polyfem::elasticity_matrix(1, 0.3, polyfem::Plane::strain);
   polyfem::TabulatedElement element;

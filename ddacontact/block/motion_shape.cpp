@@ -1,11 +1,11 @@
 #include <ddacontact/block/motion_shape.hpp>
 
 #include <ddacontact/block/corotational_shape.hpp>
+#include <ddacontact/core/tolerances.hpp>
 
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace ddacontact {
@@ -58,8 +58,7 @@ VectorXd MotionShape::coordinates_of(const PointsRef& y) const {
   const Points arms = y - centre * translation.transpose();
   const double angle = std::atan2(turning.cwiseProduct(arms).sum(), weighted.cwiseProduct(arms).sum());
   Points u = turned_by(-angle) * arms - nodes;
-  constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
-  if (u.cwiseAbs().maxCoeff() <= round_off * nodes.cwiseAbs().maxCoeff()) u.setZero();
+  if (u.cwiseAbs().maxCoeff() <= 2 * few_ulps * nodes.cwiseAbs().maxCoeff()) u.setZero();
   VectorXd s(n_coordinates());
   s << centre, angle, u.reshaped();
   return s;

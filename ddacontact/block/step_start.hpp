@@ -82,9 +82,10 @@ class BlockForces {
 
   void resize(Index n_unknowns) {
     if (elastic.size() == n_unknowns) return;
-    storage_.resize(std::max(storage_.size(), 3 * n_unknowns));
+    const auto parts = {&elastic, &inertia, &damping};
+    storage_.resize(std::max(storage_.size(), static_cast<Index>(parts.size()) * n_unknowns));
     double* numbers = storage_.data();
-    for (Forces* part : {&elastic, &inertia, &damping}) {
+    for (Forces* part : parts) {
       new (part) Forces(numbers, n_unknowns);  // how Eigen has a Map look elsewhere
       numbers += n_unknowns;
     }

@@ -62,37 +62,29 @@ void change_states(const std::vector<Disagreement>& disagreements, bool breaking
   }
 }
 
-/// Which of the disagreeing states to change: all while their number falls; then those that are wrong by the
-/// largest forces; at last only the first (Murty's rule). Changing all of them every
-/// time can go round in circles.
+/// Which of the disagreeing states to change: all while their number falls; then those alone that are wrong
+/// by the largest forces, fewer the longer it does not. Changing all of them every time can go round in
+/// circles.
 class Restraint {
  public:
   /// Leaves in `disagreements` what is to change.
   void apply(std::vector<Disagreement>& disagreements) {
-    if (disagreements.size() < fewest_) {
-      fewest_ = disagreements.size();
-      passes_without_gain_ = 0;
-    } else {
-      ++passes_without_gain_;
-    }
-    if (passes_without_gain_ < 4) return;
-    if (passes_without_gain_ >= 20) {
-      disagreements.erase(disagreements.begin() + 1, disagreements.end());
-      return;
-    }
-    const double part = passes_without_gain_ < 12 ? 0.1 : 0.5;
+    passes_without_gain_ = disagreements.size() < fewest_ ? 0 : passes_without_gain_ + 1;
+    fewest_ = std::min(fewest_, disagreements.size());
+    const double part = 1 - std::ldexp(1, -passes_without_gain_ / patience);
     const auto less = [](const Disagreement& a, const Disagreement& b) { return a.force < b.force; };
     const double largest = std::ranges::max_element(disagreements, less)->force;
     std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
   }
 
   /// Nothing was gained for so long that cutting the step is cheaper.
-  bool is_hopeless() const { return passes_without_gain_ >= 40; }
+  bool is_hopeless() const { return passes_without_gain_ == patience * patience; }
   /// Bonds that come and go within a step may leave no state that agrees: a bonded contact carries shear at
   /// no normal force, an open one does not.
   bool breaks_bonds() const { return passes_without_gain_ >= 2; }
 
  private:
+  static constexpr int patience = 6;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   int passes_without_gain_ = 0;
 };

@@ -20,7 +20,7 @@ namespace {
 /// Pairs of blocks are looked for so many search margins further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
-constexpr Index blocks_of_range = 512, pairs_of_range = 256;
+constexpr Index of_range = 256;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void ContactBuilder::find_pairs(const BlockState& state) {
       if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin_[b];
     }
   };
-  polyfem::for_ranges(n, blocks_of_range, std::ref(check_blocks));
+  polyfem::for_ranges(n, of_range, std::ref(check_blocks));
   nearby_.find(boxes_, margins_, pairs_);
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant);
   std::erase_if(pairs_, [&](const Pair& pair) {
@@ -153,17 +153,17 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
           closure_[b] = std::max(closure_[b], contact.history.gap_offset - contact.end_gap);
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
-  found_in_.resize((n + pairs_of_range - 1) / pairs_of_range);
+  found_in_.resize((n + of_range - 1) / of_range);
   choices_in_.resize(found_in_.size());
   const auto check_pairs = [&](Index begin, Index end) {
-    std::vector<VertexEdge>& found = found_in_[begin / pairs_of_range];
-    std::vector<Choice>& choices = choices_in_[begin / pairs_of_range];
+    std::vector<VertexEdge>& found = found_in_[begin / of_range];
+    std::vector<Choice>& choices = choices_in_[begin / of_range];
     found.clear();
     choices.clear();
     for (Index p = begin; p < end; ++p)
       find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, {}, found, choices);
   };
-  polyfem::for_ranges(n, pairs_of_range, std::ref(check_pairs));
+  polyfem::for_ranges(n, of_range, std::ref(check_pairs));
   choices_.clear();
   for (const auto& choices : choices_in_) choices_.insert(choices_.end(), choices.begin(), choices.end());
   first_found_.assign(1, 0);

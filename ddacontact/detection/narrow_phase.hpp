@@ -1,6 +1,7 @@
 /// \file Where two polygons touch or may touch within a step: vertices against edges.
 #pragma once
 
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/core/types.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
@@ -43,7 +44,7 @@ struct PairLimits {
   double depth_inside() const { return lip < max_depth ? lip : coincidence; }
 
   /// Differences of gaps below this do not tell anything.
-  double round_off() const { return 1e-3 * coincidence; }
+  double round_off() const { return negligible_gap * coincidence; }
 };
 
 /// A contact of the step before.

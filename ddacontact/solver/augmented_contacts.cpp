@@ -88,7 +88,7 @@ void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& mult
 
 /// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
 double AugmentedContacts::kept(double length, int halvings, double size) const {
-  const double most = options_.penetration_tolerance * size, least = uncorrected_part * most,
+  const double most = options_.penetration_tolerance * size, least = negligible_gap * most,
                within = std::min(std::abs(length), most),
                part = options_.is_static ? std::ldexp(1, -halvings) : corrected_part;
   return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);

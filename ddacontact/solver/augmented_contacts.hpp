@@ -25,10 +25,6 @@ struct Multiplier {
 /// that it gives them.
 class AugmentedContacts {
  public:
-  /// Gaps and slips within this part of the penetration tolerance stay uncorrected: in a wall every
-  /// correction moves neighbours, for hundreds of steps.
-  static constexpr double uncorrected_part = 1e-3;
-
   AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
                     std::vector<Contact>& contacts);
 

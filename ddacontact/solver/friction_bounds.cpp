@@ -1,6 +1,7 @@
 #include <ddacontact/solver/friction_bounds.hpp>
 
 #include <ddacontact/solver/anderson.hpp>
+#include <ddacontact/solver/friction_problem.hpp>
 
 #include <algorithm>
 
@@ -9,8 +10,8 @@ namespace ddacontact {
 BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, VectorXd& wanted)>& solve,
                             VectorXd& bounds) {
   constexpr double tolerance = 1e-9;
-  constexpr int max_solves = 100, anderson_depth = 5, patience = 8;
-  constexpr double sufficient_decrease = 0.8, least_damping = 0.1;
+  constexpr int max_solves = MinimizeOptions{}.max_iterations, anderson_depth = 5, patience = 8;
+  constexpr double sufficient_decrease = 0.8;
   BoundsReport report;
   AndersonAcceleration acceleration(anderson_depth);
   VectorXd wanted = bounds, next = bounds;
@@ -31,7 +32,7 @@ BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, Vec
       solves_without_gain = 0;
       accelerated = !accelerated;
       acceleration.reset();
-      if (accelerated) damping = std::max(least_damping, damping / 2);
+      if (accelerated) damping /= 2;
     }
     if (accelerated) {
       next = wanted;

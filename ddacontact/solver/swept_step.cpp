@@ -41,7 +41,7 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
   const BlockSystem& blocks = system.blocks();
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     if (const int b = blocks.block_of_point(held.vertex);
-        blocks.is_movable(b) && bends[b] > held_point_error * system.size_of(b))
+        blocks.is_movable(b) && bends[b] > few_ulps * system.size_of(b))
       return false;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const VertexEdge& pair = contacts.contacts()[c].pair;

@@ -1,6 +1,6 @@
 #include <ddacontact/time/contact_histories.hpp>
 
-#include <ddacontact/solver/augmented_contacts.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void adapt_correction(double penetration_tolerance, Contact& contact) {
   if (contact.law.compliant || contact.start_state == ContactState::open) return;
   ContactHistory& history = contact.history;
   const double before = contact.motion.start_gap() - history.gap_offset, after = contact.end_gap,
-               least = AugmentedContacts::uncorrected_part * penetration_tolerance * contact.size,
+               least = negligible_gap * penetration_tolerance * contact.size,
                correction =
                    std::min(std::abs(before) - least, std::ldexp(std::abs(before), -history.halvings));
   if (correction <= 0) return;

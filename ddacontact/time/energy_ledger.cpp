@@ -1,5 +1,7 @@
 #include <ddacontact/time/energy_ledger.hpp>
 
+#include <ddacontact/solver/contact_solver.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -24,8 +26,7 @@ double EnergyLedger::created() const {
 }
 
 bool EnergyLedger::has_exchanged() const {
-  constexpr double beyond_residuals = 1e-8;
-  return exchanged_ > beyond_residuals * largest_;
+  return exchanged_ > ContactSolverOptions{}.residual_tolerance * largest_;
 }
 
 double EnergyLedger::balance_error() const {

@@ -4,6 +4,7 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/core/disjoint_sets.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
 
@@ -36,7 +37,7 @@ double first_touch(const Vec2& apart, const Vec2& velocity, double radius, doubl
 
 /// Speeds below this are no more than round-off, m/s.
 double round_off_speed(const Contact& contact, double dt) {
-  return 1e-9 * contact.size / dt;
+  return negligible_gap * coincidence * contact.size / dt;
 }
 
 /// The displacements of all unknowns of blocks that go on as rigid bodies, each for its own time.

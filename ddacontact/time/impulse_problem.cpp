@@ -11,7 +11,7 @@ namespace {
 /// Springs against rates over the largest mass: a round of multipliers leaves the inverse of this of an
 /// error, more in long chains.
 constexpr double stiffness_factor = 1e4;
-constexpr int max_rounds = 60;
+constexpr int max_rounds = MinimizeOptions{}.max_iterations;
 /// The rates have come down to round-off when as many rounds have not lessened them.
 constexpr int max_rounds_without_gain = 10;
 
@@ -123,7 +123,7 @@ bool ImpulseProblem::solve(const NormalAndShear& rates, double tolerance) {
     set_rates(rates, w);
     const double largest = largest_rate();
     if (largest <= tolerance) return true;
-    rounds_without_gain = largest < 0.9 * least ? 0 : rounds_without_gain + 1;
+    rounds_without_gain = largest < least ? 0 : rounds_without_gain + 1;
     if (rounds_without_gain == max_rounds_without_gain) return false;
     least = std::min(least, largest);
   }

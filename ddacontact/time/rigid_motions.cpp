@@ -1,5 +1,7 @@
 #include <ddacontact/time/rigid_motions.hpp>
 
+#include <ddacontact/core/tolerances.hpp>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
@@ -21,7 +23,7 @@ MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
   if (held.empty()) return modes;
   modes.col(2) /= block.size();  // comparable to the translations
   Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
-  rows.setThreshold(1e-9);
+  rows.setThreshold(length_round_off);
   if (rows.dimensionOfKernel() == 0) return MatrixXd(count, 0);
   MatrixXd allowed = modes * rows.kernel();
   allowed(held, Eigen::all).setZero();
@@ -69,7 +71,6 @@ double RigidMotions::largest_mass() const {
 }
 
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {
-  constexpr double round_off = 1e-13;
   struct Rate {
     int part;
     Vec3 sum{0, 0, 0}, magnitude{0, 0, 0};
@@ -94,7 +95,7 @@ AffineForm RigidMotions::rate_form(const AffineForm& form) const {
     const Part& part = parts_[rates[r].part];
     for (int m = 0; m < part.modes.cols(); ++m) {
       const double c = rates[r].sum[m];
-      rate.append(part.first + m, std::abs(c) > round_off * rates[r].magnitude[m] ? c : 0);
+      rate.append(part.first + m, std::abs(c) > length_round_off * rates[r].magnitude[m] ? c : 0);
     }
   }
   return rate;
