@@ -118,7 +118,7 @@ TEST(AugmentedContacts, CorrectAPartOfTheGapThatTheyBeginWith) {
       contact.history.normal = 7e3;
     }
     const AugmentedContacts contacts = block.begun();
-    const double corrected = is_static ? depth - AugmentedContacts::uncorrected_part * most : 0.2 * depth;
+    const double corrected = is_static ? depth - negligible_gap * most : 0.2 * depth;
     for (std::size_t c = 0; c < 2; ++c)
       EXPECT_NEAR(contacts.law_force(c).normal - 7e3, block.list[c].law.normal_stiffness * corrected, 1e-3);
   }
