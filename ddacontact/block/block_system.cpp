@@ -10,14 +10,6 @@
 
 namespace ddacontact {
 
-namespace {
-
-bool stays(const TimeFunction& motion) {
-  return !motion.is_history() && motion.value.isZero(0);
-}
-
-}  // namespace
-
 BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
   int n_points = 0;
   names.reserve(blocks_.size());
@@ -142,7 +134,8 @@ void BlockSystem::number_equations() {
   free_.assign(n_blocks(), true);
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
-  for (const PrescribedDof& h : prescribed_dofs_) moved[h.unknown] = !stays(h.motion);
+  for (const PrescribedDof& h : prescribed_dofs_)
+    moved[h.unknown] = h.motion.is_history() || !h.motion.value.isZero(0);
   for (int b = 0; b < n_blocks(); ++b) {
     const Range& u = block(b).unknowns();
     if (!present_[b] || resting_[b]) {
@@ -184,28 +177,27 @@ void BlockSystem::add_gravity(VectorXd& F) const {
     if (present_[b]) block(b).add_body_force(block(b).mass_total() / block(b).reference_area() * gravity, F);
 }
 
-void BlockSystem::add_loads(const BlockState& state, double time, VectorXd& F) const {
+void BlockSystem::add_loads(const BlockState& state, const TimeSpan& span, VectorXd& F) const {
   for (const PointLoad& load : point_loads) {
-    const Vec2 force = load.force.at(time, end_time);
+    const Vec2 force = load.force.mean(span, end_time);
     const Block& on = block(load.point.block);
     for (int p = 0; p < on.n_points(); ++p)
       if (load.point.weights[p] != 0) on.vertex_map(p).add_force(load.point.weights[p] * force, F);
   }
-  add_edge_forces(state, time, [&](int b, int vertex, const Vec2& force) {
+  add_edge_forces(state, span, [&](int b, int vertex, const Vec2& force) {
     block(b).vertex_map(vertex).add_force(force, F);
   });
-  for (const BodyLoad& load : body_loads) block(load.block).add_body_force(load.force.at(time, end_time), F);
-  if (const double left = fading.part_left(time); left > 0) F += left * fading.forces;
-  const Vec2 shaking = ground_acceleration(time);
+  for (const BodyLoad& load : body_loads)
+    block(load.block).add_body_force(load.force.mean(span, end_time), F);
+  if (const double left = fading.part_left(span); left > 0) F += left * fading.forces;
+  const Vec2 shaking = ground_acceleration(span);
   for (int b = 0; !shaking.isZero(0) && b < n_blocks(); ++b)
     if (present_[b]) block(b).add_body_force(-block(b).mass_total() / block(b).reference_area() * shaking, F);
 }
 
-Vec2 BlockSystem::ground_acceleration(double time) const {
+Vec2 BlockSystem::ground_acceleration(const TimeSpan& span) const {
   Vec2 sum = Vec2::Zero();
-  for (const TimeFunction& of_record : ground)
-    if (time >= of_record.history.front()[0] && time <= of_record.history.back()[0])
-      sum += of_record.at(time, end_time);
+  for (const TimeFunction& acceleration : ground) sum += acceleration.mean(span, end_time);
   return sum;
 }
 
@@ -227,7 +219,7 @@ Mat2 BlockSystem::impedance_at_ends(const QuietFace& face, const BlockState& sta
   return length / 2 * (pressure_wave * across + shear_wave * (Mat2::Identity() - across));
 }
 
-void BlockSystem::add_edge_forces(const BlockState& state, double time, const AddForce& add) const {
+void BlockSystem::add_edge_forces(const BlockState& state, const TimeSpan& span, const AddForce& add) const {
   const auto end_of = [&](int b, int edge) { return (edge + 1) % block(b).n_vertices(); };
   const auto at = [&](int b, int vertex) -> Vec2 {
     return state.position.col(block(b).vertices().first + vertex);
@@ -237,14 +229,14 @@ void BlockSystem::add_edge_forces(const BlockState& state, double time, const Ad
   };
   for (const PressureLoad& load : pressure_loads)
     add_at_ends(load.block, load.edge,
-                load.pressure.at(time, end_time).x() * inward(load.block, load.edge, state));
+                load.pressure.mean(span, end_time).x() * inward(load.block, load.edge, state));
   for (const QuietFace& face : quiet_faces) {
     const Vec2 outward = -inward(face.block, face.edge, state);
     const auto traction = [&](int end) -> Vec2 {
       const auto s = face.stress.col(end);
       return {s[0] * outward.x() + s[2] * outward.y(), s[2] * outward.x() + s[1] * outward.y()};
     };
-    const Vec2 of_wave = 2 * impedance_at_ends(face, state) * face.incoming.at(time, end_time);
+    const Vec2 of_wave = 2 * impedance_at_ends(face, state) * face.incoming.mean(span, end_time);
     for (const int end : {0, 1})
       add(face.block, end == 0 ? face.edge : end_of(face.block, face.edge),
           (2 * traction(end) + traction(1 - end)) / 6 + of_wave);

@@ -50,8 +50,8 @@ struct FadingForces {
   VectorXd forces{};        ///< on all unknowns; empty: none
   double from = 0, to = 0;  ///< s
 
-  double part_left(double time) const {
-    return forces.size() == 0 ? 0 : std::clamp((to - time) / (to - from), 0.0, 1.0);
+  double part_left(const TimeSpan& span) const {
+    return forces.size() == 0 ? 0 : std::clamp((to - span.middle()) / (to - from), 0.0, 1.0);
   }
 };
 
@@ -97,7 +97,7 @@ class BlockSystem {
   WaterLoad water;
   std::vector<QuietFace> quiet_faces;
   FadingForces fading;
-  std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2; 0 outside them
+  std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2
   std::vector<FixedVertex> fixed_vertices;
   /// Numbered by `set_bolts`.
   std::vector<Bolt> bolts;
@@ -156,20 +156,20 @@ class BlockSystem {
 
   /// F += gravity, Eq. (23).
   void add_gravity(VectorXd& F) const;
-  /// The acceleration of what the blocks are seen from, m/s2.
-  Vec2 ground_acceleration(double time) const;
+  /// The acceleration of what the blocks are seen from, its mean over the span, m/s2.
+  Vec2 ground_acceleration(const TimeSpan& span) const;
   /// Force by velocity at either end of a quiet face, N s/m per m.
   Mat2 impedance_at_ends(const QuietFace& face, const BlockState& state) const;
   using AddForce = std::function<void(int block, int vertex, const Vec2& force)>;
   /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of
   /// `state`.
-  void add_edge_forces(const BlockState& state, double time, const AddForce& add) const;
+  void add_edge_forces(const BlockState& state, const TimeSpan& span, const AddForce& add) const;
   /// Those of all loads, quiet faces, the ground and supports.
   std::vector<const TimeFunction*> time_functions() const;
   bool has_face_loads() const { return !pressure_loads.empty() || !water.faces.empty(); }
-  /// F += point, pressure and body loads, fading forces, water and shaking at `time` on the shape of `state`,
-  /// Eq. (21), (23).
-  void add_loads(const BlockState& state, double time, VectorXd& F) const;
+  /// F += point, pressure and body loads, fading forces, water and shaking on the shape of `state`, their
+  /// means over the span, Eq. (21), (23).
+  void add_loads(const BlockState& state, const TimeSpan& span, VectorXd& F) const;
   /// Finds the motions of the blocks that may move from their positions in `state`.
   void find_coordinates(BlockState& state) const;
   /// The step's displacements of the prescribed degrees of freedom to where they should be at `time`; 0 for

@@ -3,10 +3,13 @@
 namespace ddacontact {
 
 RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity) {
+  return rigid_velocity_by(block, block.times_mass(block.unknowns().of(velocity)).col(0));
+}
+
+RigidVelocity rigid_velocity_by(const Block& block, const Eigen::Ref<const VectorXd>& momenta) {
   const auto modes = block.rigid_modes();
-  const MatrixXd weighted = block.times_mass(modes);  // the momenta of unit motions, by unknown
-  const Vec3 momentum = weighted.transpose() * block.unknowns().of(velocity);
-  const Vec3 inertia = (modes.transpose() * weighted).diagonal();
+  const Vec3 momentum = modes.transpose() * momenta,
+             inertia = (modes.transpose() * block.times_mass(modes)).diagonal();
   return {momentum.head<2>().cwiseQuotient(inertia.head<2>()), momentum[2] / inertia[2]};
 }
 

@@ -13,6 +13,8 @@ struct RigidVelocity {
 
 /// \param[in] velocity  of all unknowns of the system
 RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity);
+/// \param[in] momenta  of the block's own unknowns: forces make accelerations so
+RigidVelocity rigid_velocity_by(const Block& block, const Eigen::Ref<const VectorXd>& momenta);
 /// Of the block's own unknowns when it moves so.
 VectorXd as_velocity(const Block& block, const RigidVelocity& rigid);
 

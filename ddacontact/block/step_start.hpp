@@ -3,6 +3,7 @@
 
 #include <ddacontact/core/directions.hpp>
 #include <ddacontact/core/options.hpp>
+#include <ddacontact/core/time_function.hpp>
 #include <ddacontact/core/types.hpp>
 
 #include <algorithm>
@@ -36,10 +37,14 @@ struct StepRule {
     return scheme == Scheme::backward_euler ? 1 : 1 / beta;
   }
   double history() const { return scheme == Scheme::newmark ? 1 / (2 * beta) - 1 : 0; }
-  /// When within the step loads are taken: a static step ends in equilibrium with those of its end.
-  double load_time() const { return starts_at_rest ? 1 : has_half_steps() ? 0 : mean_forces() ? 0.5 : 1; }
+  /// Over what of a step from `time` on the mean of loads is taken: the time in which their impulses act. A
+  /// static step ends in equilibrium with those of its end.
+  TimeSpan load_span(double time, double dt) const {
+    if (has_half_steps() && !starts_at_rest) return {time + (0.5 - impulse_time) * dt, time + dt / 2};
+    return {time + (mean_forces() ? 0 : dt), time + dt};
+  }
 
-  /// Loads on faces act on the shape that the motion at the start predicts for load_time(): of the schemes
+  /// Loads on faces act on the shape that the motion at the start predicts for then: of the schemes
   /// without numerical damping, where those of the start's shape would drive what they hold.
   bool predicts_shape() const { return !starts_at_rest && (mean_forces() || scheme == Scheme::newmark); }
 

@@ -65,28 +65,26 @@ void change_states(const std::vector<Disagreement>& disagreements, bool breaking
 /// Which of the disagreeing states to change: all while their number falls; then those alone that are wrong
 /// by the largest forces, fewer the longer it does not. Changing all of them every time can go round in
 /// circles.
-class Restraint {
- public:
+struct Restraint {
   /// Leaves in `disagreements` what is to change.
   void apply(std::vector<Disagreement>& disagreements) {
-    passes_without_gain_ = disagreements.size() < fewest_ ? 0 : passes_without_gain_ + 1;
-    fewest_ = std::min(fewest_, disagreements.size());
-    const double part = 1 - std::ldexp(1, -passes_without_gain_ / patience);
+    passes_without_gain = disagreements.size() < fewest ? 0 : passes_without_gain + 1;
+    fewest = std::min(fewest, disagreements.size());
+    const double part = 1 - std::ldexp(1, -passes_without_gain / patience);
     const auto less = [](const Disagreement& a, const Disagreement& b) { return a.force < b.force; };
     const double largest = std::ranges::max_element(disagreements, less)->force;
     std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
   }
 
   /// Nothing was gained for so long that cutting the step is cheaper.
-  bool is_hopeless() const { return passes_without_gain_ == patience * patience; }
+  bool is_hopeless() const { return passes_without_gain == patience * patience; }
   /// Bonds that come and go within a step may leave no state that agrees: a bonded contact carries shear at
   /// no normal force, an open one does not.
-  bool breaks_bonds() const { return passes_without_gain_ >= 2; }
+  bool breaks_bonds() const { return passes_without_gain >= 2; }
 
- private:
   static constexpr int patience = 6;
-  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-  int passes_without_gain_ = 0;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  int passes_without_gain = 0;
 };
 
 /// Forces of the contacts in their states: springs (40), (48) and friction (52) from the penetration at d.
@@ -182,12 +180,11 @@ OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& term
     const auto opening = std::ranges::find_if(disagreements, [&](const Disagreement& of) {
       return opens_or_closes(contacts[of.contact].history.state, of.state);
     });
-    report.status = opening != disagreements.end() ? SolutionStatus::states_unsettled
-                                                   : SolutionStatus::friction_unsettled;
-    report.disagreeing = opening != disagreements.end() ? static_cast<int>(opening->contact)
-                         : disagreements.empty()        ? -1
-                                                        : static_cast<int>(disagreements.front().contact);
+    const bool any = opening != disagreements.end();
+    report.status = any ? SolutionStatus::states_unsettled : SolutionStatus::friction_unsettled;
+    report.disagreeing = -1;
     if (disagreements.empty()) continue;
+    report.disagreeing = static_cast<int>((any ? *opening : disagreements.front()).contact);
     restraint.apply(disagreements);
     if (restraint.is_hopeless()) return report;
     change_states(disagreements, restraint.breaks_bonds(), contacts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace ddacontact {
 
@@ -124,6 +125,25 @@ Vec2 TimeFunction::at(double time, double end_time) const {
   return part * risen() - before;
 }
 
+/// Between the times at which it is no polynomial of the third degree two points integrate it.
+Vec2 TimeFunction::mean(const TimeSpan& span, double end_time) const {
+  if (span.from == span.to || (kind == Kind::constant && rise == 0)) return at(span.to, end_time);
+  std::vector<double> ends{span.from, start, start + rise, end_time, span.to};
+  const auto is_before = [](const Vec3& entry, double time) { return entry[0] < time; };
+  for (auto entry = std::lower_bound(history.begin(), history.end(), span.from, is_before);
+       entry != history.end() && (*entry)[0] < span.to; ++entry)
+    ends.push_back((*entry)[0]);
+  std::erase_if(ends, [&](double time) { return time < span.from || time > span.to; });
+  std::ranges::sort(ends);
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double middle = (ends[k] + ends[k + 1]) / 2, half = (ends[k + 1] - ends[k]) / 2,
+                 off = half / std::numbers::sqrt3;
+    sum += half * (at(middle - off, end_time) + at(middle + off, end_time));
+  }
+  return sum / (span.to - span.from);
+}
+
 double TimeFunction::last_change(double end_time) const {
   const double risen = rise > 0 ? start + rise : 0;
   if (kind == Kind::ramp && !value.isZero(0)) return std::max(risen, end_time);
@@ -135,6 +155,13 @@ TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries
   if (kind == TimeFunction::Kind::smooth_history) function.curve = spline(function.history);
   if (kind == TimeFunction::Kind::velocity_history) function.curve = integral(function.history);
   if (kind == TimeFunction::Kind::acceleration_history) function.curve = second_integral(function.history);
+  return function;
+}
+
+TimeFunction zero_outside(TimeFunction function) {
+  std::vector<Vec3>& entries = function.history;
+  entries.insert(entries.begin(), {entries.front()[0], 0, 0});
+  entries.push_back({entries.back()[0], 0, 0});
   return function;
 }
 

@@ -8,6 +8,15 @@
 
 namespace ddacontact {
 
+/// From one time to another, or a single one, s.
+struct TimeSpan {
+  double from, to;
+
+  TimeSpan(double begin, double end) : from(begin), to(end) {}
+  TimeSpan(double time) : TimeSpan(time, time) {}  // NOLINT: a time is a span of no length
+  double middle() const { return (from + to) / 2; }
+};
+
 /// A force, displacement or the like as a function of time.
 struct TimeFunction {
   enum class Kind {
@@ -31,6 +40,13 @@ struct TimeFunction {
   bool is_history() const { return kind >= Kind::history; }
   /// `end_time` is the length the scene itself states: steps times time_step, of all stages.
   Vec2 at(double time, double end_time) const;
+  /// Its mean over a span: what a step takes of it has the whole impulse, however short a pulse is.
+  Vec2 mean(const TimeSpan& span, double end_time) const;
+  /// Its rate from time 0 on, by its values within a step: exact where it is a polynomial of the second
+  /// degree.
+  Vec2 rate_at_start(double step, double end_time) const {
+    return (4 * at(step / 2, end_time) - at(step, end_time) - 3 * at(0, end_time)) / step;
+  }
   /// Counts from here on what it changes by: 0 at `time`.
   void begin(double time, double end_time) {
     start = time;
@@ -45,6 +61,9 @@ struct TimeFunction {
 
 /// Of entries in the sense of the kind, one of the histories.
 TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries);
+
+/// A history that is 0 before its first entry and after its last one.
+TimeFunction zero_outside(TimeFunction history);
 
 /// How far lines between the entries are from a cubic spline through them, of the entries' deviation from
 /// their mean, both as root mean squares: (2 pi / n)^2 / 8 for a sine with n entries a period. 0 for fewer

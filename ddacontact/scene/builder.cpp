@@ -95,7 +95,7 @@ class Builder {
     system.end_time = scene_.end_time();
     add_loads(system);
     add_quiet_faces(system);
-    for (const Quake& quake : scene_.quakes) system.ground.push_back(quake.acceleration);
+    for (const Quake& quake : scene_.quakes) system.ground.push_back(zero_outside(quake.acceleration));
     system.set_bolts(bolts(system));
     return system;
   }
@@ -311,7 +311,12 @@ class Builder {
       const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
       initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;
     }
-    for (const PrescribedDof& prescribed : system.prescribed_dofs()) initial.velocity[prescribed.unknown] = 0;
+    const AnalysisOptions& first = first_stage().analysis;
+    for (const PrescribedDof& held : system.prescribed_dofs())
+      initial.velocity[held.unknown] =
+          first.mode == Mode::statics
+              ? 0
+              : held.motion.rate_at_start(first.time_step, system.end_time)[held.axis];
   }
 
   /// Of the edges of the outlines; nothing where no block has any.

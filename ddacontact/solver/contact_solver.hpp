@@ -5,6 +5,7 @@
 #include <ddacontact/solver/step_system.hpp>
 #include <ddacontact/solver/tangent_solver.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace ddacontact {
@@ -12,22 +13,25 @@ namespace ddacontact {
 /// Tolerances and limits of the contact solver.
 struct ContactSolverOptions {
   ContactSolverOptions() = default;
-  /// \param[in] tolerance  of the residual in all steps; none: the defaults
+  /// \param[in] tolerance  of the residual; none: the defaults
   ContactSolverOptions(const std::optional<double>& tolerance, double of_penetration)
       : penetration_tolerance(of_penetration) {
     solve_to(tolerance);
   }
+  /// A coarse tolerance is that of sweeps alone: what rests or hardly changes is told from what fails by
+  /// less.
   void solve_to(const std::optional<double>& tolerance) {
     const ContactSolverOptions defaults;
-    residual_tolerance = tolerance.value_or(defaults.residual_tolerance);
-    coarse = residual_tolerance > defaults.residual_tolerance;
-    residual_aim = coarse ? residual_tolerance : defaults.residual_aim;
+    sweep_tolerance = tolerance.value_or(defaults.sweep_tolerance);
+    residual_tolerance = std::min(sweep_tolerance, defaults.residual_tolerance);
+    coarse = sweep_tolerance > residual_tolerance;
   }
 
   double residual_tolerance = 1e-8;  ///< accepted residual, as a fraction of the forces on its block
   double residual_aim = 1e-12;       ///< residual below which iteration ends at once, as the same fraction
-  double penetration_tolerance = 0;  ///< largest penetration over the block size; 0: plain penalty
-  Directions directions = Directions::of_end;  ///< of contact forces
+  double sweep_tolerance = residual_tolerance;  ///< residual that sweeps end at, as the same fraction
+  double penetration_tolerance = 0;             ///< largest penetration over the block size; 0: plain penalty
+  Directions directions = Directions::of_end;   ///< of contact forces
   /// Steps without time between them: bonds that exceed their strength break within, not at the end, and gaps
   /// of closed contacts are corrected whole.
   bool is_static = false;

@@ -32,7 +32,7 @@ bool moves_as_a_whole(const Block& block, int unknown) {
 
 /// The shape when loads act, if the motion at the start goes on.
 BlockState predicted(const BlockSystem& blocks, const BlockState& state, const StepStart& start) {
-  const double t = start.rule.load_time() * start.dt;
+  const double t = start.rule.load_span(0, start.dt).middle();
   VectorXd d = t * start.velocity;
   if (start.rule.scheme == Scheme::newmark) d += t * t / 2 * start.acceleration;
   BlockState then = state;
@@ -75,7 +75,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   dt_ = start.dt;
   rule_ = start.rule;
   fixed_point_stiffness_ = fixed_point_stiffness;
-  const double time = state.time + dt_, load_time = state.time + start.rule.load_time() * dt_;
+  const double time = state.time + dt_;
   prescribed_ = blocks_.prescribed(state, time);
   fixed_point_springs_.clear();
   for (std::size_t h = 0; h < blocks_.fixed_vertices.size(); ++h) {
@@ -99,7 +99,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(
       start.rule.predicts_shape() && blocks_.has_face_loads() ? predicted(blocks_, state, start) : state,
-      load_time, load_forces_);
+      rule_.load_span(state.time, dt_), load_forces_);
   blocks_.add_gravity(gravity_forces_);
 }
 

@@ -60,8 +60,8 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
   const auto compute_residual = [&] {
     system.compute_residual(d, contacts.contacts(), contacts.terms(), forces, report.residual);
   };
-  const ContactSweeps::Tolerance tight{part_of_last_sweep * options.residual_tolerance},
-      coarse{options.residual_tolerance, coarse_penetration}, any{inf, inf};
+  const ContactSweeps::Tolerance tight{part_of_last_sweep * options.sweep_tolerance},
+      coarse{options.sweep_tolerance, coarse_penetration}, any{inf, inf};
   ContactSweeps::Stop stop{options.local ? tight : any, coarse, options.coarse ? many_changes : inf,
                            few_changes, most_sweeps};
   ContactSweeps sweeps;
@@ -95,7 +95,7 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
       continue;
     if (contacts.are_close(d, changes_many ? coarse_penetration : 1, report.worst_contact)) {
       compute_residual();
-      report.tolerance = options.residual_tolerance;
+      report.tolerance = options.sweep_tolerance;
       // Where forces of blocks are not linear sweeps are Newton's steps.
       if (report.residual.block_relative <=
           (options.keeps_gradients() ? report.tolerance : options.residual_aim))

@@ -48,15 +48,16 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
     if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
     const Block& block = blocks.block(b);
     const RigidVelocity v = rigid_velocity(block, velocity), a = rigid_velocity(block, acceleration);
-    const Vec2 shift = times[b] * v.linear + times[b] * times[b] / 2 * a.linear,
-               centre = block.moments().centroid;
-    const Mat2 R = turned_by(times[b] * v.angular);
+    const double half_square = times[b] * times[b] / 2,
+                 angle = times[b] * v.angular + half_square * a.angular;
+    const Vec2 shift = times[b] * v.linear + half_square * a.linear, centre = block.moments().centroid;
+    const Mat2 R = turned_by(angle);
     auto points = block.points().columns_of(later.position);
     points = ((R * (points.colwise() - centre)).colwise() + (centre + shift)).eval();
     if (later.coordinates.size() == 0) continue;
     auto s = later.coordinates.segment<BlockState::n_rigid>(block.coordinates().first);
     s.head<2>() = (centre + shift + R * (Vec2(s.head<2>()) - centre)).eval();
-    s[2] += times[b] * v.angular;
+    s[2] += angle;
   }
   return later;
 }
@@ -97,10 +98,14 @@ class Flight {
     std::vector<char> touches(blocks.n_blocks(), 0);
     for (const Contact& contact : contacts)
       if (bears(contact)) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
+    VectorXd loads = VectorXd::Zero(acceleration_.size());
+    blocks.add_loads(state, rule.load_span(state.time, dt), loads);
     for (int b = 0; b < blocks.n_blocks(); ++b) {
       if (touches[b] || !blocks.is_free(b)) continue;
-      const Range& u = blocks.block(b).unknowns();
-      u.of(acceleration_) = blocks.block(b).translations() * blocks.gravity;
+      const Block& block = blocks.block(b);
+      const Range& u = block.unknowns();
+      u.of(acceleration_) =
+          block.translations() * blocks.gravity + as_velocity(block, rigid_velocity_by(block, u.of(loads)));
     }
   }
 

@@ -29,16 +29,16 @@ struct StepImpact {
 std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
                                      const StepRule& rule);
 
-/// Follows the blocks on their way without forces (with gravity those that touch nothing) and lets those that
-/// meet within the step collide as rigid bodies, one impact after another; meetings within the time that a
-/// pressure wave takes through a block are one impact, by Poisson's law: impulses stop the approach of all
-/// its contacts, then a hitting contact gets `restitution` times its own once more, so that one alone
-/// separates with `restitution` times its approach. Of a row of blocks that touch without force each passes
-/// on to the next what it got. Contacts that bear, or have met in the step and touch since, take part,
-/// without restitution. A contact hits when its approach is faster than what gravity makes in a tenth of the
-/// step; its restitution counts when it is faster than what gravity makes in two steps: bounces that short
-/// are not resolved. After as many impacts as there are contacts the step's own contact forces take what
-/// still approaches.
+/// Follows the blocks on their way without forces (with gravity and loads those that touch nothing) and lets
+/// those that meet within the step collide as rigid bodies, one impact after another; meetings within the
+/// time that a pressure wave takes through a block are one impact, by Poisson's law: impulses stop the
+/// approach of all its contacts, then a hitting contact gets `restitution` times its own once more, so that
+/// one alone separates with `restitution` times its approach. Of a row of blocks that touch without force
+/// each passes on to the next what it got. Contacts that bear, or have met in the step and touch since, take
+/// part, without restitution. A contact hits when its approach is faster than what gravity makes in a tenth
+/// of the step; its restitution counts when it is faster than what gravity makes in two steps: bounces that
+/// short are not resolved. After as many impacts as there are contacts the step's own contact forces take
+/// what still approaches.
 ///
 /// \param[in,out] blocks   prepared for `state`, before and after
 /// \param[in] properties   of the contacts of these blocks

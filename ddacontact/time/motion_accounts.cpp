@@ -35,20 +35,12 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   energy.numerical_dissipated -= contact.normal * contact.gap_change - exchanged;
 }
 
-/// By how much more loads work that change within the step, with their values in its middle, than with those
-/// that the step was computed with.
+/// By how much more loads work with their means over the step than with those that it was computed with.
 double work_of_change(const StepSystem& system, const BlockState& from, const VectorXd& straight) {
-  const BlockSystem& blocks = system.blocks();
-  const double computed = from.time + system.rule().load_time() * system.dt(),
-               middle = from.time + system.dt() / 2;
-  const bool changes = std::ranges::any_of(blocks.time_functions(), [&](const TimeFunction* function) {
-    return function->changes_between(computed, middle, blocks.end_time);
-  });
-  if (!changes && blocks.fading.part_left(computed) == blocks.fading.part_left(middle)) return 0;
-  VectorXd then = VectorXd::Zero(blocks.n_unknowns()), loads = then;
-  blocks.add_loads(from, computed, then);
-  blocks.add_loads(from, middle, loads);
-  return (loads - then).dot(straight);
+  VectorXd computed = VectorXd::Zero(straight.size()), whole = computed;
+  system.blocks().add_loads(from, system.rule().load_span(from.time, system.dt()), computed);
+  system.blocks().add_loads(from, {from.time, from.time + system.dt()}, whole);
+  return (whole - computed).dot(straight);
 }
 
 }  // namespace

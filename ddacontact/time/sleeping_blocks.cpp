@@ -18,20 +18,22 @@ bool is_steady(const TimeFunction& function) {
   return function.kind == TimeFunction::Kind::constant && function.rise == 0;
 }
 
-/// Whether a vector that is `at` a time changes from one to another, by more than round-off.
-bool varies(const auto& at, double from, double to) {
-  const Vec2 before = at(from);
+/// Whether a vector of which there are means over spans changes from one time to another, by more than
+/// round-off.
+bool varies(const auto& mean, double from, double to) {
+  const Vec2 before = mean(from);
   const double round_off = few_ulps * before.norm();
-  return (at((from + to) / 2) - before).norm() > round_off || (at(to) - before).norm() > round_off;
+  return (mean({from, to}) - before).norm() > round_off || (mean(to) - before).norm() > round_off;
 }
 
 bool varies(const TimeFunction& function, double from, double to, double end_time) {
-  return !is_steady(function) && varies([&](double time) { return function.at(time, end_time); }, from, to);
+  return !is_steady(function) &&
+         varies([&](const TimeSpan& s) { return function.mean(s, end_time); }, from, to);
 }
 
 /// Of records that begin and end with a jump too.
 bool ground_varies(const BlockSystem& blocks, double from, double to) {
-  return varies([&](double time) { return blocks.ground_acceleration(time); }, from, to);
+  return varies([&](const TimeSpan& span) { return blocks.ground_acceleration(span); }, from, to);
 }
 
 /// Calls visit with the block and the function of all loads and waves.

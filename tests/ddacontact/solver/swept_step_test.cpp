@@ -58,8 +58,8 @@ TEST(SweptStep, FindsTheForcesThatBearAndSlowTheBlocks) {
     SweptBlocks blocks(speed);
     ASSERT_TRUE(blocks.solve());
     EXPECT_GT(blocks.report.sweeps, 0);
-    EXPECT_EQ(blocks.report.tolerance, blocks.options.residual_tolerance);
-    EXPECT_LE(blocks.report.residual.block_relative, blocks.options.residual_tolerance);
+    EXPECT_EQ(blocks.report.tolerance, blocks.options.sweep_tolerance);
+    EXPECT_LE(blocks.report.residual.block_relative, blocks.options.sweep_tolerance);
     double normal = 0, shear = 0;
     for (const Contact& contact : blocks.list) {
       normal += contact.normal;
