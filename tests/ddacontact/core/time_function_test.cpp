@@ -52,6 +52,27 @@ TEST(TimeFunction, CountsFromItsBeginning) {
   EXPECT_EQ(history.at(3, 10), Vec2(-10, -8));
 }
 
+/// Whatever lies between the ends of a span: a pulse, a jump, the start of a ramp.
+TEST(TimeFunction, MeansAreIntegrals) {
+  const TimeFunction pulse{Kind::history, {0, 0}, {{0.003, 0, 0}, {0.004, 100, -50}, {0.005, 0, 0}}},
+      jump{Kind::history, {0, 0}, {{0, 2, 0}, {0.25, 2, 0}, {0.25, 6, 0}, {1, 6, 0}}},
+      ramp{Kind::ramp, {8, 0}, {}, {}, 0, 1};
+  EXPECT_NEAR((pulse.mean({0, 0.01}, 1) - Vec2(10, -5)).norm(), 0, 1e-13);
+  EXPECT_NEAR((pulse.mean({0.0035, 0.0045}, 1) - Vec2(75, -37.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR(jump.mean({0, 1}, 1).x(), 5, 1e-14);
+  EXPECT_NEAR(ramp.mean({0, 2}, 3).x(), 1, 1e-14);
+  EXPECT_EQ(jump.mean({0.5, 0.5}, 1), Vec2(6, 0));
+  EXPECT_EQ(zero_outside(jump).at(2, 1), Vec2(0, 0));
+  EXPECT_NEAR(zero_outside(jump).mean({-1, 1}, 1).x(), 2.5, 1e-14);
+}
+
+TEST(TimeFunction, RatesAtTheStartAreExactForEvenAcceleration) {
+  const TimeFunction rate{Kind::rate, {1, -2}, {}},
+      accelerated = history_function(Kind::acceleration_history, {{0, 3, 0}, {1, 3, 0}});
+  EXPECT_NEAR((rate.rate_at_start(0.01, 9) - Vec2(1, -2)).norm(), 0, 1e-14);
+  EXPECT_NEAR(accelerated.rate_at_start(0.01, 9).norm(), 0, 1e-14);
+}
+
 TEST(TimeFunction, HistoryOfOneEntryIsConstant) {
   const TimeFunction f{Kind::history, {0, 0}, {{1, 3, 4}}};
   for (double t : {0., 1., 2.}) EXPECT_EQ(f.at(t, 9), Vec2(3, 4));

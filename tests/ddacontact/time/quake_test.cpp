@@ -95,6 +95,40 @@ TEST(Quake, LeavesABlockBehindThatNothingHolds) {
   EXPECT_NEAR(travel(*built.stepper, 1).x(), -ground.at(3, 0).x(), 1e-4 * std::abs(ground.at(3, 0).x()));
 }
 
+/// A pulse of 2 ms that would make 1 m/s, between the ends of steps of 10 ms.
+TEST(Quake, APulseShorterThanAStepCountsWhole) {
+  const std::vector<Vec3> pulse{{0.021, 0, 0}, {0.022, 1000, 0}, {0.023, 0, 0}};
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint, Scheme::central_difference}) {
+    Scene scene = block_on_ground(0.01);
+    scene.analysis.scheme = scheme;
+    scene.analysis.gravity.setZero();
+    scene.analysis.steps = 5;
+    scene.blocks[1] = block(rectangle(0, 3, 2, 1));
+    scene.quakes = {{ddacontact::history_function(TimeFunction::Kind::history, pulse)}};
+    const BuiltScene built = run(scene);
+    const double mass = built.stepper->blocks().block(1).mass_total();
+    EXPECT_NEAR(momentum(*built.stepper, 1).x() / mass, -1, 1e-12) << static_cast<int>(scheme);
+  }
+}
+
+/// In a lift that accelerates upwards blocks bounce as under gravity.
+TEST(Quake, AnElasticBounceKeepsItsEnergy) {
+  constexpr double height = 0.1112, fall_rate = 9.81;
+  Scene scene = block_on_ground(0.005);
+  scene.analysis.gravity.setZero();
+  scene.joints[0].restitution = 1;
+  scene.blocks[1] = block(rectangle(0, height, 2, 1));
+  scene.blocks[1].velocity = {0, -1};
+  scene.quakes = {
+      {ddacontact::history_function(TimeFunction::Kind::history, {{0, 0, fall_rate}, {9, 0, fall_rate}})}};
+  const BuiltScene built = build(scene);
+  const double mass = built.stepper->blocks().block(1).mass_total(), energy = 0.5 + fall_rate * height;
+  run(*built.stepper, 200);  // to the middle of its third flight
+  const double v = momentum(*built.stepper, 1).y() / mass, y = height + travel(*built.stepper, 1).y();
+  EXPECT_NEAR(v * v / 2 + fall_rate * y, energy, 1e-6 * energy);
+  EXPECT_GT(built.stepper->counts().impacts, 2);
+}
+
 TEST(Quake, WakesWhatSleeps) {
   Scene scene = shaken_ground(0.005);
   std::vector<Vec3> late = record();

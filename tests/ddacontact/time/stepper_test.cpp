@@ -43,6 +43,28 @@ TEST(Stepper, TimeRunsOnWithEachStagesStep) {
 }
 
 /// A block that may move by no more than a part of the scene in a step makes several.
+/// A block that flies with the velocity of its support flies on: nothing works on it.
+TEST(Stepper, ASupportInMotionStartsWithoutABlow) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint, Scheme::central_difference})
+    for (const double time_step : {1e-2, 1e-4}) {
+      Scene scene;
+      scene.analysis.scheme = scheme;
+      scene.analysis.time_step = time_step;
+      scene.analysis.steps = 20;
+      scene.analysis.gravity.setZero();
+      scene.materials = {{"rock", 2500, 1e10, 0.2}};
+      scene.joints = {{"joint", 30, 0, 0, std::nullopt}};
+      scene.blocks = {block(rectangle(0, 0, 1, 1))};
+      scene.blocks[0].velocity = {1.5, 0};
+      scene.supports = {{0, {0, 3}, true, false, {TimeFunction::Kind::rate, {1.5, 0}, {}}}};
+      const BuiltScene built = run(scene);
+      const double kinetic = 2500 * 1.5 * 1.5 / 2;
+      EXPECT_NEAR(built.stepper->energy().now.kinetic, kinetic, 1e-9 * kinetic) << time_step;
+      EXPECT_NEAR(built.stepper->energy().now.external, 0, 1e-9 * kinetic) << time_step;
+      EXPECT_NEAR(travel(*built.stepper, 0).x(), 30 * time_step, 1e-12);
+    }
+}
+
 TEST(Stepper, CutsAStepThatMovesABlockTooFar) {
   Scene scene = sliding_down(0.1, 1);
   scene.analysis.gravity.setZero();

@@ -47,6 +47,28 @@ TEST(Tolerance, OneForcedIsHeldInEveryStep) {
   }
 }
 
+/// A coarse tolerance does not hold a block that is pushed by a tenth more than its friction.
+TEST(Tolerance, ACoarseOneTellsWhatSlidesFromWhatRests) {
+  for (const double part : {0.9, 1.1}) {
+    Scene scene;
+    scene.analysis.time_step = 0.01;
+    scene.analysis.steps = 100;
+    scene.analysis.gravity = Vec2(0, -10);
+    scene.materials = {{"rock", 2500, 1e10, 0.2}};
+    scene.joints = {{"joint", 5, 0, 0, std::nullopt}};
+    scene.contact.normal_stiffness = 4e11;
+    scene.contact.tangential_stiffness = 1.6e11;
+    scene.contact.tolerance = 1e-2;
+    scene.blocks = {support::block(support::rectangle(-2, -1, 9, 1), true),
+                    support::block(support::rectangle(0, 0, 2, 1))};
+    const double pull = (part - 1) * 10 * std::tan(support::radians(5));
+    scene.loads = {
+        support::body_load(1, support::constant({part * 10 * 2500 * std::tan(support::radians(5)), 0}))};
+    const BuiltScene built = support::run(scene);
+    EXPECT_NEAR(support::travel(*built.stepper, 1).x(), part < 1 ? 0 : pull / 2, 2e-3) << part;
+  }
+}
+
 /// What is left over counts as a whole, not node by node: a block of more cells than the tolerance is small
 /// fell only at finer tolerances.
 TEST(Tolerance, ACoarseOneMovesBlocksOfManyCells) {
