@@ -187,7 +187,7 @@ StrengthReduction settled(const SafetyArguments& arguments, const Scene& scene,
   } catch (const SettlingStopped& stopped) {
     keep_older(arguments);
     SafetyFiles(arguments.directory, scene, joints)
-        .finish({.stopped = true}, std::nullopt, arguments.tolerance, stopped.what(), 0);
+        .finish({.stopped = true}, {}, arguments.tolerance, stopped.what(), 0);
     throw;
   }
 }
@@ -227,15 +227,23 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
                "{}: warning: at F = {:.4g} {}: limit equilibrium gives a smaller factor (compare one without "
                "'tensile_strength')\n",
                arguments.scene, bracket.low, pulled);
-  std::optional<RoundedTrial> rounded;
-  if (!bracket.stopped && bracket.low > 0) rounded = try_with_rounded_corners(scene, joints, bracket.low);
+  VariantTrials variants;
+  if (!bracket.stopped && bracket.low > 0)
+    variants = {try_with_rounded_corners(scene, joints, bracket.low),
+                try_without_swelling(scene, joints, bracket.low)};
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  files.finish(bracket, rounded, arguments.tolerance, reduction.unsettled(), wall.count());
+  files.finish(bracket, variants, arguments.tolerance, reduction.unsettled(), wall.count());
   if (bracket.stopped) {
     print_error(without_answer(bracket, files.last()));
     return analysis_stopped;
   }
-  if (rounded) warn_of_sharp_corners(*rounded, arguments.scene);
+  if (variants.rounded) warn_of_sharp_corners(*variants.rounded, arguments.scene);
+  if (const auto& trial = variants.without_swelling; trial && trial->verdict == Verdict::moves)
+    fmt::print(
+        stderr,
+        "{}: warning: with poisson = 0 blocks move at F = {:.4g} already: blocks without a mesh that "
+        "swell sideways may be held by friction on faces beside them (compare block_model = \"mesh\")\n",
+        arguments.scene, trial->factor);
   fmt::print("{}\n", answer(bracket, files, scene));
   if (arguments.quiet) return done;
   fmt::print("{}", note_of_small_part(files, scene));

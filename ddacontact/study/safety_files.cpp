@@ -100,10 +100,10 @@ const StrengthTrial* SafetyFiles::first_to_move() const {
   return first;
 }
 
-void SafetyFiles::finish(const FactorBracket& bracket, const std::optional<RoundedTrial>& rounded,
-                         double tolerance, const std::string& unsettled, double wall_seconds) {
+void SafetyFiles::finish(const FactorBracket& bracket, const VariantTrials& variants, double tolerance,
+                         const std::string& unsettled, double wall_seconds) {
   csv_.close();
-  write_json(bracket, rounded, tolerance, unsettled, wall_seconds);
+  write_json(bracket, variants, tolerance, unsettled, wall_seconds);
   if (trials_.empty()) return;
   draw_curve();
   if (const StrengthTrial* first = first_to_move()) draw_moved(*first);
@@ -116,8 +116,8 @@ std::vector<std::string> SafetyFiles::names_of_joints() const {
   return names;
 }
 
-void SafetyFiles::write_json(const FactorBracket& bracket, const std::optional<RoundedTrial>& rounded,
-                             double tolerance, const std::string& unsettled, double wall_seconds) const {
+void SafetyFiles::write_json(const FactorBracket& bracket, const VariantTrials& variants, double tolerance,
+                             const std::string& unsettled, double wall_seconds) const {
   double time = 0;
   long steps = 0;
   for (const StrengthTrial& trial : trials_) {
@@ -144,11 +144,14 @@ void SafetyFiles::write_json(const FactorBracket& bracket, const std::optional<R
   }
   nlohmann::ordered_json with_rounding = {
       {"corner_rounding", nullptr}, {"factor", nullptr}, {"verdict", nullptr}};
-  if (rounded)
+  if (const auto& rounded = variants.rounded)
     with_rounding = {{"corner_rounding", rounded->rounding},
                      {"factor", rounded->trial.factor},
                      {"verdict", word_of(rounded->trial.verdict)}};
   json["rounded_corners"] = with_rounding;
+  json["poisson_0"] = {{"factor", nullptr}, {"verdict", nullptr}};
+  if (const auto& trial = variants.without_swelling)
+    json["poisson_0"] = {{"factor", trial->factor}, {"verdict", word_of(trial->verdict)}};
   if (const StrengthTrial* first = first_to_move(); first && first->first_block >= 0) {
     json["max_displacement"] = first->max_displacement;
     json["kinetic"] = first->kinetic;

@@ -4,7 +4,7 @@
 
 #include <ddacontact/output/csv_file.hpp>
 #include <ddacontact/scene/scene.hpp>
-#include <ddacontact/study/rounded_trial.hpp>
+#include <ddacontact/study/variant_trials.hpp>
 
 #include <filesystem>
 #include <string>
@@ -40,14 +40,14 @@ class SafetyFiles {
   /// Without a trial `unsettled` is why there is none.
   /// \param[in] unsettled     see StrengthReduction
   /// \param[in] wall_seconds  that settling and all trials took
-  void finish(const FactorBracket& bracket, const std::optional<RoundedTrial>& rounded, double tolerance,
+  void finish(const FactorBracket& bracket, const VariantTrials& variants, double tolerance,
               const std::string& unsettled, double wall_seconds);
   /// The trial that moved at the lowest factor; null: none moved.
   const StrengthTrial* first_to_move() const;
   const StrengthTrial& last() const { return trials_.back(); }
 
  private:
-  void write_json(const FactorBracket& bracket, const std::optional<RoundedTrial>& rounded, double tolerance,
+  void write_json(const FactorBracket& bracket, const VariantTrials& variants, double tolerance,
                   const std::string& unsettled, double wall_seconds) const;
   void draw_curve() const;
   void draw_moved(const StrengthTrial& trial) const;

@@ -23,6 +23,7 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   EXPECT_TRUE(found["settled"].get<bool>());
   EXPECT_EQ(found["rounded_corners"]["verdict"], "rests");
   EXPECT_NEAR(found["rounded_corners"]["factor"].get<double>(), 0.95 * exact, 0.01 * exact);
+  EXPECT_EQ(found["poisson_0"]["verdict"], "rests");
   EXPECT_EQ(found["first_block"], "slider");
   EXPECT_NE(out_.find("\"slider\" moves furthest"), std::string::npos) << out_;
   const auto rows = read_csv(directory_ / "result/safety.csv");

@@ -3,7 +3,7 @@
 
 #include "slope_study.hpp"
 
-#include <ddacontact/study/rounded_trial.hpp>
+#include <ddacontact/study/variant_trials.hpp>
 
 namespace jointed_rock {
 

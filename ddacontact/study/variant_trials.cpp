@@ -1,4 +1,4 @@
-#include <ddacontact/study/rounded_trial.hpp>
+#include <ddacontact/study/variant_trials.hpp>
 
 #include <ddacontact/block/rounded_corners.hpp>
 #include <polyfem/geometry/area_moments.hpp>
@@ -11,6 +11,19 @@ namespace ddacontact {
 namespace {
 
 constexpr double part_of_factor = 0.95, usual_rounding = 0.003;
+
+/// Of a variant; without a verdict where it does not settle.
+StrengthTrial try_part(const Scene& scene, const std::vector<int>& joints, double factor) {
+  try {
+    return StrengthReduction(scene, joints).try_factor(part_of_factor * factor);
+  } catch (const SettlingStopped& stopped) {
+    StrengthTrial trial;
+    trial.factor = part_of_factor * factor;
+    trial.reason = stopped.what();
+    return trial;
+  }
+}
+
 /// Of what the shortest edge allows.
 constexpr double most_of_edge = 0.5;
 
@@ -38,16 +51,17 @@ double rounding_of(const Scene& scene) {
 std::optional<RoundedTrial> try_with_rounded_corners(Scene scene, const std::vector<int>& joints,
                                                      double factor) {
   if (!may_be_rounded(scene)) return std::nullopt;
-  RoundedTrial rounded{.rounding = rounding_of(scene), .trial = {}};
-  scene.contact.corner_rounding = rounded.rounding;
-  try {
-    const StrengthReduction reduction(scene, joints);
-    rounded.trial = reduction.try_factor(part_of_factor * factor);
-  } catch (const SettlingStopped& stopped) {
-    rounded.trial.factor = part_of_factor * factor;
-    rounded.trial.reason = stopped.what();
-  }
-  return rounded;
+  const double rounding = rounding_of(scene);
+  scene.contact.corner_rounding = rounding;
+  return RoundedTrial{rounding, try_part(scene, joints, factor)};
+}
+
+std::optional<StrengthTrial> try_without_swelling(Scene scene, const std::vector<int>& joints,
+                                                  double factor) {
+  const bool none = std::ranges::all_of(scene.materials, [](const Material& of) { return of.poisson == 0; });
+  if (none || scene.analysis.preset == Preset::paper) return std::nullopt;
+  for (Material& material : scene.materials) material.poisson = 0;
+  return try_part(scene, joints, factor);
 }
 
 }  // namespace ddacontact
