@@ -1,5 +1,6 @@
 #include <ddacontact/scene/resolve.hpp>
 
+#include <ddacontact/scene/crushing_check.hpp>
 #include <ddacontact/scene/edge_joint_check.hpp>
 #include <ddacontact/scene/free_sides.hpp>
 #include <ddacontact/scene/key.hpp>
@@ -199,8 +200,10 @@ Scene resolve(const Document& document, ProblemList& problems) {
   scene.monitors = resolve_monitors(document, blocks, problems);
   for (std::size_t i = 0; i < blocks.outlines.size(); ++i)
     blocks.outlines[i].held = blocks.holds.holds_all(i);
-  if (std::ranges::all_of(blocks.outlines, [](const PositionedOutline& of) { return of.outline.valid(); }))
+  if (std::ranges::all_of(blocks.outlines, [](const PositionedOutline& of) { return of.outline.valid(); })) {
     check_corner_rounding(document, scene, blocks, problems);
+    warn_of_vertices_in_crushed_faces(document, blocks, problems);
+  }
   scene.stages =
       resolve_stages(document, joints, blocks, scene.blocks, bolts.names, scene.contact.method, problems);
   for (int k = 0; k < static_cast<int>(scene.stages.size()); ++k) {

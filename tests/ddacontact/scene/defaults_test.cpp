@@ -259,6 +259,15 @@ TEST(Reading, DensitiesOfNoUsualMaterialAreWarnedOf) {
   EXPECT_EQ(text_of("density = 2.5", {"analysis.gravity=[0, 0]"}), "");
 }
 
+TEST(Reading, AVertexWithinAFaceThatCrushesIsWarnedOf) {
+  const std::string joint = "[[joint]]\ncompressive_strength = 5e6\n",
+                    divided = replaced(minimal, "[1, 1]", "[1, 0.4], [1, 1]");
+  EXPECT_NE(all_text(read(divided + joint).problems).find("within a straight face, at (1, 0.4)"),
+            std::string::npos);
+  EXPECT_EQ(all_text(read(std::string(minimal) + joint).problems), "");
+  EXPECT_EQ(all_text(read(divided).problems), "");
+}
+
 /// By the law of Coulomb it bears no shear where it is pulled.
 TEST(Reading, TensileStrengthWithoutCohesionIsWarnedOf) {
   const auto text_of = [](const std::string& joint) {
