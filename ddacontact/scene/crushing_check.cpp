@@ -10,7 +10,7 @@ namespace ddacontact::scene_format {
 void warn_of_vertices_in_crushed_faces(const Document& document, const BlockTable& blocks,
                                        ProblemList& problems) {
   const auto crushed = std::ranges::find_if(
-      document.joints, [](const JointRecord& joint) { return joint.compressive_strength.has_value(); });
+      document.joints, [](const JointRecord& joint) { return joint.joint.compressive_strength.has_value(); });
   if (crushed == document.joints.end()) return;
   for (std::size_t b = 0; b < blocks.outlines.size(); ++b) {
     const Points& polygon = blocks.outlines[b].outline.polygon;
