@@ -146,8 +146,10 @@ void describe(ContactRecord& r, Visit&& visit) {
   visit(
       Key{.name = "tolerance",
           .what =
-              "Largest residual over the forces on its block. Above the default, steps with many changes of "
-              "contact state are faster, with up to ten times the penetration; method \"staged\" alone.",
+              "Largest residual over the forces on its block. Above the default it is that of explicit steps "
+              "and "
+              "of those with many changes of contact state alone: these are faster, with up to ten times the "
+              "penetration; method \"staged\" alone.",
           .bounds = {.low = 1e-12, .high = 1e-2},
           .default_text = "`1e-08`; in explicit steps `0.001`"},
       r.options.tolerance);
