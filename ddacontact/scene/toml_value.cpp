@@ -296,10 +296,18 @@ bool ValueReader::operator()(const toml::node& node, std::vector<int>& value) co
   return good;
 }
 
+bool ValueReader::read_path(const toml::node& node, std::string& value, const char* other) const {
+  if (!(*this)(node, value)) return false;
+  if (!value.empty()) return true;
+  problems_.error(location_of(node, problems_), "'" + std::string(key_.name) + "' = '' names no file",
+                  "write the path of a file, or " + std::string(other));
+  return false;
+}
+
 bool ValueReader::operator()(const toml::node& node, History& value) const {
   value.unit = key_.unit;
   value.other_unit = key_.other_unit;
-  if (node.is_string()) return (*this)(node, value.file);
+  if (node.is_string()) return read_path(node, value.file, "a table of entries");
   const toml::array* array = node.as_array();
   if (!array || array->empty()) return wrong_type(node, key_.name, expected_text(key_, value));
   Key time = key_;
@@ -378,7 +386,7 @@ bool ValueReader::operator()(const toml::node& node, EdgeJoints& value) const {
 }
 
 bool ValueReader::operator()(const toml::node& node, Boundary& value) const {
-  if (node.is_string()) return (*this)(node, value.file);
+  if (node.is_string()) return read_path(node, value.file, "vertices");
   return node.is_array() ? (*this)(node, value.outline)
                          : wrong_type(node, key_.name, expected_text(key_, value));
 }

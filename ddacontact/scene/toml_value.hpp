@@ -88,6 +88,8 @@ class ValueReader {
   bool read_parts(const toml::table& table, const std::vector<std::string_view>& known,
                   const ReadPart& read_part) const;
 
+  /// The path of a file; `other` may stand in its place.
+  bool read_path(const toml::node& node, std::string& value, const char* other) const;
   bool wrong_type(const toml::node& node, const std::string& name, const std::string& expected) const;
   bool unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const;
 

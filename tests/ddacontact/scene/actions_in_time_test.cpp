@@ -4,6 +4,7 @@
 #include <ddacontact/scene/record_notes.hpp>
 #include <ddacontact/scene/writer.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace {
@@ -108,6 +109,28 @@ TEST_F(ActionsInTime, FilesAreRefusedWithTheirLineAndCure) {
   refuses("t,ax,ay,az\n", {"4 columns"});
   const std::string missing = problem_of("[[quake]]\nacceleration = \"none.csv\"\n");
   EXPECT_NE(missing.find("cannot be read"), std::string::npos) << missing;
+}
+
+TEST_F(ActionsInTime, AHistoryWithoutAFileNameOrEntriesIsRefusedWhereItIsWritten) {
+  const std::string load = "[[load]]\ntype = \"body\"\nblock = 0\n",
+                    quiet = "[[quiet_boundary]]\non = [[0, 0], [1, 0]]\n";
+  for (const auto& [table, key] : {std::pair{std::string(support), "history"},
+                                   {support, "velocity_history"},
+                                   {support, "acceleration_history"},
+                                   {load, "history"},
+                                   {quiet, "incoming"},
+                                   {"[[quake]]\n", "acceleration"}}) {
+    const std::string more = table + key + " = ";
+    const auto line = std::ranges::count(std::string(minimal) + more, '\n') + 1;
+    const std::string place = "scene.toml:" + std::to_string(line) + ':' +
+                              std::to_string(std::string_view(key).size() + 4) + ": error: '" + key + "' ";
+    const std::string nameless = problem_of(more + "\"\"\n");
+    EXPECT_TRUE(nameless.starts_with(place)) << nameless;
+    EXPECT_NE(nameless.find("names no file (write the path of a file"), std::string::npos) << nameless;
+    const std::string empty = problem_of(more + "[]\n");
+    EXPECT_TRUE(empty.starts_with(place)) << empty;
+    EXPECT_NE(empty.find("expected [[t, x, y], ...]"), std::string::npos) << empty;
+  }
 }
 
 TEST_F(ActionsInTime, CoarseRecordsAreWarnedOf) {
