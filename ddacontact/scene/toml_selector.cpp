@@ -8,6 +8,14 @@ namespace {
 
 constexpr Bounds number_of_copies{.low = 1, .high = most_copies};
 
+/// The part that is but a point, where no edge can lie; null: there is none.
+const char* part_without_length(const PartSelector& selector) {
+  if (selector.on && selector.on->from == selector.on->to) return "on";
+  if (!selector.box) return nullptr;
+  const auto& [x0, y0, x1, y1] = *selector.box;
+  return x0 == x1 && y0 == y1 ? "box" : nullptr;
+}
+
 }  // namespace
 
 template <class ReadPart>
@@ -146,7 +154,14 @@ bool ValueReader::operator()(const toml::node& node, VertexSelection& value) con
 }
 
 bool ValueReader::operator()(const toml::node& node, EdgeSelection& value) const {
-  return node.is_table() ? (*this)(node, value.selector.emplace()) : (*this)(node, value.edge);
+  if (!node.is_table()) return (*this)(node, value.edge);
+  if (!(*this)(node, value.selector.emplace())) return false;
+  const char* part = part_without_length(*value.selector);
+  if (!part) return true;
+  problems_.error(location_of(node, problems_),
+                  "'" + std::string(part) + "' of '" + key_.name + "' is a point, on which no edge can lie",
+                  "write two points that differ, or { at = [x, y] } for the edges through the point");
+  return false;
 }
 
 }  // namespace ddacontact::scene_format

@@ -126,6 +126,20 @@ TEST(Selectors, FindEdgesOnALine) {
   EXPECT_EQ(scene.loads[2].edge, 3);
 }
 
+TEST(Selectors, OfEdgesAreRefusedWhereTheyArePoints) {
+  for (const auto& [place, part] : {std::pair{"{ on = [[4, -1], [4, -1]] }", "'on' of 'edge'"},
+                                    {"{ box = [4, -1, 4, -1] }", "'box' of 'edge'"}}) {
+    const SceneReading reading =
+        read(wall + "[[load]]\ntype = \"pressure\"\nblock = \"base\"\nvalue = 1\nedge = " + place + "\n");
+    ASSERT_EQ(reading.problems.size(), 1u) << place;
+    const Problem& problem = reading.problems[0];
+    EXPECT_EQ(problem.line, 27);
+    EXPECT_EQ(problem.column, 8);
+    for (const char* word : {part, "is a point", "{ at = [x, y] }"})
+      EXPECT_NE(problem.text().find(word), std::string::npos) << problem.text();
+  }
+}
+
 TEST(Selectors, NameMonitorsAfterTheirBlocks) {
   const Scene scene =
       scene_of(wall +
