@@ -76,6 +76,23 @@ bool moves(const Support& support, int axis) {
   return support.displacement.value[axis] != 0;
 }
 
+/// Complains of a motion along an axis that the support leaves free: nothing would come of it.
+void check_motion_of_free_axes(const Support& support, const KeyLocations& locations, ProblemList& problems) {
+  const bool held[] = {support.fix_x, support.fix_y};
+  for (int axis = 0; axis < 2; ++axis) {
+    if (held[axis] || !moves(support, axis)) continue;
+    for (const char* key :
+         {"history", "velocity_history", "acceleration_history", "velocity", "displacement"}) {
+      if (!locations.good(key)) continue;
+      problems.error(
+          locations.of(key),
+          "'" + std::string(key) + "' moves vertices in " + "xy"[axis] + ", which 'axes' leaves free",
+          std::string("write 0 for ") + "xy"[axis] + ", or axes = \"xy\"");
+      break;
+    }
+  }
+}
+
 /// Complains of entries of two numbers where a vector is meant, and the other way round.
 void check_columns(const std::optional<History>& history, const char* key, int columns,
                    const KeyLocations& locations, ProblemList& problems) {
@@ -176,6 +193,7 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
     check_columns(record.velocity_history, "velocity_history", 3, locations, problems);
     check_columns(record.acceleration_history, "acceleration_history", 3, locations, problems);
     support.displacement = displacement_of(record);
+    check_motion_of_free_axes(support, locations, problems);
     for (const auto& [history, key] : {std::pair{&record.history, "history"},
                                        {&record.velocity_history, "velocity_history"},
                                        {&record.acceleration_history, "acceleration_history"}})

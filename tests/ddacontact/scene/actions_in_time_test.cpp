@@ -133,6 +133,29 @@ TEST_F(ActionsInTime, AHistoryWithoutAFileNameOrEntriesIsRefusedWhereItIsWritten
   }
 }
 
+TEST_F(ActionsInTime, AMotionAlongAnAxisThatIsNotHeldIsRefused) {
+  write("record.csv", "t,x,y\n0,0,0\n1,0,0\n2,0,0.1\n");
+  write("still.csv", "t,x,y\n0,0,0\n1,0.1,0\n2,0,0\n");
+  const std::string along_x = support + std::string("axes = \"x\"\n");
+  const auto line = std::ranges::count(std::string(minimal) + along_x, '\n') + 1;
+  for (const std::string key :
+       {"displacement", "velocity", "history", "velocity_history", "acceleration_history"}) {
+    const bool in_time = key.ends_with("history");
+    const std::string problem = problem_of(along_x + key + (in_time ? " = \"record.csv\"\n" : " = [0, 1]\n"));
+    EXPECT_TRUE(problem.starts_with("scene.toml:" + std::to_string(line) + ':')) << problem;
+    EXPECT_NE(
+        problem.find("error: '" + key +
+                     "' moves vertices in y, which 'axes' leaves free (write 0 for y, or axes = \"xy\")"),
+        std::string::npos)
+        << problem;
+    EXPECT_TRUE(read_scene(along_x + key + (in_time ? " = \"still.csv\"\n" : " = [1, 0]\n")).problems.empty())
+        << key;
+  }
+  const std::string problem =
+      problem_of(support + std::string("axes = \"y\"\nhistory = [[0, 0, 0], [1, 1, 0]]\n"));
+  EXPECT_NE(problem.find("moves vertices in x"), std::string::npos) << problem;
+}
+
 TEST_F(ActionsInTime, CoarseRecordsAreWarnedOf) {
   std::ostringstream coarse, fine;
   coarse << "t,ax\n";
