@@ -19,6 +19,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -138,6 +139,7 @@ int parse_and_execute(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   dda::keep_freed_memory();
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond a limit on the size of files writing fails, as on a full disk
   try {
     const int status = parse_and_execute(argc, argv);
     if (std::fflush(stdout) == 0 || status != dda::done) return status;

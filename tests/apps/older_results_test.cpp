@@ -144,6 +144,18 @@ TEST_F(OlderResults, OfAFullDiskAreToldWithTheReason) {
   EXPECT_NE(read_file(directory_ / "problem").find("No space left on device"), std::string::npos);
 }
 
+TEST_F(OlderResults, OfALimitOnTheSizeOfFilesAreToldLikeAFullDisk) {
+  const std::string call = "run '" POLYDDA_EXAMPLES "/paper/sliding_0.toml' --steps 2 --quiet -o limited";
+  const int status = std::system(
+      ("cd '" + directory_.string() + "' && ulimit -f 1 && " + POLYDDA_PROGRAM " " + call + " 2> problem")
+          .c_str());
+  ASSERT_TRUE(WIFEXITED(status)) << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+  EXPECT_NE(read_file(directory_ / "problem").find("File too large"), std::string::npos);
+  for (const auto& entry : fs::recursive_directory_iterator(directory_ / "limited"))
+    EXPECT_FALSE(entry.path().extension().string().starts_with(".part")) << entry.path();
+}
+
 TEST_F(OlderResults, OtherFilesAreNoResults) {
   std::filesystem::create_directory(directory_ / "result");
   write("result/notes.txt", "mine");
