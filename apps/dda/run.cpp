@@ -1,9 +1,11 @@
 #include "run.hpp"
 
+#include "call_error.hpp"
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
 #include "memory.hpp"
 #include "messages.hpp"
+#include "named_files.hpp"
 #include "progress.hpp"
 #include "run_output.hpp"
 
@@ -191,6 +193,7 @@ void keep_older(const RunArguments& arguments, const std::filesystem::path& dire
     const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) || is_beside;
     if (goes_on && !arguments.as_stage) return;
   }
+  expect_none_in(directory, files_of_scene(arguments.scene, arguments.settings));
   const auto kept = keep_older_results(directory);
   if (!kept) return;
   if (is_beside) checkpoint = (*kept / std::filesystem::path(checkpoint).filename()).string();
@@ -320,6 +323,9 @@ int run(const RunArguments& arguments) {
   }
   try {
     return run_scene(arguments, *reading.scene, start);
+  } catch (const CallError& error) {
+    print_error(error.what());
+    return wrong_input;
   } catch (const OutputError& error) {
     print_error(error.what());
     return file_error;

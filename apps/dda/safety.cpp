@@ -4,6 +4,7 @@
 #include "exit_status.hpp"
 #include "memory.hpp"
 #include "messages.hpp"
+#include "named_files.hpp"
 #include "option_values.hpp"
 
 #include <fmt/format.h>
@@ -196,6 +197,8 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const std::optional<FactorRange> range = range_of(arguments.range);
   const std::vector<int> joints = joints_called(arguments.joints, scene);
+  if (!arguments.force)
+    expect_none_in(arguments.directory, files_of_scene(arguments.scene, arguments.settings));
   polyfem::pin_blas_to_one_thread();
   const StrengthReduction reduction = settled(arguments, scene, joints);
   for (const std::string& note : reduction.notes())

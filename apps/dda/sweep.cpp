@@ -5,7 +5,6 @@
 #include "exit_status.hpp"
 #include "messages.hpp"
 #include "named_files.hpp"
-#include "option_values.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -79,6 +78,17 @@ class Sweep {
       if (first.empty() && error != reading.problems.end()) first = error->text();
     }
     throw Error("no case could be run: " + first);
+  }
+
+  /// Throws CallError where a case's older results hold what the sweep reads: they are renamed.
+  void expect_sources_elsewhere() const {
+    std::error_code error;
+    for (int k = 1; k <= n_cases(); ++k) {
+      if (!fs::exists(path_of(k), error)) continue;
+      std::vector<fs::path> files = files_of_scene(arguments_.scene, settings_of(k));
+      files.emplace_back(arguments_.table);
+      expect_none_in(path_of(k), files);
+    }
   }
 
   void make_directory() const {
@@ -309,6 +319,7 @@ int sweep_all(const SweepArguments& arguments) {
   if (map)
     for (const std::string& column : {map->x, map->y, map->value}) sweep.check_column(column);
   sweep.expect_a_scene();
+  sweep.expect_sources_elsewhere();
   sweep.make_directory();
   if (arguments.slurm) {
     sweep.write_slurm();
@@ -334,52 +345,6 @@ int sweep_all(const SweepArguments& arguments) {
 
 }  // namespace
 
-std::vector<std::string> SweepArguments::of_safety() const {
-  std::vector<std::string> words;
-  const auto add = [&](const char* option, const std::string& value) {
-    if (!value.empty()) words.insert(words.end(), {option, value});
-  };
-  add("--range", range);
-  add("--tolerance", tolerance);
-  add("--joints", joints);
-  return words;
-}
-
-void add_sweep(CLI::App& app, SweepArguments& arguments) {
-  CLI::App* sweep = app.add_subcommand("sweep", "Run a scene with all combinations of settings");
-  const auto list = [&](const char* name, std::vector<std::string>& values, const char* type,
-                        const char* text) {
-    sweep->add_option(name, values, text)->take_all()->expected(1)->type_name(type);
-  };
-  const auto text = [&](const char* name, std::string& value, const char* type, const char* what) {
-    return sweep->add_option(name, value, what)->type_name(type);
-  };
-  sweep->add_option("SCENE", arguments.scene, "Scene file (TOML)")->required();
-  text("-o,--output", arguments.directory, "DIR", "Directory of sweep.csv and of the cases")->required();
-  list("--vary", arguments.vary, "PATH=VALUES",
-       "VALUES are a,b,c or from:to:count or 1..100 or a list of these; may be repeated");
-  text("--table", arguments.table, "FILE", "CSV file whose header names paths and whose rows are cases");
-  list("--outcome", arguments.outcomes, "NAME=PATH",
-       "A column of sweep.csv: PATH into summary.json, or monitor.NAME.COLUMN at the end; may be repeated");
-  list("--set", arguments.settings, "PATH=VALUE",
-       "Replace a value of the scene in all cases; may be repeated");
-  CLI::Option* safety = sweep->add_flag("--safety", arguments.safety,
-                                        "Find the factor of safety of each case: columns factor_low, "
-                                        "factor_high and the probability of failure");
-  text("--range", arguments.range, "A:B", "Of the factors, as of dda safety")->needs(safety);
-  text("--tolerance", arguments.tolerance, "X", "Of the factors, as of dda safety")->needs(safety);
-  text("--joints", arguments.joints, "NAME,...", "The joints to weaken, as of dda safety")->needs(safety);
-  text("--curve", arguments.curve, "X,Y", "Two columns of sweep.csv, drawn as sweep.svg");
-  text("--map", arguments.map, "X,Y,VALUE",
-       "A column of sweep.csv over two others, coloured cells drawn as map.svg");
-  expect_whole_number(
-      sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors"), 1,
-      1024);
-  expect_whole_number(sweep->add_option("--case", arguments.only, "Run only the case of this number"), 1);
-  sweep->add_flag("--slurm", arguments.slurm, "Write sweep.sbatch, a job array of the cases; run nothing");
-  sweep->add_flag("--quiet", arguments.quiet, "Print problems only");
-}
-
 int sweep(const SweepArguments& arguments) {
   using scene_format::read_text;
   // Before the directory is made and a case is started; whether the scene is right depends on the case.
@@ -388,6 +353,9 @@ int sweep(const SweepArguments& arguments) {
     if (const auto& table = arguments.table; !table.empty() && !read_text(table).text)
       throw OutputError(fmt::format("cannot read \"{}\": {}", table, read_text(table).reason));
     return sweep_all(arguments);
+  } catch (const CallError& error) {
+    print_error(error.what());
+    return wrong_input;
   } catch (const OutputError& error) {
     print_error(error.what());
     return file_error;

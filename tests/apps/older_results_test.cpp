@@ -73,6 +73,30 @@ TEST_F(OlderResults, AreLeftToTheRunThatStillWritesThem) {
   EXPECT_EQ(steps_of("result"), 2);
 }
 
+TEST_F(OlderResults, AreNotRenamedWithTheSceneOrAFileThatItNames) {
+  const auto refuses = [&](const std::string& call, const std::string& file) {
+    EXPECT_EQ(dda(call), 2) << call;
+    EXPECT_NE(err_.find("holds \"" + file + "\""), std::string::npos) << err_;
+    EXPECT_NE(err_.find("name another directory for --output"), std::string::npos) << err_;
+    EXPECT_TRUE(fs::exists(directory_ / file)) << call;
+  };
+  ASSERT_EQ(run("--quiet --steps 2"), 0);
+  for (const char* verb : {"run", "safety"})
+    refuses(verb + std::string(" result/scene.toml -o result/"), "result/scene.toml");
+  EXPECT_EQ(dda("run result/scene.toml -o result --resume result/checkpoint.bin --quiet"), 0)
+      << "nothing is renamed: " << err_;
+  fs::create_directory(directory_ / "blocks");
+  write("blocks/wall.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+  write("wall.toml",
+        "blocks = \"blocks/wall.wkt\"\n[analysis]\nsteps = 1\ntime_step = 0.01\n"
+        "[[material]]\nname = \"rock\"\ndensity = 2500\nyoung = 1e9\npoisson = 0.2\n");
+  refuses("run wall.toml -o blocks", "blocks/wall.wkt");
+  refuses("run wall.toml -o .", "wall.toml");
+  fs::create_directory(directory_ / "swept");
+  fs::rename(directory_ / "result", directory_ / "swept/case-1");
+  refuses("sweep swept/case-1/scene.toml -o swept --vary analysis.steps=1,2", "swept/case-1/scene.toml");
+}
+
 TEST_F(OlderResults, OfSearchesAndSweepsAreKeptToo) {
   const std::string scene = " '" POLYDDA_EXAMPLES "/paper/sliding_30.toml' --quiet -o result ";
   ASSERT_EQ(dda("safety" + scene + "--set analysis.preset=default --range 0.3:0.9 --tolerance 0.5"), 0)
