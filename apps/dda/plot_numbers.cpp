@@ -48,6 +48,13 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
   return values;
 }
 
+/// That of the largest numbers overflows.
+void expect_width(double low, double high, const char* option) {
+  if (!std::isfinite(high - low))
+    throw CallError(
+        fmt::format("{}: {:.4g} to {:.4g} is too wide (give smaller numbers)", option, low, high));
+}
+
 }  // namespace
 
 std::vector<std::string> single_words(const std::vector<std::string>& lists) {
@@ -64,6 +71,7 @@ ValueRange colour_range(const std::string& text, const std::vector<Field>& field
       throw CallError("--range needs fields of numbers, all of one unit");
   const std::vector<double> ends = numbers("--range", text, 2, unit.c_str());
   if (!(ends[0] < ends[1])) throw CallError("--range: the first number must be below the second");
+  expect_width(ends[0], ends[1], "--range");
   return {ends[0], ends[1]};
 }
 
@@ -71,6 +79,8 @@ Window window(const std::string& text) {
   const std::vector<double> sides = numbers("--window", text, 4, "m");
   if (!(sides[0] < sides[1] && sides[2] < sides[3]))
     throw CallError("--window: give XMIN,XMAX,YMIN,YMAX with each minimum below its maximum");
+  expect_width(sides[0], sides[1], "--window");
+  expect_width(sides[2], sides[3], "--window");
   return {{sides[0], sides[2]}, {sides[1], sides[3]}};
 }
 

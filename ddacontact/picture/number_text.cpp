@@ -105,9 +105,12 @@ double round_below(double limit) {
 Ticks ticks_between(double low, double high, int most) {
   Ticks ticks;
   ticks.step = round_step(high - low, most);
+  if (!std::isfinite(high - low)) return ticks;
   const double slack = 1e-6;
   const double first = std::ceil(low / ticks.step - slack), last = std::floor(high / ticks.step + slack);
-  for (double k = first; k <= last; ++k) ticks.values.push_back(k * ticks.step + 0.);
+  // Counted from 0: beyond 2^53 adding 1 changes nothing.
+  for (int k = 0; k <= std::min<double>(last - first, most); ++k)
+    ticks.values.push_back((first + k) * ticks.step + 0.);
   return ticks;
 }
 

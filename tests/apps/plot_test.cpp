@@ -126,6 +126,8 @@ TEST_F(Results, WrongCallsAreRefusedWithACure) {
   expect_refused("plot result --vectors force -o x.svg", 2, {"velocity"});
   expect_refused("plot result --range 5 -o x.svg", 2, {"2 numbers"});
   expect_refused("plot result --range 5,1 -o x.svg", 2, {"below"});
+  expect_refused("plot result --range=-1e308,1e308 -o x.svg", 2, {"--range: -1e+308 to 1e+308 is too wide"});
+  expect_refused("plot result --window=0,1,-1e308,1e308 -o x.svg", 2, {"--window", "too wide"});
   expect_refused("plot result --range 1kN,2 -o x.svg", 2, {"1kN"});
   expect_refused("plot result --field block --range 1,2 -o x.svg", 2, {"--range"});
   expect_refused("plot result --window 0,1,2 -o x.svg", 2, {"4 numbers"});

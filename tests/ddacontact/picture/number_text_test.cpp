@@ -36,6 +36,15 @@ TEST(NumberText, WhatIsNoNumberIsNeverPrintedAsOne) {
   }
 }
 
+TEST(Ticks, AreFewInRangesThatNoNumberDivides) {
+  for (const double low : {1., -3e7, 1e300}) {
+    const std::size_t n = ticks_between(low, std::nextafter(low, 1e308), 6).values.size();
+    EXPECT_GE(n, 1u) << low;
+    EXPECT_LE(n, 7u) << low;
+  }
+  EXPECT_TRUE(ticks_between(-1e308, 1e308, 6).values.empty()) << "its length is no number";
+}
+
 TEST(Ticks, AreFewRoundAndWithinTheRange) {
   for (const double size : {1e-12, 1e-3, 1., 1e6, 1e12})
     for (const double low : {-7.3, -1., 0., 2.2, 1000.})
