@@ -29,6 +29,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <thread>
@@ -107,8 +108,10 @@ class Sweep {
     if (!arguments_.quiet) fmt::print(stderr, "{} of {} cases to run\n", waiting.size(), n_cases());
     std::map<pid_t, int> running;
     const auto wait_one = [&] {
+      int status = 0;
       auto ended = running.end();
-      while (ended == running.end()) ended = running.find(waitpid(-1, nullptr, 0));
+      while (ended == running.end()) ended = running.find(waitpid(-1, &status, 0));
+      note_end(ended->second, status);
       tell(ended->second);
       running.erase(ended);
     };
@@ -272,6 +275,17 @@ class Sweep {
     if (getppid() == sweep && file >= 0 && dup2(file, STDERR_FILENO) >= 0 && dup2(file, STDOUT_FILENO) >= 0)
       execv("/proc/self/exe", argv.data());
     _exit(file_error);
+  }
+
+  /// Puts into the first line of its log how a case ended that could not say it itself.
+  void note_end(int k, int status) const {
+    const std::string log = text_of(log_of(k));
+    const bool by_signal = WIFSIGNALED(status);
+    if (!by_signal && (status == 0 || !log.empty())) return;
+    const std::string end =
+        by_signal ? fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
+                  : fmt::format("ended with status {}", WEXITSTATUS(status));
+    std::ofstream(log_of(k), std::ios::binary) << end << (log.empty() ? "\n" : ": " + log);
   }
 
   void tell(int k) const {

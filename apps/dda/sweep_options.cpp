@@ -44,8 +44,10 @@ void add_sweep(CLI::App& app, SweepArguments& arguments) {
   expect_whole_number(
       sweep->add_option("--jobs", arguments.jobs, "Cases at a time; left out: as many as processors"), 1,
       1024);
-  expect_whole_number(sweep->add_option("--case", arguments.only, "Run only the case of this number"), 1);
-  sweep->add_flag("--slurm", arguments.slurm, "Write sweep.sbatch, a job array of the cases; run nothing");
+  CLI::Option* one = sweep->add_option("--case", arguments.only, "Run only the case of this number");
+  expect_whole_number(one, 1);
+  sweep->add_flag("--slurm", arguments.slurm, "Write sweep.sbatch, a job array of the cases; run nothing")
+      ->excludes(one);
   sweep->add_flag("--quiet", arguments.quiet, "Print problems only");
 }
 

@@ -80,6 +80,20 @@ TEST_F(Program, SweepGoesOnWhenACaseFailsAndSaysWhy) {
   EXPECT_EQ(rows[2][2], "completed");
 }
 
+TEST_F(Program, SweepSaysHowACaseEndedThatCouldNotSayIt) {
+  // A second of the processor is too little.
+  const int status = std::system(("cd '" + directory_.string() + "' && ulimit -t 1 && " + POLYDDA_PROGRAM +
+                                  " sweep " + slope +
+                                  " --vary joint.0.friction_angle=20,21 -o result "
+                                  "--set analysis.steps=100000000 --set output.every=0 2> problem")
+                                     .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  const std::string problem = read_file(directory_ / "problem");
+  for (const char* words : {"case 1: failed: ended by signal ", "no case could be run: ended by signal "})
+    EXPECT_NE(problem.find(words), std::string::npos) << problem;
+  EXPECT_NE(read_file(directory_ / "result/sweep.csv").find("ended by signal"), std::string::npos);
+}
+
 TEST_F(Program, SweepRunsFinishedCasesNotAgain) {
   const std::string call =
       "sweep " + slope + " --set analysis.steps=2 -o result --vary joint.0.friction_angle=";
@@ -161,6 +175,7 @@ TEST_F(Program, SweepRefusesWrongCalls) {
        {std::pair{"", "nothing varies"}, std::pair{"--vary a", "PATH=a,b,c"},
         std::pair{"--vary a=1,2 --vary a=3", "twice"},
         std::pair{"--vary a=1,2 --case 3", "there are 2 cases"},
+        std::pair{"--vary a=1,2 --case 2 --slurm", "--case and --slurm exclude each other"},
         std::pair{"--vary a=1 --outcome b", "NAME=PATH"}, std::pair{"--vary a=1 --curve b", "X,Y"},
         std::pair{"--vary a=1 --map a,b", "X,Y,VALUE"},
         std::pair{"--vary a=1 --map a,time,kinetik", "no column \"kinetik\" (did you mean \"kinetic\"?"},
