@@ -47,6 +47,11 @@ bool are_numbers(const std::vector<std::string>& parts) {
                              [](const std::string& part) { return number_of<double>(part).has_value(); });
 }
 
+[[noreturn]] void refuse_so_many(std::string_view of, std::string_view range) {
+  refuse(of,
+         "has the range '" + std::string(range) + "' of more than " + std::to_string(most_cases) + " values");
+}
+
 /// "1..100"; nothing when it is not of that form.
 std::vector<std::string> whole_numbers(std::string_view text, std::string_view of) {
   const std::size_t dots = text.find("..");
@@ -55,8 +60,9 @@ std::vector<std::string> whole_numbers(std::string_view text, std::string_view o
   if (number_of<double>(text.substr(0, dots)) && dots + 2 < text.size() && (!first || !last))
     refuse(of, "has '..' between what are no whole numbers");
   if (!first || !last) return {};
-  if (*last < *first || *last - *first >= static_cast<long>(most_cases))
-    refuse(of, "is no range of whole numbers");
+  if (*last < *first) refuse(of, "has the range '" + std::string(text) + "', which descends");
+  if (static_cast<unsigned long>(*last) - static_cast<unsigned long>(*first) >= most_cases)
+    refuse_so_many(of, text);
   std::vector<std::string> values;
   for (long k = *first; k <= *last; ++k) values.push_back(std::to_string(k));
   return values;
@@ -69,15 +75,35 @@ std::vector<std::string> even_numbers(std::string_view text, std::string_view of
   if (parts.size() != 3) refuse(of, "has colons, but not from:to:count");
   const auto from = number_of<double>(parts[0]), to = number_of<double>(parts[1]);
   const auto count = number_of<long>(parts[2]);
-  if (!count || *count < 2 || *count > static_cast<long>(most_cases) || !std::isfinite(*from) ||
-      !std::isfinite(*to))
+  if (!count || *count < 2 || !std::isfinite(*from) || !std::isfinite(*to))
     refuse(of, "is no range of at least two numbers");
+  if (*count > static_cast<long>(most_cases)) refuse_so_many(of, text);
   std::vector<std::string> values;
   for (long k = 0; k < *count; ++k) {
     const double t = static_cast<double>(k) / static_cast<double>(*count - 1);
     values.push_back(scene_format::short_number((1 - t) * *from + t * *to));
   }
   return values;
+}
+
+SweepCases cases_of_table(const std::filesystem::path& table) {
+  const CsvTable rows(table);
+  const std::string name = "\"" + table.string() + "\"";
+  SweepCases cases{rows.header(), {}};
+  if (const std::size_t other = cases.paths[0].find_first_of(";\t");
+      cases.paths.size() == 1 && other != std::string::npos)
+    throw Error(name + " has " + (cases.paths[0][other] == ';' ? "';'" : "tabs") +
+                " between its columns (write commas, and points in decimal numbers)");
+  for (const std::string& path : cases.paths)
+    if (std::ranges::count(cases.paths, path) > 1)
+      throw Error(name + " has the column '" + path + "' twice (leave one out)");
+  if (rows.n_rows() == 0) throw Error(name + " has no rows below its header (write one for each case)");
+  cases.rows.resize(rows.n_rows());
+  for (const std::string& path : cases.paths) {
+    const std::vector<std::string> values = rows.texts(path);
+    for (std::size_t k = 0; k < values.size(); ++k) cases.rows[k].push_back(values[k]);
+  }
+  return cases;
 }
 
 }  // namespace
@@ -103,20 +129,7 @@ std::vector<std::string> SweepCases::settings(std::size_t row) const {
 }
 
 SweepCases sweep_cases(const std::vector<Variation>& variations, const std::filesystem::path& table) {
-  SweepCases cases{{}, {{}}};
-  if (!table.empty()) {
-    const CsvTable rows(table);
-    cases.paths = rows.header();
-    if (const std::size_t other = cases.paths[0].find_first_of(";\t");
-        cases.paths.size() == 1 && other != std::string::npos)
-      throw Error("\"" + table.string() + "\" has " + (cases.paths[0][other] == ';' ? "';'" : "tabs") +
-                  " between its columns (write commas, and points in decimal numbers)");
-    cases.rows.resize(rows.n_rows());
-    for (const std::string& path : cases.paths) {
-      const std::vector<std::string> values = rows.texts(path);
-      for (std::size_t k = 0; k < values.size(); ++k) cases.rows[k].push_back(values[k]);
-    }
-  }
+  SweepCases cases = table.empty() ? SweepCases{{}, {{}}} : cases_of_table(table);
   for (const Variation& variation : variations) {
     if (std::ranges::count(cases.paths, variation.path) > 0)
       throw Error("'" + variation.path + "' is varied twice (give all its values at once)");

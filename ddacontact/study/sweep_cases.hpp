@@ -32,8 +32,8 @@ struct SweepCases {
 };
 
 /// All combinations of the variations, the last one changing fastest, with each row of the table, whose
-/// header names paths (no table: an empty path). Throws Error: nothing varies, a path stands twice, too many
-/// cases.
+/// header names paths (no table: an empty path). Throws Error: nothing varies, a path stands twice, a
+/// table has no rows, too many cases.
 SweepCases sweep_cases(const std::vector<Variation>& variations, const std::filesystem::path& table);
 
 }  // namespace ddacontact

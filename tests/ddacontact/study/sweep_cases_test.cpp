@@ -46,6 +46,27 @@ TEST(Variation, RefusesWhatVariesNothing) {
     EXPECT_THROW(parse_variation(text), Error) << text;
 }
 
+/// What the error says, or nothing.
+template <class Call>
+std::string error_of(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Variation, SaysWhyARangeIsRefused) {
+  for (const auto& [text, why] : {std::pair{"x=3..1", "the range '3..1', which descends"},
+                                  {"x=1..100000000", "'1..100000000' of more than 1000000 values"},
+                                  {"x=-9000000000000000000..9000000000000000000", "more than 1000000 values"},
+                                  {"x=0:1:2000000", "'0:1:2000000' of more than 1000000 values"}}) {
+    const std::string error = error_of([&] { parse_variation(text); });
+    EXPECT_NE(error.find(why), std::string::npos) << error;
+  }
+}
+
 TEST(SweepCases, AreAllCombinationsTheLastChangingFastest) {
   const SweepCases cases = sweep_cases({parse_variation("a=1,2"), parse_variation("b=x,y,z")}, {});
   ASSERT_EQ(cases.rows.size(), 6u);
@@ -68,6 +89,17 @@ TEST(SweepCases, ReadTheTableOfASpreadsheet) {
   const SweepCases cases = sweep_cases({}, path);
   ASSERT_EQ(cases.rows.size(), 2u);
   EXPECT_EQ(cases.settings(1), (Values{"joint.0.friction_angle=35", "analysis.steps=6"}));
+}
+
+TEST(SweepCases, AreRefusedOfATableWithAColumnTwiceOrWithoutRows) {
+  const std::filesystem::path path = testing::TempDir() + "/refused.csv";
+  for (const auto& [text, why] :
+       {std::pair{"a,b,a\n1,2,3\n", "the column 'a' twice"}, {"a,b\n", "no rows below its header"}}) {
+    std::ofstream(path, std::ios::binary) << text;
+    const std::string error = error_of([&] { sweep_cases({}, path); });
+    EXPECT_NE(error.find(why), std::string::npos) << error;
+    EXPECT_NE(error.find("refused.csv"), std::string::npos) << error;
+  }
 }
 
 TEST(SweepCases, NameTheSeparatorOfATableThatHasAnother) {
