@@ -164,13 +164,21 @@ std::string without_answer(const FactorBracket& bracket, const StrengthTrial& la
       last.factor, last.reason, rests, moves);
 }
 
+/// Significant ones that tell the ends of a bracket apart which is as narrow as the tolerance.
+int digits_for(double tolerance) {
+  return std::max(4, 2 - static_cast<int>(std::ceil(std::log10(tolerance) - 1e-9)));
+}
+
 /// In a line, for stdout.
-std::string answer(const FactorBracket& bracket, const SafetyFiles& files, const Scene& scene) {
+std::string answer(const FactorBracket& bracket, double tolerance, const SafetyFiles& files,
+                   const Scene& scene) {
   const StrengthTrial* first = files.first_to_move();
   const std::string moved = first ? moved_text(*first, scene) : "";
   if (bracket.low == 0) return fmt::format("moves at every factor from {:.5g} on; {}", bracket.high, moved);
   if (!bracket.closed()) return fmt::format("rests at every factor up to {:.5g}", bracket.low);
-  return fmt::format("factor of safety {:.4g} .. {:.4g}; {}", bracket.low, bracket.high, moved);
+  const int digits = digits_for(tolerance);
+  return fmt::format("factor of safety {:.{}g} .. {:.{}g}; {}", bracket.low, digits, bracket.high, digits,
+                     moved);
 }
 
 void keep_older(const SafetyArguments& arguments) {
@@ -247,7 +255,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
         "{}: warning: with poisson = 0 blocks move at F = {:.4g} already: blocks without a mesh that "
         "swell sideways may be held by friction on faces beside them (compare block_model = \"mesh\")\n",
         arguments.scene, trial->factor);
-  fmt::print("{}\n", answer(bracket, files, scene));
+  fmt::print("{}\n", answer(bracket, arguments.tolerance, files, scene));
   if (arguments.quiet) return done;
   fmt::print("{}", note_of_small_part(files, scene));
   fmt::print("the factor divides friction and cohesion of joints; loads, weights and water stay as stated\n");

@@ -35,6 +35,22 @@ TEST_F(Program, SafetyFindsTheFactorOfABlockOnAPlane) {
   EXPECT_NE(read_file(directory_ / "result/safety.svg").find("</svg>"), std::string::npos);
 }
 
+TEST_F(Program, SafetyPrintsTheDigitsThatItsToleranceNeeds) {
+  const auto ends = [&](const std::string& options) {
+    EXPECT_EQ(dda("safety " + slope + " -o result --set analysis.preset=default --quiet --force " + options),
+              0)
+        << err_;
+    const std::size_t dots = out_.find(" .. ");
+    EXPECT_NE(dots, std::string::npos) << out_;
+    const std::string low = out_.substr(0, dots).substr(out_.substr(0, dots).rfind(' ') + 1);
+    return std::pair{low, out_.substr(dots + 4, out_.find(';') - dots - 4)};
+  };
+  EXPECT_LE(ends("--tolerance 0.02").first.size(), std::string("0.1234").size());
+  const auto [low, high] = ends("--tolerance 1e-4 --range 0.57:0.585");
+  EXPECT_NE(low, high);
+  EXPECT_LE(low.size(), std::string("0.123456").size());
+}
+
 TEST_F(Program, SafetyIsTheSameForAnyNumberOfTrialsAtOnce) {
   const auto found = [&](const std::string& jobs) {
     EXPECT_EQ(
