@@ -51,7 +51,7 @@ class DomainReader {
       JointSet& added = domain_.joint_sets.emplace_back(set.set);
       added.joint = joint_of(set);
       added.region = region_of(set);
-      check_origin(set);
+      check_spacing(set);
     }
     for (const VoronoiRecord& cells : record_.voronoi)
       domain_.voronoi.push_back({joint_of(cells), region_of(cells), cells.cells});
@@ -101,12 +101,19 @@ class DomainReader {
                      "the opening '" + excerpt(opening.name) + "'", problems_);
   }
 
-  /// Lines are counted from the origin of their set.
-  void check_origin(const JointSetRecord& record) {
+  /// Lines are counted from the origin of their set: their spacing must count beside their numbers.
+  void check_spacing(const JointSetRecord& record) {
     constexpr double told_apart = 1e-12;
-    if (domain_.boundary.cols() == 0) return;
-    const double distance = (domain_.boundary.colwise() - record.set.origin).colwise().norm().maxCoeff();
-    if (told_apart * distance > record.set.spacing)
+    const Points& boundary = domain_.boundary;
+    if (boundary.cols() == 0) return;
+    const double distance = (boundary.colwise() - record.set.origin).colwise().norm().maxCoeff(),
+                 size = (boundary.rowwise().maxCoeff() - boundary.rowwise().minCoeff()).norm();
+    if (told_apart * size > record.set.spacing)
+      problems_.error(record.locations.of("spacing"),
+                      "'spacing' = '" + short_number(record.set.spacing) + "' is too small for a domain of " +
+                          rounded(size) + " m: where its joints are is lost in round-off",
+                      "write a wider spacing");
+    else if (told_apart * distance > record.set.spacing)
       problems_.error(record.locations.of("origin"),
                       "this 'origin' is " + rounded(distance) +
                           " m from the domain: where its joints are is lost in round-off",
