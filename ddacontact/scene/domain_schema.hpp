@@ -152,10 +152,12 @@ void describe(DomainRecord& r, Visit&& visit) {
         r.boundary);
   visit(Key{.name = "material", .what = "Of all blocks.", .default_text = "the first"}, r.material);
   visit(Key{.name = "seed", .what = "The same seed gives the same blocks.", .bounds = not_negative}, r.seed);
-  visit(Key{.name = "sliver",
-            .what = "Blocks too small or too sharp, and what is done with them.",
-            .default_text = "`{ area = 0.001, angle = 5.0, policy = \"merge\" }`"},
-        r.sliver);
+  visit(
+      Key{.name = "sliver",
+          .what =
+              "Blocks too small or too sharp, and what `policy` does with them: `merge`, `keep` or `refuse`.",
+          .default_text = "`{ area = 0.001, angle = 5.0, policy = \"merge\" }`"},
+      r.sliver);
   visit(Key{.name = "t_vertices",
             .what = "Whether the block beyond the end of a joint gets a vertex there, on its edge."},
         r.t_vertices);
