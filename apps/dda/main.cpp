@@ -16,6 +16,7 @@
 #include "sweep.hpp"
 #include "view.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cerrno>
@@ -24,6 +25,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -127,7 +129,10 @@ int parse_and_execute(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& answered) {
-    return app.exit(answered);
+    std::ostringstream text;  // CLI11 flushes what it prints and does not look whether that failed
+    const int status = app.exit(answered, text, text);
+    fmt::print("{}", text.str());
+    return status;
   } catch (const CLI::ParseError& error) {
     dda::print_error(dda::call_problem(app, error));
     return dda::wrong_input;
