@@ -182,6 +182,7 @@ std::string answer(const FactorBracket& bracket, double tolerance, const SafetyF
 }
 
 void keep_older(const SafetyArguments& arguments) {
+  DirectoryLock::expect_free(arguments.directory);
   if (arguments.force) return;
   if (const auto kept = keep_older_results(arguments.directory); kept && !arguments.quiet)
     fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
@@ -205,7 +206,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const std::optional<FactorRange> range = range_of(arguments.range);
   const std::vector<int> joints = joints_called(arguments.joints, scene);
-  if (!arguments.force)
+  if (!arguments.force && holds_results(arguments.directory))
     expect_none_in(arguments.directory, files_of_scene(arguments.scene, arguments.settings));
   polyfem::pin_blas_to_one_thread();
   const StrengthReduction reduction = settled(arguments, scene, joints);

@@ -19,13 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool holds_results(const fs::path& directory) {
-  const std::array<const char*, 5> files{"summary.json", "energy.csv", "checkpoint.bin", "safety.json",
-                                         "sweep.csv"};
-  std::error_code missing;
-  return std::ranges::any_of(files, [&](const char* file) { return fs::exists(directory / file, missing); });
-}
-
 /// With the first number that is free between name and ending.
 fs::path with_number(const std::string& name, const std::string& ending) {
   std::error_code error;
@@ -37,28 +30,31 @@ fs::path with_number(const std::string& name, const std::string& ending) {
 
 }  // namespace
 
+bool holds_results(const fs::path& directory) {
+  const std::array<const char*, 5> files{"summary.json", "energy.csv", "checkpoint.bin", "safety.json",
+                                         "sweep.csv"};
+  std::error_code missing;
+  return std::ranges::any_of(files, [&](const char* file) { return fs::exists(directory / file, missing); });
+}
+
 DirectoryLock::DirectoryLock(const fs::path& directory)
     : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX | LOCK_NB);
+  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(descriptor_);
+  throw OutputError("\"" + directory.string() + "\" is being written by another run: name another directory");
 }
 
 DirectoryLock::~DirectoryLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-bool DirectoryLock::is_free(const fs::path& directory) {
-  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return true;
-  const bool free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-  ::close(descriptor);
-  return free;
+void DirectoryLock::expect_free(const fs::path& directory) {
+  const DirectoryLock for_a_moment(directory);
 }
 
 std::optional<fs::path> keep_older_results(const fs::path& directory) {
   if (!holds_results(directory)) return std::nullopt;
-  if (!DirectoryLock::is_free(directory))
-    throw OutputError("\"" + directory.string() +
-                      "\" is being written by another run: name another directory");
+  DirectoryLock::expect_free(directory);
   const fs::path bare = directory.has_filename() ? directory : directory.parent_path();
   std::error_code error;
   if (bare.filename() == "." || bare.filename() == "..")

@@ -12,17 +12,21 @@ namespace ddacontact {
 /// none.
 class DirectoryLock {
  public:
+  /// Throws OutputError where another run holds it.
   explicit DirectoryLock(const std::filesystem::path& directory);
   ~DirectoryLock();
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
-  /// Whether no run holds it.
-  static bool is_free(const std::filesystem::path& directory);
+  /// Throws OutputError where another run holds it: to be asked before anything in the directory changes.
+  static void expect_free(const std::filesystem::path& directory);
 
  private:
   int descriptor_;
 };
+
+/// Whether a run, a search or a sweep has written to it.
+bool holds_results(const std::filesystem::path& directory);
 
 /// Renames a directory that holds results to DIRECTORY.1, or the first number that is free, and
 /// returns the new name; nothing where there are no results. Throws OutputError when it cannot be renamed or
