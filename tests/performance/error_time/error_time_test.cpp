@@ -26,8 +26,8 @@ TEST_P(EveryMethod, AnalysesTheCheapestOfEveryQuickProblem) {
 }
 INSTANTIATE_TEST_SUITE_P(ErrorTime, EveryMethod,
                          testing::Values("default", "classic", "paper", "midpoint", "dda", "backward_euler",
-                                         "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8", "explicit",
-                                         "contacts to 1e-3"));
+                                         "affine", "wachspress", "mesh", "tolerance 1e-4", "tolerance 1e-8",
+                                         "explicit", "contacts to 1e-3"));
 
 /// The reference takes long.
 TEST(ErrorTime, TheSlopeIsAnalysedByTheMethodsThatMatterMost) {
@@ -50,17 +50,16 @@ TEST(ErrorTime, TheDefaultBendsAnArchAndHasNoSpringsInIt) {
   EXPECT_LT(found, 0.5 * error("classic"));
 }
 
-TEST(ErrorTime, TheDefaultSlidesAsWellAsClassicAndWithOrderTwo) {
-  const double coarse = error(sliding(), "default", 0.02), fine = error(sliding(), "default", 0.01);
-  EXPECT_LT(coarse, 1.01 * error(sliding(), "classic", 0.02));
-  EXPECT_LT(fine, coarse / 3.5);
+/// Steps take the whole impulse of a force that sways: what is left is that of the lines of its history.
+TEST(ErrorTime, TheDefaultSlidesAsTheForceHasItInAnyStep) {
+  for (const double time_step : {0.02, 0.01})
+    EXPECT_LT(error(sliding(), "default", time_step), 1e-6) << time_step;
+  EXPECT_GT(error(sliding(), "classic", 0.02), 1e-5);
 }
 
-TEST(ErrorTime, BlocksThatSlideAsOneComeAsFarAsOneOfOrderTwo) {
-  const double coarse = error(sliding_slope(), "default", 0.02),
-               fine = error(sliding_slope(), "default", 0.01);
-  EXPECT_LT(coarse, 1.01 * error(sliding_slope(), "classic", 0.02));
-  EXPECT_LT(fine, coarse / 3.5);
+TEST(ErrorTime, BlocksThatSlideAsOneComeAsFarAsOne) {
+  for (const double time_step : {0.02, 0.01})
+    EXPECT_LT(error(sliding_slope(), "default", time_step), 1e-6) << time_step;
 }
 
 TEST(ErrorTime, TheDefaultKnowsWhatACollisionMakes) {
