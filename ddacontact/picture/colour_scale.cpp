@@ -32,7 +32,8 @@ ColourScale::ColourScale(Field field, const ValueRange& data, const ValueRange* 
   const double shift = description(field).kind == FieldKind::with_sign ? 0.5 : 0;
   const double first = std::floor(range.low / step - shift + slack);
   const double last = std::ceil(range.high / step - shift - slack);
-  for (double k = first; k <= last; ++k) bounds_.push_back((k + shift) * step);
+  // Counted from 0: beyond 2^53 adding 1 changes nothing.
+  for (int k = 0; k <= last - first; ++k) bounds_.push_back((first + k + shift) * step);
   if (shown == nullptr) return;
   bounds_.front() = range.low;
   bounds_.back() = range.high;

@@ -113,6 +113,10 @@ TEST_F(Program, BoltsHaveAHistoryThatEndsWithTheForcesOfTheirSegments) {
   ASSERT_EQ(dda("view roof -o b.html"), 0) << err_;
 }
 
+TEST_F(Results, AreDrawnInARangeThatNoNumberDivides) {
+  EXPECT_EQ(dda("plot result --field displacement --range=1,1.0000000000000002 -o x.svg"), 0) << err_;
+}
+
 TEST_F(Results, WrongCallsAreRefusedWithACure) {
   expect_refused("plot result --bolts -o x.svg", 2, {"[[bolt]]"});
   expect_refused("plot", 2, {"DIR"});
