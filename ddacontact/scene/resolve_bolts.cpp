@@ -11,8 +11,9 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-/// A bolt is at most so many times as long as the length over which its force fades.
-constexpr double most_bond_lengths = 100;
+/// A bolt is at most so many times as long as the length over which its force fades, and at least so many:
+/// its slips are lost in round-off else.
+constexpr double most_bond_lengths = 100, least_bond_lengths = 1e-4;
 
 class BoltCheck {
  public:
@@ -143,12 +144,16 @@ class BoltCheck {
     if (all.empty())
       problems_.error(locations_.of("points"), "the bolt runs along faces and passes no block",
                       "turn or move it a little");
-    if (bolt_.bond_stiffness > 0 && bolt_.area > 0 && bolt_.young > 0 &&
-        bonded > most_bond_lengths * std::sqrt(bolt_.area * bolt_.young / bolt_.bond_stiffness))
+    if (bolt_.bond_stiffness <= 0 || bolt_.area <= 0 || bolt_.young <= 0) return all;
+    const double bond_lengths = bonded / std::sqrt(bolt_.area * bolt_.young / bolt_.bond_stiffness);
+    if (bond_lengths > most_bond_lengths)
       problems_.error(locations_.of("bond_stiffness"),
                       "the bolt is more than " + short_number(most_bond_lengths) +
                           " times as long as its force needs to fade in the bond",
                       "take a smaller 'bond_stiffness', or an anchored bolt");
+    else if (bond_lengths < least_bond_lengths)
+      problems_.error(locations_.of("bond_stiffness"), "the bond is too soft for the bar to bear anything",
+                      "take a larger 'bond_stiffness', or leave the bolt out");
     return all;
   }
 
