@@ -33,6 +33,24 @@ Vec2 along_lines(const std::vector<Vec3>& history, double time) {
       [&](double) -> Vec2 { return history.back().tail<2>(); });
 }
 
+/// The mean of along_lines, by trapezia: a step may hold hundreds of entries.
+Vec2 mean_along_lines(const std::vector<Vec3>& history, const TimeSpan& span) {
+  double time = span.from;
+  Vec2 sum = Vec2::Zero(), value = along_lines(history, time);
+  const auto add_to = [&](double next, const Vec2& there) {
+    sum += (next - time) / 2 * (value + there);
+    time = next;
+    value = there;
+  };
+  const auto is_after = [](double t, const Vec3& entry) { return t < entry[0]; };
+  auto entry = std::upper_bound(history.begin(), history.end(), span.from, is_after);
+  for (; entry != history.end() && (*entry)[0] < span.to; ++entry) add_to((*entry)[0], entry->tail<2>());
+  // Of a jump at the end of the span the value before it counts.
+  const bool at_entry = entry != history.end() && (*entry)[0] == span.to;
+  add_to(span.to, at_entry ? Vec2(entry->tail<2>()) : along_lines(history, span.to));
+  return sum / (span.to - span.from);
+}
+
 /// The cubic polynomials with these values and derivatives at the entries; on with the last derivative.
 Vec2 along_curve(const std::vector<Vec3>& history, const Curve& curve, double time) {
   return look_up(
@@ -128,6 +146,7 @@ Vec2 TimeFunction::at(double time, double end_time) const {
 /// Between the times at which it is no polynomial of the third degree two points integrate it.
 Vec2 TimeFunction::mean(const TimeSpan& span, double end_time) const {
   if (span.from == span.to || (kind == Kind::constant && rise == 0)) return at(span.to, end_time);
+  if (kind == Kind::history && span.from >= start + rise) return mean_along_lines(history, span) - before;
   std::vector<double> ends{span.from, start, start + rise, end_time, span.to};
   const auto is_before = [](const Vec3& entry, double time) { return entry[0] < time; };
   for (auto entry = std::lower_bound(history.begin(), history.end(), span.from, is_before);

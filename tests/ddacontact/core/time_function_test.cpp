@@ -62,6 +62,12 @@ TEST(TimeFunction, MeansAreIntegrals) {
   EXPECT_NEAR(jump.mean({0, 1}, 1).x(), 5, 1e-14);
   EXPECT_NEAR(ramp.mean({0, 2}, 3).x(), 1, 1e-14);
   EXPECT_EQ(jump.mean({0.5, 0.5}, 1), Vec2(6, 0));
+  EXPECT_NEAR(jump.mean({0.125, 0.25}, 1).x(), 2, 1e-14) << "the jump comes later";
+  EXPECT_NEAR(jump.mean({0.25, 0.5}, 1).x(), 6, 1e-14);
+  TimeFunction rising = jump;  // by the way of all other functions
+  rising.rise = 0.5;
+  EXPECT_NEAR(rising.mean({0, 1}, 1).x(), 0.125 + 2.25 / 2 + 3, 1e-13);
+  EXPECT_NEAR(rising.mean({0.5, 1}, 1).x(), 6, 1e-14);
   EXPECT_EQ(zero_outside(jump).at(2, 1), Vec2(0, 0));
   EXPECT_NEAR(zero_outside(jump).mean({-1, 1}, 1).x(), 2.5, 1e-14);
 }
