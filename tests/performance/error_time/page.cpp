@@ -29,14 +29,14 @@ measurement is in [dda_accuracy.csv](dda_accuracy.csv).
 )";
 
 constexpr const char* why_behind =
-    R"(Where it is behind, the cause is the cost of a step. Step by step it errs as the classical one does where blocks slide, and less where they
+    R"(Where it is behind, the cause is the cost of a step. Step by step it errs less where blocks slide under forces that change, of which it takes the mean, and where they
 turn, collide or bear each other. Short waves it damps more. Per step it judges residuals on the geometry at the end of the step and sets the
 multipliers anew. It solves with friction that follows the normal force, and finds the velocity at the end from the next step. That of a first
 solution after a change of the step counts where there are few. With small steps both come to the way of the elastic blocks, which for the
 single one is 5e-7 beyond that of a rigid one. Errors near that are not those of the steps.)";
 
 constexpr const char* what_to_choose =
-    R"(- **Nothing stated** where it is not known which of the following matters. Rigid motion is of second order, collisions are exact,
+    R"(- **Nothing stated** where it is not known which of the following matters. Steps take whole impulses, collisions are exact,
   bending is resolved where it matters, and what should come to rest does. `auto` divides blocks into cells where they bend and nothing
   moves, and slender ones everywhere. Where blocks move squat ones stay polygons, as their ways are the same for a part of the time.
 - **`block_model = "mesh"`** where stress or deflection is the answer. What a polygon cannot do no step and no tolerance
@@ -48,7 +48,7 @@ constexpr const char* what_to_choose =
 - **`scheme = "explicit"`** for impacts and waves in steps that are short anyway: what is shorter than a step lives, at a few times the run time of
   the default. A single block that slides squeals by it (no damping here), and what slides or rests for long takes a hundred times the substeps.
 - `dda` and `backward_euler` are of first order wherever blocks turn or collide; nothing here asks for them.
-- **Steps**: of rigid motion halving the step costs twice the time and leaves a quarter of the error. Static steps should be long: they
+- **Steps**: rigid blocks that slide go as their forces have it in any step; where they turn halving it leaves a quarter of the error. Static steps should be long: they
   keep the blocks' masses over the square of their length, and short ones creep to the answer.
 - **`contact.tolerance`** of 1e-3 changes none of these answers by more than its last digit: it is for scenes where many contacts change at once.
 - **`penetration_tolerance`** stays as it is: 1e-4 saves next to nothing but in waves, up to a third there; 1e-8 changes next to nothing.
