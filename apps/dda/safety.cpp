@@ -153,6 +153,16 @@ void warn_of_sharp_corners(const RoundedTrial& rounded, const std::string& file)
                trial, rounded.trial.reason);
 }
 
+/// A factor that only blocks that swell have.
+void warn_of_swelling(const StrengthTrial& trial, const std::string& file) {
+  if (trial.verdict != Verdict::moves) return;
+  fmt::print(
+      stderr,
+      "{}: warning: with poisson = 0 blocks move at F = {:.4g} already: blocks without a mesh that swell "
+      "sideways may be held by friction on faces beside them (compare block_model = \"mesh\")\n",
+      file, trial.factor);
+}
+
 /// What a search that ended without an answer knows, and how to go on.
 std::string without_answer(const FactorBracket& bracket, const StrengthTrial& last) {
   const std::string rests = bracket.low > 0 ? fmt::format("; it rests at {:.5g}", bracket.low) : "",
@@ -250,12 +260,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
     return analysis_stopped;
   }
   if (variants.rounded) warn_of_sharp_corners(*variants.rounded, arguments.scene);
-  if (const auto& trial = variants.without_swelling; trial && trial->verdict == Verdict::moves)
-    fmt::print(
-        stderr,
-        "{}: warning: with poisson = 0 blocks move at F = {:.4g} already: blocks without a mesh that "
-        "swell sideways may be held by friction on faces beside them (compare block_model = \"mesh\")\n",
-        arguments.scene, trial->factor);
+  if (variants.without_swelling) warn_of_swelling(*variants.without_swelling, arguments.scene);
   fmt::print("{}\n", answer(bracket, arguments.tolerance, files, scene));
   if (arguments.quiet) return done;
   fmt::print("{}", note_of_small_part(files, scene));

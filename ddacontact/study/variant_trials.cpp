@@ -11,6 +11,8 @@ namespace ddacontact {
 namespace {
 
 constexpr double part_of_factor = 0.95, usual_rounding = 0.003;
+/// Of what the shortest edge allows.
+constexpr double most_of_edge = 0.5;
 
 /// Of a variant; without a verdict where it does not settle.
 StrengthTrial try_part(const Scene& scene, const std::vector<int>& joints, double factor) {
@@ -23,9 +25,6 @@ StrengthTrial try_part(const Scene& scene, const std::vector<int>& joints, doubl
     return trial;
   }
 }
-
-/// Of what the shortest edge allows.
-constexpr double most_of_edge = 0.5;
 
 bool may_be_rounded(const Scene& scene) {
   const auto has_crushed_joints = [](const auto& part) {

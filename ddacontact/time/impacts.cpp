@@ -104,8 +104,9 @@ class Flight {
       if (touches[b] || !blocks.is_free(b)) continue;
       const Block& block = blocks.block(b);
       const Range& u = block.unknowns();
-      u.of(acceleration_) =
-          block.translations() * blocks.gravity + as_velocity(block, rigid_velocity_by(block, u.of(loads)));
+      u.of(acceleration_) = block.translations() * blocks.gravity;
+      if (!u.of(loads).isZero(0))
+        u.of(acceleration_) += as_velocity(block, rigid_velocity_by(block, u.of(loads)));
     }
   }
 

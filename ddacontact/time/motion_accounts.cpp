@@ -3,7 +3,6 @@
 #include <ddacontact/block/block_motion.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ddacontact {
@@ -37,10 +36,9 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
 
 /// By how much more loads work with their means over the step than with those that it was computed with.
 double work_of_change(const StepSystem& system, const BlockState& from, const VectorXd& straight) {
-  VectorXd computed = VectorXd::Zero(straight.size()), whole = computed;
-  system.blocks().add_loads(from, system.rule().load_span(from.time, system.dt()), computed);
-  system.blocks().add_loads(from, {from.time, from.time + system.dt()}, whole);
-  return (whole - computed).dot(straight);
+  VectorXd loads = VectorXd::Zero(straight.size());
+  system.blocks().add_loads(from, {from.time, from.time + system.dt()}, loads);
+  return (loads - system.load_forces()).dot(straight);
 }
 
 }  // namespace

@@ -11,13 +11,11 @@ namespace ddacontact {
 namespace {
 
 /// What weight and loads work where an impact shifts the start of the step.
-void book_shift(const BlockSystem& blocks, const BlockState& before, const VectorXd& shift, Energy& energy) {
-  VectorXd weight = VectorXd::Zero(blocks.n_unknowns()), loads = weight;
-  blocks.add_gravity(weight);
-  blocks.add_loads(before, before.time, loads);
-  energy.gravity -= weight.dot(shift);
-  energy.external += loads.dot(shift);
-  energy.numerical_dissipated += (weight + loads).dot(shift);
+void book_shift(const StepSystem& system, const VectorXd& shift, Energy& energy) {
+  const double by_weight = system.gravity_forces().dot(shift), by_loads = system.load_forces().dot(shift);
+  energy.gravity -= by_weight;
+  energy.external += by_loads;
+  energy.numerical_dissipated += by_weight + by_loads;
 }
 
 /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
@@ -48,7 +46,7 @@ void account(const AcceptedTrial& accepted, Energy& energy) {
     if (impact.changes())
       for (Contact& contact : trial.contacts()) trial.builder().start_from(from, contact);
     account_motion_step(trial.system(), from, solution.straight, solution.residual, trial.contacts(), energy);
-    if (impact.changes()) book_shift(blocks, before, impact.shift, energy);
+    if (impact.changes()) book_shift(trial.system(), impact.shift, energy);
   } else {
     if (impact.changes()) measure_contacts(from, solution.d, motion, trial);
     account_step(trial.system(), solution, motion, trial.contacts(), trial.builder().properties(), energy);
