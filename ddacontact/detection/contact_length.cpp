@@ -31,20 +31,25 @@ ContactLength contact_length(const PointsRef& vertex_polygon, const PointsRef& e
     if (length / 2 <= to_end) return {length, 0, -1};
     return {0, length, along ? next(contact.edge, edge_polygon) : previous(contact.edge, edge_polygon)};
   };
-  const auto length_towards = [&](int edge, bool forth) -> ContactLength {
-    const int neighbour = end_of_face(vertex_polygon, contact.vertex_block, edge, forth);
+  const int after = end_of_face(vertex_polygon, contact.vertex_block, contact.vertex, true),
+            before = end_of_face(vertex_polygon, contact.vertex_block,
+                                 previous(contact.vertex, vertex_polygon), false);
+  const auto inclination = [&](int neighbour) {
     const Vec2 way = vertex_polygon.col(neighbour) - x;
-    if (!at_any_angle && std::abs(e.normal.dot(way)) > sin_parallel * way.norm()) return {};
+    return std::abs(e.normal.dot(way)) / way.norm();
+  };
+  const auto length_towards = [&](int neighbour) -> ContactLength {
+    if (!at_any_angle && inclination(neighbour) > sin_parallel) return {};
+    const Vec2 way = vertex_polygon.col(neighbour) - x;
     const double onward = e.tangent.dot(way);
     const bool along = onward > 0;
     const double overlap = std::min(std::abs(onward), reach(along)) - std::max(0.0, -reach(!along));
     const double length = (unstrained.col(neighbour) - unstrained.col(contact.vertex)).norm();
     return half(std::max(0.0, overlap) / 2 * length / way.norm(), along);
   };
-  const ContactLength forward = length_towards(contact.vertex, true),
-                      back = length_towards(previous(contact.vertex, vertex_polygon), false);
   if (corner_at(vertex_polygon, contact.vertex) != Corner::straight)
-    return back.total() > forward.total() ? back : forward;
+    return length_towards(inclination(after) < inclination(before) ? after : before);
+  const ContactLength forward = length_towards(after), back = length_towards(before);
   return {forward.on_edge + back.on_edge, forward.beyond + back.beyond,
           std::max(forward.edge_beyond, back.edge_beyond)};
 }

@@ -88,3 +88,12 @@ TEST(ContactLength, OfAStraightVertexIsTheSumOfBothWays) {
   EXPECT_NEAR(parts.beyond, 1, 1e-14);
   EXPECT_EQ(parts.edge_beyond, 2);
 }
+
+/// A corner stands for the face that lies along the edge, however long the other one is.
+TEST(ContactLength, OfACornerIsThatOfTheFaceAlongTheEdge) {
+  const Points leaning = points({{0, 0}, {1, 0}, {9, 3}, {0, 3}}), floor = box(-1, -1, 10, 1);
+  for (const bool at_any_angle : {false, true})
+    for (const int corner : {0, 1})
+      EXPECT_NEAR(contact_length(leaning, floor, {0, corner, 1, 2}, leaning, all_bear, at_any_angle).total(),
+                  0.5, 1e-14);
+}
