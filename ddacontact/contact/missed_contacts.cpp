@@ -44,11 +44,9 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
       const Vec2 shift = state.origin.col(block) - origin;
       return Points(contact_outline(state, block).colwise() + shift);
     };
-    const bool touch = std::ranges::any_of(
-        of_pair({a, b}, contacts), [](const Contact& of) { return of.start_state != ContactState::open; });
     const Points start_a = from_origin_of_a(start, a), end_a = from_origin_of_a(end, a),
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
-    find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, lip(a, b, touch), missed_);
+    find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, lip(a, b, false), missed_);
   }
   std::erase_if(missed_, [&](const VertexEdge& entry) {
     return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {

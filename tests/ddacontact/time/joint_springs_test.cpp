@@ -41,6 +41,19 @@ Scene shear_box(bool rigid, double step) {
 
 }  // namespace
 
+/// The joint closes by more than joints are flush to: a node below the last one of the block, which moves on,
+/// has not gone into its side.
+TEST(JointSprings, MeshesWhoseNodesMeetSlidePastEachOther) {
+  Scene scene = shear_box(false, 1e-5);
+  for (BlockDescription& of : scene.blocks) of.model = BlockModel::mesh;
+  scene.blocks[1].mesh.cells = 32;
+  const BuiltScene built = build(scene);
+  run(*built.stepper, 10);
+  EXPECT_NEAR(sum_of_shear(*built.stepper), 1e8 * 2 * 1e-4, 1e-3 * 2e4);
+  run(*built.stepper, 50);
+  EXPECT_NEAR(sum_of_shear(*built.stepper), 40e3 * std::tan(radians(40)), 1e-2 * 40e3);
+}
+
 TEST(JointSprings, OfAColumnCloseByTheWeightAboveOverTheirStiffness) {
   for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying, Scheme::backward_euler}) {
     Scene scene = column(4, 1e7, 1e6);
