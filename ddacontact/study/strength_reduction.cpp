@@ -77,6 +77,25 @@ void begin_by_release(Scene& scene) {
   scene.stages.insert(std::prev(scene.stages.end()), std::move(release));
 }
 
+/// Static steps know no time: what acts when they have come to rest is what counts.
+void refuse_passing_loads(const Scene& scene) {
+  if (scene.stages.back().analysis.mode != Mode::statics) return;
+  if (!scene.quakes.empty())
+    throw Error(
+        "the last stage is static, where shaking is over before blocks have moved by it (give the last "
+        "stage the acceleration by 'gravity', or dynamic steps)");
+  for (const Load& load : scene.loads) {
+    if (!load.force.is_history()) continue;
+    const double last = load.force.history.back().tail<2>().norm();
+    for (const Vec3& entry : load.force.history)
+      if (entry.tail<2>().norm() > last)
+        throw Error(
+            "the last stage is static, where a load " + (load.name.empty() ? "" : "'" + load.name + "' ") +
+            "that decreases is over before blocks have moved by it (end its 'history' with its largest "
+            "value, or take dynamic steps)");
+  }
+}
+
 }  // namespace
 
 bool is_ductile(const Joint& joint) {
@@ -100,6 +119,7 @@ StrengthReduction::StrengthReduction(const Scene& scene, std::vector<int> joints
   const std::vector<Joint>& last = scene_.stages.back().joints;
   if (std::ranges::none_of(joints_, [&](int j) { return has_strength(last[j]); }))
     throw Error("no joint to be reduced has friction, cohesion or tensile strength in the last stage");
+  refuse_passing_loads(scene_);
   for (StageDescription& stage : scene_.stages)
     for (Joint& joint : stage.joints) joint.ductile = is_ductile(joint);
   settle(scene.stages.size() < 2);

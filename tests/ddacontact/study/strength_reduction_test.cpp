@@ -40,6 +40,22 @@ TEST(StrengthReduction, WaitsForLoadsThatAreYetToCome) {
   EXPECT_NEAR(bracket.high, 2, 0.02);
 }
 
+/// A seismic coefficient as a record, or a load that goes away: blocks rest after it at every factor.
+TEST(StrengthReduction, RefusesWhatIsOverBeforeAStaticVerdict) {
+  Scene scene = plane_failure(20, 30);
+  scene.analysis.mode = ddacontact::Mode::statics;
+  scene.loads = {
+      point_load(1, {5, 2}, history_function(TimeFunction::Kind::history, {{0, 0, 0}, {1, 1e3, 0}}))};
+  EXPECT_NO_THROW(StrengthReduction(scene, {0}));
+  scene.loads[0].force.history.emplace_back(2, 0, 0);
+  EXPECT_THROW(StrengthReduction(scene, {0}), ddacontact::Error);
+  scene.loads.clear();
+  scene.quakes = {{history_function(TimeFunction::Kind::history, {{0, -2, 0}, {100, -2, 0}})}};
+  EXPECT_THROW(StrengthReduction(scene, {0}), ddacontact::Error);
+  scene.analysis.mode = ddacontact::Mode::dynamic;
+  EXPECT_NO_THROW(StrengthReduction(scene, {0}));
+}
+
 /// A trial goes on as long after the last change as it would without changes, however late that is.
 TEST(StrengthReduction, WaitsForALoadThatGrowsLongerThanItsTrialsTake) {
   const double friction = 35, weight = 3 * density * gravity, push = weight * std::tan(radians(friction)) / 3;
