@@ -100,6 +100,16 @@ void add_changes_to_come(const Stepper& stepper, const StageEnd& last, std::vect
              : "more 'steps')"));
 }
 
+/// Static steps of a stage that is over: the next one began with what they left out of balance.
+void add_unbalanced_stage(const Stepper& stepper, const StageEnd& end, std::vector<std::string>& warnings) {
+  const Stage& stage = stepper.stages()[end.stage];
+  if (stage.analysis.mode != Mode::statics || end.equilibrium.in_balance() || stage.until ||
+      are_supports_moving(stepper.blocks(), end.time))
+    return;
+  warnings.push_back(stage_title(stepper, end.stage) + " ended before it was in equilibrium: " +
+                     imbalance(stepper, end.equilibrium) + " (more 'steps' for it)");
+}
+
 /// What two blocks press each other with at the end, over all their contacts.
 struct Pressing {
   int n_contacts = 0;
@@ -264,7 +274,10 @@ std::string describe_pulled_bonds(const Stepper& stepper) {
 
 std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<std::string>& reasons) {
   std::vector<std::string> warnings;
-  for (const StageEnd& end : stepper.stage_ends()) add_unmet_until(stepper, end, warnings);
+  for (const StageEnd& end : stepper.stage_ends()) {
+    add_unmet_until(stepper, end, warnings);
+    add_unbalanced_stage(stepper, end, warnings);
+  }
   const StageEnd last = stepper.stage_end();
   add_unmet_until(stepper, last, warnings);
   add_changes_to_come(stepper, last, warnings);

@@ -90,6 +90,10 @@ class Arrivals {
       if (!description.velocity.isZero(0) || description.angular_velocity != 0)
         problems_.error(location, blocks_.names.title(block) + " comes in with a velocity",
                         "leave its velocity out: blocks come in at rest");
+      if (document_.initial_stress && !document_.blocks[block].locations.written("stress"))
+        problems_.warning(location,
+                          blocks_.names.title(block) + " comes in with the stress of [initial_stress]",
+                          "give it a 'stress' of its own, [0, 0, 0] if it is built then");
       arrive(blocks_.names.title(block), block, since_of_blocks_, index, location, stage.added);
     }
   }

@@ -1,6 +1,7 @@
 #include <ddacontact/time/equilibrium.hpp>
 
 #include <ddacontact/block/block_motion.hpp>
+#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
@@ -74,7 +75,8 @@ Equilibrium find_equilibrium(const StepSystem& system, const VectorXd& straight,
                  largest = std::max({of_contacts[b], size_of_forces(block, system.gravity_forces()),
                                      size_of_forces(block, system.load_forces()),
                                      block.points().columns_of(reactions).colwise().norm().maxCoeff()});
-    if (largest == 0) continue;  // round-off of a motion without forces
+    const double round_off = few_ulps * block.material().elasticity(0, 0) * block.size();
+    if (largest <= round_off) continue;
     if (left > largest_unbalanced * largest) ++found.n_unbalanced;
     if (left > found.unbalanced * largest) {
       found.unbalanced = left / largest;

@@ -85,6 +85,22 @@ TEST(Until, FallingNeverEndsAStageHoweverShortItsSteps) {
   }
 }
 
+/// Static steps that something falls in are no equilibrium for the next stage to begin with.
+TEST(Until, AStaticStageThatEndsOutOfBalanceIsToldOf) {
+  Scene scene = drop_scene(Mode::statics, 0.01, 3, at_rest);
+  scene.stages[0].until.reset();
+  const BuiltScene built = build(scene);
+  run(*built.stepper, 4);
+  const std::vector<std::string> warnings = warnings_of(*built.stepper);
+  EXPECT_EQ(
+      std::ranges::count_if(warnings,
+                            [](const std::string& warning) {
+                              return warning.find("stage \"settle\" ended before it was in equilibrium") !=
+                                     std::string::npos;
+                            }),
+      1);
+}
+
 TEST(Until, OfTheLastStageEndsTheRun) {
   Scene scene = drop_scene(Mode::statics, 0, 1000, at_rest);
   scene.stages.pop_back();

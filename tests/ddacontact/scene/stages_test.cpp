@@ -279,6 +279,13 @@ TEST(Stages, MayPutABlockWhereAnotherOneWas) {
                                                              {"stage.0.add=[\"lining\"]"});
   ASSERT_EQ(too_early.problems.size(), 1u);
   EXPECT_NE(too_early.problems[0].text().find("overlaps block 'pillar'"), std::string::npos);
+  const SceneReading stressed = ddacontact::read_scene_text(
+      std::string(in_stages) + lining + "[initial_stress]\nstress = [-1e6, -1e6, 0]\n", "scene.toml",
+      {"stage.1.add=[\"lining\"]"});
+  ASSERT_EQ(stressed.problems.size(), 1u);
+  EXPECT_EQ(stressed.problems[0].severity, ddacontact::Problem::Severity::warning);
+  EXPECT_NE(stressed.problems[0].text().find("comes in with the stress of [initial_stress]"),
+            std::string::npos);
 }
 
 }  // namespace
