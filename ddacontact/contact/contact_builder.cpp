@@ -7,6 +7,7 @@
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
+#include <ddacontact/detection/separation.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
@@ -80,10 +81,10 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
   const double size = pair_size(a, b);
-  const PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
-                          .max_depth = std::min(half_width_[a], half_width_[b]),
-                          .coincidence = coincidence * size,
-                          .lip = lip(a, b, std::ranges::any_of(previous, &ContactRecord::closed))};
+  PairLimits limits{.search_margin = search_margin_[a] + search_margin_[b],
+                    .max_depth = std::min(half_width_[a], half_width_[b]),
+                    .coincidence = coincidence * size,
+                    .lip = lip(a, b, std::ranges::any_of(previous, &ContactRecord::closed))};
   earlier.clear();
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant),
              any_shifted = properties_.joints.any(&JointStrength::shifts);
@@ -110,6 +111,9 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   sides_b.box = shifted(sides_b.box, shift);
   const auto start_a = of_a.columns_of(state.position);
   const auto start_b = shifted_b.leftCols(of_b.count);
+  // What begins with an overlap is flush, and by a margin: both depths are found with round-off.
+  if (begins_ && touch(widened(outlines_[a].box, -limits.lip), sides_b.box))
+    limits.lip = std::max(limits.lip, -2 * separation(start_a, start_b));
   move(a, start_a, moved_a);
   move(b, start_b, moved_b);
   const std::size_t first = found.size();
@@ -122,9 +126,15 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     find_rounded_contacts(other, round_b, one, round_a, limits, earlier, found, choices);
   else
     find_rounded_contacts(one, round_a, other, round_b, limits, earlier, found, choices);
-  const bool held = !blocks_.is_free(a) && !blocks_.is_free(b);
-  const bool stiff = any_compliant && !blocks_.has_rounded_corners();
   if (any_compliant || blocks_.has_rounded_corners()) leave_one_a_place(state, previous, found, first);
+  leave_out_idle(pair, state, previous, found, first);
+}
+
+void ContactBuilder::leave_out_idle(const Pair& pair, const BlockState& state,
+                                    std::span<const ContactRecord> previous, std::vector<VertexEdge>& found,
+                                    std::size_t first) const {
+  const bool held = !blocks_.is_free(pair[0]) && !blocks_.is_free(pair[1]),
+             stiff = properties_.joints.any(&JointStrength::is_compliant) && !blocks_.has_rounded_corners();
   if (!held && !stiff) return;
   const std::vector<VertexEdge> of_blocks(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
   const auto is_idle = [&](const VertexEdge& of) {
@@ -150,7 +160,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
     for (const ContactRecord& contact : previous)
       if (contact.closed() && properties_.is_compliant(contact))
         for (const int b : contact.pair.blocks())
-          closure_[b] = std::max(closure_[b], contact.history.gap_offset - contact.end_gap);
+          closure_[b] = std::max(closure_[b], -(contact.end_gap + contact.history.gap_offset));
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize((n + of_range - 1) / of_range);
@@ -207,30 +217,6 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);
   return contact;
-}
-
-std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const VectorXd& motion,
-                                                 const std::vector<double>& search_margin) {
-  std::vector<Contact> contacts;
-  contacts.reserve(detect(state, motion, search_margin, {}, false));
-  for (const std::vector<VertexEdge>& found : found_in_)
-    for (const VertexEdge& pair : found) {
-      const std::span of_blocks = std::ranges::equal_range(found, block_pair(pair), {}, block_pair);
-      Contact contact = make_contact(state, pair, of_blocks);
-      ContactHistory& history = contact.history;
-      if (contact.gap <= coincidence * pair_size(pair.vertex_block, pair.edge_block) &&
-          contact.is_on_edge(contact.first_slip().constant)) {
-        history.bonded = true;
-        set_length(state, of_blocks, contact);
-        history.gap_offset = properties_.is_glued(contact) ? contact.gap : std::min(contact.gap, 0.0);
-        contact.law = properties_.law(contact);
-        history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
-      }
-      if (properties_.is_glued(contact)) glue(contact);
-      if (!contact.law.compliant) leave_out_friction(contact);
-      contacts.push_back(contact);
-    }
-  return contacts;
 }
 
 ContactBuilder::Kinship ContactBuilder::kinship(const BlockState& state, const VertexEdge& old,
@@ -301,18 +287,6 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   if (properties_.is_glued(contact)) glue(contact);
   if (!contact.law.compliant) leave_out_friction(contact);
   return contact;
-}
-
-void ContactBuilder::glue(Contact& contact) const {
-  ContactHistory& history = contact.history;
-  if (!contact.closed()) {
-    const bool touches = std::abs(contact.gap - history.gap_offset) <= coincidence * contact.size &&
-                         contact.is_on_edge(contact.first_slip().constant);
-    if (!touches) return;
-    history.gap_offset = contact.gap;
-  }
-  history.state = ContactState::stick;
-  contact.law = properties_.law(contact);
 }
 
 void ContactBuilder::restart(Contact& contact) const {

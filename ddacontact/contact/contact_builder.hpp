@@ -20,9 +20,14 @@ class ContactBuilder {
   ContactBuilder(const BlockSystem& blocks, ContactProperties properties);
 
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
-  /// an overlap is taken as stress-free. \param[in] motion  see `build`
+  /// an overlap is taken as stress-free. Joints with a stiffness bear the stress that their blocks begin
+  /// with. \param[in] motion  see `build` \param[in] coming  if any, what matters are the contacts of these
+  /// blocks, which come in among others that
+  ///   have moved: joints flush to `default_lip` touch, what is between is filled, and they begin without
+  ///   forces
   std::vector<Contact> build_first(const BlockState& state, const VectorXd& motion,
-                                   const std::vector<double>& search_margin);
+                                   const std::vector<double>& search_margin,
+                                   const std::vector<int>& coming = {});
   /// Writes into `contacts` those that may close while no vertex of block b moves further than
   /// search_margin[b]. Those also in `previous` carry on its history; so does a vertex that slid
   /// onto the next edge where that is collinear, or across a corner onto the neighbour's vertex.
@@ -89,6 +94,9 @@ class ContactBuilder {
                         std::span<const ContactRecord> previous, bool ties,
                         std::span<const CoveredPart> covered, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
+  /// Leaves out those whose forces no one can tell, or that stand for nothing yet.
+  void leave_out_idle(const Pair& pair, const BlockState& state, std::span<const ContactRecord> previous,
+                      std::vector<VertexEdge>& found, std::size_t first) const;
   /// Where blocks that stay where they are lie on edges of these two that do so too, as near as joints are
   /// flush.
   std::vector<CoveredPart> find_covered(const Pair& pair, const BlockState& state) const;
@@ -124,6 +132,11 @@ class ContactBuilder {
   /// \param[in] normal  its force at the end of the last step
   Contact make_contact(const BlockState& state, const VertexEdge& pair, std::span<const VertexEdge> found,
                        double normal = 0) const;
+  /// A joint with a stiffness bears from the start the stress of its blocks, the mean of those that can move.
+  void load_joint(const BlockState& state, Contact& contact) const;
+  /// Closes and bonds a contact that touches. \param[in] comes_in  one of its blocks does
+  void begin(const BlockState& state, std::span<const VertexEdge> found, bool comes_in,
+             Contact& contact) const;
   /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
   /// compression at any angle.
   /// \param[in] bears  whether a vertex of a block counts as a neighbour along the face
@@ -159,6 +172,7 @@ class ContactBuilder {
   ContactProperties properties_;
   std::vector<double> half_width_, size_;  ///< of each block
   bool keeps_pairs_ = true;
+  bool begins_ = false;  ///< contacts have none before them
 
   OutlineTable outlines_;
   NearbyPairs nearby_;

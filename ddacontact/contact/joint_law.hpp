@@ -9,7 +9,11 @@ namespace ddacontact {
 
 /// A friction law of one's own: the largest shear force that friction bears under a normal force N >= 0, both
 /// in N per m of thickness and for one contact. 0 at N = 0, continuous, not decreasing.
-using FrictionLaw = std::function<double(double normal_force)>;
+struct FrictionLaw : std::function<double(double normal_force)> {
+  using function::function;
+  /// No one can tell whether two functions are the same.
+  bool operator==(const FrictionLaw& other) const { return !*this && !other; }
+};
 
 /// Sliding is told apart by the sense of the slip, s of (50): forward along the edge from j to k.
 enum class ContactState : unsigned char { open, stick, slip_forward, slip_backward };

@@ -34,6 +34,7 @@ struct JointStrength {
   bool crushes() const { return compressive_strength > 0; }
   /// Whether its contacts act elsewhere than at the corner, or close at another gap than none.
   bool shifts() const { return crushes() || dilation > 0; }
+  bool operator==(const JointStrength&) const = default;
 };
 
 /// The strengths of the joint between any two materials.
@@ -43,6 +44,7 @@ class JointTable {
   struct Entry {
     JointStrength strength;
     std::optional<std::array<int, 2>> between;  ///< materials, either order
+    bool operator==(const Entry&) const = default;
   };
   explicit JointTable(std::vector<Entry> entries) : entries_(std::move(entries)) {}
   /// One joint for all contacts.

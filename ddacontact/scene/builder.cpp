@@ -1,6 +1,7 @@
 #include <ddacontact/scene/builder.hpp>
 #include <ddacontact/scene/words.hpp>
 
+#include <ddacontact/scene/bending_in_stages.hpp>
 #include <ddacontact/scene/bent_faces.hpp>
 #include <ddacontact/scene/block_maker.hpp>
 #include <ddacontact/scene/bolt_path.hpp>
@@ -34,16 +35,13 @@ class Builder {
     holds_ = collect_holds(scene, placed_);
   }
 
-  /// What of the stress in each block bends it and is missing, see missing_bending; all < 0: not known.
+  /// What of the stress in each block bends it and is missing, see missing_in_stages.
   std::vector<double> missing() {
     BlockSystem system = make_system();
     BlockState initial = system.initial_state();
     set_initial(system, initial);
-    for (const Bolt& bolt : system.bolts) install(bolt, system, initial);
-    ContactBuilder contacts(system, contact_properties());
-    const FirstLoading loading = load_once(system, initial, contacts);
-    if (!loading.settled) return std::vector<double>(scene_.blocks.size(), -1);
-    return missing_bending(system, initial, loading);
+    const std::vector<Stage> parts = stages(system);
+    return missing_in_stages(system, std::move(initial), contact_properties(), parts);
   }
 
   BuiltScene build() {
@@ -67,7 +65,6 @@ class Builder {
       built_.labels.joint_names.push_back(scene_.joints[j].name.empty() ? std::to_string(j)
                                                                         : scene_.joints[j].name);
     note_bent_joints();
-    note_added_bonds();
     built_.labels.has_bolts = !scene_.bolts.empty();
     for (const Monitor& monitor : scene_.monitors)
       built_.monitor_targets.push_back(make_monitor_target(monitor, system));
@@ -154,20 +151,6 @@ class Builder {
         " acts at both ends of a face between blocks that are not meshed: bent, such a face "
         "resists three times as much as along its whole length (model = \"mesh\" where "
         "joints bend)");
-  }
-
-  /// Contacts are bonded that are closed when the run begins.
-  void note_added_bonds() {
-    for (const StageDescription& stage : scene_.stages)
-      for (const int b : stage.added)
-        if (std::ranges::any_of(stage.joints, [](const Joint& joint) {
-              return joint.cohesion > 0 || joint.tensile_strength > 0;
-            })) {
-          built_.notes.push_back("block " + scene_format::quoted(scene_.block_name(b)) +
-                                 ", and whatever else comes in by 'add', has friction alone: cohesion and "
-                                 "tensile strength hold contacts that are closed when the run begins");
-          return;
-        }
   }
 
   /// What scenes are rarely meant to be without.

@@ -130,7 +130,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   const double largest = g0.lpNorm<Eigen::Infinity>();
   for (const bool pressed_alone : {false, true}) {
     for (std::size_t c = 0; c < contacts.size(); ++c)
-      terms[c].bound = pressed_alone && contact_force(terms[c], d).normal <= 0
+      terms[c].bound = pressed_alone && contact_force(terms[c], d).normal <= tolerance * largest
                            ? 0
                            : std::numeric_limits<double>::infinity();
     const MinimizeReport report = system.problem().minimize(terms, g0, {.tolerance = tolerance * largest}, d);

@@ -111,8 +111,9 @@ ChosenModels choose_models(
       const int across = is_slender ? cells_across_slender : cells_across;
       division.mesh.cells =
           static_cast<int>(std::lround(std::min<double>(across * across * ratio, most_cells_of_a_block)));
-      division.reason = known ? "bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)"
-                              : "slender (" + scene_format::rounded(ratio) + ":1), its load not known";
+      division.reason = share[b] == inf ? "supports deform it"
+                        : known ? "bent (" + scene_format::rounded(100 * share[b]) + " % of its stress)"
+                                : "slender (" + scene_format::rounded(ratio) + ":1), its load not known";
       division.budget->asked += unknowns_per_cell * division.mesh.cells;
       divisions.push_back(std::move(division));
     }

@@ -5,8 +5,8 @@
 /// 2. A block is divided into cells where bending matters: where more than 3 % of the stress (in the energy
 ///    norm, of that block or of a tenth of the largest energy density in the scene, whichever is larger) is
 ///    bending, stress along the block and linear across it, that its forces ask for and the polygon does not
-///    carry. The forces are those of a first look at the scene at rest, and of another one with the meshes
-///    chosen, at most three.
+///    carry. The forces are those of a first look at every stage of the scene at rest, and of another one
+///    with the meshes chosen, at most three.
 /// 3. A block is slender when its principal radii of gyration differ by a factor of more than 2.5. One
 ///    polygon cannot bend then: a rectangle of 4:1 has 15 % of the compliance of a beam. It gets four cells
 ///    across (400 cells at most). Where the first look finds no forces on it (it falls, or waits for others),
@@ -16,8 +16,8 @@
 ///    not enough none of them is divided. What many blocks carry together depends little on how each bends.
 #pragma once
 
-#include <ddacontact/scene/scene.hpp>
 #include <ddacontact/scene/first_loading.hpp>
+#include <ddacontact/scene/scene.hpp>
 
 #include <functional>
 #include <string>

@@ -513,7 +513,7 @@ void describe(MonitorRecord& r, Visit&& visit) {
   visit(Key{.name = "name", .what = "What results call it; unique.", .required = true}, r.name);
   visit(Key{.name = "block", .what = "The block, or those a selector finds.", .required = true}, r.block);
   visit(Key{.name = "at",
-            .what = "A point of the block at the start, or its centre of mass.",
+            .what = "A point of the block at the start, or the centroid of its outline.",
             .unit = "m",
             .default_text = "this or `vertex` is required"},
         r.at);

@@ -79,9 +79,7 @@ ContactEnds end_histories(const ContactProperties& properties, bool is_static, b
     const bool had_strength = contact.law.cohesion > 0 || contact.law.tension > 0;
     if (contact.start_bonded && !history.bonded && had_strength) ++ends.broken_bonds;
     if (!contact.closed()) {
-      if (history.gap_offset > 0 && properties.strength(contact.pair).dilation > 0) continue;
-      const double left = std::clamp(contact.gap, std::min(history.gap_offset, 0.0), 0.0);
-      history.gap_offset = left < -contact.length_tolerance() ? left : 0;
+      if (std::abs(history.gap_offset) <= contact.length_tolerance()) history.gap_offset = 0;
       continue;
     }
     ++ends.closed;

@@ -6,6 +6,7 @@
 #include <ddacontact/core/rest_criterion.hpp>
 #include <ddacontact/core/water.hpp>
 #include <ddacontact/time/equilibrium.hpp>
+#include <ddacontact/time/face_parts.hpp>
 
 #include <optional>
 #include <string>
@@ -35,6 +36,14 @@ struct Stage {
     return !point_loads.empty() || !pressure_loads.empty() || !body_loads.empty();
   }
 };
+
+/// Takes out what later stages bring in.
+void remove_later(const std::vector<Stage>& stages, BlockSystem& blocks);
+/// What a stage changes of the blocks at its start: which are there, their bolts, and what acts on them.
+/// \param[in] start_time  of the stage, s
+/// \param[in] faces       of all blocks, if the stage has water
+void change_blocks(const Stage& stage, double start_time, const std::vector<FacePart>& faces,
+                   BlockSystem& blocks);
 
 /// How a stage ended, or where it stands.
 struct StageEnd {

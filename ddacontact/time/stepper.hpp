@@ -116,6 +116,8 @@ class Stepper {
   bool make_substeps();
   /// False when blocks that come in overlap others: `stop_reason` says which.
   bool enter_stage(int stage);
+  /// Adds the contacts that blocks which come in begin with.
+  void begin_contacts_of(const std::vector<int>& coming);
   /// Of the contacts with these blocks, on the blocks that they touch.
   VectorXd forces_of(const std::vector<int>& blocks) const;
   /// The longest substep of the present stage, s.

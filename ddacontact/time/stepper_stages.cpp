@@ -1,4 +1,5 @@
 // Where a stepper begins and where it is among its stages, and going on from there.
+#include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/core/quoted.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
@@ -25,24 +26,11 @@ bool is_between(const BlockSystem& blocks, const VertexEdge& pair) {
          (!pair.corner || blocks.has_rounded_corners());
 }
 
-bool are_same(const JointStrength& a, const JointStrength& b) {
-  return a.friction == b.friction && a.cohesion == b.cohesion && a.tensile_strength == b.tensile_strength &&
-         a.restitution == b.restitution && a.dashpot == b.dashpot && a.glued == b.glued &&
-         a.residual_friction == b.residual_friction && a.dilation == b.dilation &&
-         a.dilation_slip == b.dilation_slip && a.ductile == b.ductile &&
-         a.normal_stiffness == b.normal_stiffness && a.shear_stiffness == b.shear_stiffness &&
-         a.compressive_strength == b.compressive_strength && !a.friction_law && !b.friction_law;
-}
-
 /// Whether the same forces act under both on the same blocks in the same motion.
 bool have_same_forces(const Stage& a, const Stage& b) {
   const auto &x = a.analysis, &y = b.analysis;
   return x.scheme == y.scheme && x.mode == y.mode && x.gravity == y.gravity && a.water == b.water &&
-         x.damping == y.damping &&
-         std::ranges::equal(a.joints.entries(), b.joints.entries(),
-                            [](const JointTable::Entry& one, const JointTable::Entry& other) {
-                              return one.between == other.between && are_same(one.strength, other.strength);
-                            });
+         x.damping == y.damping && a.joints.entries() == b.joints.entries();
 }
 
 /// How many contacts glue holds that these joints cannot hold in its place.
@@ -72,12 +60,9 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       trial_(blocks_, state_, contacts_, analysis_, properties_, run_.counts),
       sleepers_(blocks_, state_, contacts_, properties_, limits_, trial_) {
   run_.reactions = Points::Zero(2, state_.position.cols());
-  for (const Stage& stage : stages_)
-    for (int b : stage.added) blocks_.remove(b);
+  remove_later(stages_, blocks_);
   if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
     faces_ = divide_faces(blocks_);
-  for (const Stage& stage : stages_)
-    for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = false;
   apply(stages_.front(), 0);
   blocks_.prepare(state_, true);
   for (const Bolt& bolt : blocks_.bolts)
@@ -96,25 +81,13 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
 
 void Stepper::apply(const Stage& stage, double start_time) {
   analysis_ = stage.analysis;
-  blocks_.gravity = analysis_.gravity;
   limits_.set_analysis(analysis_);
-  for (int b : stage.removed) blocks_.remove(b);
+  change_blocks(stage, start_time, faces_, blocks_);
   if (!stage.added.empty()) {
-    for (int b : stage.added) blocks_.restore(b, start_time);
     blocks_.prepare(state_, true);
     trial_.forget_pairs(properties_);  // it knows pairs of those that were there
     state_.coordinates.resize(0);
   }
-  const auto bring = [&](const auto& load, int block, TimeFunction& function, auto& to) {
-    function.start = start_time;
-    if (blocks_.is_present(block)) to.push_back(load);
-  };
-  for (PointLoad load : stage.point_loads) bring(load, load.point.block, load.force, blocks_.point_loads);
-  for (PressureLoad load : stage.pressure_loads)
-    bring(load, load.block, load.pressure, blocks_.pressure_loads);
-  for (BodyLoad load : stage.body_loads) bring(load, load.block, load.force, blocks_.body_loads);
-  blocks_.water = {stage.water, stage.water.any() ? present_faces(blocks_, faces_) : std::vector<WetFace>()};
-  for (int bolt : stage.bolts) blocks_.bolts[bolt].installed = true;
   trial_.forget_islands();
   if (!trial_.has_system() || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty())
     trial_.make_system();
@@ -131,6 +104,15 @@ void Stepper::apply(const Stage& stage, double start_time) {
                          " slivers do not vibrate: their deformation decays");
   trial_.options().solve_to(properties_.tolerance || !stable_ ? properties_.tolerance
                                                               : tolerance_of_explicit_steps);
+}
+
+void Stepper::begin_contacts_of(const std::vector<int>& coming) {
+  trial_.detect_first(analysis_.time_step, limits_.search_margin(state_, {}, analysis_.time_step, 1), coming);
+  for (const Contact& contact : trial_.contacts())
+    if (contact.closed() &&
+        std::ranges::any_of(contact.pair.blocks(), [&](int b) { return std::ranges::count(coming, b) > 0; }))
+      contacts_.push_back(contact);
+  std::ranges::stable_sort(contacts_, {}, pair_of);
 }
 
 void Stepper::find_motions() {
@@ -181,6 +163,7 @@ bool Stepper::enter_stage(int stage) {
   progress_.steps = 0;
   progress_.came_to_rest = false;
   progress_.start_times.push_back(state_.time);
+  if (!stages_[stage].added.empty()) begin_contacts_of(stages_[stage].added);
   detected_ = false;
   for (int b : stages_[stage].removed) {
     const Range& u = blocks_.block(b).unknowns();

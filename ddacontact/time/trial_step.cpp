@@ -78,9 +78,9 @@ void TrialStep::detect(double dt, const std::vector<double>& margin, bool goes_o
   keep_start();
 }
 
-void TrialStep::detect_first(double dt, const std::vector<double>& margin) {
+void TrialStep::detect_first(double dt, const std::vector<double>& margin, const std::vector<int>& coming) {
   builder_->keep_pairs(analysis_.skip.skin);
-  contacts_ = builder_->build_first(state_, predicted_motion(dt), margin);
+  contacts_ = builder_->build_first(state_, predicted_motion(dt), margin, coming);
   keep_start();
 }
 

@@ -137,6 +137,50 @@ TEST(ModelChoice, AColumnPushedAsideBends) {
   EXPECT_EQ(first(scene).model, "mesh");
 }
 
+/// A wall of 12 x 2 m, whose weight alone does not bend it.
+TEST(ModelChoice, CountsWhatActsInAnyStage) {
+  Scene scene = scene_of_outlines({box(0, 0, 2, 12)});
+  scene.blocks[0].fixed_vertices = {0, 1};
+  scene.analysis.mode = Mode::statics;
+  EXPECT_EQ(first(scene).model, "wachspress");
+  Water water;
+  water.density = 1000;
+  water.table = outline({{-9, 12}, {0.8, 12}, {1.2, -5}, {9, -5}});
+  Scene wet = scene;
+  wet.water = water;
+  EXPECT_EQ(first(wet).model, "mesh");
+  scene.stages = {scene.stage("weight"), scene.stage("more")};
+  EXPECT_EQ(first(scene).model, "wachspress");
+  Scene later = scene;
+  later.stages[1].water = water;
+  EXPECT_EQ(first(later).model, "mesh");
+  later = scene;
+  later.stages[1].analysis.gravity = {1, -9.8};
+  EXPECT_EQ(first(later).model, "mesh");
+  later = scene;
+  Load wind;
+  wind.kind = Load::Kind::pressure;
+  wind.edge = 3;
+  wind.force = {TimeFunction::Kind::constant, {1e4, 0}, {}};
+  later.loads = {wind};
+  later.stages[1].loads = {0};
+  EXPECT_EQ(first(later).model, "mesh");
+}
+
+TEST(ModelChoice, AColumnWhoseHeadASupportMovesBends) {
+  Scene scene = scene_of_outlines({box(0, 0, 1, 10)});
+  scene.analysis.mode = Mode::statics;
+  const TimeFunction aside{TimeFunction::Kind::ramp, {0.01, 0}, {}};
+  scene.supports = {{0, {0, 1}, true, true, {}}, {0, {2, 3}, true, false, aside}};
+  EXPECT_EQ(first(scene).reason, "supports deform it");
+  scene.supports[0] = {0, {0, 1}, true, true, aside};
+  EXPECT_EQ(first(scene).model, "wachspress");
+  Scene squat = scene_of_outlines({box(0, 0, 1, 1)});
+  squat.analysis.mode = Mode::statics;
+  squat.supports = {{0, {0, 1}, true, true, {}}, {0, {2, 3}, true, true, aside}};
+  EXPECT_EQ(first(squat).model, "mesh");
+}
+
 TEST(ModelChoice, WhatIsNotLoadedYetGoesByItsSlenderness) {
   const Chosen falling = first(scene_of_outlines({box(0, 5, 6, 1)}));
   EXPECT_EQ(falling.model, "mesh");

@@ -143,7 +143,7 @@ TEST(Rest, AnInitialOverlapMakesNoForce) {
 }
 
 /// The same by the staged method, which opens a contact that bears nothing: blocks that are not pressed
-/// together keep their overlap, and one that is drawn away has it as far as it has not come apart.
+/// together keep their overlap, and one that is drawn away is not pushed.
 TEST(Rest, AnInitialOverlapStaysFreeOfStressWhileItsContactIsOpen) {
   for (const Mode mode : {Mode::dynamic, Mode::statics})
     for (const double up : {0., 0.01}) {
