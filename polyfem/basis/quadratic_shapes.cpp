@@ -33,9 +33,6 @@ MonomialFrame frame_of(const PointsRef& nodes) {
 
 void require_midpoints(const PointsRef& cell) {
   const Index n = cell.cols();
-  if (n < 6 || n % 2 != 0)
-    throw Error("a quadratic cell of " + std::to_string(n) +
-                " nodes: give a corner and a midpoint in turn, as with_edge_midpoints does");
   const double size = (cell.rowwise().maxCoeff() - cell.rowwise().minCoeff()).norm();
   const double round_off = 1e-10 * size + 1e-15 * cell.cwiseAbs().maxCoeff();
   for (Index k = 1; k < n; k += 2) {
@@ -74,14 +71,18 @@ void neighbour_products(const ShapeTable& corners, ShapeTable& table) {
 }  // namespace
 
 Points quadratic_corners(const PointsRef& cell) {
+  if (cell.cols() < 6 || cell.cols() % 2 != 0)
+    throw Error("a quadratic cell of " + std::to_string(cell.cols()) +
+                " nodes: give a corner and a midpoint in turn, as with_edge_midpoints does");
   return cell(Eigen::all, Eigen::seq(0, cell.cols() - 1, 2));
 }
 
 void evaluate_quadratic(const PointsRef& cell, const Basis& basis, const PointsRef& points,
                         ShapeTable& table) {
+  const Points polygon = quadratic_corners(cell);
   require_midpoints(cell);
   thread_local ShapeTable corners;
-  basis.evaluate(quadratic_corners(cell), points, corners);
+  basis.evaluate(polygon, points, corners);
   neighbour_products(corners, table);
 
   // With Q^T = U R, the correction is U (R^-T p - U^T M).

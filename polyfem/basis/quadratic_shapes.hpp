@@ -10,6 +10,7 @@
 namespace polyfem {
 
 /// The corners of a quadratic cell: what its barycentric basis is evaluated on, and what rules are made for.
+/// Throws Error when the number of nodes is odd or below six.
 Points quadratic_corners(const PointsRef& cell);
 
 /// The 2n shape functions at points of the closed cell, one a column of `points`. Reuses the table's storage.

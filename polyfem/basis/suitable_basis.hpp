@@ -12,9 +12,9 @@ namespace polyfem {
 inline constexpr double least_wachspress_turn = 0.2;
 
 /// `wachspress` where every corner turns left by more than `least_wachspress_turn`, `mean_value` where one is
-/// straighter or concave. Six points a triangle give every deformation of a convex polygon of up to eight
-/// vertices at least half of its energy then; more vertices and deep notches need more points, see
-/// `tabulate_to_tolerance` and `examine`.
+/// straighter or concave. Six points a triangle give every deformation of a regular polygon of up to eight
+/// vertices at least half of its energy then; where an edge is shorter than a thirtieth of the cell, with
+/// more vertices and in deep notches a fifth or less: see `tabulate_to_tolerance` and `examine`.
 const Basis& suitable_basis(const PointsRef& polygon);
 
 }  // namespace polyfem

@@ -1,5 +1,6 @@
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
+#include <polyfem/core/error.hpp>
 #include <polyfem/element/default_element.hpp>
 #include <polyfem/element/diffusion.hpp>
 #include <polyfem/element/matrices.hpp>
@@ -187,6 +188,7 @@ TEST(QuadraticElement, HasADefault) {
   const Points chevron = support::points({{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}});
   tabulate(chevron, element);
   EXPECT_NEAR(element.rule.weights.sum(), 1, 1e-14);
+  EXPECT_THROW(tabulate_quadratic(chevron.leftCols(4), element), Error) << "without its midpoints";
 }
 
 }  // namespace
