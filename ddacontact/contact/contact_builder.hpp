@@ -20,11 +20,10 @@ class ContactBuilder {
   ContactBuilder(const BlockSystem& blocks, ContactProperties properties);
 
   /// The contacts of the start: those that touch (within 1e-6 of the block size) begin closed and bonded, and
-  /// an overlap is taken as stress-free. Joints with a stiffness bear the stress that their blocks begin
-  /// with. \param[in] motion  see `build` \param[in] coming  if any, what matters are the contacts of these
-  /// blocks, which come in among others that
-  ///   have moved: joints flush to `default_lip` touch, what is between is filled, and they begin without
-  ///   forces
+  /// an overlap is taken as stress-free. Joints with a stiffness bear the stress of their blocks at once.
+  /// \param[in] motion  see `build`
+  /// \param[in] coming  blocks that come in among others that have moved, whose contacts alone count then:
+  ///   what is flush to `default_lip` touches, the gap between is filled, and they begin without forces
   std::vector<Contact> build_first(const BlockState& state, const VectorXd& motion,
                                    const std::vector<double>& search_margin,
                                    const std::vector<int>& coming = {});
