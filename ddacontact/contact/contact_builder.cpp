@@ -85,6 +85,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
                     .max_depth = std::min(half_width_[a], half_width_[b]),
                     .coincidence = coincidence * size,
                     .lip = lip(a, b, std::ranges::any_of(previous, &ContactRecord::closed))};
+  limits.largest_turn = std::min(limits.largest_turn, limits.search_margin / size);
   earlier.clear();
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant),
              any_shifted = properties_.joints.any(&JointStrength::shifts);

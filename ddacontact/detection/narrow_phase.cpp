@@ -27,10 +27,10 @@ struct VertexCorner {
     covered[side] = true;
   }
   /// Whether it lies on the outer side of an edge with this normal, or may be turned there within the step.
-  bool admissible(const Vec2& normal, double search_margin) const {
+  bool admissible(const Vec2& normal, double search_margin, double largest_turn) const {
     for (int k : {0, 1})
       if (normal.dot(sides[k]) <
-          -std::max(sin_parallel * lengths[k], std::min(search_margin, lengths[k] / 2)))
+          -std::max(sin_parallel * lengths[k], std::min(search_margin, largest_turn * lengths[k])))
         return false;
     return true;
   }
@@ -178,7 +178,7 @@ struct Entrances {
       const double overshoot = edge.overshoot(x);
       const double aside = std::max(overshoot, 0.0), off = aside > 0 ? gap : std::max(gap, 0.0);
       if (!is_within(limits.search_margin, {off, aside})) continue;
-      if (!corner.admissible(edge.normal, limits.search_margin)) continue;
+      if (!corner.admissible(edge.normal, limits.search_margin, limits.largest_turn)) continue;
       const bool stays = overshoot <= limits.coincidence && before && before->closed;
       near.push_back({contact, gap, overshoot, edge.normal, offset, before && before->wins_ties, stays,
                       is_covered(e, edge.tangent.dot(x - edge.start))});
@@ -194,7 +194,7 @@ struct Entrances {
     keep_nearest_of_straight_runs();
     if (near.size() > 1) choose(inside);
     for (Candidate& c : near) {
-      c.strict = corner.admissible(c.normal, 0);
+      c.strict = corner.admissible(c.normal, 0, 0);
       found.push_back(c);
     }
   }

@@ -39,6 +39,7 @@ struct PairLimits {
   double coincidence;    ///< two vertices no further apart along the edge than this coincide
   double lip;  ///< a vertex passes an edge's line when it is further behind it than this; infinity: none
                ///< is passed, and of lines that a corner may meet it takes that with the largest gap
+  double largest_turn = 0.5;  ///< sine of the angle by which their sides may turn within the step
 
   /// A line is behind a vertex inside the other polygon when the vertex is deeper than this.
   double depth_inside() const { return lip < max_depth ? lip : coincidence; }

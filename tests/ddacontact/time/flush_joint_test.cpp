@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 using namespace ddacontact;
 using namespace support;
@@ -15,6 +16,14 @@ namespace {
 
 int last_block(const Scene& scene) {
   return static_cast<int>(scene.blocks.size()) - 1;
+}
+
+BlockDescription polygon(const std::vector<Vec2>& corners) {
+  BlockDescription block;
+  block.vertices.resize(2, static_cast<Index>(corners.size()));
+  Index k = 0;
+  for (const Vec2& corner : corners) block.vertices.col(k++) = corner;
+  return block;
 }
 
 /// Smooth over ten bricks at 3 m/s: the speed after 0.6 s.
@@ -87,18 +96,46 @@ TEST(FlushJoint, ABlockOverANarrowerShaftStays) {
   EXPECT_NEAR(final_speed(scene, 2, Vec2(0, -1)), 0, 1e-3);
 }
 
+/// Two fixed blocks with a flush top, and a slider of 3 m/s with a friction angle of 10 degrees. Vertices a
+/// millimetre from a corner, one on the side of the joint and one on the front of the slider, are collinear
+/// with their sides: no block turns far enough in a step for such an edge to meet what the corner passes.
+TEST(FlushJoint, ShortEdgesBesideCornersHoldNothing) {
+  struct Case {
+    std::vector<Vec2> behind, before, slider;
+  };
+  const Case hidden{{{-1, -1}, {1.57, -1}, {1.57, 0}, {-1, 0}},
+                    {{1.57, -1}, {8, -1}, {8, 0}, {1.57, 0}, {1.57, -1e-3}},
+                    {{0, 0}, {1, 0}, {1.2, 0.5}, {0, 0.5}}},
+      on_the_slider{{{-1, -1}, {1.27, -1}, {1.57, 0}, {-1, 0}},
+                    {{1.27, -1}, {8, -1}, {8, 0}, {1.57, 0}},
+                    {{0, 0}, {1, 0}, {1, 1e-3}, {1, 0.5}, {0, 0.5}}};
+  const Mat2 mirror = Vec2(-1, 1).asDiagonal();
+  for (const Case& of : {hidden, on_the_slider})
+    for (const double time_step : {2e-2, 1e-2, 2e-3})
+      for (const bool mirrored : {false, true}) {
+        Scene scene;
+        scene.materials = {{"rock", 2500, 35e9, 0.2}};
+        scene.joints = {{"joint", 10, 0, 0, std::nullopt}};
+        scene.contact.normal_stiffness = scene.contact.tangential_stiffness = 40 * 35e9;
+        scene.analysis.time_step = time_step;
+        scene.analysis.steps = static_cast<int>(std::lround(0.5 / time_step));
+        for (const std::vector<Vec2>& corners : {of.behind, of.before, of.slider}) {
+          scene.blocks.push_back(polygon(corners));
+          scene.blocks.back().model = BlockModel::mean_value;
+        }
+        scene.blocks[0].fixed = scene.blocks[1].fixed = true;
+        scene.blocks[2].velocity = {3, 0};
+        if (mirrored) scene = turned(scene, mirror);
+        const double expected = 3 - 9.8 * std::tan(10 * std::numbers::pi / 180) * 0.5;
+        EXPECT_NEAR(final_speed(scene, 2, Vec2(mirrored ? -1 : 1, 0)), expected, 1e-6) << time_step;
+      }
+}
+
 /// A smooth wedge between a plane of 50 degrees and nothing, its toe on level ground. Where plane and ground
 /// are two blocks, their corners at the seam below the toe hold it no more than one block does: there is no
 /// equilibrium.
 TEST(FlushJoint, CornersAtASeamBelowAToeHoldNothing) {
   const Mat2 mirror = Vec2(-1, 1).asDiagonal();
-  const auto polygon = [](std::initializer_list<Vec2> corners) {
-    BlockDescription block;
-    block.vertices.resize(2, static_cast<Index>(corners.size()));
-    Index k = 0;
-    for (const Vec2& corner : corners) block.vertices.col(k++) = corner;
-    return block;
-  };
   for (const Mode mode : {Mode::statics, Mode::dynamic})
     for (const bool mirrored : {false, true}) {
       Scene scene;
