@@ -95,6 +95,7 @@ void add_forces(BlockSystem& blocks, const BlockState& initial, const std::vecto
   for (const StepBolt& bolt : solution.system.bolts_at(solution.d))
     for (std::size_t i = 0; i < bolt.bolt().nodes.size(); ++i) {
       const MaterialPoint& node = bolt.bolt().nodes[i];
+      if (node.block < 0) continue;  // of a block that was removed
       add(node.block, blocks.interpolate(node, initial.position), bolt.force_on(static_cast<int>(i)));
     }
 }

@@ -54,6 +54,16 @@ void StepBolt::begin(const BlockSystem& blocks, const BlockState& state, Directi
   start_axial_ = bolt_forces(*bolt_, numbers_, elongations(*bolt_, blocks, state)).axial;
 }
 
+void StepBolt::add_turning(VectorXd& of_blocks) const {
+  for (int k = 0; k < bolt_->n_segments(); ++k) {
+    const int a = bolt_->nodes[k].block, b = bolt_->nodes[k + 1].block;
+    if (!segments_[k].is_there || a == b) continue;
+    const double turning = std::max(start_axial_[k], 0.0) / segments_[k].start.norm();
+    for (const int block : {a, b})
+      if (block >= 0) of_blocks[block] += turning;
+  }
+}
+
 Vec2 StepBolt::displacement(int node, const VectorXd& displaced) const {
   Vec2 u = Vec2::Zero();
   for (const Term& term : maps_[node]) u += displaced[term.unknown] * term.column;

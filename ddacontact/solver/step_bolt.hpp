@@ -23,6 +23,11 @@ class StepBolt {
   const std::vector<int>& blocks() const { return blocks_; }
 
   void begin(const BlockSystem& blocks, const BlockState& state, Directions directions);
+  /// By which its tension at the start turns segments between two blocks back, on each of them: adds T / l, N/m
+  /// per m, by the number of the block.
+  void add_turning(VectorXd& of_blocks) const;
+  /// From `begin` on: the segments that its forces act along.
+  void act_along(Directions directions) { directions_ = directions; }
   /// Finds its forces where its unknowns are displaced so, by all unknowns.
   void look(const VectorXd& displaced);
   /// Its force on a node where it was looked at last, N per m.

@@ -94,6 +94,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   }
   for (StepQuietFace& face : quiet_faces_) face.begin(blocks_, state, start);
   for (StepBolt& bolt : bolts_) bolt.begin(blocks_, state, rule_.directions());
+  if (rule_.has_half_steps() && !bolts_.empty()) take_stable_directions();
   blocks_.begin_step(state, start);
   own_at_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
@@ -101,6 +102,17 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
       start.rule.predicts_shape() && blocks_.has_face_loads() ? predicted(blocks_, state, start) : state,
       rule_.load_span(state.time, dt_), load_forces_);
   blocks_.add_gravity(gravity_forces_);
+}
+
+void StepSystem::take_stable_directions() {
+  VectorXd turning = VectorXd::Zero(blocks_.n_blocks());
+  for (const StepBolt& bolt : bolts_) bolt.add_turning(turning);
+  const auto turns_far = [&](int b) {
+    return blocks_.is_movable(b) && turning[b] * dt_ * dt_ > blocks_.block(b).mass_total() / 2;
+  };
+  for (StepBolt& bolt : bolts_)
+    if (rule_.starts_at_rest || std::ranges::any_of(bolt.blocks(), turns_far))
+      bolt.act_along(Directions::of_end);
 }
 
 void StepSystem::find_own_forces(const VectorXd& d) const {

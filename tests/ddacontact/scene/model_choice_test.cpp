@@ -167,6 +167,23 @@ TEST(ModelChoice, CountsWhatActsInAnyStage) {
   EXPECT_EQ(first(later).model, "mesh");
 }
 
+/// A grouted bolt goes on without the block that its first nodes were in.
+TEST(ModelChoice, CountsABoltThatHasLostABlock) {
+  Scene scene = scene_of_outlines({box(0, 0, 2, 1), box(0, 1, 2, 1)});
+  scene.analysis.mode = Mode::statics;
+  RockBolt bolt;
+  bolt.kind = RockBolt::Kind::grouted;
+  bolt.from = {1, -0.5};
+  bolt.to = {1, 1.5};
+  bolt.area = 5e-4;
+  bolt.young = 2e11;
+  bolt.bond_stiffness = 1e9;
+  scene.bolts = {bolt};
+  scene.stages = {scene.stage("all"), scene.stage("without")};
+  scene.stages[1].removed = {1};
+  EXPECT_FALSE(first(scene).model.empty());
+}
+
 TEST(ModelChoice, AColumnWhoseHeadASupportMovesBends) {
   Scene scene = scene_of_outlines({box(0, 0, 1, 10)});
   scene.analysis.mode = Mode::statics;

@@ -68,6 +68,29 @@ TEST(Bolts, FollowTheirEndsThroughLargeRotations) {
   }
 }
 
+/// 40 kN on two bolts of 1 m, drawn aside by 4 kN: u = l tan(alpha), tan(alpha) = 1/10. Tension turns bolts
+/// back by T / l, which is more than the block's inertia in steps longer than 2 sqrt(m l / T), 0.63 s.
+TEST(Bolts, HoldABlockDrawnAsideInStepsOfAnyLength) {
+  for (const Mode mode : {Mode::statics, Mode::dynamic})
+    for (const double time_step : {0.1, 1.0, 10.0}) {
+      Scene scene = hanging_block(time_step, mode == Mode::statics ? 100 : 1000);
+      scene.analysis.scheme = Scheme::decaying;
+      scene.analysis.mode = mode;
+      scene.analysis.gravity = {1, -10};
+      if (mode == Mode::dynamic) scene.analysis.damping.mass = 1;
+      scene.blocks[0].vertices = rectangle(0, 6, 2, 1);
+      scene.bolts = {steel_bolt({0.2, 6.5}, {0.2, 5.5}), steel_bolt({1.8, 6.5}, {1.8, 5.5})};
+      scene.bolts[1].name = "b2";
+      for (RockBolt& bolt : scene.bolts) bolt.area = 0.04;
+      scene.blocks[1].vertices = rectangle(0, 4.5, 2, 1);
+      const BuiltScene built = run(scene);
+      const double stretched = 1 + weight * std::sqrt(1.01) / 2 / 8e9, aside = stretched / std::sqrt(101.0);
+      EXPECT_NEAR((centre(*built.stepper, 1) - centre(*built.stepper, 0)).x(), aside, 1e-4 * aside)
+          << time_step << " s, " << (mode == Mode::statics ? "static" : "dynamic");
+      expect_closed(*built.stepper);
+    }
+}
+
 TEST(Bolts, YieldAtTheirYieldForceAndTakeTheWorkOfIt) {
   for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying, Scheme::dda}) {
     Scene scene = hanging_block(0.001, 400);
