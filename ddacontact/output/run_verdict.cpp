@@ -1,5 +1,6 @@
 #include <ddacontact/output/run_verdict.hpp>
 
+#include <ddacontact/output/buckling.hpp>
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
@@ -144,6 +145,22 @@ void add_crushed(const Stepper& stepper, const std::map<Pair, Pressing>& pressin
                          figure(of_pair.force / of_pair.strength) +
                          " of what its 'compressive_strength' allows over its whole length: it is crushed, "
                          "which is not followed (a larger section, or smaller loads)");
+}
+
+/// Thrust above this part of Euler's load makes bending a tenth larger, of a pinned strut, and more of
+/// others.
+constexpr double large_thrust = 0.1;
+
+/// Slender blocks at the end that their model keeps from buckling.
+void add_buckling(const Stepper& stepper, const StageEnd& last, std::vector<std::string>& warnings) {
+  const bool follows_cells = !step_rule(stepper.stages()[last.stage].analysis, 1, 1).has_half_steps();
+  const Buckling nearest = nearest_to_buckling(stepper.blocks(), stepper.state(), follows_cells);
+  if (nearest.of_critical > large_thrust)
+    warnings.push_back(
+        quoted_block(stepper, nearest.block) + " bears a thrust of " + figure(nearest.of_critical) +
+        " of Euler's load of a strut of its length, pinned at both ends: its model leaves out how "
+        "thrust adds to bending, and buckling (block_model = \"mesh\" with scheme = "
+        "\"backward_euler\")");
 }
 
 /// Contact patches with too few nodes for a pressure that varies over them.
@@ -300,6 +317,7 @@ std::vector<std::string> warnings_of(const Stepper& stepper, const std::vector<s
   const std::map<Pair, Pressing> pressing = find_pressing(stepper);
   add_crushed(stepper, pressing, warnings);
   add_coarse_patches(stepper, pressing, reasons, warnings);
+  add_buckling(stepper, last, warnings);
   if (const std::string pulled = describe_pulled_bonds(stepper); !pulled.empty())
     warnings.push_back(pulled + " (compare a run without 'tensile_strength')");
   add_seen(stepper, warnings);

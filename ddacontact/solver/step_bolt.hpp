@@ -23,8 +23,8 @@ class StepBolt {
   const std::vector<int>& blocks() const { return blocks_; }
 
   void begin(const BlockSystem& blocks, const BlockState& state, Directions directions);
-  /// By which its tension at the start turns segments between two blocks back, on each of them: adds T / l, N/m
-  /// per m, by the number of the block.
+  /// By which its tension at the start turns segments between two blocks back, on each of them: adds T / l,
+  /// N/m per m, by the number of the block.
   void add_turning(VectorXd& of_blocks) const;
   /// From `begin` on: the segments that its forces act along.
   void act_along(Directions directions) { directions_ = directions; }

@@ -110,8 +110,8 @@ class StepSystem {
   /// Counts a force on a block, and the stiffness it comes from.
   void add_force_on(int block, double magnitude, double stiffness) const;
   /// Bolts act along their segments at the end of a static step, and of one with half steps in which tension
-  /// turns a block by more than the start's segments are stable for: the swaying of two blocks by (T / l) dt^2
-  /// of half their mass, 4 times that where they turn too, has the limit of leapfrog, (omega dt)^2 = 4.
+  /// turns a block by more than the start's segments are stable for: the swaying of two blocks by (T / l)
+  /// dt^2 of half their mass, 4 times that where they turn too, has the limit of leapfrog, (omega dt)^2 = 4.
   void take_stable_directions();
   /// Adds the forces of holding springs, quiet faces and bolts.
   void add_fixtures(const VectorXd& d, VectorXd& external) const;

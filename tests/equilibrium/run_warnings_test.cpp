@@ -3,6 +3,8 @@
 
 #include <ddacontact/output/run_verdict.hpp>
 
+#include <numbers>
+
 using namespace support;
 
 namespace {
@@ -191,4 +193,32 @@ TEST(RunWarnings, AStepThatCompressionMakesInAFlushJointIsToldWhereItHoldsACorne
 TEST(RunWarnings, AStepThatIsDrawnIsNotTold) {
   EXPECT_LT(way(brick_on_a_row(35e9, 0, 2e-3)), 0.45);
   expect_none(brick_on_a_row(35e9, 0, 2e-3));
+}
+
+/// A slab of 10 x 0.2 m pressed along: pinned at both ends it would buckle under pi^2 / 12 (0.2/10)^2 E.
+TEST(RunWarnings, SlenderBlocksNearBucklingAreTold) {
+  const auto pressed = [](double of_critical, BlockModel model, Scheme scheme) {
+    Scene scene = stone_scene(20e9, 0.05, 10, 45);
+    scene.materials[0].poisson = 0;
+    scene.analysis.mode = Mode::statics;
+    scene.analysis.scheme = scheme;
+    scene.analysis.gravity = Vec2::Zero();
+    scene.blocks = {block(rectangle(0, 0, 10, 0.2))};
+    scene.blocks[0].name = "slab";
+    scene.blocks[0].model = model;
+    scene.blocks[0].fixed_vertices = {0, 3};
+    const double pressure = of_critical * std::numbers::pi * std::numbers::pi / 12 * 0.02 * 0.02 * 20e9;
+    Load load;
+    load.kind = Load::Kind::pressure;
+    load.edge = 1;
+    load.force = {TimeFunction::Kind::constant, {pressure, 0}, {}};
+    scene.loads = {load};
+    return scene;
+  };
+  for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value, BlockModel::mesh}) {
+    expect_warning(pressed(0.2, model, Scheme::decaying), {"\"slab\" bears a thrust of 0.2 of Euler's load"});
+    expect_none(pressed(0.05, model, Scheme::decaying));
+  }
+  expect_warning(pressed(0.2, BlockModel::affine, Scheme::backward_euler), {"thrust of 0.2"});
+  expect_none(pressed(0.2, BlockModel::mesh, Scheme::backward_euler));
 }
