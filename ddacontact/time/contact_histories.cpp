@@ -20,14 +20,9 @@ void dilate(const JointStrength& joint, double shear_before, Contact& contact, E
       contact.law.compliant ? (shear_before - history.shear) / contact.law.tangential_stiffness : 0;
   const double rise = std::min(joint.dilation * std::abs(contact.slip_change - elastic), most - before);
   history.gap_offset += rise;
-  if (contact.law.compliant) {
-    const double p = contact.law.normal_stiffness, normal = history.normal;
-    history.normal += p * rise;
-    energy.friction_dissipated -= (history.normal + normal) / 2 * rise;
-  } else {
-    energy.friction_dissipated -= contact.normal * rise;
-    energy.numerical_dissipated += contact.normal * rise;
-  }
+  // The next step rises by it, and books the work of that as the scheme's.
+  energy.friction_dissipated -= contact.normal * rise;
+  energy.numerical_dissipated += contact.normal * rise;
 }
 
 /// Forces that the next step begins with.

@@ -1,6 +1,7 @@
 // Where a stepper begins and where it is among its stages, and going on from there.
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/core/quoted.hpp>
+#include <ddacontact/solver/bolt_law.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>
@@ -12,6 +13,12 @@
 namespace ddacontact {
 
 namespace {
+
+/// Installs a bolt; a bond that its pretension is too large for has slipped then.
+void put_in(const Bolt& bolt, const BlockSystem& blocks, BlockState& state) {
+  install(bolt, blocks, state);
+  follow(bolt, VectorXd::Zero(bolt.n_segments()), bolt.numbers.of(state.bolts));
+}
 
 /// What contacts are solved to by central differences where nothing else is requested: a step's error is made
 /// up for in the next, and the scheme's own is larger (doc/decisions.md).
@@ -66,7 +73,7 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
   apply(stages_.front(), 0);
   blocks_.prepare(state_, true);
   for (const Bolt& bolt : blocks_.bolts)
-    if (bolt.installed) install(bolt, blocks_, state_);
+    if (bolt.installed) put_in(bolt, blocks_, state_);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     const Block& block = blocks_.block(b);
     run_.convex.push_back(block.cell(0).basis == &polyfem::wachspress &&
@@ -169,7 +176,7 @@ bool Stepper::enter_stage(int stage) {
     const Range& u = blocks_.block(b).unknowns();
     for (VectorXd* of_all : {&state_.velocity, &state_.carried}) of_all->segment(u.first, u.count).setZero();
   }
-  for (int bolt : stages_[stage].bolts) install(blocks_.bolts[bolt], blocks_, state_);
+  for (int bolt : stages_[stage].bolts) put_in(blocks_.bolts[bolt], blocks_, state_);
   Energy& e = run_.energy.now;
   // What goes with the blocks that are taken out is work done on them, as what pretensions bring.
   const double kinetic = kinetic_energy(blocks_, state_.velocity),

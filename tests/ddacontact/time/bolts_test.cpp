@@ -202,6 +202,19 @@ TEST(Bolts, GroutedOnesArePulledOutAtTheStrengthOfTheirBond) {
 }
 
 /// A bond that is symmetric about the joint slips at both sides at once; then the bar is held by nothing.
+/// A pretension that the bond cannot bear: it has slipped when the run begins, which costs and gains nothing.
+TEST(Bolts, GroutedOnesBeginWithWhatTheirBondBears) {
+  Scene scene = grouted_pair();
+  scene.bolts[0].bond_strength = 4e4;
+  scene.bolts[0].pretension = 2e5;
+  const BuiltScene built = run(scene);
+  const Energy& now = built.stepper->energy().now;
+  EXPECT_NEAR(axial(*built.stepper, at_joint(built.stepper->blocks().bolts[0])), 4e4 * 1.75, 0.005 * 7e4);
+  EXPECT_LT(now.plastic_dissipated, 1e-3 * now.elastic);
+  EXPECT_LT(std::abs(now.numerical_dissipated), 1e-3 * now.elastic);
+  expect_closed(*built.stepper);
+}
+
 TEST(Bolts, MayBePulledOutOfBothBlocksAtOnce) {
   Scene scene = grouted_pair();
   scene.bolts[0].bond_strength = 10e3;
