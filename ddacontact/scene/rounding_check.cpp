@@ -3,6 +3,7 @@
 #include <ddacontact/block/rounded_corners.hpp>
 #include <ddacontact/scene/text.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace ddacontact::scene_format {
@@ -23,9 +24,10 @@ void check_corner_rounding(const Document& document, const Scene& scene, const B
     edge = "an edge of " + blocks.names.title(static_cast<int>(b)) + ", " + rounded(length) + " m long";
   }
   if (ratio < largest) return;
+  const double digit = std::pow(10, std::floor(std::log10(largest)) - 1);  // the second one
   problems.error(document.contact.locations.of("corner_rounding"),
                  "'corner_rounding' = '" + short_number(ratio) + "' leaves nothing of " + edge,
-                 "write at most " + short_number(std::floor(largest * 999) / 1000) + ", or 0");
+                 "write at most " + rounded(std::floor(0.999 * largest / digit) * digit) + ", or 0");
 }
 
 }  // namespace ddacontact::scene_format

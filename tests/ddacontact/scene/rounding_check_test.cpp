@@ -22,9 +22,16 @@ TEST(RoundingCheck, RefusesWhatLeavesNothingOfAnEdge) {
 }
 
 TEST(RoundingCheck, ItsAdviceIsTaken) {
-  const std::string text = said({"contact.corner_rounding=0.6"}), at_most = "write at most ";
-  const std::size_t number = text.find(at_most) + at_most.size();
-  EXPECT_EQ(said({"contact.corner_rounding=" + text.substr(number, text.find(',', number) - number)}), "");
+  for (const char* short_edge : {"0.5", "0.01", "1e-4"}) {
+    const std::string vertices =
+                          std::string("block.0.vertices=[[0,0],[1,0],[1,1],[") + short_edge + ",1],[0,1]]",
+                      text = said({"contact.corner_rounding=0.6", vertices});
+    const std::string at_most = "write at most ";
+    const std::size_t number = text.find(at_most) + at_most.size();
+    const std::string advice = text.substr(number, text.find(',', number) - number);
+    EXPECT_GT(std::stod(advice), 0);
+    EXPECT_EQ(said({"contact.corner_rounding=" + advice, vertices}), "") << short_edge;
+  }
 }
 
 TEST(RoundingCheck, RefusesTheClassicMethodAndThePreset) {
