@@ -38,8 +38,8 @@ class ContactBuilder {
   /// Whether some corner may meet more than one line: contacts built last depend on the motion.
   bool has_choices() const { return !choices_.empty(); }
   /// Of the contacts built last, by their numbers, those pressed by more than `least_force` (N per m) in a
-  /// solution of the step although nothing told that their corner could not go the other way. With them all
-  /// contacts of the same two blocks that were preferred to others.
+  /// solution of the step although nothing told that their corner could not go the other way. With them the
+  /// others of the same two blocks of which nothing told.
   std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force);
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
   bool choose_again(const BlockState& state, const VectorXd& motion,

@@ -13,7 +13,7 @@ std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& conta
   std::set<int> numbers;
   for (const Choice& choice : choices_)
     for (const Contact& contact : of_same_pair(choice.chosen, contacts))
-      if (contact.pair == choice.chosen && doubtful_.contains(pair_of(contact)))
+      if (choice.open && contact.pair == choice.chosen && doubtful_.contains(pair_of(contact)))
         numbers.insert(static_cast<int>(&contact - contacts.data()));
   return {numbers.begin(), numbers.end()};
 }
