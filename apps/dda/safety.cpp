@@ -264,7 +264,9 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   fmt::print("{}\n", answer(bracket, arguments.tolerance, files, scene));
   if (arguments.quiet) return done;
   fmt::print("{}", note_of_small_part(files, scene));
-  fmt::print("the factor divides friction and cohesion of joints; loads, weights and water stay as stated\n");
+  fmt::print(
+      "the factor divides friction and cohesion of joints; loads, weights{} and water stay as stated\n",
+      scene.bolts.empty() ? "" : ", bolts");
   if (bonds_of(reduction.scene(), joints) == "ductile")
     fmt::print("cohesion and tensile strength outlast slip\n");
   fmt::print("results in {}\n", arguments.directory);

@@ -97,6 +97,18 @@ TEST_F(Program, MadeSlopesOfAnySeedRun) {
   }
 }
 
+/// A bolt across the plane, whose strength the factor leaves as it is.
+TEST_F(Program, SafetySaysThatBoltsStayAsStated) {
+  ASSERT_EQ(dda("safety " + slope +
+                " -o result --set analysis.preset=default --tolerance 0.5 --set 'bolt=[{ name = \"a\", "
+                "points = [[3, 11], "
+                "[1, 5]], "
+                "area = 1e-3, young = \"200 GPa\", pretension = 1e5 }]'"),
+            0)
+      << err_;
+  EXPECT_NE(out_.find("loads, weights, bolts and water stay as stated"), std::string::npos) << out_;
+}
+
 TEST_F(Program, SafetySaysWhatBecomesOfCohesion) {
   const std::string coarsely = "safety " + slope + " -o result --set analysis.preset=default --tolerance 0.5";
   const auto cohesion = [&] {
