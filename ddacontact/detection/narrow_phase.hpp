@@ -32,7 +32,7 @@ struct Outline {
       : block(number), vertices(start), moved(end) {}
 };
 
-/// Lengths by which the contacts of two polygons are chosen, m.
+/// By what the contacts of two polygons are chosen: lengths, m, and an angle.
 struct PairLimits {
   double search_margin;  ///< pairs of features further apart than this cannot meet within the step
   double max_depth;      ///< a vertex deeper inside than this did not come through this edge

@@ -101,9 +101,7 @@ TEST_F(Program, MadeSlopesOfAnySeedRun) {
 TEST_F(Program, SafetySaysThatBoltsStayAsStated) {
   ASSERT_EQ(dda("safety " + slope +
                 " -o result --set analysis.preset=default --tolerance 0.5 --set 'bolt=[{ name = \"a\", "
-                "points = [[3, 11], "
-                "[1, 5]], "
-                "area = 1e-3, young = \"200 GPa\", pretension = 1e5 }]'"),
+                "points = [[3, 11], [1, 5]], area = 1e-3, young = \"200 GPa\", pretension = 1e5 }]'"),
             0)
       << err_;
   EXPECT_NE(out_.find("loads, weights, bolts and water stay as stated"), std::string::npos) << out_;
