@@ -15,17 +15,17 @@ struct DirectedEdge {
 
   DirectedEdge(const Vec2& from, const Side& side)
       : start(from), tangent(side.tangent), normal(side.normal()), length(side.length) {}
-  DirectedEdge(const PointsRef& polygon, int edge) : start(polygon.col(edge)) {
-    length = along(polygon, edge).norm();
-    tangent = along(polygon, edge) / length;
+  DirectedEdge(const Vec2& from, const Vec2& to) : start(from), tangent(to - from), length(tangent.norm()) {
+    tangent /= length;
     normal = Vec2(tangent.y(), -tangent.x());
   }
+  DirectedEdge(const PointsRef& polygon, Index edge)
+      : DirectedEdge(Vec2(polygon.col(edge)), Vec2(polygon.col((edge + 1) % polygon.cols()))) {}
   double gap(const Vec2& x) const { return normal.dot(x - start); }
+  /// From its start to the projection of x.
+  double along(const Vec2& x) const { return tangent.dot(x - start); }
   /// How far the projection of x lies beyond the nearer end; <= 0 within the edge.
-  double overshoot(const Vec2& x) const {
-    const double s = tangent.dot(x - start);
-    return std::max(-s, s - length);
-  }
+  double overshoot(const Vec2& x) const { return std::max(-along(x), along(x) - length); }
 };
 
 }  // namespace ddacontact

@@ -2,6 +2,7 @@
 
 #include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/corner.hpp>
+#include <ddacontact/detection/directed_edge.hpp>
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
@@ -18,38 +19,23 @@ struct Path {
   Vec2 at(double t) const { return start + t * (end - start); }
 };
 
-/// Where a vertex is seen from an edge, m: < 0 is behind it; along it from its start.
-struct Place {
-  double gap, along, length;
-
-  Place(const Vec2& x, const Vec2& from, const Vec2& to) {
-    const Vec2 edge = to - from;
-    length = edge.norm();
-    gap = -cross(edge, x - from) / length;
-    along = edge.dot(x - from) / length;
-  }
-  bool is_over(double tolerance) const { return along >= -tolerance && along <= length + tolerance; }
-};
-
 bool goes_through(const Path& x, const Path& from, const Path& to, double tolerance) {
-  const Place last(x.end, from.end, to.end);
-  if (last.gap >= -tolerance || !last.is_over(0)) return false;
-  const auto place = [&](double t) { return Place(x.at(t), from.at(t), to.at(t)); };
+  const auto edge = [&](double t) { return DirectedEdge(from.at(t), to.at(t)); };
+  const auto is_behind = [&](double t) { return edge(t).gap(x.at(t)) < -tolerance; };
   double outside = 0, behind = 1;
-  if (place(outside).gap < -tolerance) return false;
+  if (is_behind(outside) || !is_behind(behind) || edge(behind).overshoot(x.end) > 0) return false;
   for (int k = 0; k < std::numeric_limits<double>::digits; ++k) {
     const double middle = (outside + behind) / 2;
-    (place(middle).gap >= -tolerance ? outside : behind) = middle;
+    (is_behind(middle) ? behind : outside) = middle;
   }
-  return place(outside).is_over(tolerance);
+  return edge(outside).overshoot(x.at(outside)) <= tolerance;
 }
 
 bool is_deep_in(const PointsRef& polygon, const Vec2& x, double tolerance) {
   if (!polyfem::contains(polygon, x)) return false;
   for (int e = 0; e < polygon.cols(); ++e) {
-    const Place place(x, polygon.col(e), polygon.col(next(e, polygon)));
-    const double aside = std::max({-place.along, place.along - place.length, 0.0});
-    if (std::hypot(place.gap, aside) <= tolerance) return false;
+    const DirectedEdge edge(polygon, e);
+    if (std::hypot(edge.gap(x), std::max(edge.overshoot(x), 0.0)) <= tolerance) return false;
   }
   return true;
 }

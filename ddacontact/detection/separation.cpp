@@ -1,6 +1,7 @@
 #include <ddacontact/detection/separation.hpp>
 
 #include <ddacontact/detection/broad_phase.hpp>
+#include <ddacontact/detection/directed_edge.hpp>
 #include <polyfem/geometry/predicates.hpp>
 #include <polyfem/geometry/triangulation.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -17,11 +18,9 @@ namespace {
 double largest_edge_gap(const PointsRef& a, const PointsRef& b) {
   double largest = -inf;
   for (Index j = 0; j < a.cols(); ++j) {
-    const Vec2 origin = a.col(j);
-    const Vec2 edge = a.col((j + 1) % a.cols()) - origin;
-    const Vec2 normal = Vec2(edge.y(), -edge.x()) / edge.norm();
+    const DirectedEdge edge(a, j);
     double gap = inf;
-    for (Index i = 0; i < b.cols(); ++i) gap = std::min(gap, normal.dot(b.col(i) - origin));
+    for (Index i = 0; i < b.cols(); ++i) gap = std::min(gap, edge.gap(b.col(i)));
     largest = std::max(largest, gap);
   }
   return largest;
