@@ -275,7 +275,8 @@ bool ContactSweeps::has_many_changes(const Stop& stop, const Points& before) {
   return n_changed > stop.few && n_changed > stop.many * n_closed;
 }
 
-void ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
+/// False: a contact is not positive definite.
+bool ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
                           const VectorXd& residual, const VectorXd& d,
                           const std::vector<ContactForce>& forces_of_all) {
   iterate_.resize(static_cast<Index>(2 * rows_.size() + unknown_.size()));
@@ -296,14 +297,15 @@ void ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vect
                            row.law.gap > 0 ? (row.normal + row.normal_compliance) / row.law.gap : 0};
     forces().col(r) << forces_of_all[c].normal, forces_of_all[c].shear;
   });
+  return std::ranges::all_of(rows_, [](const Row& row) { return !row.acts || row.is_positive_definite(); });
 }
 
 ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms,
                                            const std::vector<SweptLaw>& laws, const VectorXd& residual,
                                            const Stop& stop, VectorXd& d,
                                            std::vector<ContactForce>& forces_of_all) {
-  begin(terms, laws, residual, d, forces_of_all);
   Report report;
+  if (!begin(terms, laws, residual, d, forces_of_all)) return report;
   const Points at_start = forces();
   AndersonAcceleration acceleration(anderson_depth);
   while (report.sweeps < stop.most_sweeps) {

@@ -78,7 +78,7 @@ class ContactSweeps {
   void order_rows();
   void set_entries(const ContactTerm& term, Row& row);
   /// Where sweeps begin: displacements that balance this residual, and contacts with these forces.
-  void begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
+  bool begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
              const VectorXd& residual, const VectorXd& d, const std::vector<ContactForce>& forces_of_all);
   void visit(int r, Vec2& largest);
   Vec2 visit_all();

@@ -31,7 +31,12 @@ struct SweptContact {
       return slides ? shear_bound(*law.joint, N, law.bonded) : inf;
     return std::max(0.0, N) * friction + cohesion;
   }
-  /// The forces that the law demands.
+  /// Whether its springs and blocks answer to forces as they must: stiffnesses beyond all others cancel.
+  bool is_positive_definite() const {
+    const double an = normal_compliance + normal, at = tangential_compliance + shear;
+    return an > 0 && (!sheared || an * at - mixed * mixed > 0);
+  }
+  /// The forces that the law demands of one that is positive definite.
   /// \param[in] gap_before, slip_before  m, with the contact's own forces `before`
   [[gnu::always_inline]] ContactForce solve(double gap_before, double slip_before,
                                             const ContactForce& before = {}) const {
@@ -45,7 +50,7 @@ struct SweptContact {
                                                           mixed * before.normal + shear * before.shear -
                                                           slip_before;
     const double determinant = an * at - mixed * mixed;
-    assert(an > 0 && at > 0 && determinant > 0);
+    assert(determinant > 0);
     const ContactForce stick{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
     if (stick.normal > -tension && std::abs(stick.shear) <= bound_under(stick.normal)) return stick;
     // Where friction that sticks would pull the contact open it slides under what presses without it; a bond
