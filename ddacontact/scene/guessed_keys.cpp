@@ -68,6 +68,7 @@ constexpr Guess guesses[] = {
     {"[[material]]", " kn ks joint_stiffness ", joint_stiffness},
 
     // Blocks.
+    {"[[block]]", " id label title ", "write 'name'"},
     {"[[block]]", " fix ", "write 'fixed' = true or a list of vertices"},
     {"[[block]]", " mat ", "write 'material'"},
     {"[[block]]", " points coordinates coords polygon nodes corners outline xy ",
@@ -120,6 +121,7 @@ constexpr Guess guesses[] = {
     {"[analysis]", " threads ", "it is an option of the program: dda run SCENE.toml --threads N"},
 
     // Tables that there are not.
+    {"the scene", " schema version ", "write 'format' = 1"},
     {"the scene", " pore_pressure groundwater water_table fluid piezometric_line ",
      "write [water] with 'table' = [[x, y], ...]"},
     {"the scene", " bolts rockbolt anchor anchors cable reinforcement ", "write [[bolt]]"},

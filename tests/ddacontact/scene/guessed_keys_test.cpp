@@ -11,7 +11,8 @@ using namespace ddacontact::scene_format;
 
 TEST(GuessedKeys, AreToldOfSettingsToo) {
   for (const auto& [setting, words] :
-       {std::pair{"joint.interface.kn=3", "rigid"}, std::pair{"groundwater.level=3", "[water]"}}) {
+       {std::pair{"joint.interface.kn=3", "rigid"}, std::pair{"groundwater.level=3", "[water]"},
+        std::pair{"version=1", "'format' = 1"}}) {
     const SceneReading reading = read(complete, {setting});
     ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
     EXPECT_NE(reading.problems[0].text().find(words), std::string::npos) << reading.problems[0].text();
