@@ -5,6 +5,7 @@
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/core/disjoint_sets.hpp>
 #include <ddacontact/core/tolerances.hpp>
+#include <ddacontact/time/free_flight.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
 
@@ -15,67 +16,12 @@ namespace ddacontact {
 
 namespace {
 
-/// The first t in [0, dt] with g + v t + a t^2 / 2 <= 0; infinity: none.
-double first_touch(double g, double v, double a, double dt) {
-  if (g <= 0) return v < 0 ? 0 : inf;
-  const double discriminant = v * v - 2 * a * g;
-  if (discriminant < 0) return inf;
-  // The smaller root that lies ahead, without cancellation.
-  const double t = 2 * g / (-v + std::sqrt(discriminant));
-  return t >= 0 && t <= dt ? t : inf;
-}
-
-/// The same of a circle that passes a corner in a straight line: it turns away from it.
-double first_touch(const Vec2& apart, const Vec2& velocity, double radius, double dt) {
-  const double towards = -apart.dot(velocity), outside = apart.squaredNorm() - radius * radius,
-               discriminant = towards * towards - velocity.squaredNorm() * outside;
-  if (towards <= 0 || discriminant < 0) return inf;
-  if (outside <= 0) return 0;
-  const double t = outside / (towards + std::sqrt(discriminant));
-  return t <= dt ? t : inf;
-}
+/// Newton's corrections of the time of a meeting, from the parabola that the gap nearly is.
+constexpr int corrections = 2;
 
 /// Speeds below this are no more than round-off, m/s.
 double round_off_speed(const Contact& contact, double dt) {
   return negligible_gap * coincidence * contact.size / dt;
-}
-
-/// The displacements of all unknowns of blocks that go on as rigid bodies, each for its own time.
-BlockState carried(const BlockSystem& blocks, const BlockState& state, const VectorXd& velocity,
-                   const VectorXd& acceleration, const std::vector<double>& times) {
-  BlockState later = state;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
-    const Block& block = blocks.block(b);
-    const RigidVelocity v = rigid_velocity(block, velocity), a = rigid_velocity(block, acceleration);
-    const double half_square = times[b] * times[b] / 2,
-                 angle = times[b] * v.angular + half_square * a.angular;
-    const Vec2 shift = times[b] * v.linear + half_square * a.linear, centre = block.moments().centroid;
-    const Mat2 R = turned_by(angle);
-    auto points = block.points().columns_of(later.position);
-    points = ((R * (points.colwise() - centre)).colwise() + (centre + shift)).eval();
-    if (later.coordinates.size() == 0) continue;
-    auto s = later.coordinates.segment<BlockState::n_rigid>(block.coordinates().first);
-    s.head<2>() = (centre + shift + R * (Vec2(s.head<2>()) - centre)).eval();
-    s[2] += angle;
-  }
-  return later;
-}
-
-std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const VectorXd& velocity) {
-  std::vector<RigidVelocity> of_blocks;
-  for (int b = 0; b < blocks.n_blocks(); ++b) of_blocks.push_back(rigid_velocity(blocks.block(b), velocity));
-  return of_blocks;
-}
-
-/// Turns the velocities of a free block's nodes about its centre; that of the centre stays.
-void turn_about_centre(const Block& block, const Mat2& turn, VectorXd& velocity) {
-  const Range& u = block.unknowns();
-  auto v = u.of(velocity);
-  const VectorXd of_centre = block.translations() * rigid_velocity(block, velocity).linear;
-  v -= of_centre;
-  for (Index k = 0; k + 1 < v.size(); k += 2) v.segment<2>(k) = (turn * v.segment<2>(k)).eval();
-  v += of_centre;
 }
 
 /// Blocks on their way within a step, from one impact to the next.
@@ -145,6 +91,7 @@ class Flight {
   void look_ahead(const std::vector<char>& of_blocks) {
     velocity_ = start_.going_on();
     if (rule_.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
+    rigid_ = rigid_velocities(blocks_, velocity_);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const VertexEdge& pair = contacts_[c].pair;
       if (of_blocks[pair.vertex_block] || of_blocks[pair.edge_block]) meetings_[c] = next_meeting(c);
@@ -160,8 +107,17 @@ class Flight {
     const GapAndSlip at_start = motion.rates_at(positions, contact.history.lock);
     // From the last impact of either on.
     const double since = std::max(last_[contact.pair.vertex_block], last_[contact.pair.edge_block]),
-                 growth = motion.change_along(at_start.by_gap, acceleration_),
-                 rate = motion.change_along(at_start.by_gap, velocity_) + since * growth,
+                 ahead = dt_ + duration(c) - since, end = since + ahead,
+                 straight = motion.change_along(at_start.by_gap, acceleration_),
+                 rate_at_start = motion.change_along(at_start.by_gap, velocity_);
+    // The gap as a parabola that has its value and its rate at the start, and its value at the end.
+    const auto after = [&](double t) {
+      return motion.rates_at(positions_after(contact, t), contact.history.lock);
+    };
+    const double by_turning = turns(contact.pair)
+                                  ? after(end).gap - at_start.gap - end * (rate_at_start + end * straight / 2)
+                                  : 0,
+                 growth = straight + 2 * by_turning / (end * end), rate = rate_at_start + since * growth,
                  gap = at_start.gap - contact.history.gap_offset + since * (rate - since * growth / 2);
     const bool near = contact.closed() || gap <= contact.length_tolerance();
     Vec2 apart = Vec2::Zero(), passing = Vec2::Zero();
@@ -169,13 +125,15 @@ class Flight {
       passing = from_corner(motion.moved(velocity_), *motion.rounding);
       apart = from_corner(positions, *motion.rounding) + since * passing;
     }
-    const double ahead = dt_ + duration(c) - since;
     double time = motion.is_at_corner() && !near ? first_touch(apart, passing, motion.rounding->radius, ahead)
                                                  : first_touch(near ? 0 : gap, rate, growth, ahead);
     if (!std::isfinite(time) && !also_.empty() && also_[c] && !result_.hit[c] && rate < 0)
       time = std::min(dt_ - since, std::max(gap, 0.0) / -rate);
     if (!std::isfinite(time)) return {};
-    const double slip = at_start.slip + (since + time) * motion.change_along(at_start.by_slip, velocity_);
+    for (int round = 0; by_turning != 0 && time > 0 && !motion.is_at_corner() && round < corrections; ++round)
+      if (const double slope = rate + time * growth; slope < 0)
+        time = std::clamp(time - (after(since + time).gap - contact.history.gap_offset) / slope, 0., ahead);
+    const double slip = after(since + time).slip;
     // Corners of faces of one height pass each other by less than joints are flush to, while one vibrates.
     const bool stays = contact.is_on_edge(at_start.slip) &&
                        std::abs(slip - at_start.slip) <= ContactProperties::default_lip * contact.size;
@@ -184,6 +142,31 @@ class Flight {
         motion.is_at_corner() ? -(apart + time * passing).normalized().dot(passing) : -(rate + time * growth);
     if (approach <= least_approach(blocks_, contact, dt_)) return {};
     return {since + time, approach};
+  }
+
+  bool turns(const VertexEdge& pair) const {
+    return std::ranges::any_of(pair.blocks(),
+                               [&](int b) { return blocks_.is_free(b) && rigid_[b].angular != 0; });
+  }
+
+  /// Where the vertex and the edge are when their blocks have gone on for a time since the start of the step.
+  RoundedPositions positions_after(const Contact& contact, double time) const {
+    RoundedPositions at = positions_of(blocks_, start_, contact.pair);
+    const RoundedPositions velocity = contact.motion.moved(velocity_),
+                           acceleration = contact.motion.moved(acceleration_);
+    const auto move = [&](int b, Vec2 RoundedPositions::*point) {
+      Vec2& x = at.*point;
+      const Vec2 centre = blocks_.block(b).moments().centroid + start_.origin.col(b) -
+                          start_.origin.col(contact.pair.edge_block),
+                 off = blocks_.is_free(b) ? off_straight_line(x - centre, time * rigid_[b].angular)
+                                          : Vec2::Zero();
+      x += time * (velocity.*point + time / 2 * acceleration.*point) + off;
+    };
+    move(contact.pair.vertex_block, &RoundedPositions::i);
+    move(contact.pair.vertex_block, &RoundedPositions::after_i);
+    move(contact.pair.edge_block, &RoundedPositions::j);
+    move(contact.pair.edge_block, &RoundedPositions::k);
+    return at;
   }
 
   /// Whether a contact joins its blocks at an impact at this place: closed since the start of the step, or
@@ -243,14 +226,13 @@ class Flight {
     std::vector<double> times;
     std::vector<char> first;
     if (!find_first(times, first)) return false;
-    const std::vector<RigidVelocity> at_start = rigid_velocities(blocks_, velocity_);
     const BlockState then = carried(blocks_, start_, velocity_, acceleration_, times);
     blocks_.prepare(then);
     VectorXd before = velocity_;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (!std::isfinite(times[b]) || !blocks_.is_free(b)) continue;
       const Range& u = blocks_.block(b).unknowns();
-      u.of(before) = as_velocity(blocks_.block(b), at_start[b]) + times[b] * u.of(acceleration_);
+      u.of(before) = as_velocity(blocks_.block(b), rigid_[b]) + times[b] * u.of(acceleration_);
     }
     JumpReport report;
     do {
@@ -357,7 +339,8 @@ class Flight {
   const std::vector<char>& also_;
   BlockState start_;  ///< as if the blocks had moved with their present velocities all the time
   VectorXd velocity_, acceleration_;
-  std::vector<double> last_;  ///< impact of each block, s
+  std::vector<RigidVelocity> rigid_;  ///< of `velocity_`
+  std::vector<double> last_;          ///< impact of each block, s
   std::vector<Meeting> meetings_;
   std::vector<char> hit_now_;
   StepImpact result_;
