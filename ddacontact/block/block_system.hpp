@@ -132,6 +132,8 @@ class BlockSystem {
   bool is_free(int b) const { return free_[b]; }
   /// Whether a block is wholly held where it is: it has neither equations nor forces of its own.
   bool is_unchanging(int b) const { return unchanging_[b]; }
+  /// Whether supports hold it where it is.
+  bool is_held(int b) const { return unchanging_[b] && present_[b] && !resting_[b]; }
   /// Whether the matrices of a block are computed: it may change, or it is fixed and `compute_fixed` asks.
   bool has_matrices(int b) const {
     return !unchanging_[b] || (computes_fixed_ && present_[b] && !resting_[b]);

@@ -4,10 +4,12 @@
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/kinematics.hpp>
 #include <ddacontact/core/tolerances.hpp>
+#include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/corner.hpp>
 #include <ddacontact/detection/half_width.hpp>
 #include <ddacontact/detection/rounded_phase.hpp>
 #include <ddacontact/detection/separation.hpp>
+#include <ddacontact/detection/touching_edges.hpp>
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
@@ -62,6 +64,7 @@ void ContactBuilder::find_pairs(const BlockState& state) {
     }
   };
   polyfem::for_ranges(n, of_range, std::ref(check_blocks));
+  if (covered_.empty()) find_covered(state);
   nearby_.find(boxes_, margins_, pairs_);
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant);
   std::erase_if(pairs_, [&](const Pair& pair) {
@@ -73,10 +76,36 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   });
 }
 
+void ContactBuilder::find_covered(const BlockState& state) {
+  covered_.resize(blocks_.n_blocks());
+  if (properties_.lip == inf) return;
+  std::vector<int> held;
+  std::vector<Box> boxes;
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    if (!blocks_.is_held(b)) continue;
+    held.push_back(b);
+    boxes.push_back(shifted(widened(outlines_[b].box, properties_.lip * size_[b]), state.origin.col(b)));
+  }
+  for (const Pair& pair : overlapping_pairs(boxes))
+    for (const auto& [p, q] : {pair, Pair{pair[1], pair[0]}}) {
+      const int b = held[p], c = held[q];
+      const double near = properties_.lip * std::min(size_[b], size_[c]);
+      const Points own = blocks_.outline_from(state, b, b), other = blocks_.outline_from(state, c, b);
+      for (const TouchingEdges& part : touching_edges(own, other, near)) {
+        const int e = static_cast<int>(part.edge), f = static_cast<int>(part.other), after = next(f, other);
+        const Vec2 edge = along(own, e), start = own.col(e), end = own.col(next(e, own));
+        if (edge.dot(along(other, f)) > 0) continue;
+        const Vec2 past_start = other.col(after) - start, past_end = other.col(f) - end;
+        covered_[b].push_back({b, e, part.from * edge.norm(), part.to * edge.norm(),
+                               past_start.norm() > near ? past_start : along(other, after),
+                               past_end.norm() > near ? past_end : -along(other, previous(f, other))});
+      }
+    }
+}
+
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                                       std::span<const ContactRecord> previous, bool ties,
-                                      std::span<const CoveredPart> covered, std::vector<VertexEdge>& found,
-                                      std::vector<Choice>& choices) const {
+                                      std::vector<VertexEdge>& found, std::vector<Choice>& choices) const {
   thread_local Points shifted_b, moved_a, moved_b;
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
@@ -121,7 +150,8 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   const Outline one{a, start_a, moved_a.leftCols(of_a.count)},
       other{b, start_b, moved_b.leftCols(of_b.count)};
   if (!blocks_.has_rounded_corners())
-    find_contacts(one, outlines_[a], other, sides_b, limits, earlier, covered, found, choices);
+    find_contacts(one, outlines_[a], other, sides_b, limits, earlier,
+                  covered_[a].empty() ? covered_[b] : covered_[a], found, choices);
   else if (const RoundedBlock& round_a = blocks_.rounded(a), &round_b = blocks_.rounded(b);
            round_b.radius < round_a.radius)  // of two corners at one place the first one stays
     find_rounded_contacts(other, round_b, one, round_a, limits, earlier, found, choices);
@@ -172,7 +202,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
     found.clear();
     choices.clear();
     for (Index p = begin; p < end; ++p)
-      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, {}, found, choices);
+      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, found, choices);
   };
   polyfem::for_ranges(n, of_range, std::ref(check_pairs));
   choices_.clear();
@@ -298,7 +328,8 @@ void ContactBuilder::restart(Contact& contact) const {
     contact.law.tangential_stiffness = properties_.tangential_stiffness;
   }
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
-  contact.was_closed = contact.meets = false;
+  contact.was_closed = false;
+  contact.reach = 0;
   contact.gap = contact.first_gap().constant;
 }
 

@@ -87,18 +87,15 @@ class ContactBuilder {
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state);
   /// Appends the contacts of a pair, and where they were preferred to others.
-  /// \param[in] ties     earlier contacts win ties
-  /// \param[in] covered  of sharp corners, see find_contacts
+  /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
-                        std::span<const ContactRecord> previous, bool ties,
-                        std::span<const CoveredPart> covered, std::vector<VertexEdge>& found,
+                        std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
                         std::vector<Choice>& choices) const;
   /// Leaves out those whose forces no one can tell, or that stand for nothing yet.
   void leave_out_idle(const Pair& pair, const BlockState& state, std::span<const ContactRecord> previous,
                       std::vector<VertexEdge>& found, std::size_t first) const;
-  /// Where blocks that stay where they are lie on edges of these two that do so too, as near as joints are
-  /// flush.
-  std::vector<CoveredPart> find_covered(const Pair& pair, const BlockState& state) const;
+  /// Finds where held blocks lie on edges of each other, as near as joints are flush: they are one ground.
+  void find_covered(const BlockState& state);
   /// Whether free unknowns move what has this form, by more than supports leave at the held end of an edge.
   bool is_moved(const Contact& contact, const VertexEdgeForm& by) const;
   /// Where supports alone hold two blocks together no one can tell the normal force: a bond bears shear by
@@ -109,8 +106,7 @@ class ContactBuilder {
   bool can_change(const BlockState& state, const VertexEdge& pair,
                   std::span<const ContactRecord> previous) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
-                   bool by_covers, const std::vector<ContactRecord>& previous,
-                   std::vector<Contact>& contacts);
+                   const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// What a contact is of one of the step before: the same; of its vertex, with an edge that is collinear
   /// with its own; where vertex meets vertex, of the other vertex with this one's edge. The first is the
   /// nearest.
@@ -174,6 +170,7 @@ class ContactBuilder {
   bool begins_ = false;  ///< contacts have none before them
 
   OutlineTable outlines_;
+  std::vector<std::vector<CoveredPart>> covered_;  ///< of each block; empty before the first search
   NearbyPairs nearby_;
   std::vector<Box> boxes_;
   std::vector<double> margins_;

@@ -48,7 +48,6 @@ void AugmentedContacts::begin() {
 void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   JointLaw& law = contact.law;
   const ContactHistory& history = contact.history;
-  multiplier.on_edge = contact.meets || contact.is_on_edge(contact.first_slip().constant);
   multiplier.bonded = contact.has_bond();
   contact.was_closed = contact.closed();
   if (law.compliant) return begin_compliant(contact, multiplier);
@@ -125,7 +124,8 @@ void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displac
       law.normal_stiffness * (law.compliant && has_means() ? 1. / 2 : 1) + contact.damping;
   term.tangential_stiffness = shear_stiffness(law);
   term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
-  const bool possible = multiplier.on_edge || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
+  const bool possible = multiplier.bonded || contact.closed() ||
+                        contact.is_on_edge(s, std::max(contact.reach, contact.end_tolerance()));
   term.tension = multiplier.bonded ? law.tension : 0;
   term.normal = !possible            ? ContactTerm::Normal::absent
                 : term.tension < inf ? ContactTerm::Normal::unilateral

@@ -17,7 +17,6 @@ struct Multiplier {
   double normal = 0, shear = 0;
   double gap = 0;        ///< the constant of the term's gap, the offset not taken off
   bool sliding = false;  ///< T is at the friction bound, with the sign of `shear`, until the slip reverses
-  bool on_edge = false;  ///< at the start of the step
   bool bonded = false;
 };
 

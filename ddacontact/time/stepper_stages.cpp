@@ -92,9 +92,9 @@ void Stepper::apply(const Stage& stage, double start_time) {
   change_blocks(stage, start_time, faces_, blocks_);
   if (!stage.added.empty()) {
     blocks_.prepare(state_, true);
-    trial_.forget_pairs(properties_);  // it knows pairs of those that were there
     state_.coordinates.resize(0);
   }
+  trial_.forget_pairs(properties_);  // it knows those that were there, and the ground
   trial_.forget_islands();
   if (!trial_.has_system() || !stage.removed.empty() || !stage.added.empty() || !stage.bolts.empty())
     trial_.make_system();

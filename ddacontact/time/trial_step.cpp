@@ -18,7 +18,8 @@ namespace {
 /// Why a solution is rejected, and what a scene can do about it; empty: it is not.
 ///
 /// \param[in] between  names two blocks
-std::string why_rejected(SolutionStatus status, const std::string& between) {
+/// \param[in] driven   whether supports move one of them
+std::string why_rejected(SolutionStatus status, const std::string& between, bool driven) {
   static constexpr const char* of_unsettled =
       " (smaller time_step or friction_angle; in a settling [[stage]]: joints = { NAME = { glued = true } })";
   static const std::map<SolutionStatus, std::array<const char*, 2>> whys{
@@ -30,20 +31,32 @@ std::string why_rejected(SolutionStatus status, const std::string& between) {
         " (smaller time_step; contact.corner_rounding = 0.003; glued affine blocks: other block_model)"}},
       {SolutionStatus::not_positive_definite, {"the equations are not positive definite", ""}},
       {SolutionStatus::not_finite, {"the solution is not finite", ""}}};
-  return status == SolutionStatus::settled ? "" : whys.at(status)[0] + between + whys.at(status)[1];
+  if (status == SolutionStatus::settled) return "";
+  return whys.at(status)[0] + between +
+         (driven ? " (do supports in motion leave room?)" : whys.at(status)[1]);
 }
 
-/// Two states are in each other's place while it lives.
-class Swapped {
- public:
-  Swapped(BlockState& one, BlockState& other) : one_(one), other_(other) { std::swap(one_, other_); }
-  ~Swapped() { std::swap(one_, other_); }
-  Swapped(const Swapped&) = delete;
-  Swapped& operator=(const Swapped&) = delete;
-
- private:
-  BlockState &one_, &other_;
-};
+/// How far beyond the ends of their edges contacts act at the end of the step. Of blocks that meet something
+/// else in it no motion tells which edges they miss.
+void find_reaches(const BlockSystem& blocks, const VectorXd& predicted, double lip, const StepImpact& impact,
+                  std::vector<Contact>& contacts) {
+  std::vector<char> meets(blocks.n_blocks(), 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Contact& contact = contacts[c];
+    const bool hit = impact.changes() && impact.hit[c];
+    contact.reach = hit ? inf : contact.reach_of(predicted, lip * contact.size);
+    const auto passes_line = [&] {
+      const GapAndSlip end =
+          contact.motion.gap_and_slip_at(predicted, contact.history.lock, Directions::of_end);
+      return end.gap < contact.history.gap_offset;
+    };
+    if (contact.closed() || (contact.reach == inf && (hit || passes_line())))
+      for (int b : contact.pair.blocks()) meets[b] = blocks.is_movable(b);
+  }
+  for (Contact& contact : contacts)
+    if (contact.reach > 0 && (meets[contact.pair.vertex_block] || meets[contact.pair.edge_block]))
+      contact.reach = inf;
+}
 
 }  // namespace
 
@@ -63,24 +76,24 @@ void TrialStep::make_system() {
   forget_islands();
 }
 
-VectorXd TrialStep::predicted_motion(double dt) const {
+VectorXd TrialStep::predicted_motion(const BlockState& from, double dt) const {
   const bool at_rest = is_static() || analysis_.preset == Preset::paper;
-  VectorXd d = at_rest ? VectorXd::Zero(state_.velocity.size()) : VectorXd(dt * state_.going_on());
+  VectorXd d = at_rest ? VectorXd::Zero(from.velocity.size()) : VectorXd(dt * from.going_on());
   if (analysis_.preset == Preset::paper || blocks_.prescribed_dofs().empty()) return d;
-  const VectorXd prescribed = blocks_.prescribed(state_, state_.time + dt);
+  const VectorXd prescribed = blocks_.prescribed(from, from.time + dt);
   for (const PrescribedDof& held : blocks_.prescribed_dofs()) d[held.unknown] = prescribed[held.unknown];
   return d;
 }
 
 void TrialStep::detect(double dt, const std::vector<double>& margin, bool goes_on) {
   builder_->keep_pairs(analysis_.skip.skin);
-  builder_->build(state_, predicted_motion(dt), margin, last_, contacts_, goes_on);
+  builder_->build(state_, predicted_motion(state_, dt), margin, last_, contacts_, goes_on);
   keep_start();
 }
 
 void TrialStep::detect_first(double dt, const std::vector<double>& margin, const std::vector<int>& coming) {
   builder_->keep_pairs(analysis_.skip.skin);
-  contacts_ = builder_->build_first(state_, predicted_motion(dt), margin, coming);
+  contacts_ = builder_->build_first(state_, predicted_motion(state_, dt), margin, coming);
   keep_start();
 }
 
@@ -151,13 +164,12 @@ bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::
 }
 
 TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSolution* warm_start) {
-  std::optional<Swapped> at_impact;  // the step starts from where the impact leads it
-  if (impact.changes()) at_impact.emplace(state_, impact.start);
-  const StepStart start = step_from(analysis_, state_, dt);
+  BlockState& from = impact.changes() ? impact.start : state_;
+  const StepStart start = step_from(analysis_, from, dt);
   {
     const polyfem::Stopwatch watch(times_.assembly);
-    if (impact.changes()) blocks_.prepare(state_);
-    system_->set_step(state_, start, builder_->properties().normal_stiffness);
+    if (impact.changes()) blocks_.prepare(from);
+    system_->set_step(from, start, builder_->properties().normal_stiffness);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
@@ -166,24 +178,22 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     Contact& contact = contacts_[c];
     contact.damping = builder_->dashpot(contact) / dt;
-    if (impact.changes()) {
-      builder_->start_from(state_, contact);
-      contact.meets = impact.hit[c];
-    }
+    if (impact.changes()) builder_->start_from(from, contact);
     if (!warm_start) continue;
     contact.normal = warm_start->forces[c].normal;
     contact.shear = warm_start->forces[c].shear;
   }
+  VectorXd predicted = predicted_motion(from, dt);
+  find_reaches(blocks_, system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const polyfem::CholeskyWork before = cholesky.work();
   if (is_classic())
     solve_by_open_close(solution);
   else
-    solve_by_contact_solver(start, warm_start, solution);
+    solve_by_contact_solver(start, from, warm_start, solution);
   solution.straight = solution.d;
   solution.d = system_->displacement(solution.straight);
-  at_impact.reset();
   if (impact.changes()) {
     for (Contact& contact : contacts_) builder_->start_from(state_, contact);
     blocks_.prepare(state_);
@@ -207,11 +217,12 @@ void TrialStep::solve_by_open_close(TrialSolution& solution) {
   counts_.open_close_iterations += report.iterations;
   solution.residual = std::move(report.residual);
   solution.friction_unsettled = report.status == SolutionStatus::friction_unsettled;
-  solution.rejection = why_rejected(report.status, between(report.disagreeing));
+  solution.rejection =
+      why_rejected(report.status, between(report.disagreeing), is_driven(report.disagreeing));
 }
 
-void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolution* warm_start,
-                                        TrialSolution& solution) {
+void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from,
+                                        const TrialSolution* warm_start, TrialSolution& solution) {
   options_.local =
       !is_static() && (start.rule.is_explicit() ||
                        std::all_of(contacts_.begin(), contacts_.end(), [&](const Contact& contact) {
@@ -226,7 +237,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolut
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, contacts_);
   ContactSolverReport report =
-      apart ? islands_.solve(blocks_, state_, start, *system_, options_, contacts_, solution.d)
+      apart ? islands_.solve(blocks_, from, start, *system_, options_, contacts_, solution.d)
             : solve_contacts(*system_, options_, contacts_, solution.d);
   if (apart) add(islands_.last_work());
   counts_.open_close_iterations += report.iterations;
@@ -239,7 +250,8 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const TrialSolut
   counts_.solver_fallbacks += report.tangent.fallbacks;
   solution.tolerance = report.tolerance;
   solution.residual = std::move(report.residual);
-  solution.rejection = why_rejected(report.status, between(report.worst_contact));
+  solution.rejection =
+      why_rejected(report.status, between(report.worst_contact), is_driven(report.worst_contact));
 }
 
 std::string TrialStep::between(int contact) const {
@@ -247,6 +259,14 @@ std::string TrialStep::between(int contact) const {
   const VertexEdge& pair = contacts_[contact].pair;
   return ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
          quoted(blocks_.names[pair.edge_block]);
+}
+
+bool TrialStep::is_driven(int contact) const {
+  return contact >= 0 && std::ranges::any_of(blocks_.prescribed_dofs(), [&](const PrescribedDof& held) {
+           return system_->prescribed()[held.unknown] != 0 &&
+                  std::ranges::count(contacts_[contact].pair.blocks(), blocks_.block_of_point(held.vertex)) >
+                      0;
+         });
 }
 
 }  // namespace ddacontact

@@ -105,8 +105,8 @@ class TrialStep {
   /// Restores the contacts to before the last solution, if there was one.
   void restart();
   std::vector<ContactForce> forces() const;
-  /// Of all unknowns in a step, as velocities and supports have it.
-  VectorXd predicted_motion(double dt) const;
+  /// Of all unknowns in a step from this state, as velocities and supports have it.
+  VectorXd predicted_motion(const BlockState& from, double dt) const;
   /// With the impacts of the step.
   /// \param[in] warm_start  the solution with contacts that differ little; may be null
   TrialSolution solve_with_impacts(double dt, const TrialSolution* warm_start = nullptr);
@@ -118,9 +118,12 @@ class TrialStep {
   /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
   bool find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const;
   void solve_by_open_close(TrialSolution& solution);
-  void solve_by_contact_solver(const StepStart& start, const TrialSolution* warm_start,
+  /// \param[in] from  where the step starts, lent to the systems of islands
+  void solve_by_contact_solver(const StepStart& start, BlockState& from, const TrialSolution* warm_start,
                                TrialSolution& solution);
   std::string between(int contact) const;
+  /// Whether supports move a block of the contact.
+  bool is_driven(int contact) const;
   void add(const polyfem::CholeskyWork& work);
   void set_supports(const StepRule& rule, BlockState& next) const;
   void set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const;

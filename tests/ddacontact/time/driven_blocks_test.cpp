@@ -75,3 +75,13 @@ TEST(DrivenBlocks, AJointWithAStiffnessBearsWhatSupportsPrescribe) {
 TEST(DrivenBlocks, AnOverlapOfTheStartIsNoDrivenOne) {
   EXPECT_EQ(reason_to_stop(driven(-1. / 1024, {0, 0.1}, {0, -0.1})), "");
 }
+
+/// A block held at two vertices has unknowns left, but no room below it.
+TEST(DrivenBlocks, ABlockHeldInPartThatHasNoRoomHasItsSupportsNamed) {
+  Scene scene = driven(0, {0, 0}, {0, -0.05});
+  scene.blocks[0] = block(rectangle(0, -1, 4, 1), true);
+  scene.supports.erase(scene.supports.begin());
+  scene.supports[0].vertices = {0, 1};
+  const std::string reason = reason_to_stop(scene);
+  EXPECT_NE(reason.find("do supports in motion leave room?"), std::string::npos) << reason;
+}
