@@ -44,6 +44,7 @@ void share_friction_at_seams(const BlockSystem& blocks, const BlockState& state,
     const double same_place = properties.lip * std::min(a.size, b.size);
     if (std::pair(one.edge_block, one.edge) != std::pair(other.edge_block, other.edge) ||
         a.pair.vertex_block == b.pair.vertex_block || a.law.friction == b.law.friction ||
+        !blocks.is_held(a.pair.vertex_block) || !blocks.is_held(b.pair.vertex_block) ||
         other.along - one.along > same_place || std::abs(a.gap - b.gap) > same_place)
       continue;
     const double of_a = length(a.pair), of_b = length(b.pair);

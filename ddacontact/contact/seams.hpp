@@ -7,9 +7,9 @@
 
 namespace ddacontact {
 
-/// Gives the corners of two blocks that meet on an edge of a third, with joints of different friction, the
-/// mean of both by the lengths that they stand for. Together they bear what presses there, and only round-off
-/// says how much each does.
+/// Gives the corners of two held blocks that meet on an edge of a third, with joints of different friction,
+/// the mean of both by the lengths that they stand for. Together they bear what presses there, and only
+/// round-off says how much each does; of blocks that move their own equilibrium does.
 /// \param[in,out] contacts  of the start of a step
 void share_friction_at_seams(const BlockSystem& blocks, const BlockState& state,
                              const ContactProperties& properties, std::vector<Contact>& contacts);
