@@ -2,8 +2,10 @@
 
 #include <ddacontact/core/disjoint_sets.hpp>
 #include <ddacontact/core/tolerances.hpp>
+#include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ddacontact {
 
@@ -15,8 +17,12 @@ constexpr double slow = 5e-8;
 constexpr double worth_while = 0.125;
 }  // namespace
 
-double rest_speed(const BlockSystem& blocks, int b, double dt) {
-  return std::max(slow * blocks.gravity.norm() * dt, length_round_off * blocks.block(b).size() / dt);
+double rest_speed(const BlockSystem& blocks, int b, double dt, const RayleighDamping& damping) {
+  double time = dt;
+  if (damping.mass > 0) time = std::min(time, 1 / damping.mass);
+  if (damping.stiffness > 0)
+    time = std::min(time, std::pow(transit_time(blocks.block(b)), 2) / damping.stiffness);
+  return std::max(slow * blocks.gravity.norm() * time, length_round_off * blocks.block(b).size() / dt);
 }
 
 Sleeping::Sleeping(const SleepRecord& record)

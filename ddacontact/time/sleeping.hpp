@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
+#include <ddacontact/core/options.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
 
 #include <span>
@@ -19,8 +20,9 @@ struct SleepRecord {
 };
 
 /// A block is at rest while it is slower than this: what the residuals of steps leave of the velocity that
-/// gravity makes in one of them, or round-off of the block's size, m/s.
-double rest_speed(const BlockSystem& blocks, int b, double dt);
+/// gravity makes in one of them, or in the shorter time that damping leaves it, under which blocks creep; or
+/// round-off of the block's size, m/s.
+double rest_speed(const BlockSystem& blocks, int b, double dt, const RayleighDamping& damping);
 
 /// Blocks by the islands they sleep in.
 ///

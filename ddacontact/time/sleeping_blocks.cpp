@@ -139,7 +139,7 @@ std::vector<char> SleepingBlocks::find_restless(double dt) const {
   // Contacts that open, or go from sticking to sliding and back as those at their bound do by round-off, show
   // in speeds; those that close under more than makes such a speed bear something new.
   const auto force_of_rest = [&](int b) {
-    return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt) / dt;
+    return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt, trial_.analysis().damping) / dt;
   };
   for (std::size_t c = 0; c < trial_.contacts().size(); ++c) {
     const auto [vertex_block, vertex, edge_block, edge, corner] = trial_.contacts()[c].pair;
@@ -161,7 +161,8 @@ bool SleepingBlocks::fall_asleep(double dt) {
     if (!blocks_.is_movable(b)) continue;
     awake.push_back(in_whole(b));
     sleeping_.note(in_whole(b),
-                   !restless[b] && is_slow(blocks_.block(b), state_.going_on(), rest_speed(blocks_, b, dt)));
+                   !restless[b] && is_slow(blocks_.block(b), state_.going_on(),
+                                           rest_speed(blocks_, b, dt, trial_.analysis().damping)));
   }
   std::vector<Pair> touching;
   for (const Contact& contact : trial_.contacts())
@@ -207,13 +208,17 @@ const std::vector<double>& SleepingBlocks::look_around(double dt, double reach) 
     const std::vector<double>& margin = limits_.search_margin(state_, contacts_, dt, reach);
     if (!asleep_) return margin;
     bool woken = false, covered = true;
+    std::vector<char> driven(blocks_.n_blocks(), 0);
+    for (const PrescribedDof& held : blocks_.prescribed_dofs())
+      if (varies(held.motion, state_.time, state_.time + dt, blocks_.end_time))
+        driven[blocks_.block_of_point(held.vertex)] = 1;
     std::size_t k = 0;
     for (int b = 0; b < blocks_.n_blocks(); ++b) {
       if (blocks_.is_unchanging(b)) continue;
       const Box box = box_of(blocks_, state_, b, margin[b]);
-      if (blocks_.is_movable(b))
-        covered = lies_in(box, asleep_->around[k++]) && covered;
-      else if (margin[b] > length_round_off * blocks_.block(b).size())
+      if (blocks_.is_movable(b)) covered = lies_in(box, asleep_->around[k++]) && covered;
+      const bool comes = driven[b] || !blocks_.is_movable(b);
+      if (comes && margin[b] > length_round_off * blocks_.block(b).size())
         for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
           if (touch(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
     }

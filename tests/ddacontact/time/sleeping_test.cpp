@@ -184,6 +184,40 @@ TEST(Sleeping, SupportsThatComeNearWake) {
   expect_same_places(*sleepy.stepper, *awake.stepper, 1e-5);
 }
 
+/// A meshed roof whose outline supports move comes down on a block that sleeps: its nodes there have no
+/// unknowns.
+TEST(Sleeping, ADrivenMeshPressesWhatSlept) {
+  Scene scene = stack_scene(1);
+  scene.blocks.push_back(block(rectangle(-1, 1 + 2e-5, 3, 0.5)));
+  scene.blocks[2].model = BlockModel::mesh;
+  scene.blocks[2].mesh.cells = 24;
+  Support support;
+  support.block = 2;
+  support.vertices = {0, 1, 2, 3};
+  support.displacement = {TimeFunction::Kind::history, {0, 0}, {{0, 0, 0}, {1, 0, 0}, {2, 0, -9e-5}}};
+  scene.supports = {support};
+  BuiltScene asleep = build(scene), awake = build(always_awake(scene));
+  run_both(asleep, awake, 95);
+  ASSERT_TRUE(asleep.stepper->is_asleep(1));
+  run_both(asleep, awake, 300);
+  expect_same_forces(*asleep.stepper, *awake.stepper, 1e-3 * weight);
+  EXPECT_GT(asleep.stepper->reactions().row(1).maxCoeff(), 2 * weight) << "the roof presses";
+}
+
+/// A column that creeps under its weight, by damping with a relaxation time of a hundred steps, is slow and
+/// not at rest.
+TEST(Sleeping, WhatCreepsStaysAwake) {
+  Scene scene = stack_scene(0);
+  scene.materials[0].poisson = 0;
+  scene.blocks.push_back(block(rectangle(0, 0, 1, 10)));
+  scene.analysis.time_step = 10;
+  scene.analysis.damping.stiffness = 1000;
+  const BuiltScene built = build(scene);
+  run(*built.stepper, 500);
+  const double stress = built.stepper->blocks().block(1).stress(built.stepper->state())(1, 0);
+  EXPECT_NEAR(stress, -5 * weight * (1 - std::exp(-5)), 1e-2 * 5 * weight);
+}
+
 TEST(Sleeping, AStageWakesAllSoThatWhatLosesItsRestFalls) {
   Scene scene = stack_scene(2);
   scene.blocks.push_back(block(rectangle(3, 0, 1, 1)));
