@@ -11,9 +11,13 @@ namespace {
 
 /// Requests that are granted before one fails; < 0: none fails.
 long granted = -1;
+bool has_failed = false;
 
 void* request(std::size_t size) {
-  if (granted >= 0 && granted-- == 0) throw std::bad_alloc();
+  if (granted >= 0 && granted-- == 0) {
+    has_failed = true;
+    throw std::bad_alloc();
+  }
   if (void* place = std::malloc(size > 0 ? size : 1)) return place;
   throw std::bad_alloc();
 }
@@ -47,6 +51,7 @@ enum class End { made, refused, thrown };
 
 End step_with(Stepper& stepper, long requests) {
   granted = requests;
+  has_failed = false;
   try {
     const bool made = stepper.step();
     granted = -1;
@@ -75,7 +80,8 @@ TEST(OutOfMemory, AStepIsLeftAsIfItHadNotBeenTried) {
     const End end = step_with(*built.stepper, requests);
     if (end == End::thrown) continue;
     if (end == End::made) {
-      if (built.stepper->counts().unknown_velocities == 0) break;
+      if (!has_failed) break;
+      if (built.stepper->counts().unknown_velocities == 0) continue;  // what only saves time
       ++n_without_velocity;
       ASSERT_TRUE(built.stepper->step());
       EXPECT_TRUE(built.stepper->state().position == next_positions) << requests;
