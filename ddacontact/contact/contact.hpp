@@ -106,7 +106,7 @@ struct Contact : ContactRecord {
   [[no_unique_address]] JointLaw law;  ///< flags stand where it would be padded
   bool start_bonded = false;  ///< `history.bonded` and `history.state` before a trial, which changes them
   ContactState start_state = ContactState::open;
-  double reach = 0;  ///< how far beyond an end of its edge it acts at the end of the step, m: see reach_of
+  bool meets = false;  ///< over the edge where it passes its line within the step, or at the start
   MovingVertexEdge motion;
   // At the end of the last trial of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
@@ -144,18 +144,16 @@ struct Contact : ContactRecord {
     return along >= -(beyond + straight_before) && along <= length + straight_after + beyond;
   }
   bool is_on_edge(double at_slip) const { return is_on_edge(at_slip, end_tolerance()); }
-  /// How far beyond an end of the edge it acts: anywhere, if it acts already, or is over the edge where this
-  /// motion from the start of the step takes it past the line, or, where that does not, at the start; no
-  /// further than the lip, if it is over the edge at the start and misses it.
-  double reach_of(const VectorXd& by, double lip) const {
-    const double outside = first_gap().constant - history.gap_offset, at_start = first_slip().constant;
-    const bool is_over = is_on_edge(at_start);
-    if (closed() || outside <= 0) return is_over ? inf : 0;
+  bool starts_on_edge() const { return is_on_edge(first_slip().constant); }
+  /// Whether it does, or is beyond the end by no more than the lip, where this motion from the start of the
+  /// step takes it past the line of the edge; if the motion does not, at the start.
+  bool meets_edge(const VectorXd& by, double lip) const {
+    const double outside = first_gap().constant - history.gap_offset;
+    if (closed() || outside <= 0) return starts_on_edge();
     const GapAndSlip end = motion.gap_and_slip_at(by, history.lock, Directions::of_end);
-    const double past = end.gap - history.gap_offset,
-                 at_line =
-                     past < 0 ? at_start + outside / (outside - past) * (end.slip - at_start) : at_start;
-    return is_on_edge(at_line, past < 0 ? lip : end_tolerance()) ? inf : is_over ? lip : 0;
+    const double past = end.gap - history.gap_offset, at_start = first_slip().constant;
+    return past < 0 ? is_on_edge(at_start + outside / (outside - past) * (end.slip - at_start), lip)
+                    : starts_on_edge();
   }
 };
 

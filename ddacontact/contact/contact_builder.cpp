@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace ddacontact {
 
@@ -64,7 +65,7 @@ void ContactBuilder::find_pairs(const BlockState& state) {
     }
   };
   polyfem::for_ranges(n, of_range, std::ref(check_blocks));
-  if (covered_.empty()) find_covered(state);
+  if (!std::exchange(knows_covered_, true)) find_covered(state);
   nearby_.find(boxes_, margins_, pairs_);
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant);
   std::erase_if(pairs_, [&](const Pair& pair) {
@@ -77,7 +78,6 @@ void ContactBuilder::find_pairs(const BlockState& state) {
 }
 
 void ContactBuilder::find_covered(const BlockState& state) {
-  covered_.resize(blocks_.n_blocks());
   if (properties_.lip == inf) return;
   std::vector<int> held;
   std::vector<Box> boxes;
@@ -101,6 +101,12 @@ void ContactBuilder::find_covered(const BlockState& state) {
                                past_end.norm() > near ? past_end : -along(other, previous(f, other))});
       }
     }
+}
+
+std::span<const CoveredPart> ContactBuilder::covered_of(const Pair& pair) const {
+  for (int b : pair)
+    if (const auto found = covered_.find(b); found != covered_.end()) return found->second;
+  return {};
 }
 
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
@@ -150,8 +156,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   const Outline one{a, start_a, moved_a.leftCols(of_a.count)},
       other{b, start_b, moved_b.leftCols(of_b.count)};
   if (!blocks_.has_rounded_corners())
-    find_contacts(one, outlines_[a], other, sides_b, limits, earlier,
-                  covered_[a].empty() ? covered_[b] : covered_[a], found, choices);
+    find_contacts(one, outlines_[a], other, sides_b, limits, earlier, covered_of(pair), found, choices);
   else if (const RoundedBlock& round_a = blocks_.rounded(a), &round_b = blocks_.rounded(b);
            round_b.radius < round_a.radius)  // of two corners at one place the first one stays
     find_rounded_contacts(other, round_b, one, round_a, limits, earlier, found, choices);
@@ -328,8 +333,7 @@ void ContactBuilder::restart(Contact& contact) const {
     contact.law.tangential_stiffness = properties_.tangential_stiffness;
   }
   contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
-  contact.was_closed = false;
-  contact.reach = 0;
+  contact.was_closed = contact.meets = false;
   contact.gap = contact.first_gap().constant;
 }
 

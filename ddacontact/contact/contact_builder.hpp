@@ -7,6 +7,7 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <map>
 #include <set>
 #include <span>
 #include <vector>
@@ -96,6 +97,7 @@ class ContactBuilder {
                       std::vector<VertexEdge>& found, std::size_t first) const;
   /// Finds where held blocks lie on edges of each other, as near as joints are flush: they are one ground.
   void find_covered(const BlockState& state);
+  std::span<const CoveredPart> covered_of(const Pair& pair) const;
   /// Whether free unknowns move what has this form, by more than supports leave at the held end of an edge.
   bool is_moved(const Contact& contact, const VertexEdgeForm& by) const;
   /// Where supports alone hold two blocks together no one can tell the normal force: a bond bears shear by
@@ -170,7 +172,8 @@ class ContactBuilder {
   bool begins_ = false;  ///< contacts have none before them
 
   OutlineTable outlines_;
-  std::vector<std::vector<CoveredPart>> covered_;  ///< of each block; empty before the first search
+  std::map<int, std::vector<CoveredPart>> covered_;  ///< of the blocks that have some
+  bool knows_covered_ = false;
   NearbyPairs nearby_;
   std::vector<Box> boxes_;
   std::vector<double> margins_;

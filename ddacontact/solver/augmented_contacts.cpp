@@ -124,8 +124,7 @@ void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displac
       law.normal_stiffness * (law.compliant && has_means() ? 1. / 2 : 1) + contact.damping;
   term.tangential_stiffness = shear_stiffness(law);
   term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
-  const bool possible = multiplier.bonded || contact.closed() ||
-                        contact.is_on_edge(s, std::max(contact.reach, contact.end_tolerance()));
+  const bool possible = contact.meets || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
   term.tension = multiplier.bonded ? law.tension : 0;
   term.normal = !possible            ? ContactTerm::Normal::absent
                 : term.tension < inf ? ContactTerm::Normal::unilateral

@@ -36,26 +36,26 @@ std::string why_rejected(SolutionStatus status, const std::string& between, bool
          (driven ? " (do supports in motion leave room?)" : whys.at(status)[1]);
 }
 
-/// How far beyond the ends of their edges contacts act at the end of the step. Of blocks that meet something
-/// else in it no motion tells which edges they miss.
-void find_reaches(const BlockSystem& blocks, const VectorXd& predicted, double lip, const StepImpact& impact,
+/// Finds which contacts meet their edges. Of blocks that meet something else in the step no motion tells
+/// which edges they miss.
+void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double lip, const StepImpact& impact,
                   std::vector<Contact>& contacts) {
-  std::vector<char> meets(blocks.n_blocks(), 0);
+  std::vector<char> touches(blocks.n_blocks(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Contact& contact = contacts[c];
     const bool hit = impact.changes() && impact.hit[c];
-    contact.reach = hit ? inf : contact.reach_of(predicted, lip * contact.size);
+    contact.meets = hit || contact.meets_edge(predicted, lip * contact.size);
     const auto passes_line = [&] {
       const GapAndSlip end =
           contact.motion.gap_and_slip_at(predicted, contact.history.lock, Directions::of_end);
       return end.gap < contact.history.gap_offset;
     };
-    if (contact.closed() || (contact.reach == inf && (hit || passes_line())))
-      for (int b : contact.pair.blocks()) meets[b] = blocks.is_movable(b);
+    if (contact.closed() || (contact.meets && (hit || passes_line())))
+      for (int b : contact.pair.blocks()) touches[b] = blocks.is_movable(b);
   }
   for (Contact& contact : contacts)
-    if (contact.reach > 0 && (meets[contact.pair.vertex_block] || meets[contact.pair.edge_block]))
-      contact.reach = inf;
+    if (!contact.meets && (touches[contact.pair.vertex_block] || touches[contact.pair.edge_block]))
+      contact.meets = contact.starts_on_edge();
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
     contact.shear = warm_start->forces[c].shear;
   }
   VectorXd predicted = predicted_motion(from, dt);
-  find_reaches(blocks_, system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
+  find_meeting(blocks_, system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const polyfem::CholeskyWork before = cholesky.work();
