@@ -49,7 +49,8 @@ double ContactBuilder::pair_size(int a, int b) const {
 }
 
 double ContactBuilder::lip(int a, int b, bool touch) const {
-  return properties_.lip * pair_size(a, b) + (touch ? 0 : std::max(closure_[a], closure_[b]));
+  return properties_.lip * pair_size(a, b) +
+         (touch || closure_.empty() ? 0 : std::max(closure_[a], closure_[b]));
 }
 
 void ContactBuilder::find_pairs(const BlockState& state) {
@@ -191,12 +192,14 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   ties_ = ties;
   const double rise = properties_.joints.largest_rise();
   for (double& margin : search_margin_) margin += rise / 2;
-  closure_.assign(search_margin_.size(), 0);
-  if (properties_.joints.any(&JointStrength::is_compliant))
+  closure_.clear();
+  if (properties_.joints.any(&JointStrength::is_compliant)) {
+    closure_.resize(search_margin_.size());
     for (const ContactRecord& contact : previous)
       if (contact.closed() && properties_.is_compliant(contact))
         for (const int b : contact.pair.blocks())
           closure_[b] = std::max(closure_[b], -(contact.end_gap + contact.history.gap_offset));
+  }
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize((n + of_range - 1) / of_range);

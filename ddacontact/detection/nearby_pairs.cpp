@@ -16,6 +16,7 @@ void NearbyPairs::find(const std::vector<Box>& boxes, const std::vector<double>&
     wide_ = boxes;
     for (std::size_t b = 0; b < margins.size(); ++b) wide_[b] = widened(boxes[b], margins[b]);
     candidates_ = overlapping_pairs(wide_);
+    candidates_.shrink_to_fit();  // kept for long
     ++n_searches_;
   }
   pairs.clear();
