@@ -145,16 +145,6 @@ struct Contact : ContactRecord {
   }
   bool is_on_edge(double at_slip) const { return is_on_edge(at_slip, end_tolerance()); }
   bool starts_on_edge() const { return is_on_edge(first_slip().constant); }
-  /// Whether it does, or is beyond the end by no more than the lip, where this motion from the start of the
-  /// step takes it past the line of the edge; if the motion does not, at the start.
-  bool meets_edge(const VectorXd& by, double lip) const {
-    const double outside = first_gap().constant - history.gap_offset;
-    if (closed() || outside <= 0) return starts_on_edge();
-    const GapAndSlip end = motion.gap_and_slip_at(by, history.lock, Directions::of_end);
-    const double past = end.gap - history.gap_offset, at_start = first_slip().constant;
-    return past < 0 ? is_on_edge(at_start + outside / (outside - past) * (end.slip - at_start), lip)
-                    : starts_on_edge();
-  }
 };
 
 }  // namespace ddacontact

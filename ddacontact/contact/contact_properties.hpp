@@ -19,8 +19,9 @@ struct ContactProperties {
   double tangential_stiffness = 0;  ///< p bar, N/m per m
   JointTable joints;
   std::vector<int> materials;  ///< of each block
-  ContactMethod method = ContactMethod::classic;
-  double penetration_tolerance = 0;  ///< of the block size; 0: plain penalty
+  ContactMethod method = standard_defaults.method;
+  /// Of the block size; 0: plain penalty.
+  double penetration_tolerance = standard_defaults.penetration_tolerance;
   /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
   /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
   double lip = default_lip;

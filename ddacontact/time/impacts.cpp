@@ -44,15 +44,13 @@ class Flight {
     std::vector<char> touches(blocks.n_blocks(), 0);
     for (const Contact& contact : contacts)
       if (bears(contact)) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
-    VectorXd loads = VectorXd::Zero(acceleration_.size());
-    blocks.add_loads(state, rule.load_span(state.time, dt), loads);
-    for (int b = 0; b < blocks.n_blocks(); ++b) {
-      if (touches[b] || !blocks.is_free(b)) continue;
-      const Block& block = blocks.block(b);
-      const Range& u = block.unknowns();
-      u.of(acceleration_) = block.translations() * blocks.gravity;
-      if (!u.of(loads).isZero(0))
-        u.of(acceleration_) += as_velocity(block, rigid_velocity_by(block, u.of(loads)));
+    forces_.setZero(acceleration_.size());
+    blocks.add_loads(state, rule.load_span(state.time, dt), forces_);
+    for (int b = 0; b < blocks.n_blocks(); ++b)
+      if (!touches[b] && blocks.is_free(b)) blocks.block(b).unknowns().of(acceleration_) = acceleration(b);
+    for (const Contact& contact : contacts) {
+      contact.motion.form(contact.first_gap().gradient).add_gradient(contact.history.normal, forces_);
+      contact.motion.form(contact.first_slip().gradient).add_gradient(contact.history.shear, forces_);
     }
   }
 
@@ -63,7 +61,21 @@ class Flight {
     return std::move(result_);
   }
 
+  /// Of the free blocks that an impact makes jump, with the blocks prepared for the start of the step.
+  void find_acceleration_before(StepImpact& impact) const {
+    for (int b = 0; b < blocks_.n_blocks(); ++b)
+      if (blocks_.is_free(b) && !blocks_.block(b).unknowns().of(impact.jump).isZero(0))
+        impact.acceleration_before.emplace_back(b, acceleration(b));
+  }
+
  private:
+  /// Of a free block as a rigid body, by gravity and the forces known so far.
+  VectorXd acceleration(int b) const {
+    const Block& block = blocks_.block(b);
+    return block.translations() * blocks_.gravity +
+           as_velocity(block, rigid_velocity_by(block, block.unknowns().of(forces_)));
+  }
+
   /// When the blocks of a contact meet next, and how fast.
   struct Meeting {
     double time = inf, approach = 0;
@@ -339,6 +351,7 @@ class Flight {
   const std::vector<char>& also_;
   BlockState start_;  ///< as if the blocks had moved with their present velocities all the time
   VectorXd velocity_, acceleration_;
+  VectorXd forces_;                   ///< of loads, then of the contacts of the last step too
   std::vector<RigidVelocity> rigid_;  ///< of `velocity_`
   std::vector<double> last_;          ///< impact of each block, s
   std::vector<Meeting> meetings_;
@@ -347,19 +360,6 @@ class Flight {
 };
 
 }  // namespace
-
-VectorXd without_impact(const BlockSystem& blocks, const BlockState& state, const StepImpact& impact,
-                        VectorXd velocity) {
-  if (!impact.changes()) return velocity;
-  velocity -= impact.jump;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    if (!blocks.is_free(b)) continue;
-    const Index at = blocks.block(b).coordinates().first + 2;
-    const double angle = state.coordinates[at] - impact.start.coordinates[at];
-    if (angle != 0) turn_about_centre(blocks.block(b), turned_by(angle), velocity);
-  }
-  return velocity;
-}
 
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt) {
   return std::max(0.1 * blocks.gravity.norm() * dt, round_off_speed(contact, dt));
@@ -374,8 +374,11 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,
                           const std::vector<char>& forced) {
-  StepImpact impact = Flight(blocks, state, properties, contacts, rule, dt, forced).follow();
-  if (impact.changes()) blocks.prepare(state);
+  Flight flight(blocks, state, properties, contacts, rule, dt, forced);
+  StepImpact impact = flight.follow();
+  if (!impact.changes()) return impact;
+  blocks.prepare(state);
+  flight.find_acceleration_before(impact);
   return impact;
 }
 

@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace ddacontact {
@@ -15,6 +16,9 @@ struct StepImpact {
   /// From where and with what velocities the step ends as if the blocks had moved with their velocities after
   /// the impact all the time: shifted, and jumped.
   BlockState start;
+  /// Of the free blocks that jump: their numbers, and by what the forces of the step before and the loads
+  /// accelerate their unknowns until then.
+  std::vector<std::pair<int, VectorXd>> acceleration_before;
   std::vector<char> hit;  ///< the contacts that met with a speed that counts
   int n_hits = 0;
   double friction_loss = 0, normal_loss = 0;  ///< kinetic energy lost, J per m
@@ -46,11 +50,6 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
                           const std::vector<Contact>& contacts, const StepRule& rule, double dt,
                           const std::vector<char>& forced);
-
-/// The velocity of a step as if its impacts were yet to come: less their jumps, in the frames of the blocks
-/// at the start of the step.
-VectorXd without_impact(const BlockSystem& blocks, const BlockState& state, const StepImpact& impact,
-                        VectorXd velocity);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

@@ -69,6 +69,7 @@ double Stepper::longest_substep() const {
 
 bool Stepper::make_substeps() {
   while (true) {
+    if (ahead_) substep_ = ahead_->substep;
     const auto [dt, end, is_last, is_shortest] = next_substep(progress_.steps);
     Trial result;
     try {
@@ -81,7 +82,7 @@ bool Stepper::make_substeps() {
         }
         accepted_ = {substep_, run_.counts};
         sleepers_.accept();
-        look_ahead(next_substep(progress_.steps + is_last).dt);
+        look_ahead(progress_.steps + is_last);
         sleepers_.accept();  // who sleeps after it is what a record holds
         if (is_last) return true;
         if (is_interrupted()) return false;
@@ -141,6 +142,11 @@ TrialSolution Stepper::find_solution(double dt) {
   return trial_.solve(dt);
 }
 
+bool Stepper::refuses(const TrialSolution& solution, double dt) const {
+  const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * longest_substep();
+  return !solution.rejection.empty() && !(solution.friction_unsettled && cut_enough);
+}
+
 Stepper::Trial Stepper::make_trial(double dt) {
   TrialSolution solution;
   if (ahead_ && ahead_->dt == dt) {
@@ -158,8 +164,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
     return Trial::woke_blocks;
   }
   rejection_ = solution.rejection;
-  const bool cut_enough = dt * analysis_.cutting_factor < tolerant_substep * longest_substep();
-  if (!rejection_.empty() && !(solution.friction_unsettled && cut_enough)) return Trial::rejected;
+  if (refuses(solution, dt)) return Trial::rejected;
 
   bool outran = false;
   for (int b = 0; b < blocks_.n_blocks(); ++b) {

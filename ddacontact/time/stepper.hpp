@@ -128,9 +128,11 @@ class Stepper {
   void leave_stage();
   void start_accounts();
   Trial make_trial(double dt);
-  /// With half steps: solves the next substep, for the velocity at the present time lies between that in the
-  /// middle of the last one and of this. Closes the accounts of the last one.
-  void look_ahead(double dt);
+  /// Whether a substep cannot be accepted with this solution.
+  bool refuses(const TrialSolution& solution, double dt) const;
+  /// With half steps: solves the next substep, cut until it is solvable, for the velocity at the present time
+  /// lies between that in the middle of the last one and of this. Closes the accounts of the last one.
+  void look_ahead(long steps_made);
   void forget_ahead();
   bool is_interrupted();
   /// Discards all trials since the last accepted substep.
@@ -185,6 +187,7 @@ class Stepper {
     double dt;
     TrialSolution solution;
     StepCounts counts;
+    double substep;  ///< cut until that was solvable
   };
   std::optional<Ahead> ahead_;
   double tolerated_work_ = 0;  ///< of contacts, see EnergyLedger::close_step

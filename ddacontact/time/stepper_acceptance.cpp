@@ -77,19 +77,33 @@ void Stepper::note_concave(const std::vector<int>& concave, double time) {
   }
 }
 
-void Stepper::look_ahead(double dt) {
+void Stepper::look_ahead(long steps_made) {
   if (state_.carried_dt > 0) {
     try {
-      ahead_ = Ahead{dt, find_solution(dt), run_.counts};
+      for (bool cut = true; cut;) {
+        const Substep next = next_substep(steps_made);
+        ahead_ = Ahead{next.dt, find_solution(next.dt), run_.counts, substep_};
+        cut = refuses(ahead_->solution, next.dt) && !next.is_shortest;
+        if (!cut) continue;
+        ++run_.counts.rejected;
+        substep_ = next.dt * analysis_.cutting_factor;
+      }
       ahead_->solution.start.resize(0);  // has served
     } catch (const std::bad_alloc&) {    // the step itself will say so
       discard_trials();
     }
     run_.counts = accepted_.counts;
-    if (ahead_ && (ahead_->solution.rejection.empty() || ahead_->solution.friction_unsettled)) {
+    substep_ = accepted_.substep;
+    if (ahead_ && !refuses(ahead_->solution, ahead_->dt)) {
+      const double dt = ahead_->dt;
       const TrialSolution& solution = ahead_->solution;
-      const VectorXd next = without_impact(blocks_, state_, solution.impact, solution.straight / dt);
+      VectorXd next = solution.straight / dt;
+      if (solution.impact.changes()) next -= solution.impact.jump;
       state_.velocity = (dt * state_.carried + state_.carried_dt * next) / (dt + state_.carried_dt);
+      for (const auto& [b, acceleration] : solution.impact.acceleration_before) {
+        const Range& u = blocks_.block(b).unknowns();
+        u.of(state_.velocity) = u.of(state_.carried) + state_.carried_dt / 2 * acceleration;
+      }
       // Central differences keep the energy less (v - v_before) M (v - v_before) / 8.
       if (stable_) tolerated_work_ += kinetic_energy(blocks_, solution.straight / dt - state_.carried) / 4;
       book_kinetic(kinetic_energy(blocks_, state_.velocity), run_.energy.now);

@@ -36,21 +36,29 @@ std::string why_rejected(SolutionStatus status, const std::string& between, bool
          (driven ? " (do supports in motion leave room?)" : whys.at(status)[1]);
 }
 
-/// Finds which contacts meet their edges. Of blocks that meet something else in the step no motion tells
-/// which edges they miss.
+/// Finds which contacts meet their edges: the vertex is over the edge, or beyond its end by no more than the
+/// lip, where the predicted motion takes it past the line; if it does not, at the start. Of blocks that meet
+/// something else in the step no motion tells which edges they miss.
 void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double lip, const StepImpact& impact,
                   std::vector<Contact>& contacts) {
+  const bool moves = !predicted.isZero(0);
   std::vector<char> touches(blocks.n_blocks(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Contact& contact = contacts[c];
+    const ContactHistory& history = contact.history;
     const bool hit = impact.changes() && impact.hit[c];
-    contact.meets = hit || contact.meets_edge(predicted, lip * contact.size);
-    const auto passes_line = [&] {
-      const GapAndSlip end =
-          contact.motion.gap_and_slip_at(predicted, contact.history.lock, Directions::of_end);
-      return end.gap < contact.history.gap_offset;
-    };
-    if (contact.closed() || (contact.meets && (hit || passes_line())))
+    const double outside = contact.first_gap().constant - history.gap_offset,
+                 slip = contact.first_slip().constant;
+    double end_gap = outside, end_slip = slip;
+    if (moves && !contact.closed()) {
+      const GapAndSlip end = contact.motion.gap_and_slip_at(predicted, history.lock, Directions::of_end);
+      end_gap = end.gap - history.gap_offset;
+      end_slip = end.slip;
+    }
+    const bool passes = outside > 0 && end_gap < 0;
+    const double passing = passes ? slip + outside / (outside - end_gap) * (end_slip - slip) : slip;
+    contact.meets = hit || contact.is_on_edge(passing, passes ? lip * contact.size : contact.end_tolerance());
+    if (contact.closed() || (contact.meets && (hit || end_gap < 0)))
       for (int b : contact.pair.blocks()) touches[b] = blocks.is_movable(b);
   }
   for (Contact& contact : contacts)
@@ -183,8 +191,9 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
     contact.normal = warm_start->forces[c].normal;
     contact.shear = warm_start->forces[c].shear;
   }
-  VectorXd predicted = predicted_motion(from, dt);
-  find_meeting(blocks_, system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
+  if (!is_classic())
+    find_meeting(blocks_, system_->displacement(predicted_motion(from, dt)), builder_->properties().lip,
+                 impact, contacts_);
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const polyfem::CholeskyWork before = cholesky.work();

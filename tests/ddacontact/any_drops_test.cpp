@@ -3,6 +3,8 @@
 #include <tests/support/hard_steps.hpp>
 #include <tests/support/random_scenes.hpp>
 
+#include <ddacontact/time/run_record.hpp>
+
 #include <gtest/gtest.h>
 
 using namespace ddacontact;
@@ -49,6 +51,28 @@ TEST(AnyDrops, AnUWithStraightCornersMoves) {
 /// velocity was that of the middle of the step then, and its energy fell and came back by up to 2e-3.
 TEST(AnyDrops, ImpactsToComeLeaveTheVelocityAsItIs) {
   for (const std::uint64_t seed : {59, 73, 237, 268, 304}) EXPECT_EQ(run_any_drop(seed).rises, 0) << seed;
+}
+
+/// Each has a step that is solvable only when it is cut: the velocity at its start comes from the first part.
+TEST(AnyDrops, StepsToBeCutLeaveTheVelocityAsItIs) {
+  for (const std::uint64_t seed : {3635, 4182, 6851, 8613}) EXPECT_EQ(run_any_drop(seed).rises, 0) << seed;
+}
+
+/// Before and after the step that is cut (60) a record goes on as the run does.
+TEST(AnyDrops, ARecordBeforeAStepToBeCutGoesOnAsTheRunDoes) {
+  const Scene scene = any_drop(6851);
+  const BuiltScene whole = build(scene);
+  for (int k = 0; k < 63; ++k) {
+    const RunRecord record = whole.stepper->run_record();
+    ASSERT_TRUE(whole.stepper->step());
+    if (k < 58) continue;
+    const BuiltScene resumed = build(scene);
+    resumed.stepper->restore(record);
+    ASSERT_TRUE(resumed.stepper->step());
+    EXPECT_TRUE(to_bytes(resumed.stepper->run_record()) == to_bytes(whole.stepper->run_record())) << k;
+  }
+  EXPECT_EQ(whole.stepper->counts().rejected, 1);
+  EXPECT_EQ(whole.stepper->counts().unknown_velocities, 0);
 }
 
 /// An interior-point iteration that starts where no contact acts.

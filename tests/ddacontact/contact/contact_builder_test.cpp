@@ -30,8 +30,12 @@ struct BlockOnPlate {
     return s;
   }
   static ContactProperties properties(double friction, int n_blocks = 2) {
-    return {1e9, 4e8, one_joint({friction, 7e3, 5e3}),
-            std::vector<int>(static_cast<std::size_t>(n_blocks), 0)};
+    return {1e9,
+            4e8,
+            one_joint({friction, 7e3, 5e3}),
+            std::vector<int>(static_cast<std::size_t>(n_blocks), 0),
+            ContactMethod::classic,
+            0};
   }
   VectorXd at_rest() const { return VectorXd::Zero(state.velocity.size()); }
   void move(const Vec2& by) { state.position.rightCols<4>().colwise() += by; }

@@ -12,7 +12,12 @@ constexpr double apart = 0.01;
 
 /// Of unit squares without edges of other joints, frictionless.
 ContactProperties plain_contacts(int n_blocks) {
-  return {1e9, 4e8, JointTable(JointStrength{}), std::vector<int>(static_cast<std::size_t>(n_blocks), 0)};
+  return {1e9,
+          4e8,
+          JointTable(JointStrength{}),
+          std::vector<int>(static_cast<std::size_t>(n_blocks), 0),
+          ContactMethod::classic,
+          0};
 }
 
 /// Two towers, fixed; a beam whose lower corners are diagonally above their inner corners (block 2), one on

@@ -16,7 +16,8 @@ struct Faces {
   Faces(const Points& plate, const Points& upper, const JointStrength& joint,
         const std::vector<Support>& supports = {}, const std::vector<std::vector<int>>& edge_joints = {})
       : built(build(scene(plate, upper, supports))) {
-    ContactProperties properties{1e9, 4e8, JointTable({{joint, std::nullopt}, {{0.9}, {{5, 5}}}}), {0, 0}};
+    ContactProperties properties{
+        1e9, 4e8, JointTable({{joint, std::nullopt}, {{0.9}, {{5, 5}}}}), {0, 0}, ContactMethod::classic, 0};
     properties.edge_joints = edge_joints;
     const BlockState& state = built.stepper->state();
     contacts = ContactBuilder(built.stepper->blocks(), properties)

@@ -15,7 +15,8 @@ struct AboveAPlate {
   explicit AboveAPlate(double height)
       : built(build(scene(height))),
         state(built.stepper->state()),
-        builder(built.stepper->blocks(), {1e9, 4e8, JointTable(JointStrength{}), {0, 0}}) {
+        builder(built.stepper->blocks(),
+                {1e9, 4e8, JointTable(JointStrength{}), {0, 0}, ContactMethod::classic, 0}) {
     builder.build(state, VectorXd::Zero(state.velocity.size()), {0.5, 0.5}, {}, contacts);
   }
   static Scene scene(double height) {

@@ -19,8 +19,12 @@ std::map<int, double> friction_at_seam(double gap, bool same_material = false, d
   const BuiltScene built = build(scene);
   const BlockSystem& blocks = built.stepper->blocks();
   const BlockState& state = built.stepper->state();
-  const ContactProperties properties{
-      1e9, 4e8, JointTable({{{rough}, std::nullopt}, {{smooth}, {{0, 1}}}}), {0, same_material ? 0 : 1, 0}};
+  const ContactProperties properties{1e9,
+                                     4e8,
+                                     JointTable({{{rough}, std::nullopt}, {{smooth}, {{0, 1}}}}),
+                                     {0, same_material ? 0 : 1, 0},
+                                     ContactMethod::classic,
+                                     0};
   ContactBuilder builder(blocks, properties);
   std::vector<Contact> contacts =
       builder.build_first(state, VectorXd::Zero(state.velocity.size()), {0.1, 0.1, 0.1});

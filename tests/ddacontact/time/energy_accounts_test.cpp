@@ -46,7 +46,7 @@ TEST(EnergyAccounts, KineticEnergyIsThatOfBlocksThatMove) {
 
 /// Springs store unless they are open or only multipliers; on the slip while they stick.
 TEST(EnergyAccounts, SpringsStoreAsTheirContactsAre) {
-  ContactProperties properties{100, 40, JointTable(JointStrength{}), {0, 0}};
+  ContactProperties properties{100, 40, JointTable(JointStrength{}), {0, 0}, ContactMethod::classic, 0};
   ContactRecord contact;
   contact.pair = {0, 0, 1, 0};
   contact.end_gap = -0.2;
@@ -69,6 +69,6 @@ TEST(EnergyAccounts, HeldVerticesStoreInTheDirectionsThatAreHeld) {
   blocks_of(built).fixed_vertices = {{0, 2, true, false, {}}};
   BlockState state = built.stepper->state();
   state.position.col(2) += Vec2(0.1, 0.7);
-  const ContactProperties properties{100, 40, JointTable(JointStrength{}), {0}};
+  const ContactProperties properties{100, 40, JointTable(JointStrength{}), {0}, ContactMethod::classic, 0};
   EXPECT_NEAR(elastic_energy(built.stepper->blocks(), state, {}, properties), 100 * 0.01 / 2, 1e-12);
 }

@@ -43,6 +43,28 @@ TEST(StepperAcceptance, TheVelocityOfTheStateIsThatAtItsTime) {
   }
 }
 
+/// What comes of an impact in the next step, the weight that the ground bears from then on included, is not
+/// yet there at the present time.
+TEST(StepperAcceptance, AnImpactToComeIsNotInTheVelocity) {
+  for (const double restitution : {0., 0.5}) {
+    Scene scene = default_mechanics(0.02);
+    scene.analysis.steps = 3;
+    scene.joints[0].restitution = restitution;
+    constexpr double at_impact = 0.07;
+    scene.blocks = {block(rectangle(-1, -1, 3, 1), true),
+                    block(rectangle(0, 5 * at_impact * at_impact, 1, 1))};
+    const BuiltScene built = run(scene);
+    EXPECT_EQ(built.stepper->counts().impacts, 0);
+    const auto velocity = [&] {
+      return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state().velocity).linear;
+    };
+    EXPECT_LE((velocity() - Vec2(0, -10 * 0.06)).norm(), 1e-9);
+    ASSERT_TRUE(built.stepper->step());
+    EXPECT_GT(built.stepper->counts().impacts, 0);
+    EXPECT_GT(velocity().y(), -0.01);
+  }
+}
+
 /// A ringing block of incremental kinematics: its mass follows its shape, its momentum does not.
 TEST(StepperAcceptance, AChangeOfShapeLeavesTheMomentum) {
   for (const Preset preset : {Preset::standard, Preset::paper}) {
