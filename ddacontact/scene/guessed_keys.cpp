@@ -1,5 +1,6 @@
 #include <ddacontact/scene/guessed_keys.hpp>
 
+#include <ddacontact/scene/catalog.hpp>
 #include <ddacontact/scene/spelling.hpp>
 
 #include <algorithm>
@@ -150,6 +151,24 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// "it belongs to [solver]": the tables that have a key of that name or beginning with it and a dot; empty
+/// where there are none, or so many that they say nothing.
+std::string where_it_belongs(std::string_view key) {
+  constexpr int most = 3;
+  const std::string beginning = std::string(key) + '.';
+  std::string where;
+  int found = 0;
+  for (const CatalogEntry& entry : catalog()) {
+    if (std::ranges::none_of(
+            entry.keys, [&](std::string_view known) { return known == key || known.starts_with(beginning); }))
+      continue;
+    const bool several = entry.kind == CatalogEntry::Kind::tables;
+    where += (found++ ? " or " : "it belongs to ") + std::string(several ? "[[" : "[") +
+             std::string(entry.name) + (several ? "]]" : "]");
+  }
+  return found <= most ? where : "";
+}
+
 }  // namespace
 
 std::string_view cure_of_guessed_key(std::string_view key, std::string_view table) {
@@ -164,8 +183,9 @@ std::string_view cure_of_guessed_key(std::string_view key, std::string_view tabl
 
 std::string cure_of_unknown_key(std::string_view key, std::string_view table,
                                 const std::vector<std::string_view>& known) {
-  const std::string_view cure = cure_of_guessed_key(key, table);
-  return cure.empty() ? suggestion(key, "key", known) : std::string(cure);
+  if (const std::string_view cure = cure_of_guessed_key(key, table); !cure.empty()) return std::string(cure);
+  const std::string elsewhere = where_it_belongs(key);
+  return elsewhere.empty() ? suggestion(key, "key", known) : elsewhere;
 }
 
 }  // namespace ddacontact::scene_format

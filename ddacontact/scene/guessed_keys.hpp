@@ -13,7 +13,7 @@ namespace ddacontact::scene_format {
 /// \param[in] table  where it stands, as messages call it: "[contact]", "[[joint]]", "the scene"
 std::string_view cure_of_guessed_key(std::string_view key, std::string_view table);
 
-/// That cure, else the suggestion of the nearest of the keys that the table has.
+/// That cure, else the tables that have a key of that name, else the nearest of the keys that the table has.
 std::string cure_of_unknown_key(std::string_view key, std::string_view table,
                                 const std::vector<std::string_view>& known);
 

@@ -191,9 +191,10 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
     contact.normal = warm_start->forces[c].normal;
     contact.shear = warm_start->forces[c].shear;
   }
-  if (!is_classic())
-    find_meeting(blocks_, system_->displacement(predicted_motion(from, dt)), builder_->properties().lip,
-                 impact, contacts_);
+  if (!is_classic()) {
+    VectorXd predicted = predicted_motion(from, dt);
+    find_meeting(blocks_, system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
+  }
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const polyfem::CholeskyWork before = cholesky.work();

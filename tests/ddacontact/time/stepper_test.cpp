@@ -118,3 +118,17 @@ TEST(Stepper, StopsWhereNoSubstepIsShortEnough) {
   EXPECT_EQ(built.stepper->state().time, 0);
   EXPECT_GT(built.stepper->counts().rejected, 1);
 }
+
+/// A damping that leaves nothing of the stiffness of contacts above the round-off is told, not computed with.
+TEST(Stepper, StopsWhereDampingDrownsContacts) {
+  Scene scene = default_mechanics(0.01);
+  scene.analysis.damping.stiffness = 1e16;
+  scene.blocks = {block(rectangle(-5, -1, 10, 1), true), block(rectangle(0, 0, 1, 1)),
+                  block(rectangle(0, 1, 1, 1))};
+  const BuiltScene built = build(scene);
+  bool made = true;
+  for (int k = 0; k < 20 && made; ++k) made = built.stepper->step();
+  EXPECT_FALSE(made);
+  EXPECT_NE(built.stepper->stop_reason(), "");
+  EXPECT_TRUE(built.stepper->state().position.allFinite());
+}
