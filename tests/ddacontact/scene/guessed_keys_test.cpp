@@ -24,7 +24,7 @@ TEST(GuessedKeys, OfOtherTablesAreToldWhereTheyBelong) {
   const std::vector<std::string_view> known{"steps", "scheme"};
   EXPECT_EQ(cure_of_unknown_key("skip", "the scene", known), "it belongs to [solver]");
   EXPECT_EQ(cure_of_unknown_key("restitution", "[analysis]", known), "it belongs to [[joint]]");
-  EXPECT_EQ(cure_of_unknown_key("young", "[contact]", known), "it belongs to [[material]]");
+  EXPECT_EQ(cure_of_unknown_key("young", "[contact]", known), "it belongs to [[material]] or [[bolt]]");
   EXPECT_EQ(cure_of_unknown_key("name", "[analysis]", known).rfind("the nearest known key is 'scheme'", 0),
             0u);
   EXPECT_EQ(cure_of_unknown_key("stepz", "[analysis]", known), "did you mean 'steps'?");
