@@ -1,5 +1,7 @@
 #include <ddacontact/core/time_function.hpp>
 
+#include <ddacontact/core/tolerances.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -180,7 +182,8 @@ TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries
 TimeFunction zero_outside(TimeFunction function) {
   std::vector<Vec3>& entries = function.history;
   entries.insert(entries.begin(), {entries.front()[0], 0, 0});
-  entries.push_back({entries.back()[0], 0, 0});
+  const double end = entries.back()[0];
+  entries.push_back({end + few_ulps * std::abs(end), 0, 0});
   return function;
 }
 

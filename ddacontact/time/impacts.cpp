@@ -253,6 +253,7 @@ class Flight {
     } while (add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
     result_.normal_loss += report.normal_loss;
+    result_.support_work += report.support_work;
     result_.limited = result_.limited || report.limited;
     result_.settled = result_.settled && report.settled;
     for (std::size_t c = 0; c < contacts_.size(); ++c)

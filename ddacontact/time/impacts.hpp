@@ -22,6 +22,7 @@ struct StepImpact {
   std::vector<char> hit;  ///< the contacts that met with a speed that counts
   int n_hits = 0;
   double friction_loss = 0, normal_loss = 0;  ///< kinetic energy lost, J per m
+  double support_work = 0;                    ///< done by supports that move, J per m
   bool limited = false;                       ///< restitution was reduced so that no energy arises
   bool settled = true;
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -13,18 +14,30 @@ namespace ddacontact {
 
 namespace {
 
-/// Combinations of the rigid modes that do not move the prescribed degrees of freedom.
-MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
+/// Those of a block's own unknowns.
+std::vector<Index> held_unknowns(const BlockSystem& blocks, const Block& block) {
   const auto [first, count] = block.unknowns();
   std::vector<Index> held;
   for (int k = 0; k < count; ++k)
     if (blocks.equation()[first + k] < 0) held.push_back(k);
+  return held;
+}
+
+/// With a rotation that is comparable to the translations.
+MatrixXd scaled_modes(const Block& block) {
   MatrixXd modes = block.rigid_modes();
-  if (held.empty()) return modes;
-  modes.col(2) /= block.size();  // comparable to the translations
+  modes.col(2) /= block.size();
+  return modes;
+}
+
+/// Combinations of the rigid modes that do not move the prescribed degrees of freedom.
+MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
+  const std::vector<Index> held = held_unknowns(blocks, block);
+  if (held.empty()) return block.rigid_modes();
+  const MatrixXd modes = scaled_modes(block);
   Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
   rows.setThreshold(length_round_off);
-  if (rows.dimensionOfKernel() == 0) return MatrixXd(count, 0);
+  if (rows.dimensionOfKernel() == 0) return MatrixXd(modes.rows(), 0);
   MatrixXd allowed = modes * rows.kernel();
   allowed(held, Eigen::all).setZero();
   return allowed;
@@ -68,6 +81,14 @@ double RigidMotions::largest_mass() const {
   double largest = 0;
   for (const Part& part : parts_) largest = std::max(largest, part.block->mass_total());
   return largest;
+}
+
+VectorXd driven_motion(const BlockSystem& blocks, const Block& block, const VectorXd& velocity) {
+  const std::vector<Index> held = held_unknowns(blocks, block);
+  if (held.empty()) return VectorXd::Zero(block.unknowns().count);
+  const MatrixXd modes = scaled_modes(block), of_held = modes(held, Eigen::all);
+  const VectorXd driven = block.unknowns().of(velocity)(held);
+  return modes * Eigen::CompleteOrthogonalDecomposition<MatrixXd>(of_held).solve(driven);
 }
 
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {

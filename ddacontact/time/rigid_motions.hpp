@@ -37,4 +37,9 @@ class RigidMotions {
   int n_coefficients_ = 0;
 };
 
+/// The velocities of a block's unknowns in the rigid motion that its prescribed degrees of freedom have, as
+/// nearly as one can; 0 where there are none.
+/// \param[in] velocity  of all unknowns
+VectorXd driven_motion(const BlockSystem& blocks, const Block& block, const VectorXd& velocity);
+
 }  // namespace ddacontact

@@ -18,20 +18,32 @@ double dot(const NormalAndShear& a, const NormalAndShear& b) {
   return a.col(of_gap).dot(b.col(of_gap)) + a.col(of_slip).dot(b.col(of_slip));
 }
 
-/// The rigid motions in the velocities of the blocks that the terms depend on; 0 for all others. Of a block
-/// that is held in part those that its supports allow: impulses change no others.
-VectorXd rigid_part(const BlockSystem& blocks, const RigidMotions& motions,
-                    const std::vector<ContactTerm>& terms, const VectorXd& v) {
-  std::set<int> touched;
-  for (const ContactTerm& term : terms)
-    for (int u : term.gap.unknowns()) touched.insert(blocks.block_of_unknown(u));
-  VectorXd rigid = VectorXd::Zero(v.size());
-  motions.add_motion(motions.coefficients(v), rigid);
-  for (int b : touched)
-    if (blocks.is_free(b) || !blocks.is_movable(b))
-      blocks.block(b).unknowns().of(rigid) = as_velocity(blocks.block(b), rigid_velocity(blocks.block(b), v));
-  return rigid;
-}
+/// Velocities of the blocks that the terms depend on, 0 for all others: those that supports give, and with
+/// them the rigid motions of the blocks.
+struct RigidPart {
+  VectorXd driven, all;
+
+  RigidPart(const BlockSystem& blocks, const RigidMotions& motions, const std::vector<ContactTerm>& terms,
+            const VectorXd& v)
+      : driven(VectorXd::Zero(v.size())), all(driven) {
+    std::set<int> touched;
+    for (const ContactTerm& term : terms)
+      for (int u : term.gap.unknowns()) touched.insert(blocks.block_of_unknown(u));
+    for (int b : touched) {
+      const Block& block = blocks.block(b);
+      const Range& u = block.unknowns();
+      if (!blocks.is_movable(b))
+        u.of(driven) = u.of(v);
+      else if (!blocks.is_free(b))
+        u.of(driven) = driven_motion(blocks, block, v);
+    }
+    all = driven;
+    motions.add_motion(motions.coefficients(v - driven), all);
+    for (int b : touched)
+      if (blocks.is_free(b))
+        blocks.block(b).unknowns().of(all) = as_velocity(blocks.block(b), rigid_velocity(blocks.block(b), v));
+  }
+};
 
 std::vector<ContactTerm> rigid_terms(const RigidMotions& motions, std::vector<ContactTerm> terms) {
   for (ContactTerm& term : terms) {
@@ -46,16 +58,22 @@ std::vector<ContactTerm> rigid_terms(const RigidMotions& motions, std::vector<Co
 struct Setting {
   RigidMotions motions;
   ImpulseProblem problem;
-  NormalAndShear rates;        ///< before
-  NormalAndShear rigid_rates;  ///< without those of deformation
+  NormalAndShear rates;         ///< before
+  NormalAndShear rigid_rates;   ///< without those of deformation
+  NormalAndShear driven_rates;  ///< of what supports give alone
+  VectorXd driven;              ///< the coefficients of that
 
   /// \param[in] terms  forms of all unknowns
   Setting(const BlockSystem& blocks, const std::vector<int>& hit_blocks,
           const std::vector<ContactTerm>& terms, const VectorXd& v)
       : motions(blocks, hit_blocks),
         problem(motions, rigid_terms(motions, terms)),
-        rates(rates_of(terms, v)),
-        rigid_rates(rates_of(terms, rigid_part(blocks, motions, terms, v))) {}
+        rates(rates_of(terms, v)) {
+    const RigidPart rigid(blocks, motions, terms, v);
+    rigid_rates = rates_of(terms, rigid.all);
+    driven_rates = rates_of(terms, rigid.driven);
+    driven = motions.coefficients(rigid.driven);
+  }
 
   /// What the impulses take from the kinetic energy and from what moves the supports: -P . (rates before and
   /// after) / 2. Rates of deformation have no part: no rigid motion has kinetic energy in common with them.
@@ -78,6 +96,7 @@ struct Setting {
     const NormalAndShear mean = rigid_rates + problem.change_of_rates(w) / 2;
     report.normal_loss = -P.col(of_gap).dot(mean.col(of_gap));
     report.friction_loss = -P.col(of_slip).dot(mean.col(of_slip));
+    report.support_work = w.dot(driven) - dot(P, driven_rates);
     motions.add_motion(w, report.jump);
     report.n_contacts = static_cast<int>(P.rows());
     report.rounds = problem.n_rounds();

@@ -35,6 +35,8 @@ struct JumpReport {
   /// The same of normal impulses. Rates are those of rigid motions here; the two are what the kinetic energy
   /// and the work of moving supports lose.
   double normal_loss = 0;
+  /// Of the supports' impulses on what they move, J per m: the kinetic energy changes by it less the losses.
+  double support_work = 0;
   int n_contacts = 0;  ///< that took part
   int solves = 0;      ///< problems with frozen friction bounds
   int rounds = 0;      ///< of multipliers in all of them

@@ -73,7 +73,8 @@ std::vector<std::string> end_bolts(const AcceptedTrial& accepted, BlockState& ne
 void account_impact(const StepImpact& impact, Energy& energy) {
   const double all = impact.friction_loss + impact.normal_loss,
                by_friction = std::clamp(impact.friction_loss, std::min(0.0, all), std::max(0.0, all));
-  energy.numerical_dissipated -= all;
+  energy.numerical_dissipated += impact.support_work - all;
+  energy.external += impact.support_work;
   energy.friction_dissipated += by_friction;
   energy.damping_dissipated += all - by_friction;
 }

@@ -69,11 +69,12 @@ void TrialStep::set_supports(const StepRule& rule, BlockState& next) const {
   }
 }
 
-/// Where the trapezoidal rule goes on with the velocity of a support d - dt v0 is a contact's force: a mean
-/// over the step would be half a step late, and make it twice as large as the support's acceleration does.
+/// Schemes with constant or linear accelerations take the velocity of a support at the end of a step for what
+/// it is: with a mean over the step, half a step late, d - dt v0 would make the inertia of what it drives
+/// twice what its acceleration does. Backward Euler's velocities are those means.
 void TrialStep::set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const {
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
-    next.velocity[held.unknown] = rule.mean_forces() && held.motion.is_history()
+    next.velocity[held.unknown] = rule.scheme != Scheme::backward_euler && held.motion.is_history()
                                       ? support_velocity(held, next.time, system_->dt(), blocks_.end_time)
                                       : d[held.unknown] / system_->dt();
 }

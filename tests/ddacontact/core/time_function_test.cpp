@@ -69,6 +69,7 @@ TEST(TimeFunction, MeansAreIntegrals) {
   EXPECT_NEAR(rising.mean({0, 1}, 1).x(), 0.125 + 2.25 / 2 + 3, 1e-13);
   EXPECT_NEAR(rising.mean({0.5, 1}, 1).x(), 6, 1e-14);
   EXPECT_EQ(zero_outside(jump).at(2, 1), Vec2(0, 0));
+  EXPECT_EQ(zero_outside(jump).at(1, 1), Vec2(6, 0)) << "the end is not outside";
   EXPECT_NEAR(zero_outside(jump).mean({-1, 1}, 1).x(), 2.5, 1e-14);
 }
 
