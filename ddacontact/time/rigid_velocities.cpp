@@ -80,6 +80,13 @@ struct Setting {
   double loss(const NormalAndShear& P) const {
     return -dot(P, rigid_rates) - problem.change(P).squaredNorm() / 2;
   }
+  /// Whether impulses leave more than half of the approach that they act against: supports drive blocks
+  /// together that cannot give way as rigid ones.
+  bool stop_nothing(const NormalAndShear& P) const {
+    const NormalAndShear after = rates + problem.change_of_rates(problem.change(P));
+    const double before = P.col(of_gap).dot(rates.col(of_gap));
+    return before < 0 && P.col(of_gap).dot(after.col(of_gap)) < before / 2;
+  }
   /// The largest part of the way from a, whose loss must be >= 0, to b after which the loss still is.
   double largest_part(const NormalAndShear& a, const NormalAndShear& b) const {
     const NormalAndShear way = b - a;
@@ -205,6 +212,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   report.settled =
       solve_with_friction(setting.rates, of, none.col(of_gap), tolerance, problem, report.solves);
   const NormalAndShear compression = problem.impulses();
+  if (!report.settled && setting.stop_nothing(compression)) return report;  // left to their deformation
   const double compressed = setting.largest_part(none, compression);
   report.limited = compressed < 1;
   NormalAndShear total = compressed * compression;
