@@ -1,7 +1,7 @@
 #include <ddacontact/solver/tangent_solver.hpp>
 
 #include <ddacontact/solver/krylov.hpp>
-#include <ddacontact/solver/tangent_operator.hpp>
+#include <ddacontact/solver/small_product.hpp>
 
 #include <cassert>
 
@@ -16,6 +16,27 @@ constexpr int most_stale_iterations = 12;
 constexpr double most_changed = 0.02;
 
 }  // namespace
+
+void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& contacts,
+                      const std::vector<unsigned char>& active, const std::vector<Coupling>& couplings,
+                      const VectorXd& x, VectorXd& y) {
+  y.setZero(x.size());
+  for (int e = 0; e < problem.unknowns().n_elements(); ++e)
+    add_product(problem.elements()[e], problem.unknowns().rows_of(e), x, y);
+  // normal * a a^T + shear * b b^T + mixed * b a^T
+  const auto add = [&](const AffineForm& a, const AffineForm& b, double normal, double shear, double mixed) {
+    const double along = a.change(x), by_a = normal * along, by_b = shear * b.change(x) + mixed * along;
+    for (std::size_t k = 0; k < a.unknowns().size(); ++k)
+      y[a.unknowns()[k]] +=
+          by_a * a.coefficients()[k] + by_b * (k < b.coefficients().size() ? b.coefficients()[k] : 0);
+  };
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (active[c] & all_act)
+      add(contacts[c].gap, contacts[c].slip, active[c] & normal_acts ? contacts[c].normal_stiffness : 0,
+          active[c] & shear_acts ? contacts[c].tangential_stiffness : 0, 0);
+  for (const Coupling& coupling : couplings) add(*coupling.column, *coupling.row, 0, 0, coupling.rate);
+  y = problem.free_part(y);
+}
 
 bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                           const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
@@ -37,11 +58,10 @@ bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& term
   std::size_t n_changed = 0;
   for (std::size_t c = 0; c < active.size(); ++c) n_changed += active[c] != factored_[c];
   if (static_cast<double>(n_changed) > most_changed * static_cast<double>(active.size())) return false;
-  const TangentOperator tangent(problem_, terms, active, couplings);
   VectorXd solved;
   const auto multiply = [&](const VectorXd& in, VectorXd& out) {
     problem_.solve_roughly(in, solved);
-    tangent.multiply(solved, out);
+    multiply_tangent(problem_, terms, active, couplings, solved, out);
   };
   VectorXd forces;
   const KrylovReport report =

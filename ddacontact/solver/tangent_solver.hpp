@@ -22,6 +22,13 @@ struct TangentCounts {
   }
 };
 
+/// y = (A + springs that act + couplings) x on the free unknowns, 0 on the held ones, where x must be 0.
+/// \param[in] active     see active_springs
+/// \param[in] couplings  each of the gap and the slip of one contact
+void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& contacts,
+                      const std::vector<unsigned char>& active, const std::vector<Coupling>& couplings,
+                      const VectorXd& x, VectorXd& y);
+
 /// Solves (A + springs that act + friction that follows normal forces) x = b: where few springs changed since
 /// the last factor of the step with that as preconditioner; else with a factor of the springs that act. An
 /// iteration that does not converge is left for the factor.
