@@ -11,7 +11,6 @@
 #pragma once
 
 #include <ddacontact/block/corotational_shape.hpp>
-#include <ddacontact/block/corotational_start.hpp>
 
 namespace ddacontact {
 

@@ -159,8 +159,11 @@ double longest_explicit_step(const CorotationalShape& shape, const RayleighDampi
 
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,
                                                   double dt) {
-  return shape.step_matrices->get(
-      rule, dt, [&](const StepRule& of, double length) { return tangents(shape, of, length); });
+  const std::lock_guard lock(shape.on_demand->stepping);
+  std::shared_ptr<const StepMatrices>& last = shape.on_demand->step;
+  if (!last || !last->are_for(rule, dt))
+    last = std::make_shared<const StepMatrices>(StepMatrices{rule, dt, tangents(shape, rule, dt)});
+  return last;
 }
 
 CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& block_outline,

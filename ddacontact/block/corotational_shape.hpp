@@ -50,8 +50,6 @@ struct CorotationalShape {
   VectorXd mass_of_translation{};                           ///< M t
   double mass_total = 0;                                    ///< t M t
   VectorXd integration_weights{};                           ///< of the points of all cells
-  /// See StepMatrices, of the blocks of this shape.
-  std::unique_ptr<LastStepMatrices> step_matrices = std::make_unique<LastStepMatrices>();
 
   /// The shape in its own frame, found when it is first requested. Any thread may ask.
   const MotionShape& motions() const {
@@ -61,11 +59,13 @@ struct CorotationalShape {
   /// A bound of the angular frequencies at which the free shape vibrates, the highest of its cells by
   /// themselves, 1/s; found when it is first requested. Any thread may ask.
   double highest_frequency() const;
-  /// What is found when it is first requested.
+  /// What is found when it is first requested, and the step matrices that were requested last.
   struct OnDemand {
     std::once_flag found, vibrates;
     std::optional<MotionShape> motions;
     double highest_frequency = 0;
+    std::mutex stepping;
+    std::shared_ptr<const StepMatrices> step;
   };
   std::unique_ptr<OnDemand> on_demand = std::make_unique<OnDemand>();
 
@@ -82,7 +82,7 @@ double critical_step(const CorotationalShape& shape, const RayleighDamping& damp
 /// That with a margin, as blocks turn and lengths of substeps change, s.
 double longest_explicit_step(const CorotationalShape& shape, const RayleighDamping& damping);
 
-/// By its last step matrices, or made now.
+/// Those that were last requested of the shape, or made now. Any thread may ask.
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,
                                                   double dt);
 

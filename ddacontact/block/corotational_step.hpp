@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ddacontact/block/corotational_motion.hpp>
-#include <ddacontact/block/corotational_start.hpp>
 #include <polyfem/element/b_bar.hpp>
 #include <polyfem/element/matrices.hpp>
 

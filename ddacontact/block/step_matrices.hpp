@@ -1,12 +1,10 @@
-/// \file Matrices of a step that all congruent blocks share.
+/// \file Matrices of a step that all congruent blocks share, and what a block keeps of its start.
 #pragma once
 
 #include <ddacontact/block/step_start.hpp>
 #include <ddacontact/core/types.hpp>
 
-#include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace ddacontact {
@@ -20,20 +18,11 @@ struct StepMatrices {
   bool are_for(const StepRule& of_rule, double of_dt) const { return rule == of_rule && dt == of_dt; }
 };
 
-/// Those that were last requested of a shape. Any thread may ask.
-class LastStepMatrices {
- public:
-  using Make = std::function<std::vector<MatrixXd>(const StepRule& rule, double dt)>;
-  std::shared_ptr<const StepMatrices> get(const StepRule& rule, double dt, const Make& make) {
-    const std::lock_guard lock(mutex_);
-    if (!last_ || !last_->are_for(rule, dt))
-      last_ = std::make_shared<const StepMatrices>(StepMatrices{rule, dt, make(rule, dt)});
-    return last_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::shared_ptr<const StepMatrices> last_;
+/// What a corotational block keeps of the start of its step: rule and length, and numbers that BlockMotion or
+/// CorotationalStep finds there and lays out here: one array, as every awake block has one.
+struct CorotationalStart {
+  std::shared_ptr<const StepMatrices> matrices;
+  std::vector<Vec2> arrays;
 };
 
 }  // namespace ddacontact
