@@ -44,10 +44,8 @@ BlockMotion::BlockMotion(const CorotationalShape& shape, const CorotationalStart
       linear_before_(start.arrays[velocity_before]),
       angular_before_(start.arrays[spin_before][0]),
       inertia_(start.arrays[about_centre][0]),
-      leverage_(start.arrays[about_centre][1]) {
-  const Vec2& x = start.arrays[axis_now];
-  turn_ << x.x(), -x.y(), x.y(), x.x();
-}
+      leverage_(start.arrays[about_centre][1]),
+      turn_(turned_to(start.arrays[axis_now])) {}
 
 void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinates, const Numbers& velocity,
                         const Numbers& initial, CorotationalStart& start) {

@@ -3,8 +3,6 @@
 
 #include <ddacontact/block/corotational_shape.hpp>
 
-#include <Eigen/Geometry>
-
 namespace ddacontact {
 
 /// A block's motion as a rigid body: momentum over mass, angular momentum over inertia, and what is left.
@@ -148,10 +146,7 @@ class NodalKinematics {
   Mat2 rotation(const Vectors& y) const {
     if (shape_.is_one_cell()) return shape_.cells[0].elastic.template rotation<Of>(y);
     const Mat2 F = y.leftCols(shape_.n_outline) * shape_.mean_gradient.leftCols(shape_.n_outline).transpose();
-    const Vec2 turned = Vec2(F(0, 0) + F(1, 1), F(1, 0) - F(0, 1)).normalized();
-    Mat2 R;
-    R << turned.x(), -turned.y(), turned.y(), turned.x();
-    return R;
+    return turned_to(Vec2(F(0, 0) + F(1, 1), F(1, 0) - F(0, 1)).normalized());
   }
 
  private:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ddacontact/block/corotational_motion.hpp>
-#include <polyfem/element/b_bar.hpp>
 #include <polyfem/element/matrices.hpp>
 
 #include <cmath>
@@ -96,7 +95,7 @@ class CorotationalStep {
   void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
     const Vectors y = y0() + nodes_.to_nodes(d);
     const Motion motion = nodes_.split(y, nodes_.to_nodes(change));
-    const Mat2 turn = Eigen::Rotation2Dd(motion.angular).toRotationMatrix() - Mat2::Identity();
+    const Mat2 turn = turned_by(motion.angular) - Mat2::Identity();
     const Vectors moved =
         turn * (nodes_.arms(y) + motion.deformation) + motion.deformation + nodes_.everywhere(motion.linear);
     nodes_.add_to_unknowns(moved, d);
@@ -105,8 +104,7 @@ class CorotationalStep {
   /// The displacements of the nodes without forces.
   Vectors free_path() const {
     const Motion motion = nodes_.split(y0(), velocity());
-    const double angle = 2 * std::atan(dt_ * motion.angular / 2);
-    const Mat2 turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    const Mat2 turn = turned_by(2 * std::atan(dt_ * motion.angular / 2));
     const Vectors r = nodes_.arms(y0());
     return turn * r - r + nodes_.everywhere(dt_ * motion.linear);
   }
@@ -185,19 +183,15 @@ class CorotationalStep {
   Array array(Index column, Index n) const { return {start_.arrays[column].data(), 2, n}; }
   Array velocity() const { return array(at_.velocity, nodes_.n_nodes()); }
   Array acceleration() const { return array(at_.acceleration, nodes_.n_nodes()); }
-  Mat2 rotation_at(Index column) const {
-    const Vec2& axis = start_.arrays[column];
-    Mat2 R;
-    R << axis.x(), -axis.y(), axis.y(), axis.x();
-    return R;
+  Mat2 start_rotation(std::size_t c) const {
+    return turned_to(start_.arrays[at_.cell(nodes_.shape().cells[c], c)]);
   }
-  Mat2 start_rotation(std::size_t c) const { return rotation_at(at_.cell(nodes_.shape().cells[c], c)); }
   Frame start_frame(std::size_t c) const {
     const ShapeCell& cell = nodes_.shape().cells[c];
     const Index k = at_.cell(cell, c);
     Frame frame;
     frame.stretch = start_.arrays[k + 1].x();
-    frame.rotation = rotation_at(k);
+    frame.rotation = turned_to(start_.arrays[k]);
     frame.local = array(k + 2, cell.elastic.n_nodes());
     cell.elastic.complete(frame);
     return frame;

@@ -3,8 +3,6 @@
 #include <ddacontact/block/corotational_shape.hpp>
 #include <ddacontact/core/tolerances.hpp>
 
-#include <Eigen/Geometry>
-
 #include <cmath>
 #include <vector>
 
@@ -31,14 +29,12 @@ Eigen::SparseMatrix<double> stiffness_of(const CorotationalShape& shape) {
 }  // namespace
 
 Mat2 turned_by(double angle) {
-  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return turned_to({std::cos(angle), std::sin(angle)});
 }
 
 Mat2 turn_less_one(double angle) {
-  const double half = std::sin(angle / 2), less = -2 * half * half, sine = std::sin(angle);
-  Mat2 turn;
-  turn << less, -sine, sine, less;
-  return turn;
+  const double half = std::sin(angle / 2);
+  return turned_to({-2 * half * half, std::sin(angle)});
 }
 
 MotionShape::MotionShape(const CorotationalShape& shape)

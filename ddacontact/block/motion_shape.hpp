@@ -36,6 +36,10 @@ struct MotionShape {
   VectorXd coordinates_of(const PointsRef& y) const;
 };
 
+/// a, and a turned to the left: of a unit vector the rotation that leads the first axis to it.
+inline Mat2 turned_to(const Vec2& a) {
+  return Mat2{{a.x(), -a.y()}, {a.y(), a.x()}};
+}
 /// R(angle).
 Mat2 turned_by(double angle);
 /// R(angle) - 1 without cancellation.
