@@ -142,12 +142,6 @@ class NodalKinematics {
     if (cell.nodes.empty()) return cell.elastic.template rotation<Of>(y);
     return cell.elastic.template rotation<Of>(y(Eigen::all, cell.nodes));
   }
-  /// Of the block's mean deformation gradient.
-  Mat2 rotation(const Vectors& y) const {
-    if (shape_.is_one_cell()) return shape_.cells[0].elastic.template rotation<Of>(y);
-    const Mat2 F = y.leftCols(shape_.n_outline) * shape_.mean_gradient.leftCols(shape_.n_outline).transpose();
-    return turned_to(Vec2(F(0, 0) + F(1, 1), F(1, 0) - F(0, 1)).normalized());
-  }
 
  private:
   Eigen::Map<const typename Of::Scalars> mass_of_translation() const {

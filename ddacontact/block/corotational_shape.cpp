@@ -174,7 +174,6 @@ CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& 
   shape.translation = VectorXd::Ones(n);
   shape.cells.push_back(polygon_cell(material, shape.nodes, basis, integration, false,
                                      &basis == &polyfem::wachspress && n <= few_vertices ? 0 : fine));
-  shape.mean_gradient = polyfem::mean_gradient_weights(shape.nodes);
   shape.n_outline = static_cast<int>(n);
   complete(shape);
   return shape;
@@ -187,9 +186,9 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   CorotationalShape shape;
   constexpr Index n_nodes = ControlVertices::n;
   shape.nodes.resize(2, n_nodes);
-  shape.mean_gradient.resize(2, n_nodes);
   shape.nodes << Vec2::Zero(), size * Mat2::Identity();
-  shape.mean_gradient << Vec2::Zero(), Mat2::Identity() / size;
+  Points mean_gradient(2, n_nodes);
+  mean_gradient << Vec2::Zero(), Mat2::Identity() / size;
   shape.translation = Vec3(1, 0, 0);
 
   polyfem::TabulatedElement element;
@@ -207,7 +206,7 @@ CorotationalShape affine_shape(const BlockMaterial& material, const PointsRef& o
   shape.cells.push_back({{},
                          &polyfem::suitable_basis(outline),
                          std::move(element),
-                         {shape.nodes, shape.mean_gradient, shape.translation, K},
+                         {shape.nodes, mean_gradient, shape.translation, K},
                          std::move(mass),
                          false,
                          {},
@@ -243,8 +242,6 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
   const Index n = shape.nodes.cols();
   shape.n_outline = mesh.n_outline;
   shape.translation = VectorXd::Ones(n);
-  shape.mean_gradient = Points::Zero(2, n);
-  shape.mean_gradient.leftCols(mesh.n_outline) = polyfem::mean_gradient_weights(outline);
 
   const Mat3& D = material.elasticity;
   const bool mean_dilatation = D(0, 1) > nearly_incompressible * D(2, 2);

@@ -39,8 +39,7 @@ struct CorotationalShape {
   VectorXd translation;  ///< of each node when the block is shifted by 1
   std::vector<ShapeCell> cells;
   Eigen::SparseMatrix<double> mass;  ///< of all nodes, the sum over the cells; empty: that of the only one
-  Points mean_gradient;      ///< b of F = sum_a y_a b_a^T, the block's mean deformation gradient, 2 x m
-  int n_outline = 0;         ///< vertices of the outline, the first of the points
+  int n_outline = 0;                 ///< vertices of the outline, the first of the points
   MatrixXd points;           ///< p x m: point i is at sum_a points(i, a) y_a; empty: the nodes are the points
   MatrixXd nodes_of_points;  ///< m x p: exact for points of this shape
   /// Changes of the nodes by the unknowns, 2m x u, and back; empty: they are the unknowns.
