@@ -64,17 +64,18 @@ class CorotationalStep {
     if (rule_.damping.mass != 0) damping = rule_.damping.mass / dt_ * nodes_.weighted(step);
     Stacked f, damped;
     for (std::size_t c = 0; c < nodes_.shape().cells.size(); ++c) {
-      const Frame from = start_frame(c), to = nodes_.frame(y1, c);
-      elastic_force(from, to, c, initial_force(c), f);
+      const polyfem::CorotatedElement& element = nodes_.shape().cells[c].elastic;
+      const Frame start = start_frame(c), to = nodes_.frame(y1, c), &from = rule_.mean_forces() ? start : to;
+      element.mean_force(from, to, 0, initial_force(c), f);
       nodes_.add_of_cell(f, c, elastic);
       if (rule_.damping.stiffness == 0) continue;
-      const Stacked rate = nodes_.shape().cells[c].elastic.template times_stiffness<Of>(to.u - from.u);
-      elastic_force(from, to, c, initial_force(c) + rule_.damping.stiffness / dt_ * rate, damped);
+      const Stacked rate = element.template times_stiffness<Of>(to.u - start.u);
+      element.mean_force(from, to, 0, initial_force(c) + rule_.damping.stiffness / dt_ * rate, damped);
       nodes_.add_of_cell(damped - f, c, damping);
     }
     forces.resize(d.size());
     nodes_.forces_on_unknowns(elastic, forces.elastic);
-    nodes_.forces_on_unknowns(inertia_force(step), forces.inertia);
+    nodes_.forces_on_unknowns(nodes_.weighted(acceleration_after(step)), forces.inertia);
     nodes_.forces_on_unknowns(damping, forces.damping);
   }
 
@@ -115,12 +116,9 @@ class CorotationalStep {
   };
   End end(const Vectors& step) const {
     End end;
-    end.acceleration = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
+    end.acceleration = acceleration_after(step);
     end.velocity = velocity();
-    if (keeps_acceleration(rule_)) {
-      end.acceleration -= rule_.history() * acceleration();
-      end.velocity += dt_ * (1 - rule_.gamma) * acceleration();
-    }
+    if (keeps_acceleration(rule_)) end.velocity += dt_ * (1 - rule_.gamma) * acceleration();
     end.velocity += dt_ * rule_.gamma * end.acceleration;
     return end;
   }
@@ -203,20 +201,11 @@ class CorotationalStep {
     return array(at_.initial_forces + cell.first_node, cell.elastic.n_nodes()).reshaped();
   }
 
-  void elastic_force(const Frame& start, const Frame& end, std::size_t c,
-                     const Eigen::Ref<const Stacked>& initial, Stacked& f) const {
-    const polyfem::CorotatedElement& elastic = nodes_.shape().cells[c].elastic;
-    if (rule_.mean_forces()) {
-      elastic.mean_force(start, end, 0, initial, f);
-      return;
-    }
-    elastic.end_force(end, initial, f);
-  }
-
-  Vectors inertia_force(const Vectors& step) const {
-    Vectors acceleration = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
-    if (rule_.history() != 0) acceleration -= rule_.history() * this->acceleration();
-    return nodes_.weighted(acceleration);
+  /// Newmark's, after the step.
+  Vectors acceleration_after(const Vectors& step) const {
+    Vectors after = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
+    if (rule_.history() != 0) after -= rule_.history() * acceleration();
+    return after;
   }
 
   const Nodes& nodes_;
