@@ -1,25 +1,19 @@
 // Which lines corners meet, by the motion of the step itself.
+#include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/time/trial_step.hpp>
-
-#include <algorithm>
 
 namespace ddacontact {
 
 namespace {
 
-/// Those that contacts had, by the pairs that are still among them; both lists are in the order of the pairs
-/// of blocks.
+/// Those that contacts had, by the pairs that are still among them.
 std::vector<ContactForce> forces_still_there(const std::vector<Contact>& had,
                                              const std::vector<Contact>& now) {
-  std::vector<ContactForce> forces(now.size());
-  const auto blocks_of = [](const VertexEdge& pair) {
-    return std::minmax(pair.vertex_block, pair.edge_block);
-  };
-  std::size_t from = 0;
-  for (std::size_t c = 0; c < now.size(); ++c) {
-    while (from < had.size() && blocks_of(had[from].pair) < blocks_of(now[c].pair)) ++from;
-    for (std::size_t k = from; k < had.size() && blocks_of(had[k].pair) == blocks_of(now[c].pair); ++k)
-      if (had[k].pair == now[c].pair) forces[c] = {had[k].normal, had[k].shear};
+  std::vector<ContactForce> forces;
+  for (const Contact& contact : now) {
+    const std::span<const Contact> before = of_same_pair(contact.pair, had);
+    const auto same = std::ranges::find(before, contact.pair, &Contact::pair);
+    forces.push_back(same == before.end() ? ContactForce{} : ContactForce{same->normal, same->shear});
   }
   return forces;
 }
