@@ -71,6 +71,8 @@ class Block {
   void number(int index, int first_point, int first_unknown, int first_stress_point, int first_coordinate);
   /// Of the outline, the first of `points`.
   const Range& vertices() const { return vertices_; }
+  /// Their positions in a state, from the origin that the block has there.
+  auto outline(const BlockState& state) const { return vertices_.columns_of(state.position); }
   const Range& points() const { return points_; }
   const Range& unknowns() const { return unknowns_; }
   const Range& stress_points() const { return stress_points_; }

@@ -155,9 +155,8 @@ BlockState BlockSystem::initial_state() const {
   state.origin.resize(2, n_blocks());
   state.position = reference();
   for (int b = 0; b < n_blocks(); ++b) {
-    const Range &v = block(b).vertices(), &all = block(b).points();
-    state.origin.col(b) = block(b).grid_point(v.columns_of(state.position).rowwise().mean());
-    all.columns_of(state.position).colwise() -= state.origin.col(b);
+    state.origin.col(b) = block(b).grid_point(block(b).outline(state).rowwise().mean());
+    block(b).points().columns_of(state.position).colwise() -= state.origin.col(b);
   }
   state.velocity = state.carried = VectorXd::Zero(n_unknowns_);
   state.stress.setZero(Eigen::NoChange, n_stress_points_);
@@ -314,9 +313,8 @@ void BlockSystem::count_displacements_from(const BlockState& zero) {
 }
 
 Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) const {
-  const Range& v = block(b).vertices();
   const Vec2 shift = state.origin.col(b) - state.origin.col(origin_of);
-  return v.columns_of(state.position).colwise() + shift;
+  return block(b).outline(state).colwise() + shift;
 }
 
 void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {

@@ -91,7 +91,7 @@ void AffineBlock::add_stress(const VectorXd& d, Tensors& stress) const {
 
 Points AffineBlock::strain_displacement(const BlockState& state) const {
   const Vec3 strain = compliance() * state.stress.col(stress_points().first);
-  return uniform_strain_displacement(vertices().columns_of(state.position), moments().centroid, strain);
+  return uniform_strain_displacement(outline(state), moments().centroid, strain);
 }
 
 }  // namespace ddacontact

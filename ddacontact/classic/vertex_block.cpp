@@ -75,9 +75,8 @@ void VertexBlock::add_stress(const VectorXd& d, Tensors& stress) const {
 }
 
 Points VertexBlock::strain_displacement(const BlockState& state) const {
-  return stress_projection(element_, stiffness_, vertices().columns_of(state.position),
-                           stress_points().columns_of(state.stress),
-                           usable_basis(vertices().columns_of(state.position)));
+  return stress_projection(element_, stiffness_, outline(state), stress_points().columns_of(state.stress),
+                           usable_basis(outline(state)));
 }
 
 }  // namespace ddacontact

@@ -59,8 +59,7 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   margins_.resize(keeps_pairs_ ? n : 0);
   const auto check_blocks = [&](Index begin, Index end) {
     for (int b = static_cast<int>(begin); b < end; ++b) {
-      const Range& v = blocks_.block(b).vertices();
-      outlines_.set(b, v.columns_of(state.position));
+      outlines_.set(b, blocks_.block(b).outline(state));
       boxes_[b] = shifted(widened(outlines_[b].box, search_margin_[b]), state.origin.col(b));
       if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin_[b];
     }
@@ -245,8 +244,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   contact.gap = contact.first_gap().constant;
   const VertexEdgePositions positions = contact.motion.slip_positions();
   contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
-  const Range& v = blocks_.block(pair.edge_block).vertices();
-  const PointsRef outline = v.columns_of(state.position);
+  const PointsRef outline = blocks_.block(pair.edge_block).outline(state);
   const auto sides = outlines_[pair.edge_block].sides;
   if (sides[pair.edge].corner == Corner::straight)
     contact.straight_before = straight_length(outline, pair.edge, false);
@@ -261,8 +259,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
 ContactBuilder::Kinship ContactBuilder::kinship(const BlockState& state, const VertexEdge& old,
                                                 const VertexEdge& pair) const {
   if (old == pair) return Kinship::same;
-  const Range& of_edge = blocks_.block(pair.edge_block).vertices();
-  const auto edge_outline = of_edge.columns_of(state.position);
+  const auto edge_outline = blocks_.block(pair.edge_block).outline(state);
   if (old.vertex_block == pair.vertex_block && old.vertex == pair.vertex && !old.corner && !pair.corner &&
       (goes_straight_on(edge_outline, old.edge, pair.edge) ||
        goes_straight_on(edge_outline, pair.edge, old.edge)))

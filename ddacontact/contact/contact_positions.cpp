@@ -32,8 +32,7 @@ Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const Ro
 Rounding inset_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
                   const RoundedPositions& positions, double inset) {
   const Block& block = blocks.block(pair.vertex_block);
-  const Range& v = block.vertices();
-  const PointsRef outline = v.columns_of(state.position);
+  const PointsRef outline = block.outline(state);
   Rounding rounding{.after_i = positions.after_i, .of_after_i = block.vertex_map(next(pair.vertex, outline))};
   if (corner_at(outline, pair.vertex) == Corner::straight) return rounding;
   const auto towards = [&](int neighbour) -> Vec2 {

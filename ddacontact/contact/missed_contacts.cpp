@@ -21,11 +21,10 @@ bool ContactBuilder::may_penetrate(int a, int b, const BlockState& end) const {
 }
 
 Points ContactBuilder::contact_outline(const BlockState& state, int block) const {
-  const Range& v = blocks_.block(block).vertices();
-  const PointsRef outline = v.columns_of(state.position);
+  const PointsRef outline = blocks_.block(block).outline(state);
   if (!blocks_.has_rounded_corners()) return outline;
-  Points centres(2, v.count);
-  for (int k = 0; k < v.count; ++k)
+  Points centres(2, outline.cols());
+  for (int k = 0; k < outline.cols(); ++k)
     centres.col(k) =
         blocks_.rounded(block).corners[k].centre.at(outline.col(k), outline.col(next(k, outline)));
   return centres;
@@ -34,10 +33,7 @@ Points ContactBuilder::contact_outline(const BlockState& state, int block) const
 bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
                                  const std::vector<Contact>& contacts) {
   missed_.clear();
-  for_all(blocks_.n_blocks(), [&](int b) {
-    const Range& v = blocks_.block(b).vertices();
-    boxes_[b] = bounding_box(v.columns_of(end.position));
-  });
+  for_all(blocks_.n_blocks(), [&](int b) { boxes_[b] = bounding_box(blocks_.block(b).outline(end)); });
   for (const auto& [a, b] : pairs_) {
     if (!may_penetrate(a, b, end) && !may_penetrate(b, a, end)) continue;
     const auto from_origin_of_a = [&, origin = start.origin.col(a)](const BlockState& state, int block) {

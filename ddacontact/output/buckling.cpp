@@ -14,7 +14,7 @@ namespace {
 
 /// Thrust over pi^2 E I / L^2, with E and L of a rectangle of the same second moments.
 double part_of_euler_load(const Block& block, const BlockState& state) {
-  const polyfem::AreaMoments moments = polyfem::area_moments(block.vertices().columns_of(state.position));
+  const polyfem::AreaMoments moments = polyfem::area_moments(block.outline(state));
   const Eigen::SelfAdjointEigenSolver<Mat2> axes(moments.second);
   const Vec2 along = axes.eigenvectors().col(1);
   const Vec3 stress = mean_stress(block, state);

@@ -14,11 +14,9 @@ Motion observe_target(const MaterialPoint& point, const Stepper& stepper) {
 Motion observe_target(const Centroid& centroid, const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
   const Block& block = blocks.block(centroid.block);
-  const Range& v = block.vertices();
   const Vec2 x = block.centroid();
   const BlockState& zero = blocks.displacement_zero();
-  const Vec2 start =
-      zero.origin.col(centroid.block) + polyfem::area_moments(v.columns_of(zero.position)).centroid;
+  const Vec2 start = zero.origin.col(centroid.block) + polyfem::area_moments(block.outline(zero)).centroid;
   return {x, x - start, rigid_velocity(block, stepper.state().velocity).linear};
 }
 

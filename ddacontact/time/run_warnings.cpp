@@ -63,9 +63,8 @@ void RunWarnings::look(const SeenStep& step) {
     slid[whole] += slides[b];
     unsteady[whole] += slides[b] && changes[b];
     const Block& block = step.blocks.block(b);
-    const Range& vertices = block.vertices();
     const double of_block =
-        edge_strain(block.reference().leftCols(vertices.count), vertices.columns_of(step.state.position));
+        edge_strain(block.reference().leftCols(block.n_vertices()), block.outline(step.state));
     strain = std::max(strain, std::pair(of_block, whole));
     furthest = std::max(furthest, std::pair(block.furthest_vertex(step.d) / block.size(), whole));
   }

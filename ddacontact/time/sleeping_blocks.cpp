@@ -51,8 +51,7 @@ void mark_blocks_on_bolts(const BlockSystem& blocks, std::vector<char>& marks) {
 }
 
 Box box_of(const BlockSystem& blocks, const BlockState& state, int b, double margin) {
-  return shifted(bounding_box(blocks.block(b).vertices().columns_of(state.position), margin),
-                 state.origin.col(b));
+  return shifted(bounding_box(blocks.block(b).outline(state), margin), state.origin.col(b));
 }
 
 /// Its vertices, and what is inside a mesh, whose vertices may be held, by the mean.

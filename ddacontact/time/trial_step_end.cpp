@@ -30,16 +30,15 @@ TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
   std::vector<char> is_concave(blocks_.n_blocks(), 0);
   for_all(blocks_.n_blocks(), [&](int b) {
     if (blocks_.is_unchanging(b)) return;
-    const Range& v = blocks_.block(b).vertices();
-    const auto outline = v.columns_of(next.position);
+    const Block& block = blocks_.block(b);
+    const auto outline = block.outline(next);
     is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
-    const double angle = best_fit_rotation(blocks_.block(b).reference().leftCols(v.count), outline);
+    const double angle = best_fit_rotation(block.reference().leftCols(outline.cols()), outline);
     next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
   });
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!is_concave[b]) continue;
-    const Range& v = blocks_.block(b).vertices();
-    end.rejection = defect_of(blocks_.names[b], v.columns_of(next.position));
+    end.rejection = defect_of(blocks_.names[b], blocks_.block(b).outline(next));
     if (!end.rejection.empty()) return end;
     end.concave.push_back(b);
   }
