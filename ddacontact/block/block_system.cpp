@@ -255,10 +255,7 @@ void BlockSystem::add_edge_forces(const BlockState& state, const TimeSpan& span,
 
 std::vector<const TimeFunction*> BlockSystem::time_functions() const {
   std::vector<const TimeFunction*> functions;
-  for (const PointLoad& load : point_loads) functions.push_back(&load.force);
-  for (const PressureLoad& load : pressure_loads) functions.push_back(&load.pressure);
-  for (const BodyLoad& load : body_loads) functions.push_back(&load.force);
-  for (const QuietFace& face : quiet_faces) functions.push_back(&face.incoming);
+  for_load_functions([&](int, const TimeFunction& function) { functions.push_back(&function); });
   for (const TimeFunction& acceleration : ground) functions.push_back(&acceleration);
   for (const PrescribedDof& held : prescribed_dofs_) functions.push_back(&held.motion);
   for (const FixedVertex& held : fixed_vertices) functions.push_back(&held.motion);

@@ -166,7 +166,14 @@ class BlockSystem {
   /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of
   /// `state`.
   void add_edge_forces(const BlockState& state, const TimeSpan& span, const AddForce& add) const;
-  /// Those of all loads, quiet faces, the ground and supports.
+  /// Calls visit(block, function) for those of all loads and quiet faces.
+  void for_load_functions(const auto& visit) const {
+    for (const PointLoad& load : point_loads) visit(load.point.block, load.force);
+    for (const PressureLoad& load : pressure_loads) visit(load.block, load.pressure);
+    for (const BodyLoad& load : body_loads) visit(load.block, load.force);
+    for (const QuietFace& face : quiet_faces) visit(face.block, face.incoming);
+  }
+  /// Those, and those of the ground and of supports.
   std::vector<const TimeFunction*> time_functions() const;
   bool has_face_loads() const { return !pressure_loads.empty() || !water.faces.empty(); }
   /// F += point, pressure and body loads, fading forces, water and shaking on the shape of `state`, their

@@ -36,14 +36,6 @@ bool ground_varies(const BlockSystem& blocks, double from, double to) {
   return varies([&](const TimeSpan& span) { return blocks.ground_acceleration(span); }, from, to);
 }
 
-/// Calls visit with the block and the function of all loads and waves.
-void for_functions(const BlockSystem& blocks, const auto& visit) {
-  for (const PointLoad& load : blocks.point_loads) visit(load.point.block, load.force);
-  for (const PressureLoad& load : blocks.pressure_loads) visit(load.block, load.pressure);
-  for (const BodyLoad& load : blocks.body_loads) visit(load.block, load.force);
-  for (const QuietFace& face : blocks.quiet_faces) visit(face.block, face.incoming);
-}
-
 void mark_blocks_on_bolts(const BlockSystem& blocks, std::vector<char>& marks) {
   for (const Bolt& bolt : blocks.bolts)
     for (const MaterialPoint& node : bolt.nodes)
@@ -123,7 +115,7 @@ const std::vector<ContactRecord>& SleepingBlocks::contacts() const {
 std::vector<char> SleepingBlocks::find_restless(double dt) const {
   std::vector<char> restless(blocks_.n_blocks(), 0);
   const double to = state_.time, from = to - dt, end_time = blocks_.end_time;
-  for_functions(blocks_, [&](int b, const TimeFunction& function) {
+  blocks_.for_load_functions([&](int b, const TimeFunction& function) {
     if (varies(function, from, to, end_time)) restless[b] = 1;
   });
   for (int b = 0; blocks_.fading.part_left(from) > 0 && b < blocks_.n_blocks(); ++b) {
@@ -300,7 +292,7 @@ void SleepingBlocks::survey() {
     if (!blocks_.is_movable(b)) asleep.reactions(held.axis, held.vertex) -= forces[held.unknown];
     watch(b, held.motion);
   }
-  for_functions(blocks_, watch);
+  blocks_.for_load_functions(watch);
 }
 
 void SleepingBlocks::form_part(const std::vector<Box>* around) {
