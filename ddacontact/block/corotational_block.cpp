@@ -78,9 +78,10 @@ double CorotationalBlock::kinetic_energy(const Eigen::Ref<const VectorXd>& veloc
 }
 
 void CorotationalBlock::add_body_force(const Vec2& b, VectorXd& F) const {
-  const Vec2 per_mass = b / material().density;
-  with_nodes(*shape_, [&](const auto& nodes) {
-    nodes.add_forces_on_unknowns(nodes.weight(per_mass), unknowns().of(F));
+  with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
+    typename Of::Stacked forces(n_unknowns());
+    nodes.forces_on_unknowns(nodes.weight(b / material().density), forces);
+    unknowns().of(F) += forces;
   });
 }
 

@@ -37,23 +37,11 @@ class NodalKinematics {
     else
       d = shape_.inverse_basis * Stacked(changes.reshaped());
   }
-  void add_to_unknowns(const Vectors& changes, Eigen::Ref<VectorXd> d) const {
-    if (!shape_.has_basis())
-      Eigen::Map<Vectors>(d.data(), 2, n_nodes()) += changes;
-    else
-      d += shape_.inverse_basis * Stacked(changes.reshaped());
-  }
   void forces_on_unknowns(const Vectors& on_nodes, Eigen::Ref<VectorXd> f) const {
     if (!shape_.has_basis())
       Eigen::Map<Vectors>(f.data(), 2, n_nodes()) = on_nodes;
     else
       f = shape_.basis.transpose() * Stacked(on_nodes.reshaped());
-  }
-  void add_forces_on_unknowns(const Vectors& on_nodes, Eigen::Ref<VectorXd> f) const {
-    if (!shape_.has_basis())
-      Eigen::Map<Vectors>(f.data(), 2, n_nodes()) += on_nodes;
-    else
-      f += shape_.basis.transpose() * Stacked(on_nodes.reshaped());
   }
   /// The work of forces of the unknowns on a motion of the nodes.
   double work(const Eigen::Ref<const VectorXd>& forces, const Vectors& motion) const {

@@ -99,7 +99,9 @@ class CorotationalStep {
     const Mat2 turn = turned_by(motion.angular) - Mat2::Identity();
     const Vectors moved =
         turn * (nodes_.arms(y) + motion.deformation) + motion.deformation + nodes_.everywhere(motion.linear);
-    nodes_.add_to_unknowns(moved, d);
+    Stacked of_unknowns(d.size());
+    nodes_.to_unknowns(moved, of_unknowns);
+    d += of_unknowns;
   }
 
   /// The displacements of the nodes without forces.
