@@ -5,21 +5,12 @@
 
 namespace ddacontact {
 
-/// A block's motion as a rigid body: momentum over mass, angular momentum over inertia, and what is left.
-template <class Of>
-struct NodalMotion {
-  Vec2 linear;
-  double angular;
-  typename Of::Vectors deformation;  ///< velocities of the nodes, 2 x m
-};
-
 /// The nodes of a shape as arrays of a known size (polyfem::Nodal) and their mass.
 template <class Of>
 class NodalKinematics {
  public:
   using Vectors = typename Of::Vectors;
   using Stacked = typename Of::Stacked;
-  using Motion = NodalMotion<Of>;
 
   explicit NodalKinematics(const CorotationalShape& shape) : shape_(shape) {}
 
@@ -86,7 +77,7 @@ class NodalKinematics {
   /// Velocities of a unit rotation about the centre of mass.
   [[gnu::always_inline]] Vectors spin(const Vectors& y) const { return left(arms(y)); }
 
-  /// What is rigid in velocities of the nodes at y.
+  /// What is rigid in velocities of the nodes at y: momentum over mass, angular momentum over inertia.
   struct Rigid {
     Vec2 linear;
     double angular, inertia;
@@ -100,10 +91,6 @@ class NodalKinematics {
     rigid.inertia = momenta.cwiseProduct(rigid.turning).sum();
     rigid.angular = momenta.cwiseProduct(velocity).sum() / rigid.inertia;
     return rigid;
-  }
-  Motion split(const Vectors& y, const Vectors& velocity) const {
-    const Rigid r = rigid(y, velocity);
-    return {r.linear, r.angular, velocity - everywhere(r.linear) - r.angular * r.turning};
   }
   /// Adds what acts on the nodes of a cell.
   void add_of_cell(const Stacked& f, std::size_t c, Vectors& on_nodes) const {

@@ -17,7 +17,6 @@ class CorotationalStep {
   using Nodes = NodalKinematics<Of>;
   using Vectors = typename Of::Vectors;
   using Stacked = typename Of::Stacked;
-  using Motion = NodalMotion<Of>;
   using Frame = polyfem::CorotatedFrameOf<Of>;
   using Array = Eigen::Map<const Vectors, Eigen::Aligned16>;
 
@@ -94,11 +93,12 @@ class CorotationalStep {
   }
 
   void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const {
-    const Vectors y = y0() + nodes_.to_nodes(d);
-    const Motion motion = nodes_.split(y, nodes_.to_nodes(change));
-    const Mat2 turn = turned_by(motion.angular) - Mat2::Identity();
-    const Vectors moved =
-        turn * (nodes_.arms(y) + motion.deformation) + motion.deformation + nodes_.everywhere(motion.linear);
+    const Vectors y = y0() + nodes_.to_nodes(d), way = nodes_.to_nodes(change);
+    const typename Nodes::Rigid rigid = nodes_.rigid(y, way);
+    const Vectors shift = nodes_.everywhere(rigid.linear),
+                  strain = way - shift - rigid.angular * rigid.turning;
+    const Mat2 turn = turned_by(rigid.angular) - Mat2::Identity();
+    const Vectors moved = turn * (nodes_.arms(y) + strain) + strain + shift;
     Stacked of_unknowns(d.size());
     nodes_.to_unknowns(moved, of_unknowns);
     d += of_unknowns;
@@ -106,7 +106,7 @@ class CorotationalStep {
 
   /// The displacements of the nodes without forces.
   Vectors free_path() const {
-    const Motion motion = nodes_.split(y0(), velocity());
+    const typename Nodes::Rigid motion = nodes_.rigid(y0(), velocity());
     const Mat2 turn = turned_by(2 * std::atan(dt_ * motion.angular / 2));
     const Vectors r = nodes_.arms(y0());
     return turn * r - r + nodes_.everywhere(dt_ * motion.linear);
