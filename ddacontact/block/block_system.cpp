@@ -73,13 +73,9 @@ void BlockSystem::remove(int b) {
     to.assign(std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
     from.erase(taken.begin(), taken.end());
   };
-  const auto of_block = [b](const auto& thing) { return thing.block == b; };
-  take(point_loads, out.point_loads, [b](const PointLoad& load) { return load.point.block == b; });
-  take(pressure_loads, out.pressure_loads, of_block);
-  take(body_loads, out.body_loads, of_block);
-  take(quiet_faces, out.quiet_faces, of_block);
+  const auto of_block = [b](auto& action) { return block_of(action) == b; };
+  for_lists(out, [&](auto& from, auto& to) { take(from, to, of_block); });
   std::erase_if(water.faces, of_block);
-  take(fixed_vertices, out.fixed_vertices, of_block);
   take(prescribed_dofs_, out.prescribed_dofs,
        [&](const PrescribedDof& held) { return block_of_point_[held.vertex] == b; });
   take(supported_vertices, out.supported_vertices, [&](int point) { return block_of_point_[point] == b; });
@@ -103,11 +99,7 @@ void BlockSystem::restore(int b, double time) {
   const auto give = [](auto& from, auto& to) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };
-  give(out.point_loads, point_loads);
-  give(out.pressure_loads, pressure_loads);
-  give(out.body_loads, body_loads);
-  give(out.quiet_faces, quiet_faces);
-  give(out.fixed_vertices, fixed_vertices);
+  out.for_lists(*this, give);
   give(out.prescribed_dofs, prescribed_dofs_);
   give(out.supported_vertices, supported_vertices);
   std::ranges::sort(supported_vertices);

@@ -71,8 +71,29 @@ struct FixedVertex {
   TimeFunction motion;
 };
 
+/// What acts on blocks by their numbers, beside water and prescribed degrees of freedom.
+struct BlockActions {
+  std::vector<PointLoad> point_loads;
+  std::vector<PressureLoad> pressure_loads;
+  std::vector<BodyLoad> body_loads;
+  std::vector<QuietFace> quiet_faces;
+  std::vector<FixedVertex> fixed_vertices;
+
+  /// Calls visit(list, the same of `other`) for all of them.
+  void for_lists(auto& other, const auto& visit) {
+    visit(point_loads, other.point_loads);
+    visit(pressure_loads, other.pressure_loads);
+    visit(body_loads, other.body_loads);
+    visit(quiet_faces, other.quiet_faces);
+    visit(fixed_vertices, other.fixed_vertices);
+  }
+  /// The block that one of them acts on.
+  static int& block_of(PointLoad& load) { return load.point.block; }
+  static int& block_of(auto& action) { return action.block; }
+};
+
 /// Owns the blocks; their unknowns, points and integration points are numbered in block order.
-class BlockSystem {
+class BlockSystem : public BlockActions {
  public:
   /// Takes blocks and numbers them.
   explicit BlockSystem(std::vector<std::unique_ptr<Block>> blocks);
@@ -91,14 +112,9 @@ class BlockSystem {
   std::vector<std::string> names;  ///< of the blocks, for messages; their indices unless replaced
   Vec2 gravity{0, 0};              ///< m/s2
   double end_time = 0;             ///< of ramps, s
-  std::vector<PointLoad> point_loads;
-  std::vector<PressureLoad> pressure_loads;
-  std::vector<BodyLoad> body_loads;
   WaterLoad water;
-  std::vector<QuietFace> quiet_faces;
   FadingForces fading;
   std::vector<TimeFunction> ground;  ///< accelerations of what the blocks are seen from, m/s2
-  std::vector<FixedVertex> fixed_vertices;
   /// Numbered by `set_bolts`.
   std::vector<Bolt> bolts;
   /// Every vertex that the scene holds, by its index in the arrays of the state, ascending. Of an affine
@@ -216,13 +232,8 @@ class BlockSystem {
   friend class SystemPart;
 
   /// What was taken out with a block.
-  struct TakenOut {
+  struct TakenOut : BlockActions {
     int block = 0;
-    std::vector<PointLoad> point_loads;
-    std::vector<PressureLoad> pressure_loads;
-    std::vector<BodyLoad> body_loads;
-    std::vector<QuietFace> quiet_faces;
-    std::vector<FixedVertex> fixed_vertices;
     std::vector<PrescribedDof> prescribed_dofs;
     std::vector<int> supported_vertices;
     std::vector<std::pair<std::size_t, std::size_t>> bolt_nodes;  ///< of which bolt which

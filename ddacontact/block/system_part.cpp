@@ -66,20 +66,15 @@ void SystemPart::take_actions(const BlockSystem& whole) {
     const int k = number_of(block);
     return k >= 0 && !resting_[k] ? k : -1;
   };
-  const auto take = [&](const auto& all, auto& own, const auto& block_of) {
-    for (auto action : all)
-      if (const int k = number_where_moving(block_of(action)); k >= 0) {
-        block_of(action) = k;
-        own.push_back(std::move(action));
-      }
+  const auto take = [&](auto& own, const auto& all) {
+    for (auto action : all) {
+      int& block = BlockActions::block_of(action);
+      block = number_where_moving(block);
+      if (block >= 0) own.push_back(std::move(action));
+    }
   };
-  const auto block = [](auto& action) -> int& { return action.block; };
-  take(whole.point_loads, system_.point_loads, [](PointLoad& load) -> int& { return load.point.block; });
-  take(whole.pressure_loads, system_.pressure_loads, block);
-  take(whole.body_loads, system_.body_loads, block);
-  take(whole.water.faces, system_.water.faces, block);
-  take(whole.quiet_faces, system_.quiet_faces, block);
-  take(whole.fixed_vertices, system_.fixed_vertices, block);
+  system_.for_lists(whole, take);
+  take(system_.water.faces, whole.water.faces);
   system_.water.water = whole.water.water;
   system_.ground = whole.ground;
   for (PrescribedDof held : whole.prescribed_dofs_)
