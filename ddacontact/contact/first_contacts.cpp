@@ -1,7 +1,6 @@
 // How contacts begin that touch when a run starts or a block comes in.
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/contact/contacts_by_pair.hpp>
-#include <ddacontact/contact/kinematics.hpp>
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include <ddacontact/detection/directed_edge.hpp>
 #include <polyfem/geometry/predicates.hpp>
 #include <polyfem/geometry/triangulation.hpp>
-#include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -134,8 +134,6 @@ struct ContactSolver {
   /// Begins to look for a residual anew, from the law's states: what is to be balanced has changed.
   void restart() {
     states = contacts.law_states();
-    best = inf;
-    since_best = 0;
     begin_states();
     look();
     acceleration.reset();
@@ -246,7 +244,8 @@ struct ContactSolver {
   bool can_leave() const { return !interior_point_done && options.interior_point; }
 
   void begin_states() {
-    changes = solutions_of_states = 0;
+    changes = solutions_of_states = since_best = 0;
+    best = inf;
     seen.clear();
   }
 
@@ -264,8 +263,6 @@ struct ContactSolver {
     report.interior_solutions += found.solutions;
     report.tangent.fallbacks += found.fallbacks;
     begin_states();
-    best = inf;
-    since_best = 0;
     look();
     if (!found.found) failure = SolutionStatus::not_positive_definite;
     return found.found;

@@ -75,7 +75,6 @@ class StepSystem {
   /// Of every unknown, see Block::unknown_lengths.
   const VectorXd& unknown_lengths() const { return unknown_lengths_; }
   const BlockSystem& blocks() const { return blocks_; }
-  int n_blocks() const { return blocks_.n_blocks(); }
   /// How far d moves the block at most, m.
   double largest_motion(int block, const VectorXd& d) const;
   double size_of(int block) const { return blocks_.block(block).size(); }

@@ -33,12 +33,12 @@ bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
 /// off by no more than its way over its size.
 bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts, const VectorXd& d,
                     const VectorXd& change, const std::vector<SweptLaw>& laws, double tolerance) {
-  std::vector<double> bends(static_cast<std::size_t>(system.n_blocks()));
-  for (int b = 0; b < system.n_blocks(); ++b) {
+  const BlockSystem& blocks = system.blocks();
+  std::vector<double> bends(static_cast<std::size_t>(blocks.n_blocks()));
+  for (int b = 0; b < blocks.n_blocks(); ++b) {
     const double last = system.largest_motion(b, change), way = system.largest_motion(b, d) + last;
     bends[b] = last * way / system.size_of(b);
   }
-  const BlockSystem& blocks = system.blocks();
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     if (const int b = blocks.block_of_point(held.vertex);
         blocks.is_movable(b) && bends[b] > few_ulps * system.size_of(b))
