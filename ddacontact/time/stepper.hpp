@@ -54,8 +54,8 @@ class Stepper {
   ContactSolverOptions& contact_solver_options() { return trial_.options(); }
 
   const BlockSystem& blocks() const { return blocks_; }
-  /// The velocity is that at the time of the state; where the next substep is not solvable as it stands, that
-  /// in the middle of the last one (StepCounts::unknown_velocities).
+  /// The velocity is that at the time of the state; where no next substep is solvable, that in the middle of
+  /// the last one (StepCounts::unknown_velocities).
   const BlockState& state() const { return state_; }
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   /// Those of sleeping blocks are as they were.
