@@ -15,7 +15,7 @@ namespace ddacontact {
 namespace {
 
 /// Those of a block's own unknowns.
-std::vector<Index> held_unknowns(const BlockSystem& blocks, const Block& block) {
+std::vector<Index> prescribed_unknowns(const BlockSystem& blocks, const Block& block) {
   const auto [first, count] = block.unknowns();
   std::vector<Index> held;
   for (int k = 0; k < count; ++k)
@@ -32,7 +32,7 @@ MatrixXd scaled_modes(const Block& block) {
 
 /// Combinations of the rigid modes that do not move the prescribed degrees of freedom.
 MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
-  const std::vector<Index> held = held_unknowns(blocks, block);
+  const std::vector<Index> held = prescribed_unknowns(blocks, block);
   if (held.empty()) return block.rigid_modes();
   const MatrixXd modes = scaled_modes(block);
   Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
@@ -84,7 +84,7 @@ double RigidMotions::largest_mass() const {
 }
 
 VectorXd driven_motion(const BlockSystem& blocks, const Block& block, const VectorXd& velocity) {
-  const std::vector<Index> held = held_unknowns(blocks, block);
+  const std::vector<Index> held = prescribed_unknowns(blocks, block);
   if (held.empty()) return VectorXd::Zero(block.unknowns().count);
   const MatrixXd modes = scaled_modes(block), of_held = modes(held, Eigen::all);
   const VectorXd driven = block.unknowns().of(velocity)(held);
