@@ -121,6 +121,10 @@ constexpr Guess guesses[] = {
     {"[analysis]", " thickness ", "it is 1 m: forces are per metre of thickness"},
     {"[analysis]", " threads ", "it is an option of the program: dda run SCENE.toml --threads N"},
 
+    {"[[stage]]", " support supports load loads quake bolt ",
+     "it stands beside the stages: a 'history' is in times of the run, and 'add' of the stage brings loads, "
+     "bolts and blocks"},
+
     // Tables that there are not.
     {"the scene", " schema version ", "write 'format' = 1"},
     {"the scene", " pore_pressure groundwater water_table fluid piezometric_line ",
