@@ -4,8 +4,8 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/core/disjoint_sets.hpp>
-#include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/time/free_flight.hpp>
+#include <ddacontact/time/impact_criteria.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
 #include <ddacontact/time/waves.hpp>
 
@@ -18,11 +18,6 @@ namespace {
 
 /// Newton's corrections of the time of a meeting, from the parabola that the gap nearly is.
 constexpr int corrections = 2;
-
-/// Speeds below this are no more than round-off, m/s.
-double round_off_speed(const Contact& contact, double dt) {
-  return negligible_gap * coincidence * contact.size / dt;
-}
 
 /// Blocks on their way within a step, from one impact to the next.
 class Flight {
@@ -38,16 +33,17 @@ class Flight {
         also_(forced),
         start_(state),
         acceleration_(VectorXd::Zero(state.velocity.size())),
+        bears_(blocks.n_blocks(), 0),
         last_(blocks.n_blocks(), 0),
-        meetings_(contacts.size()) {
+        meetings_(contacts.size()),
+        yields_(contacts.size(), 0) {
     result_.hit.assign(contacts.size(), 0);
-    std::vector<char> touches(blocks.n_blocks(), 0);
     for (const Contact& contact : contacts)
-      if (bears(contact)) touches[contact.pair.vertex_block] = touches[contact.pair.edge_block] = 1;
+      if (bears(contact)) bears_[contact.pair.vertex_block] = bears_[contact.pair.edge_block] = 1;
     forces_.setZero(acceleration_.size());
     blocks.add_loads(state, rule.load_span(state.time, dt), forces_);
     for (int b = 0; b < blocks.n_blocks(); ++b)
-      if (!touches[b] && blocks.is_free(b)) blocks.block(b).unknowns().of(acceleration_) = acceleration(b);
+      if (!bears_[b] && blocks.is_free(b)) blocks.block(b).unknowns().of(acceleration_) = acceleration(b);
     for (const Contact& contact : contacts) {
       contact.motion.form(contact.first_gap().gradient).add_gradient(contact.history.normal, forces_);
       contact.motion.form(contact.first_slip().gradient).add_gradient(contact.history.shear, forces_);
@@ -81,29 +77,20 @@ class Flight {
     double time = inf, approach = 0;
   };
 
-  /// Whether it is bonded, or pressed by more than round-off: one that only touches passes on what it gets.
-  bool bears(const Contact& contact) const {
-    constexpr double least_of_weight = 1e-3;
-    if (!contact.closed() || contact.has_bond()) return contact.closed();
-    const auto mass = [&](int b) { return blocks_.is_movable(b) ? blocks_.block(b).mass_total() : inf; };
-    return contact.history.normal * dt_ >
-           std::min(mass(contact.pair.vertex_block), mass(contact.pair.edge_block)) *
-               std::max(least_of_weight * blocks_.gravity.norm() * dt_, round_off_speed(contact, dt_));
-  }
-
-  /// How long the impact of a contact takes: blocks pass on what they got when waves have crossed them.
-  double duration(std::size_t c) const {
-    double least = inf;
-    for (int b : contacts_[c].pair.blocks())
-      if (blocks_.is_movable(b)) least = std::min(least, transit_time(blocks_.block(b)));
-    return least;
-  }
+  bool bears(const Contact& contact) const { return ddacontact::bears(blocks_, contact, dt_); }
+  double duration(const Contact& contact) const { return impact_duration(blocks_, contact); }
 
   /// Finds meetings of these blocks, those after the step included that are part of an impact within it.
   void look_ahead(const std::vector<char>& of_blocks) {
     velocity_ = start_.going_on();
     if (rule_.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
     rigid_ = rigid_velocities(blocks_, velocity_);
+    deformation_.setZero(velocity_.size());
+    for (int b = 0; b < blocks_.n_blocks(); ++b)
+      if (bears_[b] && blocks_.is_free(b)) {
+        const Range& u = blocks_.block(b).unknowns();
+        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks_.block(b), rigid_[b]);
+      }
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const VertexEdge& pair = contacts_[c].pair;
       if (of_blocks[pair.vertex_block] || of_blocks[pair.edge_block]) meetings_[c] = next_meeting(c);
@@ -119,7 +106,7 @@ class Flight {
     const GapAndSlip at_start = motion.rates_at(positions, contact.history.lock);
     // From the last impact of either on.
     const double since = std::max(last_[contact.pair.vertex_block], last_[contact.pair.edge_block]),
-                 ahead = dt_ + duration(c) - since, end = since + ahead,
+                 ahead = dt_ + duration(contact) - since, end = since + ahead,
                  straight = motion.change_along(at_start.by_gap, acceleration_),
                  rate_at_start = motion.change_along(at_start.by_gap, velocity_);
     // The gap as a parabola that has its value and its rate at the start, and its value at the end.
@@ -247,10 +234,11 @@ class Flight {
       u.of(before) = as_velocity(blocks_.block(b), rigid_[b]) + times[b] * u.of(acceleration_);
     }
     JumpReport report;
+    Participants part;
     do {
-      const auto [taking_part, least] = find_participants(then, times, first);
-      report = impact(blocks_, taking_part, before, least / 2);
-    } while (add_soon(then, before + report.jump, times, first));
+      part = find_participants(then, before, times, first);
+      report = impact(blocks_, part.contacts, before, part.least_approach / 2);
+    } while (break_bonds(part, report) || add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
     result_.normal_loss += report.normal_loss;
     result_.support_work += report.support_work;
@@ -278,7 +266,7 @@ class Flight {
       const GapAndSlip rates = rates_at(then, contact);
       const double gap = rates.gap - contact.history.gap_offset,
                    approach = -contact.motion.change_along(rates.by_gap, velocity);
-      if (approach <= 0 || gap > approach * duration(c)) continue;
+      if (approach <= 0 || gap > approach * duration(contact)) continue;
       first[c] = 1;
       any = true;
     }
@@ -287,10 +275,24 @@ class Flight {
 
   struct Participants {
     std::vector<ImpactContact> contacts;
+    std::vector<std::size_t> indices;
     double least_approach = inf;
   };
-  Participants find_participants(const BlockState& then, const std::vector<double>& times,
-                                 const std::vector<char>& first) const {
+  /// Lets bonds go that would have to bear more than their strength; false: none does.
+  bool break_bonds(const Participants& part, const JumpReport& report) {
+    bool any = false;
+    for (std::size_t k = 0; k < part.contacts.size(); ++k) {
+      const Contact& contact = contacts_[part.indices[k]];
+      if (!part.contacts[k].bonded ||
+          bond_bears(contact, part.contacts[k], report.impulses[k], duration(contact)))
+        continue;
+      yields_[part.indices[k]] = 1;
+      any = true;
+    }
+    return any;
+  }
+  Participants find_participants(const BlockState& then, const VectorXd& before,
+                                 const std::vector<double>& times, const std::vector<char>& first) const {
     Participants found;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Contact& contact = contacts_[c];
@@ -298,15 +300,21 @@ class Flight {
       const GapAndSlip rates = rates_at(then, contact);
       if (!first[c] && !touches(c, rates)) continue;
       const bool bounces = first[c] && meetings_[c].approach > 2 * blocks_.gravity.norm() * dt_;
+      found.indices.push_back(c);
       ImpactContact& part = found.contacts.emplace_back(ImpactContact{
           .gap = contact.motion.form(rates.by_gap), .slip = contact.motion.form(rates.by_slip)});
+      if (bears(contact)) {  // what presses blocks deforms them as fast: that is no approach
+        part.gap_rate = std::max(part.gap.change(deformation_), -part.gap.change(before));
+        part.slip_rate = part.slip.change(deformation_);
+      }
       part.friction = contact.law.friction;
       if (contact.law.friction_law)
         part.friction_law = [&law = *contact.law.friction_law, dt = dt_](double impulse) {
           return dt * law(impulse / dt);
         };
       part.restitution = bounces ? *restitution_of(properties_, contact.pair, rule_) : 0;
-      part.bonded = contact.has_bond() && !(contact.law.ductile && is_slipping(contact.history.state));
+      part.bonded =
+          contact.has_bond() && !yields_[c] && !(contact.law.ductile && is_slipping(contact.history.state));
       if (first[c])
         found.least_approach = std::min(found.least_approach, least_approach(blocks_, contact, dt_));
     }
@@ -352,10 +360,13 @@ class Flight {
   const std::vector<char>& also_;
   BlockState start_;  ///< as if the blocks had moved with their present velocities all the time
   VectorXd velocity_, acceleration_;
+  VectorXd deformation_;              ///< of `velocity_`, what is not rigid in blocks that bear
   VectorXd forces_;                   ///< of loads, then of the contacts of the last step too
   std::vector<RigidVelocity> rigid_;  ///< of `velocity_`
+  std::vector<char> bears_;           ///< blocks with contacts that bear
   std::vector<double> last_;          ///< impact of each block, s
   std::vector<Meeting> meetings_;
+  std::vector<char> yields_;  ///< bonds that an impact breaks
   std::vector<char> hit_now_;
   StepImpact result_;
 };

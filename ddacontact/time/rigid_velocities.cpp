@@ -64,11 +64,12 @@ struct Setting {
   VectorXd driven;              ///< the coefficients of that
 
   /// \param[in] terms  forms of all unknowns
+  /// \param[in] beside  rates that are not those of v
   Setting(const BlockSystem& blocks, const std::vector<int>& hit_blocks,
-          const std::vector<ContactTerm>& terms, const VectorXd& v)
+          const std::vector<ContactTerm>& terms, const VectorXd& v, const NormalAndShear& beside)
       : motions(blocks, hit_blocks),
         problem(motions, rigid_terms(motions, terms)),
-        rates(rates_of(terms, v)) {
+        rates(rates_of(terms, v) + beside) {
     const RigidPart rigid(blocks, motions, terms, v);
     rigid_rates = rates_of(terms, rigid.all);
     driven_rates = rates_of(terms, rigid.driven);
@@ -116,6 +117,7 @@ struct Participants {
   std::vector<std::size_t> contacts;  ///< indices
   std::vector<ContactTerm> terms;
   std::vector<const ImpactContact*> laws;  ///< of friction; null: bonded
+  NormalAndShear beside;                   ///< rates that are not those of the velocities
   VectorXd restitution;
   double approach = 0;  ///< the largest, m/s
 
@@ -153,7 +155,7 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
   Participants found;
   std::set<int> hit;  // roots
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const double approach = contacts[c].bonded ? 0 : -contacts[c].gap.change(v);
+    const double approach = contacts[c].bonded ? 0 : -contacts[c].gap.change(v) - contacts[c].gap_rate;
     if (!(approach > least_approach)) continue;
     if (first_of[c] >= 0) hit.insert(islands.root(first_of[c]));
     found.approach = std::max(found.approach, approach);
@@ -165,6 +167,11 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
   for (std::size_t c : found.contacts) {
     found.terms.push_back(impact_term(contacts[c]));
     found.laws.push_back(contacts[c].bonded ? nullptr : &contacts[c]);
+  }
+  found.beside.resize(found.contacts.size(), 2);
+  for (std::size_t k = 0; k < found.contacts.size(); ++k) {
+    const ImpactContact& contact = contacts[found.contacts[k]];
+    found.beside.row(k) << contact.gap_rate, contact.slip_rate;
   }
   found.restitution = VectorXd::Zero(found.laws.size());
   for (std::size_t k = 0; k < found.laws.size(); ++k)
@@ -205,7 +212,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const Participants of = find_participants(blocks, contacts, v, least_approach);
   if (of.contacts.empty()) return report;
 
-  Setting setting(blocks, of.blocks, of.terms, v);
+  Setting setting(blocks, of.blocks, of.terms, v, of.beside);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = vanishing * of.approach;
   const NormalAndShear none = NormalAndShear::Zero(of.contacts.size(), 2);

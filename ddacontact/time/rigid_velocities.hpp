@@ -11,6 +11,7 @@ namespace ddacontact {
 /// A contact that may take part in an impact; of its forms only the coefficients matter.
 struct ImpactContact {
   AffineForm gap, slip;                                  ///< over the same unknowns in the same order
+  double gap_rate = 0, slip_rate = 0;                    ///< beside those of the velocities given, m/s
   double friction = 0;                                   ///< |P_T| <= friction P_N
   std::function<double(double)> friction_law = nullptr;  ///< in its place: the bound of |P_T| under P_N >= 0
   double restitution = 0;  ///< 0 .. 1, of the normal impulse; 0 where blocks merely touch

@@ -121,3 +121,48 @@ TEST(AcceleratedSupports, ThrowWhatTheyHitByItsRestitution) {
         }
       }
 }
+
+/// Supports squeeze a block, which a second one hits from above: it goes where momentum leads it, by the
+/// restitution asked for, and the supports' work is what the squeezed block stores.
+TEST(AcceleratedSupports, ABlockThatTheySqueezeIsHitLikeAFreeOne) {
+  constexpr double jaws = 5e-4, restitution = 0.5, ratio = 0.6 * 0.6;
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint, Scheme::dda}) {
+    Scene scene = driven_scene(scheme, 0.001, 20);
+    scene.analysis.gravity.setZero();
+    scene.analysis.block_model = BlockModel::affine;
+    scene.joints[0].restitution = restitution;
+    scene.blocks = {block(rectangle(-1.5, 0, 1, 1)), block(rectangle(0.5, 0, 1, 1)),
+                    block(rectangle(-0.5, 0, 1, 1)), block(rectangle(-0.3, 1.0095, 0.6, 0.6))};
+    scene.blocks[3].velocity = {0, -1};
+    for (const int of : {0, 1})
+      scene.supports.push_back(moved(of, {0, 1, 2, 3}, Kind::velocity_history, {of == 0 ? jaws : -jaws, 0}));
+    const BuiltScene built = run(scene);
+    SCOPED_TRACE(static_cast<int>(scheme));
+    const auto velocity = [&](int b) {
+      return rigid_velocity(built.stepper->blocks().block(b), built.stepper->state().velocity).linear.y();
+    };
+    EXPECT_NEAR(velocity(3), -1 + (1 + restitution) / (1 + ratio), 1e-3);
+    EXPECT_NEAR(velocity(2), -(1 + restitution) * ratio / (1 + ratio), 1e-3);
+    const Energy& energy = built.stepper->energy().now;
+    EXPECT_NEAR(energy.external, energy.elastic, 0.2 * energy.elastic);
+  }
+}
+
+/// A driven hammer strikes a block just above the joint that bonds it to the floor: the bond breaks, and does
+/// not turn the block about itself.
+TEST(AcceleratedSupports, ABondBearsNoMoreThanItsStrengthInAnImpact) {
+  Scene scene = driven_scene(Scheme::decaying, 0.001, 30);
+  scene.analysis.gravity.setZero();
+  scene.analysis.block_model = BlockModel::affine;
+  scene.joints[0].restitution = 0.5;
+  scene.joints[0].cohesion = scene.joints[0].tensile_strength = 20e6;
+  scene.blocks = {block(rectangle(-6, -1, 14, 1), true), block(rectangle(-1.5, 0.01, 1, 0.99)),
+                  block(rectangle(-0.4905, 0, 0.9905, 1))};
+  scene.supports = {moved(1, {0, 1, 2, 3}, Kind::velocity_history, {1, 0})};
+  const BuiltScene built = run(scene);
+  const RigidVelocity struck =
+      rigid_velocity(built.stepper->blocks().block(2), built.stepper->state().velocity);
+  EXPECT_GT(built.stepper->counts().broken_bonds, 0);
+  EXPECT_LE(struck.linear.norm(), 3);
+  EXPECT_LE(std::abs(struck.angular), 1);
+}
