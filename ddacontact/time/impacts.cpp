@@ -235,10 +235,12 @@ class Flight {
     }
     JumpReport report;
     Participants part;
+    bool deform = rule_.has_half_steps(), again;
     do {
-      part = find_participants(then, before, times, first);
+      part = find_participants(then, before, deform, times, first);
       report = impact(blocks_, part.contacts, before, part.least_approach / 2);
-    } while (break_bonds(part, report) || add_soon(then, before + report.jump, times, first));
+      again = !report.settled && !std::exchange(deform, true);
+    } while (again || break_bonds(part, report) || add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
     result_.normal_loss += report.normal_loss;
     result_.support_work += report.support_work;
@@ -291,7 +293,9 @@ class Flight {
     }
     return any;
   }
-  Participants find_participants(const BlockState& then, const VectorXd& before,
+  /// \param[in] deform  whether what bears follows the deformation of its blocks; of whole steps impacts end
+  /// its approach too, where they can
+  Participants find_participants(const BlockState& then, const VectorXd& before, bool deform,
                                  const std::vector<double>& times, const std::vector<char>& first) const {
     Participants found;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -303,7 +307,7 @@ class Flight {
       found.indices.push_back(c);
       ImpactContact& part = found.contacts.emplace_back(ImpactContact{
           .gap = contact.motion.form(rates.by_gap), .slip = contact.motion.form(rates.by_slip)});
-      if (bears(contact)) {  // what presses blocks deforms them as fast: that is no approach
+      if (deform && bears(contact)) {  // what presses blocks deforms them as fast: that is no approach
         part.gap_rate = std::max(part.gap.change(deformation_), -part.gap.change(before));
         part.slip_rate = part.slip.change(deformation_);
       }
@@ -366,8 +370,7 @@ class Flight {
   std::vector<char> bears_;           ///< blocks with contacts that bear
   std::vector<double> last_;          ///< impact of each block, s
   std::vector<Meeting> meetings_;
-  std::vector<char> yields_;  ///< bonds that an impact breaks
-  std::vector<char> hit_now_;
+  std::vector<char> hit_now_, yields_;  ///< blocks that the last impact hit; bonds that one breaks
   StepImpact result_;
 };
 
