@@ -163,7 +163,8 @@ OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& term
       system.problem().solve(r.force, correction);
       d -= correction;
       acceleration.advance(correction.cwiseProduct(system.unknown_lengths()), d);
-      (void)system.displacement(d);  // held points of blocks that turn stay where they are
+      if (system.rule().has_half_steps())
+        (void)system.displacement(d);  // held points of blocks that turn stay where they are
       ++report.iterations;
       compute_residual();
       if (!std::isfinite(r.largest)) {

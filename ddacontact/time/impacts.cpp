@@ -44,10 +44,6 @@ class Flight {
     blocks.add_loads(state, rule.load_span(state.time, dt), forces_);
     for (int b = 0; b < blocks.n_blocks(); ++b)
       if (!bears_[b] && blocks.is_free(b)) blocks.block(b).unknowns().of(acceleration_) = acceleration(b);
-    for (const Contact& contact : contacts) {
-      contact.motion.form(contact.first_gap().gradient).add_gradient(contact.history.normal, forces_);
-      contact.motion.form(contact.first_slip().gradient).add_gradient(contact.history.shear, forces_);
-    }
   }
 
   StepImpact follow() {
@@ -58,7 +54,11 @@ class Flight {
   }
 
   /// Of the free blocks that an impact makes jump, with the blocks prepared for the start of the step.
-  void find_acceleration_before(StepImpact& impact) const {
+  void find_acceleration_before(StepImpact& impact) {
+    for (const Contact& contact : contacts_) {
+      contact.motion.form(contact.first_gap().gradient).add_gradient(contact.history.normal, forces_);
+      contact.motion.form(contact.first_slip().gradient).add_gradient(contact.history.shear, forces_);
+    }
     for (int b = 0; b < blocks_.n_blocks(); ++b)
       if (blocks_.is_free(b) && !blocks_.block(b).unknowns().of(impact.jump).isZero(0))
         impact.acceleration_before.emplace_back(b, acceleration(b));
@@ -85,12 +85,6 @@ class Flight {
     velocity_ = start_.going_on();
     if (rule_.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
     rigid_ = rigid_velocities(blocks_, velocity_);
-    deformation_.setZero(velocity_.size());
-    for (int b = 0; b < blocks_.n_blocks(); ++b)
-      if (bears_[b] && blocks_.is_free(b)) {
-        const Range& u = blocks_.block(b).unknowns();
-        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks_.block(b), rigid_[b]);
-      }
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const VertexEdge& pair = contacts_[c].pair;
       if (of_blocks[pair.vertex_block] || of_blocks[pair.edge_block]) meetings_[c] = next_meeting(c);
@@ -225,6 +219,10 @@ class Flight {
     std::vector<double> times;
     std::vector<char> first;
     if (!find_first(times, first)) return false;
+    deformation_.setZero(velocity_.size());
+    for (int b = 0; b < blocks_.n_blocks(); ++b)
+      if (const Range& u = blocks_.block(b).unknowns(); bears_[b] && blocks_.is_free(b))
+        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks_.block(b), rigid_[b]);
     const BlockState then = carried(blocks_, start_, velocity_, acceleration_, times);
     blocks_.prepare(then);
     VectorXd before = velocity_;
