@@ -219,19 +219,6 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   return first_found_.back();
 }
 
-double ContactBuilder::dashpot(const Contact& contact) const {
-  const VertexEdge& pair = contact.pair;
-  const double ratio = properties_.strength(pair).dashpot;
-  if (ratio == 0) return 0;
-  double lighter = inf;
-  for (int b : pair.blocks())
-    if (blocks_.is_movable(b)) lighter = std::min(lighter, blocks_.block(b).mass_total());
-  if (!std::isfinite(lighter)) return 0;  // both go where supports lead them
-  const double stiffness =
-      contact.law.compliant ? contact.law.normal_stiffness : properties_.normal_stiffness;
-  return 2 * ratio * std::sqrt(stiffness * lighter);
-}
-
 Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& pair,
                                      std::span<const VertexEdge> found, double normal) const {
   Contact contact;

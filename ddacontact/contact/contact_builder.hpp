@@ -53,8 +53,6 @@ class ContactBuilder {
   void restart(Contact& contact) const;
   /// Takes the positions of the vertex and the edge in a state as those at the start of the step.
   void start_from(const BlockState& state, Contact& contact) const;
-  /// Against the rate of the gap of a contact while it is closed, N s/m per m.
-  double dashpot(const Contact& contact) const;
   const ContactProperties& properties() const { return properties_; }
   /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
   /// either way.

@@ -31,6 +31,7 @@ struct JointStrength {
   double compressive_strength = 0;  ///< of what meets there, Pa; 0: unlimited
 
   bool is_compliant() const { return normal_stiffness > 0; }
+  bool damps() const { return dashpot > 0; }
   bool crushes() const { return compressive_strength > 0; }
   /// Whether its contacts act elsewhere than at the corner, or close at another gap than none.
   bool shifts() const { return crushes() || dilation > 0; }

@@ -1,5 +1,6 @@
 #include <ddacontact/time/trial_step.hpp>
 
+#include <ddacontact/contact/dashpots.hpp>
 #include <ddacontact/contact/seams.hpp>
 #include <ddacontact/core/for_all.hpp>
 #include <ddacontact/core/quoted.hpp>
@@ -183,9 +184,9 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   const polyfem::Stopwatch watch(times_.solver);
   restart();
   solved_ = true;
+  set_dashpots(blocks_, builder_->properties(), dt, contacts_);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     Contact& contact = contacts_[c];
-    contact.damping = builder_->dashpot(contact) / dt;
     if (impact.changes()) builder_->start_from(from, contact);
     if (!warm_start) continue;
     contact.normal = warm_start->forces[c].normal;

@@ -1,0 +1,18 @@
+/// \file Damping of closed contacts.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/contact.hpp>
+#include <ddacontact/contact/contact_properties.hpp>
+
+#include <vector>
+
+namespace ddacontact {
+
+/// Sets `Contact::damping` for a step of length dt, s, by the `dashpot` ratios of the joints: a block that
+/// moves along the normal of contacts on which it rests vibrates with that part of critical damping, whatever
+/// their number. Of two blocks the lighter one counts; 0 where supports lead both.
+void set_dashpots(const BlockSystem& blocks, const ContactProperties& properties, double dt,
+                  std::vector<Contact>& contacts);
+
+}  // namespace ddacontact
