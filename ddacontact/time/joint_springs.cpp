@@ -52,11 +52,13 @@ void account_joint_springs(const Contact& contact, bool means, Energy& energy) {
   energy.numerical_dissipated +=
       (square(contact.history.normal) - square(end.normal)) / (2 * law.normal_stiffness) -
       (contact.normal - by_dashpot) * contact.gap_change;
-  const double from_shear =
+  // What of the slip is not the spring's is friction's.
+  const double slid = contact.slip_change - (contact.history.shear - end.shear) / law.tangential_stiffness,
+               by_friction = -contact.shear * slid;
+  energy.friction_dissipated += by_friction;
+  energy.numerical_dissipated +=
       (square(contact.history.shear) - square(end.shear)) / (2 * law.tangential_stiffness) -
-      contact.shear * contact.slip_change;
-  (is_slipping(contact.history.state) ? energy.friction_dissipated : energy.numerical_dissipated) +=
-      from_shear;
+      contact.shear * contact.slip_change - by_friction;
 }
 
 }  // namespace ddacontact

@@ -12,7 +12,7 @@ namespace {
 /// What a contact takes or gives: friction, the end of an approach, and pushing out.
 void account_contact(const StepRule& rule, double dt, const BlockState& from, const VectorXd& straight,
                      Contact& contact, Energy& energy) {
-  const bool had_force = contact.history.normal != 0 && contact.law.compliant;
+  const bool had_force = contact.law.compliant && (contact.history.normal != 0 || contact.history.shear != 0);
   if (contact.normal == 0 && contact.shear == 0 && !had_force) return;
   const GapAndSlip start = contact.motion.rates_at(contact.motion.positions(), contact.history.lock);
   const double slipped = contact.end_slip - start.slip;
@@ -34,21 +34,11 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
   energy.numerical_dissipated -= contact.normal * contact.gap_change - exchanged;
 }
 
-/// By how much more loads work with their means over the step than with those that it was computed with.
-double work_of_change(const StepSystem& system, const BlockState& from, const VectorXd& straight) {
-  VectorXd loads = VectorXd::Zero(straight.size());
-  system.blocks().add_loads(from, {from.time, from.time + system.dt()}, loads);
-  return (loads - system.load_forces()).dot(straight);
-}
-
 }  // namespace
 
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
                          const Residual& residual, std::vector<Contact>& contacts, Energy& energy) {
   const BlockSystem& blocks = system.blocks();
-  const double by_change = work_of_change(system, from, straight);
-  energy.external += by_change;
-  energy.numerical_dissipated += by_change;
   for (const PrescribedDof& held : blocks.prescribed_dofs()) {
     const double reaction = residual.force[held.unknown], moved = system.prescribed()[held.unknown];
     energy.external += reaction * moved;
