@@ -31,7 +31,7 @@ void ContactBuilder::load_joint(const BlockState& state, Contact& contact) const
   Vec3 stress = Vec3::Zero();
   int n_moving = 0;
   for (const int b : contact.pair.blocks())
-    if (blocks_.is_movable(b)) {
+    if (!blocks_.is_unchanging(b)) {
       stress += stress_at(blocks_.block(b), state, place - blocks_.block(b).centroid());
       ++n_moving;
     }

@@ -52,7 +52,7 @@ const std::vector<double>& MotionLimits::search_margin(const BlockState& state,
     if (blocks_.is_unchanging(b)) continue;
     if (!blocks_.is_movable(b)) {
       if (prescribed.size() == 0) prescribed = blocks_.prescribed(state, state.time + dt);
-      search_margin_[b] = block.furthest_vertex(prescribed);
+      search_margin_[b] = block.furthest_vertex(prescribed) + least_reach * block.size();
     } else {
       const double expected = 2 * (speed_[b] * dt + fall) + least_reach * block.size();
       search_margin_[b] = std::min(scale * expected, largest_search_margin(b));

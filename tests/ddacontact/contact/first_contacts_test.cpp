@@ -63,6 +63,28 @@ TEST(FirstContacts, JointsBearTheStressThatTheirBlocksBeginWith) {
     }
 }
 
+/// Where supports lead a block at all of its vertices its joints still begin with its stress, and keep what they
+/// bear once it stands.
+TEST(FirstContacts, JointsBearTheStressOfABlockThatSupportsLead) {
+  const double pressure = 1e6, closure = 1e-4;
+  for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value, BlockModel::mesh}) {
+    Scene scene = stressed_scene({0, -pressure, 0});
+    scene.blocks = {block(rectangle(-1, -1, 3, 1), true), block(rectangle(0, 0, 1, 1))};
+    for (BlockDescription& of : scene.blocks) of.stress = {0, -pressure, 0};
+    scene.blocks[1].model = model;
+    scene.supports = {
+        {1,
+         {0, 1, 2, 3},
+         true,
+         true,
+         {TimeFunction::Kind::history, {0, 0}, {{0, 0, 0}, {0.05, 0, -closure}, {1, 0, -closure}}}}};
+    const BuiltScene built = run(scene);
+    double normal = 0;
+    for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) normal += contact.normal;
+    EXPECT_NEAR(normal, pressure + stiffness * closure, 0.01 * pressure) << static_cast<int>(model);
+  }
+}
+
 /// A bar between two walls, one of which is taken out: the bar and its joint expand.
 TEST(FirstContacts, AJointThatIsRelievedOpensByItsStressOverItsStiffness) {
   const double sigma = 5e6, length = 4;
