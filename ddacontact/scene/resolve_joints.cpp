@@ -27,7 +27,7 @@ void check_method(const char* key, const KeyLocations& locations, ContactMethod 
                    "leave it out, or write method = \"staged\" in [contact]");
 }
 
-/// A joint has both springs or none, and they throw off what meets.
+/// A joint has both springs or none.
 void check_springs(const Joint& joint, const KeyLocations& locations, ContactMethod method,
                    ProblemList& problems) {
   const bool normal = joint.normal_stiffness && locations.good("normal_stiffness"),
@@ -39,7 +39,12 @@ void check_springs(const Joint& joint, const KeyLocations& locations, ContactMet
   if (shear && !joint.normal_stiffness)
     problems.error(locations.of("shear_stiffness"), "'shear_stiffness' without 'normal_stiffness'",
                    "add 'normal_stiffness' in Pa/m: a joint is rigid in both directions or in none");
-  if (normal && joint.restitution && locations.good("restitution"))
+}
+
+/// The springs of a joint throw off what meets.
+void check_rebound(const Joint& joint, const std::optional<double>& restitution,
+                   const KeyLocations& locations, ProblemList& problems) {
+  if (joint.normal_stiffness && restitution && locations.good("restitution"))
     problems.error(locations.of("restitution"), "'restitution' of a joint that has a stiffness",
                    "leave it out: the joint's springs make blocks rebound, a 'dashpot' damps them");
 }
@@ -54,6 +59,15 @@ void check_residual(const Joint& joint, const SourceLocation& location, ProblemL
 }
 
 /// What rises does so by the work of friction.
+void check_lift(const Joint& joint, const SourceLocation& location, ProblemList& problems) {
+  const double friction = joint.residual_friction_angle.value_or(joint.friction_angle);
+  if (joint.dilation_angle.value_or(0) > friction)
+    problems.error(location,
+                   "'dilation_angle' = '" + short_number(*joint.dilation_angle) +
+                       "' is larger than the angle of friction once it slides, " + short_number(friction),
+                   "friction has to do the work that lifts the block: make it smaller");
+}
+
 void check_dilation(const Joint& joint, const KeyLocations& locations, ContactMethod method,
                     ProblemList& problems) {
   if (joint.dilation_slip && !joint.dilation_angle && locations.good("dilation_slip"))
@@ -64,12 +78,7 @@ void check_dilation(const Joint& joint, const KeyLocations& locations, ContactMe
   if (!joint.dilation_slip)
     problems.error(locations.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
                    "add 'dilation_slip', the slip in m up to which the joint dilates");
-  const double friction = joint.residual_friction_angle.value_or(joint.friction_angle);
-  if (*joint.dilation_angle > friction)
-    problems.error(locations.of("dilation_angle"),
-                   "'dilation_angle' = '" + short_number(*joint.dilation_angle) +
-                       "' is larger than the angle of friction once it slides, " + short_number(friction),
-                   "friction has to do the work that lifts the block: make it smaller");
+  check_lift(joint, locations.of("dilation_angle"), problems);
 }
 
 /// By the law of Coulomb a bond without cohesion bears no shear where it is pulled.
@@ -137,6 +146,7 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     joint.name = record.name.value_or("");
     check_restitution(joint.restitution, locations, document.contact, method, problems);
     check_springs(joint, locations, method, problems);
+    check_rebound(joint, joint.restitution, locations, problems);
     check_residual(joint, locations.of("residual_friction_angle"), problems);
     check_dilation(joint, locations, method, problems);
     warn_of_bond(joint, locations, method, problems);
@@ -150,13 +160,14 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
           problems.error(locations.of("between"),
                          "the two materials already follow " + table.names.title(static_cast<int>(other)),
                          "leave one 'between' out");
-    } else if (!record.between && !joints.empty() && document.has_all_blocks &&
+    } else if (!record.between && document.has_all_blocks &&
+               !std::ranges::all_of(joints, [](const Joint& before) { return before.between.has_value(); }) &&
                !of_edges.contains(record.name.value_or(std::to_string(joints.size())))) {
       problems.warning(
           locations.table,
           table.names.title(table.names.size() - 1) +
-              " is never used: it has no 'between', no edge names it, and only the first joint is the "
-              "default",
+              " is never used: it has no 'between', no edge names it, and only the first joint without "
+              "'between' is the default",
           "add 'between', or name it in [domain] or 'edge_joints'");
     }
     joints.push_back(std::move(joint));
@@ -184,6 +195,9 @@ std::vector<Joint> changed_joints(const StageRecord& stage, const NamedJoints& o
       joints[index].residual_friction_angle = change.residual_friction_angle;
     joints[index].glued = change.glued.value_or(false);
     check_residual(joints[index], change.locations.table, problems);
+    check_rebound(joints[index], change.restitution, change.locations, problems);
+    if (change.friction_angle || change.residual_friction_angle)
+      check_lift(joints[index], change.locations.table, problems);
   }
   return joints;
 }

@@ -268,7 +268,8 @@ void describe_change(Change& change, Visit&& visit) {
 template <class Visit>
 void describe(JointRecord& r, Visit&& visit) {
   visit(Key{.name = "name",
-            .what = "Unique; the first joint is the law of all contacts that no other one names.",
+            .what = "Unique; the first joint without 'between' is the law of all contacts that no other "
+                    "one names.",
             .default_text = "none"},
         r.name);
   visit(Key{.name = "between",

@@ -59,6 +59,13 @@ TEST(UnusedJoints, AreWarnedOfWhereTheBlocksAreKnown) {
   const SceneReading reading = read(of_soil);
   ASSERT_EQ(n_unused_joints(reading), 1);
   EXPECT_NE(all_text(reading.problems).find("no two blocks have the materials"), std::string::npos);
+  // The first one without 'between' is the default, wherever it stands.
+  const std::string last = "[[joint]]\nname = \"within\"\nbetween = [\"rock\", \"rock\"]\n[[joint]]\n";
+  const auto is_told = [&](const std::string& text) {
+    return all_text(read(std::string(minimal) + text).problems).find("has no 'between'") != std::string::npos;
+  };
+  EXPECT_FALSE(is_told(last));
+  EXPECT_TRUE(is_told(last + "[[joint]]\n"));
 }
 
 /// Squares of 1 m; the joints between rows are bedding.

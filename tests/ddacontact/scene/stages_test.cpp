@@ -119,6 +119,25 @@ TEST(Stages, TheSchemeFollowsThePresetAndTheKinematics) {
   }
 }
 
+TEST(Stages, RefuseOfAJointWhatItsOtherKeysExclude) {
+  const auto problem = [](const std::string& joint, const std::string& change) {
+    const SceneReading reading = read_scene_text(std::string(minimal) + "[[joint]]\n" + joint +
+                                                     "[[stage]]\nsteps = 1\njoints.0 = { " + change + " }\n",
+                                                 "scene.toml");
+    return all_text(reading.problems);
+  };
+  const std::string rises = "friction_angle = 30\ndilation_angle = 10\ndilation_slip = 1\n",
+                    soft = "normal_stiffness = 1e9\nshear_stiffness = 1e9\n";
+  for (const char* key : {"friction_angle", "residual_friction_angle"}) {
+    EXPECT_NE(problem(rises, std::string(key) + " = 9").find("'dilation_angle' = '10' is larger than"),
+              std::string::npos);
+    EXPECT_EQ(problem(rises, std::string(key) + " = 11"), "");
+  }
+  EXPECT_NE(problem(soft, "restitution = 0.5").find("'restitution' of a joint that has a stiffness"),
+            std::string::npos);
+  EXPECT_EQ(problem(soft, "dashpot = 0.5"), "");
+}
+
 TEST(Stages, MayRemoveWhatIsHeldLoadedOrWatched) {
   EXPECT_EQ(scene_of(in_stages).monitors[0].block, 1) << "removed by the second stage";
   EXPECT_EQ(
