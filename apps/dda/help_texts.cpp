@@ -22,6 +22,7 @@ constexpr std::string_view files = R"(dda run SCENE.toml writes SCENE-out/:
   contacts.csv, supports.csv  contact forces and reactions at the end
   bolts.csv                   of a scene with bolts: forces of their segments at the end
   bolt_history.csv            of a scene with bolts: the largest force of each in time
+  support_history.csv         of a scene with supports: their force on each block in time
   results.pvd, contacts.pvd   series for ParaView; their files are in frames/
   scene.toml, log.txt         the scene as run, every default written out; the log
   checkpoint.bin              dda run SCENE.toml --resume SCENE-out/checkpoint.bin goes on from there

@@ -178,9 +178,8 @@ void check_call(const PlotArguments& arguments) {
                       !arguments.range.empty() || !arguments.window.empty();
   if (curves && blocks)
     throw CallError(
-        "--history, --energy, --unbalanced and --bolts draw curves; what belongs to pictures of blocks "
-        "cannot "
-        "be given with them");
+        "--history, --energy, --unbalanced, --bolts and --reactions draw curves; what belongs to pictures of "
+        "blocks cannot be given with them");
   if (!arguments.monitors.empty() && arguments.history.empty())
     throw CallError("--monitor chooses among the curves of --history; give that too");
 }

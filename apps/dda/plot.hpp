@@ -22,8 +22,9 @@ struct PlotArguments {
   std::vector<std::string> monitors;  ///< for `history`; empty: all
   bool energy = false, unbalanced = false;
   bool bolt_forces = false;  ///< of bolt_history.csv
+  bool reactions = false;    ///< of support_history.csv
 
-  bool has_curves() const { return energy || unbalanced || bolt_forces || !history.empty(); }
+  bool has_curves() const { return energy || unbalanced || bolt_forces || reactions || !history.empty(); }
 };
 
 /// Returns the exit status.

@@ -140,21 +140,24 @@ Chart step_chart(const PlotArguments& arguments, const char* column, const char*
   return chart;
 }
 
-/// The largest axial force of each bolt.
-Chart bolt_chart(const PlotArguments& arguments) {
-  Chart chart = empty_chart({"axial force", "", ""}, "N/m");
+/// A column of a file with rows by step, a curve for each name in another column.
+///
+/// \param[in] source  what a scene without the file lacks
+Chart force_chart(const PlotArguments& arguments, const char* file, const char* source, const char* names,
+                  const char* column, const char* title) {
+  Chart chart = empty_chart({title, "", ""}, "N/m");
   for (const std::string& name : arguments.directories) {
     expect_result_directory(name);
-    const fs::path path = fs::path(name) / "bolt_history.csv";
+    const fs::path path = fs::path(name) / file;
     std::error_code error;
     if (!fs::exists(path, error))
-      throw CallError(fmt::format("\"{}\" has no bolt_history.csv: its scene has no [[bolt]]", name));
+      throw CallError(fmt::format("\"{}\" has no {}: its scene has no [[{}]]", name, file, source));
     const CsvTable table(path);
-    const std::vector<double> time = table.numbers("time"), force = table.numbers("axial_force");
-    const Histories bolts = rows_by_name(table.texts("bolt"));
-    for (const std::string& bolt : bolts.names)
-      chart.series.push_back({arguments.directories.size() > 1 ? name_of(name) + ": " + bolt : bolt,
-                              chosen(time, bolts.rows.at(bolt)), chosen(force, bolts.rows.at(bolt))});
+    const std::vector<double> time = table.numbers("time"), force = table.numbers(column);
+    const Histories of = rows_by_name(table.texts(names));
+    for (const std::string& one : of.names)
+      chart.series.push_back({arguments.directories.size() > 1 ? name_of(name) + ": " + one : one,
+                              chosen(time, of.rows.at(one)), chosen(force, of.rows.at(one))});
   }
   return chart;
 }
@@ -171,7 +174,12 @@ std::string curves_picture(const PlotArguments& arguments) {
     charts.push_back(step_chart(arguments, "unbalanced", "out of balance", ""));
     charts.push_back(step_chart(arguments, "fastest", "largest velocity", "m/s"));
   }
-  if (arguments.bolt_forces) charts.push_back(bolt_chart(arguments));
+  if (arguments.bolt_forces)
+    charts.push_back(
+        force_chart(arguments, "bolt_history.csv", "bolt", "bolt", "axial_force", "axial force"));
+  if (arguments.reactions)
+    for (const auto& [column, title] : {std::pair{"fx", "reaction fx"}, {"fy", "reaction fy"}})
+      charts.push_back(force_chart(arguments, "support_history.csv", "support", "block", column, title));
   if (arguments.directories.size() == 1) {
     const fs::path directory(arguments.directories.front());
     options.title = title_of(directory, scene_of(directory));

@@ -76,6 +76,7 @@ void declare_curves(CLI::App& plot, PlotArguments& call) {
   plot.add_flag("--unbalanced", call.unbalanced, "Out-of-balance force and largest velocity over time")
       ->group(curves);
   plot.add_flag("--bolts", call.bolt_forces, "Largest axial force of each bolt over time")->group(curves);
+  plot.add_flag("--reactions", call.reactions, "Forces of supports on each block over time")->group(curves);
 }
 
 }  // namespace

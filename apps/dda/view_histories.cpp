@@ -48,6 +48,12 @@ void add_bolts(const fs::path& path, std::vector<PageHistory>& histories) {
   add_curves(CsvTable(path), "bolt", "axial_force", "N/m", "axial force of bolts", histories);
 }
 
+void add_supports(const fs::path& path, std::vector<PageHistory>& histories) {
+  const CsvTable table(path);
+  for (const char* column : {"fx", "fy"})
+    add_curves(table, "block", column, "N/m", std::string("reactions: ") + column, histories);
+}
+
 /// Energies, and how far from equilibrium the blocks are: each in a chart of its own.
 void add_energies(const fs::path& path, std::vector<PageHistory>& histories) {
   const CsvTable table(path);
@@ -70,6 +76,7 @@ std::vector<PageHistory> histories_of(const fs::path& directory) {
   std::vector<PageHistory> histories;
   if (is_there(directory / "monitors.csv")) add_monitors(directory / "monitors.csv", histories);
   if (is_there(directory / "bolt_history.csv")) add_bolts(directory / "bolt_history.csv", histories);
+  if (is_there(directory / "support_history.csv")) add_supports(directory / "support_history.csv", histories);
   if (is_there(directory / "energy.csv")) add_energies(directory / "energy.csv", histories);
   return histories;
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view magic = "polydda checkpoint ";
 /// Of the layout below; to be raised with every change of what a checkpoint holds or of how steps are made.
-constexpr std::uint32_t version = 16;
+constexpr std::uint32_t version = 17;
 constexpr std::uint64_t byte_order = 0x0102030405060708;
 
 /// What stands before the contents.
@@ -46,7 +46,7 @@ void visit_contents(
   visit(c.scene);
   visit.list(c.stage_steps, [&](auto& steps) { visit(steps); });
   visit(c.made_by);
-  for (auto* mark : {&c.marks.monitors, &c.marks.energy, &c.marks.bolts}) {
+  for (auto* mark : {&c.marks.monitors, &c.marks.energy, &c.marks.bolts, &c.marks.supports}) {
     visit(mark->bytes);
     visit(mark->checksum);
   }

@@ -4,6 +4,12 @@
 
 namespace ddacontact {
 
+std::vector<int> OutlineLabels::in_scene_order() const {
+  std::vector<int> order(vertex.size());
+  for (std::size_t v = 0; v < vertex.size(); ++v) order[vertex[v]] = static_cast<int>(v);
+  return order;
+}
+
 OutlineLabels label_outline(int n_outline, const std::vector<int>& corners, bool turned) {
   const int n = static_cast<int>(corners.size());
   OutlineLabels labels;

@@ -16,6 +16,9 @@ struct OutlineLabels {
   int n_vertices = 0;       ///< of the scene
   std::vector<int> vertex;  ///< the scene's number of each vertex of the outline
   std::vector<int> edge;    ///< the scene's edge on which each edge of the outline lies
+
+  /// The vertices of the outline by their numbers in the scene.
+  std::vector<int> in_scene_order() const;
 };
 
 /// \param[in] n_outline  vertices of the outline, counter-clockwise
@@ -37,6 +40,7 @@ struct Labels {
   std::vector<std::string> joint_names;     ///< the name, else the index
   std::vector<std::shared_ptr<const OutlineLabels>> outlines;  ///< of each block; many share theirs
   bool has_bolts = false;                                      ///< some stage has
+  std::vector<int> supported_blocks;                           ///< that a [[support]] names, ascending
 };
 
 }  // namespace ddacontact

@@ -3,7 +3,6 @@
 #include <ddacontact/output/block_summary.hpp>
 #include <ddacontact/output/output_error.hpp>
 #include <ddacontact/output/run_verdict.hpp>
-#include <polyfem/basis/mean_value.hpp>
 #include <polyfem/io/write_error.hpp>
 
 #include <nlohmann/json.hpp>
@@ -24,6 +23,7 @@ constexpr char energy_file[] = "energy.csv",
                    "balance_error,damping_dissipated,pushed_out,plastic_dissipated,unbalanced,fastest";
 constexpr char bolts_file[] = "bolt_history.csv",
                bolts_header[] = "step,time,bolt,segment,axial_force,elongation,state,torn";
+constexpr char supports_file[] = "support_history.csv", supports_header[] = "step,time,block,fx,fy";
 
 const char* state_name(ContactState state) {
   switch (state) {
@@ -36,33 +36,6 @@ const char* state_name(ContactState state) {
       return "slip";
   }
   return "";
-}
-
-/// The vertices of a block's outline by their numbers in the scene.
-std::vector<int> in_scene_order(const OutlineLabels& labels) {
-  std::vector<int> order(labels.vertex.size());
-  for (std::size_t v = 0; v < labels.vertex.size(); ++v) order[labels.vertex[v]] = static_cast<int>(v);
-  return order;
-}
-
-/// The reactions of a block by the scene's vertices: what holds other points is shared among these with the
-/// same resultant and moment.
-Points at_scene_vertices(const Block& block, const OutlineLabels& labels, const Points& reactions) {
-  const int n = labels.n_vertices;
-  Points vertices(2, n), forces = Points::Zero(2, n);
-  for (int p = 0; p < block.n_vertices(); ++p) {
-    if (labels.vertex[p] >= n) continue;
-    vertices.col(labels.vertex[p]) = block.reference().col(p);
-    forces.col(labels.vertex[p]) = reactions.col(block.points().first + p);
-  }
-  polyfem::ShapeValues shape;
-  for (int p = 0; p < block.n_points(); ++p) {
-    const Vec2 force = reactions.col(block.points().first + p);
-    if ((p < block.n_vertices() && labels.vertex[p] < n) || force.isZero(0)) continue;
-    polyfem::mean_value(vertices, block.reference().col(p), shape);
-    forces += force * shape.values.transpose();
-  }
-  return forces;
 }
 
 using NameOfBlock = std::function<std::string(int)>;
@@ -168,8 +141,9 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels,
       monitors_(file(monitors_file), monitors_header),
       energy_(file(energy_file), energy_header),
       frames_(directory_, frames) {
-  remove_file(directory_ / bolts_file);
+  for (const char* name : {bolts_file, supports_file}) remove_file(directory_ / name);
   if (labels_.has_bolts) bolts_.emplace(file(bolts_file), bolts_header);
+  if (!labels_.supported_blocks.empty()) supports_.emplace(file(supports_file), supports_header);
 }
 
 ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames,
@@ -180,6 +154,8 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels,
       energy_(file(energy_file), energy_header, source / energy_file, marks.energy),
       frames_(directory_, frames, source, marks.n_frames) {
   if (labels_.has_bolts) bolts_.emplace(file(bolts_file), bolts_header, source / bolts_file, marks.bolts);
+  if (!labels_.supported_blocks.empty())
+    supports_.emplace(file(supports_file), supports_header, source / supports_file, marks.supports);
 }
 
 std::vector<std::string> ResultDirectory::missing_histories() const {
@@ -187,18 +163,21 @@ std::vector<std::string> ResultDirectory::missing_histories() const {
   if (!monitors_.goes_on()) missing.push_back(monitors_file);
   if (!energy_.goes_on()) missing.push_back(energy_file);
   if (bolts_ && !bolts_->goes_on()) missing.push_back(bolts_file);
+  if (supports_ && !supports_->goes_on()) missing.push_back(supports_file);
   if (!frames_.goes_on()) missing.push_back("frames");
   return missing;
 }
 
 ResultMarks ResultDirectory::marks() {
-  return {monitors_.mark(), energy_.mark(), bolts_ ? bolts_->mark() : FileMark{}, frames_.n_frames()};
+  return {monitors_.mark(), energy_.mark(), bolts_ ? bolts_->mark() : FileMark{},
+          supports_ ? supports_->mark() : FileMark{}, frames_.n_frames()};
 }
 
 void ResultDirectory::write_start(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets) {
   if (!monitors_.goes_on()) write_monitors(stepper, monitor_targets);
   if (!energy_.goes_on()) write_energy(stepper);
   if (bolts_ && !bolts_->goes_on()) write_bolt_history(stepper);
+  if (supports_ && !supports_->goes_on()) write_support_history(stepper);
   if (!frames_.goes_on()) frames_.write_step(stepper, labels_);
   marks();  // what there is of the histories is in their files
 }
@@ -207,6 +186,7 @@ void ResultDirectory::write_step(const Stepper& stepper, const std::vector<Monit
   write_monitors(stepper, monitor_targets);
   write_energy(stepper);
   if (bolts_) write_bolt_history(stepper);
+  if (supports_) write_support_history(stepper);
   frames_.write_step(stepper, labels_);
 }
 
@@ -233,6 +213,7 @@ void ResultDirectory::finish(const Stepper& stepper, const RunSummary& summary) 
   monitors_.close();
   energy_.close();
   if (bolts_) bolts_->close();
+  if (supports_) supports_->close();
   write_blocks(stepper);
   write_vertices(stepper);
   write_contacts(stepper);
@@ -271,7 +252,7 @@ void ResultDirectory::write_vertices(const Stepper& stepper) {
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     if (!stepper.blocks().is_present(b)) continue;
     const Block& block = stepper.blocks().block(b);
-    const std::vector<int> order = in_scene_order(*labels_.outlines[b]);
+    const std::vector<int> order = labels_.outlines[b]->in_scene_order();
     for (int scene_v = 0; scene_v < block.n_vertices(); ++scene_v) {
       const int v = order[scene_v];
       const int column = block.vertices().first + v;
@@ -296,27 +277,6 @@ void ResultDirectory::write_contacts(const Stepper& stepper) {
             labels_.block_names[pair.edge_block], b.edge[pair.edge], state_name(contact.history.state),
             contact.end_gap, contact.normal, shear,
             labels_.joint_names[stepper.contact_properties().joint_of(pair)]);
-  }
-  csv.close();
-}
-
-void ResultDirectory::write_supports(const Stepper& stepper) {
-  CsvFile csv(file("supports.csv"), "block,vertex,fx,fy");
-  const BlockSystem& blocks = stepper.blocks();
-  const std::vector<int>& held = blocks.supported_vertices;
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const Block& block = blocks.block(b);
-    const std::vector<int> order = in_scene_order(*labels_.outlines[b]);
-    const auto is_prescribed = [&](int scene_v) {
-      return std::binary_search(held.begin(), held.end(), block.vertices().first + order[scene_v]);
-    };
-    const int n = labels_.outlines[b]->n_vertices;
-    bool any_prescribed = false;
-    for (int v = 0; v < n; ++v) any_prescribed = any_prescribed || is_prescribed(v);
-    if (!any_prescribed) continue;
-    const Points forces = at_scene_vertices(block, *labels_.outlines[b], stepper.reactions());
-    for (int v = 0; v < n; ++v)
-      if (is_prescribed(v)) csv.row(labels_.block_names[b], v, forces(0, v), forces(1, v));
   }
   csv.close();
 }

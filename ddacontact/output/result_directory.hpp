@@ -47,8 +47,8 @@ class ResultDirectory {
 
   /// write_step for the files that begin with the present state.
   void write_start(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
-  /// A row per monitor, one per bolt and one of energies, for the state as it is, and a frame when it is
-  /// time.
+  /// A row per monitor, bolt and supported block and one of energies, for the state as it is, and a frame
+  /// when it is time.
   void write_step(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
   /// The frame a run ends with, unless it is there already.
   void write_last_frame(const Stepper& stepper) { frames_.write_last(stepper, labels_); }
@@ -62,6 +62,7 @@ class ResultDirectory {
   void write_monitors(const Stepper& stepper, const std::vector<MonitorTarget>& monitor_targets);
   void write_energy(const Stepper& stepper);
   void write_bolt_history(const Stepper& stepper);
+  void write_support_history(const Stepper& stepper);
   void write_blocks(const Stepper& stepper);
   void write_vertices(const Stepper& stepper);
   void write_contacts(const Stepper& stepper);
@@ -73,7 +74,7 @@ class ResultDirectory {
   std::filesystem::path directory_;
   Labels labels_;
   CsvFile monitors_, energy_;
-  std::optional<CsvFile> bolts_;  ///< of scenes with bolts
+  std::optional<CsvFile> bolts_, supports_;  ///< of scenes with bolts, with supports
   FrameWriter frames_;
 };
 

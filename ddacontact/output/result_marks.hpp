@@ -13,7 +13,7 @@ struct FileMark {
 
 /// Of a result directory.
 struct ResultMarks {
-  FileMark monitors, energy, bolts;
+  FileMark monitors, energy, bolts, supports;
   int n_frames = 0;
 };
 

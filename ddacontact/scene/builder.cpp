@@ -66,6 +66,9 @@ class Builder {
                                                                         : scene_.joints[j].name);
     note_bent_joints();
     built_.labels.has_bolts = !scene_.bolts.empty();
+    std::set<int> supported;
+    for (const Support& support : scene_.supports) supported.insert(support.block);
+    built_.labels.supported_blocks.assign(supported.begin(), supported.end());
     for (const Monitor& monitor : scene_.monitors)
       built_.monitor_targets.push_back(make_monitor_target(monitor, system));
 

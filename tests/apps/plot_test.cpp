@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace {
 
@@ -113,12 +114,61 @@ TEST_F(Program, BoltsHaveAHistoryThatEndsWithTheForcesOfTheirSegments) {
   ASSERT_EQ(dda("view roof -o b.html"), 0) << err_;
 }
 
+/// A block of 2 t is pushed along a floor with friction of 30 degrees.
+TEST_F(Program, SupportsHaveAHistoryThatEndsWithTheirReactions) {
+  write("push.toml", R"([analysis]
+steps = 40
+time_step = 0.01
+gravity = [0, -10]
+[[material]]
+name = "rock"
+density = 2000
+young = 1e10
+poisson = 0.2
+[[joint]]
+friction_angle = 30
+[[block]]
+name = "floor"
+material = "rock"
+vertices = [[-1, -1], [4, -1], [4, 0], [-1, 0]]
+fixed = true
+[[block]]
+name = "pushed"
+material = "rock"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[[support]]
+block = "pushed"
+vertices = [0, 3]
+axes = "x"
+velocity_history = [[0, 0.1, 0], [1, 0.1, 0]]
+)");
+  ASSERT_EQ(dda("run push.toml --quiet"), 0) << err_;
+  const auto history = read_csv(directory_ / "push-out/support_history.csv"),
+             last = read_csv(directory_ / "push-out/supports.csv");
+  ASSERT_EQ(history.size(), 1 + 41u);
+  double sum = 0;
+  for (const auto& row : last)
+    if (row[0] == "pushed") sum += std::stod(row[2]);
+  EXPECT_NEAR(sum, 2e4 * std::tan(std::numbers::pi / 6), 1e-3 * sum);
+  EXPECT_EQ(history.back()[2], "pushed");
+  EXPECT_NEAR(std::stod(history.back()[3]), sum, 1e-9 * sum);
+  EXPECT_NEAR(std::stod(history[20][3]), sum, 0.01 * sum);
+
+  ASSERT_EQ(dda("plot push-out --reactions -o r.svg"), 0) << err_;
+  EXPECT_NE(read_file(directory_ / "r.svg").find("reaction fx"), std::string::npos);
+  ASSERT_EQ(dda("view push-out -o r.html"), 0) << err_;
+  ASSERT_EQ(dda("run push.toml --resume push-out/checkpoint.bin -o again --quiet"), 0) << err_;
+  EXPECT_EQ(read_file(directory_ / "again/support_history.csv"),
+            read_file(directory_ / "push-out/support_history.csv"));
+}
+
 TEST_F(Results, AreDrawnInARangeThatNoNumberDivides) {
   EXPECT_EQ(dda("plot result --field displacement --range=1,1.0000000000000002 -o x.svg"), 0) << err_;
 }
 
 TEST_F(Results, WrongCallsAreRefusedWithACure) {
   expect_refused("plot result --bolts -o x.svg", 2, {"[[bolt]]"});
+  expect_refused("plot result --reactions -o x.svg", 2, {"support_history.csv", "[[support]]"});
   expect_refused("plot", 2, {"DIR"});
   expect_refused("plot result", 2, {"--output"});
   expect_refused("plot result -o x.gif", 2, {"x.gif", ".svg, .png or .pdf"});

@@ -67,6 +67,11 @@ class Result:
         return read_table(self.directory / "bolt_history.csv")
 
     @functools.cached_property
+    def support_history(self) -> npt.NDArray[Any]:
+        """support_history.csv, of a scene with supports: a row a step and block, N per metre of thickness."""
+        return read_table(self.directory / "support_history.csv")
+
+    @functools.cached_property
     def frames(self) -> list[tuple[int, float]]:
         """Step and time, s, of each frame."""
         return _core.frame_list(self.directory)
