@@ -119,7 +119,7 @@ void describe(ContactRecord& r, Visit&& visit) {
         r.method);
   visit(Key{.name = "normal_stiffness",
             .what = "Stiffness of the normal contact springs, per metre of thickness. Of \"staged\" it only "
-                    "scales a `dashpot`.",
+                    "scales the `dashpot` of joints without a stiffness.",
             .unit = "N/m2",
             .other_unit = "N/m",
             .bounds = positive,
@@ -205,7 +205,8 @@ void describe_law(Law& law, Visit&& visit) {
                 "none: blocks rebound by their elasticity (\"decaying\", \"explicit\"); `0.0` (others)"},
         law.restitution);
   visit(Key{.name = "dashpot",
-            .what = "Damping of closed contacts, ratio to critical of the contact spring.",
+            .what = "Damping of closed contacts: the ratio to critical damping with which a block on their "
+                    "springs vibrates.",
             .bounds = not_negative},
         law.dashpot);
   visit(Key{.name = "residual_friction_angle",
@@ -583,9 +584,11 @@ void describe(Skips& s, Visit&& visit) {
   visit(Key{.name = "congruent", .what = "Reference matrices of a block that is congruent to another."},
         s.congruent);
   visit(Key{.name = "output", .what = "Stresses and pictures that are not requested."}, s.output);
-  visit(Key{.name = "stale_factor",
-            .what = "Factorizing while few springs changed: an older factor is the preconditioner."},
-        s.stale_factor);
+  visit(
+      Key{.name = "stale_factor",
+          .what =
+              "Factorizing anew within a step: an older factor is the preconditioner while that converges."},
+      s.stale_factor);
   visit(
       Key{.name = "cg", .what = "Factorizing where inertia dominates: sweeps over the contacts do without."},
       s.cg);
