@@ -1,8 +1,6 @@
 /// \file Damping of closed contacts.
 #pragma once
 
-#include <ddacontact/block/block_system.hpp>
-#include <ddacontact/contact/contact.hpp>
 #include <ddacontact/contact/contact_properties.hpp>
 
 #include <vector>

@@ -16,6 +16,8 @@ namespace ddacontact {
 /// differences matter: coordinates near a common origin keep them exact. j and k must differ.
 struct VertexEdgePositions {
   Vec2 i, j, k;
+  Vec2 along() const { return (k - j).normalized(); }
+  Vec2 outwards() const { return {along().y(), -along().x()}; }  ///< of the edge's block
 };
 
 /// Derivatives by the three positions: a force N along the gap is N times these. They sum to zero.

@@ -36,7 +36,7 @@ void ContactBuilder::load_joint(const BlockState& state, Contact& contact) const
       ++n_moving;
     }
   if (stress.isZero(0)) return;
-  const Vec2 along = (at.k - at.j).normalized(), outwards(along.y(), -along.x());
+  const Vec2 along = at.along(), outwards = at.outwards();
   const Vec2 force =
       -contact.history.length / n_moving * (Mat2{{stress[0], stress[2]}, {stress[2], stress[1]}} * outwards);
   const double normal = force.dot(outwards);

@@ -179,6 +179,15 @@ TimeFunction history_function(TimeFunction::Kind kind, std::vector<Vec3> entries
   return function;
 }
 
+double TimeFunction::rate(int axis, double time, double step, double end_time) const {
+  constexpr double much = 4;
+  const auto place = [&](int steps) { return at(time + steps * step, end_time)[axis]; };
+  const auto way = [&](int steps) { return place(steps) - place(steps - 1); };
+  const double last = way(0), next = way(1), jump = std::abs(next - last),
+               beside = std::max(std::abs(last - way(-1)), std::abs(way(2) - next));
+  return (jump > much * beside ? last : (last + next) / 2) / step;
+}
+
 TimeFunction zero_outside(TimeFunction function) {
   std::vector<Vec3>& entries = function.history;
   entries.insert(entries.begin(), {entries.front()[0], 0, 0});

@@ -47,6 +47,9 @@ struct TimeFunction {
   Vec2 rate_at_start(double step, double end_time) const {
     return (4 * at(step / 2, end_time) - at(step, end_time) - 3 * at(0, end_time)) / step;
   }
+  /// The rate of its x (axis 0) or y, by its values up to two steps beside: that before it where the rate
+  /// jumps.
+  double rate(int axis, double time, double step, double end_time) const;
   /// Counts from here on what it changes by: 0 at `time`.
   void begin(double time, double end_time) {
     start = time;

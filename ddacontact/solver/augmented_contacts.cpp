@@ -53,7 +53,7 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   if (law.compliant) return begin_compliant(contact, multiplier);
   if (options_.penetration_tolerance == 0) return;
   const VertexEdgePositions& place = contact.motion.start;
-  const Vec2 along = (place.k - place.j).normalized(), normal(along.y(), -along.x());
+  const Vec2 along = place.along(), normal = place.outwards();
   const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
   const double n_edges = system_.blocks().block(edge_block).n_vertices();
   const int next = edge + 1 == n_edges ? 0 : edge + 1;

@@ -12,6 +12,8 @@ namespace {
 /// Of |b|: Newton's method repairs what is left.
 constexpr double tolerance = 1e-4;
 constexpr int most_stale_iterations = 12;
+/// A factor serves as preconditioner as long as no more than this part of the springs has changed.
+constexpr double most_changed = 0.02;
 
 }  // namespace
 
@@ -43,6 +45,7 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   has_factor_ = false;
   if (!problem_.factorize(terms, active)) return false;
   has_factor_ = true;
+  factored_ = active;
   const auto solution = [&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); };
   if (!solve_coupled(solution, solution, couplings, b, tolerance, x)) ++counts_.fallbacks;
   return true;
@@ -52,6 +55,9 @@ bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& term
                                             const std::vector<unsigned char>& active,
                                             const std::vector<Coupling>& couplings, const VectorXd& b,
                                             VectorXd& x) {
+  std::size_t n_changed = 0;
+  for (std::size_t c = 0; c < active.size(); ++c) n_changed += active[c] != factored_[c];
+  if (static_cast<double>(n_changed) > most_changed * static_cast<double>(active.size())) return false;
   VectorXd solved;
   const auto multiply = [&](const VectorXd& in, VectorXd& out) {
     problem_.solve_roughly(in, solved);

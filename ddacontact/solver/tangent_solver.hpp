@@ -29,9 +29,9 @@ void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& 
                       const std::vector<unsigned char>& active, const std::vector<Coupling>& couplings,
                       const VectorXd& x, VectorXd& y);
 
-/// Solves (A + springs that act + friction that follows normal forces) x = b: with the last factor of the
-/// step as preconditioner, until an iteration does not converge; from then on with a factor of the springs
-/// that act.
+/// Solves (A + springs that act + friction that follows normal forces) x = b: where few springs changed since
+/// the last factor of the step with that as preconditioner; else with a factor of the springs that act. An
+/// iteration that does not converge is left for the factor, and none is tried again.
 class TangentSolver {
  public:
   /// \param[in] problem  its last factor, of an earlier step, is not used
@@ -51,6 +51,7 @@ class TangentSolver {
   FrictionProblem& problem_;
   bool stale_;  ///< whether an older factor still serves
   bool has_factor_ = false;
+  std::vector<unsigned char> factored_;  ///< springs in the last factor of the step
   TangentCounts counts_;
 };
 

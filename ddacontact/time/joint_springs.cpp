@@ -10,10 +10,13 @@ double square(double x) {
   return x * x;
 }
 
-/// By springs under the forces of its history.
-double stored(const ContactRecord& contact, double normal_stiffness, double shear_stiffness) {
-  return square(contact.history.normal) / (2 * normal_stiffness) +
-         square(contact.history.shear) / (2 * shear_stiffness);
+/// By springs under these forces.
+double stored(const ContactForce& force, double normal_stiffness, double shear_stiffness) {
+  return square(force.normal) / (2 * normal_stiffness) + square(force.shear) / (2 * shear_stiffness);
+}
+
+ContactForce at_start(const ContactRecord& contact) {
+  return {contact.history.normal, contact.history.shear};
 }
 
 }  // namespace
@@ -28,7 +31,7 @@ ContactForce end_forces_of_joint(const Contact& contact, bool means) {
 
 double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact) {
   if (!contact.closed()) return 0;
-  return stored(contact, properties.over_length(contact, &JointStrength::normal_stiffness),
+  return stored(at_start(contact), properties.over_length(contact, &JointStrength::normal_stiffness),
                 properties.over_length(contact, &JointStrength::shear_stiffness));
 }
 
@@ -40,25 +43,21 @@ double lost_by_joints(const ContactProperties& properties, const std::vector<Con
     if (properties.is_compliant(contact)) lost += energy_of_joint(properties, contact);
   for (const Contact& contact : contacts)
     if (contact.law.compliant)
-      lost -= stored(contact, contact.law.normal_stiffness, contact.law.tangential_stiffness);
+      lost -= stored(at_start(contact), contact.law.normal_stiffness, contact.law.tangential_stiffness);
   return lost;
 }
 
 void account_joint_springs(const Contact& contact, bool means, Energy& energy) {
-  const ContactForce end = end_forces_of_joint(contact, means);
-  const JointLaw& law = contact.law;
-  const double by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change;
+  const ContactForce start = at_start(contact), end = end_forces_of_joint(contact, means);
+  const double k = contact.law.normal_stiffness, k_s = contact.law.tangential_stiffness,
+               by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change,
+               slid = contact.slip_change - (start.shear - end.shear) / k_s,  // what is not the spring's
+      by_friction = -contact.shear * slid;
   energy.damping_dissipated -= by_dashpot * contact.gap_change;
-  energy.numerical_dissipated +=
-      (square(contact.history.normal) - square(end.normal)) / (2 * law.normal_stiffness) -
-      (contact.normal - by_dashpot) * contact.gap_change;
-  // What of the slip is not the spring's is friction's.
-  const double slid = contact.slip_change - (contact.history.shear - end.shear) / law.tangential_stiffness,
-               by_friction = -contact.shear * slid;
   energy.friction_dissipated += by_friction;
-  energy.numerical_dissipated +=
-      (square(contact.history.shear) - square(end.shear)) / (2 * law.tangential_stiffness) -
-      contact.shear * contact.slip_change - by_friction;
+  energy.numerical_dissipated += stored(start, k, k_s) - stored(end, k, k_s) -
+                                 (contact.normal - by_dashpot) * contact.gap_change -
+                                 contact.shear * contact.slip_change - by_friction;
 }
 
 }  // namespace ddacontact

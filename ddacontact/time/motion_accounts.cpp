@@ -12,8 +12,7 @@ namespace {
 /// What a contact takes or gives: friction, the end of an approach, and pushing out.
 void account_contact(const StepRule& rule, double dt, const BlockState& from, const VectorXd& straight,
                      Contact& contact, Energy& energy) {
-  const bool had_force = contact.law.compliant && (contact.history.normal != 0 || contact.history.shear != 0);
-  if (contact.normal == 0 && contact.shear == 0 && !had_force) return;
+  if (contact.normal == 0 && contact.shear == 0 && !contact.law.compliant) return;
   const GapAndSlip start = contact.motion.rates_at(contact.motion.positions(), contact.history.lock);
   const double slipped = contact.end_slip - start.slip;
   contact.gap_change = contact.motion.change_along(start.by_gap, straight);

@@ -18,13 +18,6 @@ void book_shift(const StepSystem& system, const VectorXd& shift, Energy& energy)
   energy.numerical_dissipated += by_weight + by_loads;
 }
 
-/// By how much more loads work with their means over the step than with those that it was computed with.
-double work_of_change(const StepSystem& system, const BlockState& from, const VectorXd& motion) {
-  VectorXd loads = VectorXd::Zero(motion.size());
-  system.blocks().add_loads(from, {from.time, from.time + system.dt()}, loads);
-  return (loads - system.load_forces()).dot(motion);
-}
-
 /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
 /// forces. \param[in] from  where the step was computed from
 void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion, TrialStep& trial) {
@@ -46,9 +39,11 @@ void account(const AcceptedTrial& accepted, Energy& energy) {
   const BlockState& from = impact.changes() ? impact.start : before;
   const VectorXd motion = accepted.motion();
   energy.gravity -= trial.system().gravity_forces().dot(motion);
-  const double by_change = work_of_change(trial.system(), from, motion);
-  energy.external += trial.system().load_forces().dot(motion) + by_change;
-  energy.numerical_dissipated += by_change;
+  // With their means over the step, whatever of them it was computed with.
+  VectorXd loads = VectorXd::Zero(motion.size());
+  blocks.add_loads(from, {from.time, from.time + trial.system().dt()}, loads);
+  energy.external += loads.dot(motion);
+  energy.numerical_dissipated += (loads - trial.system().load_forces()).dot(motion);
   if (!blocks.quiet_faces.empty())
     energy.damping_dissipated -= trial.system().quiet_forces(solution.straight).dot(motion);
   if (trial.system().rule().has_half_steps()) {

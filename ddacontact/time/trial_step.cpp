@@ -185,12 +185,11 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   restart();
   solved_ = true;
   set_dashpots(blocks_, builder_->properties(), dt, contacts_);
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    Contact& contact = contacts_[c];
-    if (impact.changes()) builder_->start_from(from, contact);
-    if (!warm_start) continue;
-    contact.normal = warm_start->forces[c].normal;
-    contact.shear = warm_start->forces[c].shear;
+  if (impact.changes())
+    for (Contact& contact : contacts_) builder_->start_from(from, contact);
+  for (std::size_t c = 0; warm_start && c < contacts_.size(); ++c) {
+    contacts_[c].normal = warm_start->forces[c].normal;
+    contacts_[c].shear = warm_start->forces[c].shear;
   }
   if (!is_classic()) {
     VectorXd predicted = predicted_motion(from, dt);

@@ -1,7 +1,6 @@
 // Where a trial leads the blocks.
 #include <ddacontact/core/for_all.hpp>
 #include <ddacontact/core/quoted.hpp>
-#include <ddacontact/time/support_velocity.hpp>
 #include <ddacontact/time/trial_step.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -73,9 +72,10 @@ void TrialStep::set_supports(const StepRule& rule, BlockState& next) const {
 /// twice what its acceleration does. Backward Euler's velocities are those means.
 void TrialStep::set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const {
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
-    next.velocity[held.unknown] = rule.scheme != Scheme::backward_euler && held.motion.is_history()
-                                      ? support_velocity(held, next.time, system_->dt(), blocks_.end_time)
-                                      : d[held.unknown] / system_->dt();
+    next.velocity[held.unknown] =
+        rule.scheme != Scheme::backward_euler && held.motion.is_history()
+            ? held.motion.rate(held.axis, next.time, system_->dt(), blocks_.end_time)
+            : d[held.unknown] / system_->dt();
 }
 
 }  // namespace ddacontact

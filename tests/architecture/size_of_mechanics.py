@@ -11,7 +11,7 @@ import sys
 
 FOLDERS = ("block", "classic", "contact", "detection", "solver", "time")
 MOST_LINES = 13551
-MOST_NUMBERS = 124
+MOST_NUMBERS = 123
 
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)(?![\w.])")
 USUAL = (0, 1, 2, 0.5)

@@ -159,3 +159,38 @@ TEST(TimeFunction, RisesFromNothing) {
   EXPECT_EQ(f.at(0.5, 9), Vec2(2, -1));
   EXPECT_EQ(f.at(3, 9), Vec2(8, -4));
 }
+
+namespace {
+
+constexpr double interval = 0.25;
+
+/// Given at multiples of the interval, y twice as much as x.
+TimeFunction at_intervals(const std::vector<double>& x) {
+  TimeFunction function{TimeFunction::Kind::history, {0, 0}, {}};
+  for (std::size_t k = 0; k < x.size(); ++k)
+    function.history.emplace_back(interval * static_cast<double>(k), x[k], 2 * x[k]);
+  return function;
+}
+
+}  // namespace
+
+/// Exact for a parabola.
+TEST(RateOfATimeFunction, IsTheMeanOfTheStepsOnBothSidesWhereItIsSmooth) {
+  std::vector<double> parabola;
+  for (int k = 0; k < 9; ++k) parabola.push_back(k * interval * k * interval);
+  for (int k = 2; k < 7; ++k)
+    for (const int axis : {0, 1})
+      EXPECT_NEAR(at_intervals(parabola).rate(axis, k * interval, interval, 9), (1 + axis) * 2 * k * interval,
+                  1e-12);
+}
+
+/// At rest to the third time, then at a velocity of 4: what it had before it jumped.
+TEST(RateOfATimeFunction, WhereItJumpsIsThatBefore) {
+  for (const double way : {-1., 1.}) {
+    const TimeFunction starts = at_intervals({0, 0, 0, 0, way, 2 * way, 3 * way, 4 * way}),
+                       stops = at_intervals({0, way, 2 * way, 3 * way, 3 * way, 3 * way, 3 * way});
+    EXPECT_EQ(starts.rate(0, 3 * interval, interval, 9), 0);
+    EXPECT_NEAR(starts.rate(0, 4 * interval, interval, 9), 4 * way, 1e-12) << "and then what it has";
+    EXPECT_NEAR(stops.rate(0, 3 * interval, interval, 9), 4 * way, 1e-12);
+  }
+}

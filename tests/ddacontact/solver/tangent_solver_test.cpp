@@ -39,27 +39,40 @@ TEST(TangentSolver, SolvesWithFrictionThatFollowsNormalForces) {
   }
 }
 
-/// Few springs change: the factor serves on. Half of them do: it does no longer, and is not tried again.
-TEST(TangentSolver, AFactorServesOnWhileAnIterationConverges) {
+/// A spring in a hundred changes: the factor serves on; three in a hundred: a new one is made.
+TEST(TangentSolver, AFactorServesOnWhileFewSpringsChange) {
   for (const bool skips : {true, false})
-    for (const int changed : {1, 3, 50}) {
+    for (const int changed : {1, 3}) {
       RandomBlocks blocks(5, 40, 100);
       FrictionProblem problem = blocks.problem();
       TangentSolver solver(problem, stale(skips));
       const VectorXd b = blocks.vector(blocks.n_unknowns());
       VectorXd x;
       ASSERT_TRUE(solver.solve(blocks.contacts, blocks.active, {}, b, x));
+      for (int c = 0; c < changed; ++c) blocks.active[static_cast<std::size_t>(10 * c)] ^= 1;
       blocks.couplings.clear();
-      for (int round = 1; round <= 2; ++round) {
-        for (int c = 0; c < changed; ++c) blocks.active[static_cast<std::size_t>(2 * c)] ^= normal_acts;
-        ASSERT_TRUE(solver.solve(blocks.contacts, blocks.active, {}, b, x));
-        EXPECT_LE(part_left(blocks, b, x), 1e-3);
-        const bool serves = skips && changed < 10;
-        EXPECT_EQ(solver.counts().with_stale_factor, serves ? round : 0);
-        EXPECT_EQ(solver.counts().fallbacks, skips && !serves);
-        EXPECT_EQ(problem.cholesky().n_factorizations(), serves ? 1 : 1 + round);
-      }
+      ASSERT_TRUE(solver.solve(blocks.contacts, blocks.active, {}, b, x));
+      EXPECT_LE(part_left(blocks, b, x), 1e-3);
+      EXPECT_EQ(solver.counts().with_stale_factor, skips && changed == 1);
+      EXPECT_EQ(solver.counts().iterations > 0, skips && changed == 1);
+      EXPECT_EQ(problem.cholesky().n_factorizations(), skips && changed == 1 ? 1 : 2);
     }
+}
+
+/// Friction of many contacts: the iteration does not converge, a factor is made, and no other one is tried.
+TEST(TangentSolver, AFactorThatFailedIsNotTriedAgain) {
+  RandomBlocks blocks(5, 40, 200);
+  for (Coupling& coupling : blocks.couplings) coupling.rate *= 10;
+  FrictionProblem problem = blocks.problem();
+  TangentSolver solver(problem, {});
+  const VectorXd b = blocks.vector(blocks.n_unknowns());
+  VectorXd x;
+  for (int round = 0; round < 3; ++round) {
+    ASSERT_TRUE(solver.solve(blocks.contacts, blocks.active, blocks.couplings, b, x));
+    EXPECT_LE(part_left(blocks, b, x), 1e-3);
+    EXPECT_EQ(solver.counts().fallbacks, round > 0);
+  }
+  EXPECT_EQ(solver.counts().with_stale_factor, 0);
 }
 
 TEST(TangentSolver, SaysWhenTheMatrixIsNotDefinite) {

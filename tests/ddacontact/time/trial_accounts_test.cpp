@@ -54,6 +54,16 @@ TEST(TrialAccounts, ALoadWorksAlongTheMotion) {
   }
 }
 
+/// With its mean over the step, whatever of it the scheme computes with.
+TEST(TrialAccounts, ALoadThatGrowsWorksWithItsMean) {
+  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint, Scheme::newmark, Scheme::backward_euler}) {
+    Scene scene = over_a_plate(scheme, 5, 3);
+    scene.loads = {body_load(1, {TimeFunction::Kind::rate, {700 / 0.01, 0}, {}})};
+    const Accounted pushed(scene);
+    EXPECT_NEAR(pushed.energy.external, 2 * 350 * pushed.motion().x(), 1e-9);
+  }
+}
+
 TEST(TrialAccounts, FrictionTakesItsForceTimesTheSlip) {
   for (const Scheme scheme : half_steps_and_whole) {
     const Accounted sliding(over_a_plate(scheme, 0, 3, 30));
