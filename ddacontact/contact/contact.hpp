@@ -117,6 +117,12 @@ struct Contact : ContactRecord {
 
   /// Whether glue or a bond of some strength holds it.
   bool has_bond() const { return law.glued || (history.bonded && (law.cohesion > 0 || law.tension > 0)); }
+  /// Of the dashpot when the gap is this, N per m. It resists motion from the start of the step on, that of a
+  /// joint with a stiffness from where the contact closes.
+  double dashpot_force(double at_gap) const {
+    const double from = law.compliant ? std::min(motion.start_gap(), history.gap_offset) : motion.start_gap();
+    return -damping * (at_gap - from);
+  }
   /// At the start of the step, m.
   double edge_length() const { return (motion.start.k - motion.start.j).norm(); }
 

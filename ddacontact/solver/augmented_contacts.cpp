@@ -123,7 +123,7 @@ void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displac
   term.normal_stiffness =
       law.normal_stiffness * (law.compliant && has_means() ? 1. / 2 : 1) + contact.damping;
   term.tangential_stiffness = shear_stiffness(law);
-  term.normal_multiplier = multiplier.normal + contact.damping * (start_gap - contact.history.gap_offset);
+  term.normal_multiplier = multiplier.normal + contact.dashpot_force(contact.history.gap_offset);
   const bool possible = contact.meets || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
   term.tension = multiplier.bonded ? law.tension : 0;
   term.normal = !possible            ? ContactTerm::Normal::absent
@@ -161,9 +161,8 @@ void AugmentedContacts::raise_multipliers(const VectorXd& d) {
 /// N without the dashpot's part.
 double AugmentedContacts::elastic_normal(std::size_t c, const VectorXd& d) const {
   const Contact& contact = contacts_[c];
-  return springs_[c].normal.acts()
-             ? forces_[c].normal + contact.damping * (gap_at(c, d) - contact.motion.start_gap())
-             : forces_[c].normal;
+  return springs_[c].normal.acts() ? forces_[c].normal - contact.dashpot_force(gap_at(c, d))
+                                   : forces_[c].normal;
 }
 
 bool AugmentedContacts::are_close(const VectorXd& d, double tolerances, int& worst) const {

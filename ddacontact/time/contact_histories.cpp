@@ -28,12 +28,11 @@ void dilate(const JointStrength& joint, double shear_before, Contact& contact, E
 /// Forces that the next step begins with.
 void hand_on_forces(bool hands_on, bool means, Contact& contact) {
   ContactHistory& history = contact.history;
-  const double by_dashpot =
-      contact.normal == 0 ? 0 : contact.damping * (contact.gap - contact.motion.start_gap());
+  const double by_dashpot = contact.normal == 0 ? 0 : contact.dashpot_force(contact.gap);
   const ContactForce of_springs = end_forces_of_joint(contact, means),
                      end = !hands_on               ? ContactForce{}
                            : contact.law.compliant ? of_springs
-                                                   : ContactForce{contact.normal + by_dashpot, contact.shear};
+                                                   : ContactForce{contact.normal - by_dashpot, contact.shear};
   history.normal = end.normal;
   history.shear = end.shear;
 }

@@ -11,12 +11,8 @@ double square(double x) {
 }
 
 /// By springs under these forces.
-double stored(const ContactForce& force, double normal_stiffness, double shear_stiffness) {
+double stored(const auto& force, double normal_stiffness, double shear_stiffness) {
   return square(force.normal) / (2 * normal_stiffness) + square(force.shear) / (2 * shear_stiffness);
-}
-
-ContactForce at_start(const ContactRecord& contact) {
-  return {contact.history.normal, contact.history.shear};
 }
 
 }  // namespace
@@ -31,7 +27,7 @@ ContactForce end_forces_of_joint(const Contact& contact, bool means) {
 
 double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact) {
   if (!contact.closed()) return 0;
-  return stored(at_start(contact), properties.over_length(contact, &JointStrength::normal_stiffness),
+  return stored(contact.history, properties.over_length(contact, &JointStrength::normal_stiffness),
                 properties.over_length(contact, &JointStrength::shear_stiffness));
 }
 
@@ -43,19 +39,20 @@ double lost_by_joints(const ContactProperties& properties, const std::vector<Con
     if (properties.is_compliant(contact)) lost += energy_of_joint(properties, contact);
   for (const Contact& contact : contacts)
     if (contact.law.compliant)
-      lost -= stored(at_start(contact), contact.law.normal_stiffness, contact.law.tangential_stiffness);
+      lost -= stored(contact.history, contact.law.normal_stiffness, contact.law.tangential_stiffness);
   return lost;
 }
 
 void account_joint_springs(const Contact& contact, bool means, Energy& energy) {
-  const ContactForce start = at_start(contact), end = end_forces_of_joint(contact, means);
+  const ContactForce end = end_forces_of_joint(contact, means);
   const double k = contact.law.normal_stiffness, k_s = contact.law.tangential_stiffness,
-               by_dashpot = contact.normal == 0 ? 0 : -contact.damping * contact.gap_change,
-               slid = contact.slip_change - (start.shear - end.shear) / k_s,  // what is not the spring's
+               by_dashpot = contact.normal == 0 ? 0 : contact.dashpot_force(contact.gap),
+               slid = contact.slip_change -
+                      (contact.history.shear - end.shear) / k_s,  // what is not the spring's
       by_friction = -contact.shear * slid;
   energy.damping_dissipated -= by_dashpot * contact.gap_change;
   energy.friction_dissipated += by_friction;
-  energy.numerical_dissipated += stored(start, k, k_s) - stored(end, k, k_s) -
+  energy.numerical_dissipated += stored(contact.history, k, k_s) - stored(end, k, k_s) -
                                  (contact.normal - by_dashpot) * contact.gap_change -
                                  contact.shear * contact.slip_change - by_friction;
 }

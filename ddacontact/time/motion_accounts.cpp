@@ -38,6 +38,12 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
                          const Residual& residual, std::vector<Contact>& contacts, Energy& energy) {
   const BlockSystem& blocks = system.blocks();
+  // Loads work with their means over the step, not with those that it was computed with.
+  VectorXd loads = VectorXd::Zero(straight.size());
+  blocks.add_loads(from, {from.time, from.time + system.dt()}, loads);
+  const double by_change = (loads - system.load_forces()).dot(straight);
+  energy.external += by_change;
+  energy.numerical_dissipated += by_change;
   for (const PrescribedDof& held : blocks.prescribed_dofs()) {
     const double reaction = residual.force[held.unknown], moved = system.prescribed()[held.unknown];
     energy.external += reaction * moved;

@@ -39,11 +39,7 @@ void account(const AcceptedTrial& accepted, Energy& energy) {
   const BlockState& from = impact.changes() ? impact.start : before;
   const VectorXd motion = accepted.motion();
   energy.gravity -= trial.system().gravity_forces().dot(motion);
-  // With their means over the step, whatever of them it was computed with.
-  VectorXd loads = VectorXd::Zero(motion.size());
-  blocks.add_loads(from, {from.time, from.time + trial.system().dt()}, loads);
-  energy.external += loads.dot(motion);
-  energy.numerical_dissipated += (loads - trial.system().load_forces()).dot(motion);
+  energy.external += trial.system().load_forces().dot(motion);
   if (!blocks.quiet_faces.empty())
     energy.damping_dissipated -= trial.system().quiet_forces(solution.straight).dot(motion);
   if (trial.system().rule().has_half_steps()) {

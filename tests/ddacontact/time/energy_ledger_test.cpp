@@ -172,28 +172,6 @@ Scene rock_at(double time_step, int steps) {
 
 }  // namespace
 
-/// Loads that change within a step work with their means, which is what the momentum has of them.
-TEST(EnergyLedger, LoadsThatVaryWorkWhatTheBlockGains) {
-  for (const Scheme scheme : {Scheme::newmark, Scheme::midpoint, Scheme::decaying}) {
-    Scene scene = rock_at(0.01, 300);
-    scene.analysis.gravity.setZero();
-    scene.analysis.scheme = scheme;
-    scene.analysis.gamma = 0.6;
-    scene.analysis.beta = 0.3025;
-    scene.blocks = {block(rectangle(0, 0, 1, 1))};
-    Load push;
-    push.kind = Load::Kind::body;
-    push.force = {TimeFunction::Kind::history, {0, 0}, {{0, 0, 0}, {1, 1000, 0}, {2, -500, 0}, {3, 0, 0}}};
-    scene.loads = {push};
-    const BuiltScene built = run(scene);
-    const Energy& now = built.stepper->energy().now;
-    const double v = 500. / 2000;
-    EXPECT_NEAR(now.kinetic, 2000 * v * v / 2, 0.03 * now.kinetic);
-    EXPECT_NEAR(now.external, now.kinetic, 1e-2 * now.kinetic) << static_cast<int>(scheme);
-    EXPECT_GE(now.numerical_dissipated, -1e-3 * now.kinetic) << static_cast<int>(scheme);
-  }
-}
-
 /// A dashpot takes no more than a falling block has, however fast it closes within a step.
 TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
   for (const Scheme scheme :

@@ -26,6 +26,18 @@ Energy energy_of_step(TrialOf& step) {
 
 }  // namespace
 
+/// A load that grows from nothing works with its mean over the step; the first one is computed with that of
+/// its first half.
+TEST(MotionAccounts, AGrowingLoadWorksWithItsMean) {
+  TrialOf still(flying_block({1, 0})), grows(flying_block({1, 0}));
+  grows.blocks.body_loads = {{0, {TimeFunction::Kind::rate, {700 / 0.01, 0}, {}}}};
+  const Energy without = energy_of_step(still), with = energy_of_step(grows);
+  const double computed = grows.trial.system().load_forces().dot(grows.solve().straight);
+  EXPECT_NEAR(computed, 2 * 175 * 0.01, 0.01);
+  EXPECT_NEAR(with.external, computed, 1e-9);
+  EXPECT_NEAR(with.numerical_dissipated - without.numerical_dissipated, with.external + computed, 1e-9);
+}
+
 /// A block that a support moves evenly from rest: its reaction works on the way.
 TEST(MotionAccounts, SupportsWorkByTheirReactions) {
   Scene scene = flying_block({0, 0});
