@@ -46,10 +46,10 @@ double lost_by_joints(const ContactProperties& properties, const std::vector<Con
 void account_joint_springs(const Contact& contact, bool means, Energy& energy) {
   const ContactForce end = end_forces_of_joint(contact, means);
   const double k = contact.law.normal_stiffness, k_s = contact.law.tangential_stiffness,
-               by_dashpot = contact.normal == 0 ? 0 : contact.dashpot_force(contact.gap),
-               slid = contact.slip_change -
-                      (contact.history.shear - end.shear) / k_s,  // what is not the spring's
-      by_friction = -contact.shear * slid;
+               by_dashpot = contact.normal == 0 ? 0 : contact.dashpot_force(contact.gap);
+  // What of the slip is not the spring's is friction's.
+  const double slid = contact.slip_change - (contact.history.shear - end.shear) / k_s,
+               by_friction = -contact.shear * slid;
   energy.damping_dissipated -= by_dashpot * contact.gap_change;
   energy.friction_dissipated += by_friction;
   energy.numerical_dissipated += stored(contact.history, k, k_s) - stored(end, k, k_s) -
