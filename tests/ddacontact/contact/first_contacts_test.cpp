@@ -63,8 +63,8 @@ TEST(FirstContacts, JointsBearTheStressThatTheirBlocksBeginWith) {
     }
 }
 
-/// Where supports lead a block at all of its vertices its joints still begin with its stress, and keep what they
-/// bear once it stands.
+/// Where supports lead a block at all of its vertices its joints still begin with its stress, and keep what
+/// they bear once it stands.
 TEST(FirstContacts, JointsBearTheStressOfABlockThatSupportsLead) {
   const double pressure = 1e6, closure = 1e-4;
   for (const BlockModel model : {BlockModel::affine, BlockModel::mean_value, BlockModel::mesh}) {
