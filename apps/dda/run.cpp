@@ -67,13 +67,22 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path, bool
   }
 }
 
+/// What a run writes.
+struct RunOutput {
+  std::filesystem::path directory;
+  ResultDirectory results;
+  std::unique_ptr<DirectoryLock> lock;
+  Checkpoints checkpoints;
+  std::shared_ptr<spdlog::logger> log;
+};
+
 /// Steps until the end, a stop or a signal; fills the summary's status and reason.
 void run_steps(Stepper& stepper, const std::optional<int>& steps,
-               const std::vector<MonitorTarget>& monitor_targets, Progress& progress,
-               ResultDirectory& results, Checkpoints& checkpoints, RunSummary& summary) {
+               const std::vector<MonitorTarget>& monitor_targets, Progress& progress, RunOutput& output,
+               RunSummary& summary) {
   {
     const polyfem::Stopwatch watch(summary.seconds_output);
-    results.write_start(stepper, monitor_targets);
+    output.results.write_start(stepper, monitor_targets);
   }
   summary.status = "completed";
   while (!is_done(stepper, steps)) {
@@ -90,16 +99,15 @@ void run_steps(Stepper& stepper, const std::optional<int>& steps,
       break;
     }
     const polyfem::Stopwatch watch(summary.seconds_output);
-    results.write_step(stepper, monitor_targets);
-    checkpoints.write_if_due(stepper, results);
+    output.results.write_step(stepper, monitor_targets);
+    output.checkpoints.write_if_due(stepper, output.results);
     progress.show(stepper);
   }
 }
 
 /// Everything that a run ends with: what can be written is, then the first failure is thrown. Where memory
 /// does not suffice for results the run counts as stopped, unless there is no checkpoint either.
-void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& checkpoints,
-               RunSummary& summary, Clock::time_point start) {
+void write_end(const Stepper& stepper, RunOutput& output, RunSummary& summary, Clock::time_point start) {
   std::exception_ptr failure;
   const auto attempt = [&](const auto& write) {
     try {
@@ -115,19 +123,20 @@ void write_end(const Stepper& stepper, ResultDirectory& results, Checkpoints& ch
   };
   {
     const polyfem::Stopwatch watch(summary.seconds_output);
-    if (!attempt([&] { checkpoints.write(stepper, results); })) throw std::bad_alloc();
-    attempt([&] { results.write_last_frame(stepper); });
+    if (!attempt([&] { output.checkpoints.write(stepper, output.results); })) throw std::bad_alloc();
+    attempt([&] { output.results.write_last_frame(stepper); });
   }
-  summary.warnings = warnings_of(stepper, results.labels().block_reasons);
+  summary.warnings = warnings_of(stepper, output.results.labels().block_reasons);
   summary.scheme = scheme_word(stepper);
   summary.peak_memory_mb = peak_memory_mb();
   summary.seconds_total = seconds_since(start);
-  attempt([&] { results.finish(stepper, summary); });
+  attempt([&] { output.results.finish(stepper, summary); });
   if (failure) std::rethrow_exception(failure);
 }
 
 int finish(const RunArguments& arguments, const Stepper& stepper, const RunSummary& summary,
-           const std::filesystem::path& directory, spdlog::logger& log) {
+           const RunOutput& output) {
+  spdlog::logger& log = *output.log;
   const StepCounts& counts = stepper.counts();
   const std::string outcome = fmt::format(
       "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} contact iterations, {} "
@@ -157,7 +166,7 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
   }
   log.flush();
-  if (!arguments.quiet) fmt::print("{}\nresults in {}\n", outcome, directory.string());
+  if (!arguments.quiet) fmt::print("{}\nresults in {}\n", outcome, output.directory.string());
   if (summary.status == "completed") return done;
   print_error(fmt::format("{} at time {:.6g} s: {}", summary.status, stepper.state().time, summary.reason));
   return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + signal_received;
@@ -251,6 +260,40 @@ void add_notes_of_resumption(const RunArguments& arguments, const Checkpoint& fr
         fmt::format("{} was made by {}: last digits may differ", arguments.checkpoint, from.made_by));
 }
 
+/// Begins what a run writes, older results out of the way, with what it is told of the scene.
+RunOutput open_output(const RunArguments& arguments, const Scene& scene, BuiltScene& built,
+                      const std::optional<Checkpoint>& from, const std::string& blas) {
+  const std::filesystem::path directory = arguments.directory.empty()
+                                              ? default_directory(arguments.scene)
+                                              : std::filesystem::path(arguments.directory);
+  std::string checkpoint = arguments.checkpoint;
+  keep_older(arguments, directory, checkpoint);
+  const std::string made_by = fmt::format("dda {}, {}, {}", POLYDDA_VERSION, blas, __VERSION__);
+  RunOutput output{
+      directory,
+      open_results(checkpoint, directory, built.labels, frame_options(scene, arguments.threads), from),
+      std::make_unique<DirectoryLock>(directory),
+      Checkpoints(scene, directory, scene.output.checkpoint_every, made_by),
+      open_log(directory / "log.txt", from.has_value())};
+  write_scene_file(directory / "scene.toml", scene);
+  spdlog::logger& log = *output.log;
+  log.info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
+  log.info("{}: {} blocks, {} unknowns, {} steps of {} s", arguments.scene, scene.blocks.size(),
+           built.stepper->blocks().n_equations(), arguments.steps.value_or(scene.n_steps()),
+           scene.analysis.time_step);
+  log_choices(built.labels, log);
+  if (from) {
+    log.info("resumed from {} after step {}", arguments.checkpoint, from->record.counts.steps);
+    add_notes_of_resumption(arguments, *from, output.results, made_by, built.notes);
+  }
+  for (const std::string& note : built.notes) {
+    log.warn("{}", note);
+    if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
+  }
+  log.flush();
+  return output;
+}
+
 int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point start) {
   std::optional<Checkpoint> from;
   if (!arguments.checkpoint.empty()) {
@@ -272,45 +315,17 @@ int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point sta
   summary.domain = scene.domain;
   summary.seconds_setup = seconds_since(start);
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
-  const int steps = arguments.steps.value_or(scene.n_steps());
-
-  const std::filesystem::path directory = arguments.directory.empty()
-                                              ? default_directory(arguments.scene)
-                                              : std::filesystem::path(arguments.directory);
-  std::string checkpoint = arguments.checkpoint;
-  keep_older(arguments, directory, checkpoint);
-  ResultDirectory results =
-      open_results(checkpoint, directory, built.labels, frame_options(scene, arguments.threads), from);
-  const DirectoryLock lock(directory);
-  const std::string made_by = fmt::format("dda {}, {}, {}", POLYDDA_VERSION, blas, __VERSION__);
-  Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every, made_by);
-  const std::shared_ptr<spdlog::logger> log = open_log(directory / "log.txt", from.has_value());
-  write_scene_file(directory / "scene.toml", scene);
-  log->info("dda {}, BLAS: {}", POLYDDA_VERSION, blas);
-  log->info("{}: {} blocks, {} unknowns, {} steps of {} s", arguments.scene, scene.blocks.size(),
-            built.stepper->blocks().n_equations(), steps, scene.analysis.time_step);
-  log_choices(built.labels, *log);
-  if (from) {
-    log->info("resumed from {} after step {}", arguments.checkpoint, from->record.counts.steps);
-    add_notes_of_resumption(arguments, *from, results, made_by, built.notes);
-  }
-  for (const std::string& note : built.notes) {
-    log->warn("{}", note);
-    if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
-  }
-
-  log->flush();
-  Progress progress(steps, arguments.quiet);
+  RunOutput output = open_output(arguments, scene, built, from, blas);
+  Progress progress(arguments.steps.value_or(scene.n_steps()), arguments.quiet);
   try {
-    run_steps(*built.stepper, arguments.steps, built.monitor_targets, progress, results, checkpoints,
-              summary);
+    run_steps(*built.stepper, arguments.steps, built.monitor_targets, progress, output, summary);
     progress.finish();
-    write_end(*built.stepper, results, checkpoints, summary, start);
+    write_end(*built.stepper, output, summary, start);
   } catch (const OutputError& error) {
-    log->error("{}", error.what());
+    output.log->error("{}", error.what());
     throw;
   }
-  return finish(arguments, *built.stepper, summary, directory, *log);
+  return finish(arguments, *built.stepper, summary, output);
 }
 
 }  // namespace

@@ -14,6 +14,9 @@
 #include <polyfem/core/stopwatch.hpp>
 
 #include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace polydda_python {
 
@@ -154,9 +157,12 @@ py::list check_text(const std::string& text, const std::string& name,
   return list_of(reading.problems);
 }
 
-py::tuple run_text(const std::string& text, const std::string& name, const std::vector<std::string>& settings,
-                   const std::string& directory, const std::string& results, int threads, bool force,
+/// The text of a scene, its name, settings and the directory that its files are relative to.
+using SceneSource = std::tuple<std::string, std::string, std::vector<std::string>, std::string>;
+
+py::tuple run_text(const SceneSource& source, const std::string& results, int threads, bool force,
                    const py::object& on_step) {
+  const auto& [text, name, settings, directory] = source;
   SceneReading reading = read(text, name, settings, directory);
   Remarks remarks;
   if (reading.scene) {
@@ -178,10 +184,11 @@ void add_running(py::module_& module) {
   module.def("check_text", &check_text, py::arg("text"), py::arg("name"), py::arg("settings"),
              py::arg("directory"),
              "The problems of a scene text: (severity, file, line, column, what, cure, text).");
-  module.def("run_text", &run_text, py::arg("text"), py::arg("name"), py::arg("settings"),
-             py::arg("directory"), py::arg("results"), py::arg("threads"), py::arg("force"),
-             py::arg("on_step"),
-             "Runs a scene text: (whether it was a scene, its problems, notes, warnings).");
+  module.def(
+      "run_text", &run_text, py::arg("source"), py::arg("results"), py::arg("threads"), py::arg("force"),
+      py::arg("on_step"),
+      "Runs a scene given as (text, name, settings, directory): (whether it was a scene, its problems, "
+      "notes, warnings).");
 }
 
 }  // namespace polydda_python

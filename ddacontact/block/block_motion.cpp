@@ -2,6 +2,8 @@
 
 #include <ddacontact/block/corotational_motion.hpp>
 
+#include <cassert>
+
 namespace ddacontact {
 
 template <class Of>
@@ -51,6 +53,7 @@ void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinat
                         const Numbers& initial, CorotationalStart& start) {
   const MotionShape& motions = shape.motions();
   const Index m = motions.n_nodes();
+  assert(coordinates.size() == BlockState::n_rigid + 2 * m && coordinates.allFinite());
   start.arrays.resize(
       static_cast<std::size_t>(n_numbers + (initial.size() > 0 ? stress_forces + 1 : stress_forces) * m));
   with_nodes(shape, [&]<class Of>(const NodalKinematics<Of>& nodes) {

@@ -5,6 +5,7 @@
 #include <ddacontact/core/tolerances.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 
@@ -108,10 +109,6 @@ void BlockSystem::restore(int b, double time) {
   number_equations();
 }
 
-int BlockSystem::n_present() const {
-  return static_cast<int>(std::count(present_.begin(), present_.end(), true));
-}
-
 void BlockSystem::number_equations() {
   equation_.assign(n_unknowns_, 0);
   for (int b = 0; b < n_blocks(); ++b)
@@ -169,6 +166,7 @@ void BlockSystem::add_gravity(VectorXd& F) const {
 }
 
 void BlockSystem::add_loads(const BlockState& state, const TimeSpan& span, VectorXd& F) const {
+  assert(F.size() == n_unknowns_ && span.to >= span.from);
   for (const PointLoad& load : point_loads) {
     const Vec2 force = load.force.mean(span, end_time);
     const Block& on = block(load.point.block);

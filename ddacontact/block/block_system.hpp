@@ -168,7 +168,7 @@ class BlockSystem : public BlockActions {
   /// supports move it by what they prescribe after this time, s.
   void restore(int b, double time);
   bool is_present(int b) const { return present_[b]; }
-  int n_present() const;
+  int n_present() const { return static_cast<int>(std::ranges::count(present_, true)); }
   /// Prepares the blocks that have matrices for a state; `first_time` includes all others.
   void prepare(const BlockState& state, bool first_time = false);
 
@@ -228,9 +228,9 @@ class BlockSystem : public BlockActions {
   /// are. \param[in] prescribed  displacements of the prescribed degrees of freedom
   VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
 
- private:
-  friend class SystemPart;
+  class Part;
 
+ private:
   /// What was taken out with a block.
   struct TakenOut : BlockActions {
     int block = 0;

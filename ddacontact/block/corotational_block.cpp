@@ -97,6 +97,7 @@ TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {
 }
 
 void CorotationalBlock::begin_step(const BlockState& state, const StepStart& start) {
+  assert(start.dt > 0 && start.velocity.size() >= unknowns().end());
   const Range &u = unknowns(), &p = points();
   StepRule rule = start.rule;
   if (rule.is_explicit() && start.dt > longest_explicit_step(*shape_, rule.damping))
@@ -212,9 +213,7 @@ double CorotationalBlock::stored_energy(const Eigen::Ref<const VectorXd>& d) con
 
 double CorotationalBlock::elastic_loss(const Eigen::Ref<const VectorXd>& d,
                                        const Eigen::Ref<const VectorXd>& elastic) const {
-  const StepRule& rule = start_.matrices->rule;
-  if (rule.mean_forces()) return 0;
-  return Block::elastic_loss(d, elastic);
+  return start_.matrices->rule.mean_forces() ? 0 : Block::elastic_loss(d, elastic);
 }
 
 CorotationalBlock::Frame CorotationalBlock::cell_frame(const BlockState& state, const Points& y,

@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <cassert>
+
 namespace ddacontact {
 
 namespace {
@@ -17,6 +19,7 @@ Points stress_projection(const polyfem::TabulatedElement& element, const MatrixX
   // K w = integral of B^T sigma. Rigid motions are made stiff, and so is, a little, whatever else a
   // rank-deficient rule leaves without stiffness.
   const Index n = outline.cols();
+  assert(stiffness.rows() == 2 * n && stress.cols() == element.n_points());
   const Vec2 centroid = polyfem::area_moments(outline).centroid;
   RigidModes rigid;
   rigid.resize(2 * n, Eigen::NoChange);

@@ -14,7 +14,7 @@ void append(const Range& range, std::vector<int>& numbers) {
 
 }  // namespace
 
-SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting)
+BlockSystem::Part::Part(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting)
     : blocks_(std::move(blocks)) {
   number_blocks(whole, resting);
   take_starts(whole);
@@ -26,7 +26,7 @@ SystemPart::SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::v
   pass_blocks(system_, in_part_, whole, in_whole_);
 }
 
-void SystemPart::number_blocks(const BlockSystem& whole, const std::vector<char>& resting) {
+void BlockSystem::Part::number_blocks(const BlockSystem& whole, const std::vector<char>& resting) {
   const auto size = [](const std::vector<int>& numbers) { return static_cast<int>(numbers.size()); };
   for (int b : blocks_) {
     const Block& block = whole.block(b);
@@ -52,7 +52,7 @@ void SystemPart::number_blocks(const BlockSystem& whole, const std::vector<char>
   system_.computes_fixed_ = whole.computes_fixed_;
 }
 
-void SystemPart::take_starts(const BlockSystem& whole) {
+void BlockSystem::Part::take_starts(const BlockSystem& whole) {
   const auto take = [&](const BlockState& all, BlockState& own) {
     own.position = all.position(Eigen::all, points_);
     own.origin = all.origin(Eigen::all, blocks_);
@@ -61,7 +61,7 @@ void SystemPart::take_starts(const BlockSystem& whole) {
   if (whole.zero_.position.size() > 0) take(whole.zero_, system_.zero_);
 }
 
-void SystemPart::take_actions(const BlockSystem& whole) {
+void BlockSystem::Part::take_actions(const BlockSystem& whole) {
   const auto number_where_moving = [&](int block) {
     const int k = number_of(block);
     return k >= 0 && !resting_[k] ? k : -1;
@@ -89,7 +89,7 @@ void SystemPart::take_actions(const BlockSystem& whole) {
     if (resting_[system_.block_of_unknown_[u]]) system_.fading.forces[u] = 0;
 }
 
-void SystemPart::take_bolts(const BlockSystem& whole) {
+void BlockSystem::Part::take_bolts(const BlockSystem& whole) {
   std::vector<Bolt> bolts;
   for (Bolt bolt : whole.bolts) {
     bool all_inside = acts(bolt, whole);
@@ -105,13 +105,13 @@ void SystemPart::take_bolts(const BlockSystem& whole) {
   system_.set_bolts(std::move(bolts));
 }
 
-int SystemPart::number_of(int block) const {
+int BlockSystem::Part::number_of(int block) const {
   const auto found = std::ranges::lower_bound(blocks_, block);
   return found != blocks_.end() && *found == block ? static_cast<int>(found - blocks_.begin()) : -1;
 }
 
-void SystemPart::pass_blocks(BlockSystem& from, const std::vector<Place>& here, BlockSystem& to,
-                             const std::vector<Place>& there) {
+void BlockSystem::Part::pass_blocks(BlockSystem& from, const std::vector<Place>& here, BlockSystem& to,
+                                    const std::vector<Place>& there) {
   for (std::size_t k = 0; k < here.size(); ++k) {
     const Place& at = there[k];
     to.blocks_[at.block] = std::move(from.blocks_[here[k].block]);
@@ -120,7 +120,7 @@ void SystemPart::pass_blocks(BlockSystem& from, const std::vector<Place>& here, 
 }
 
 template <class Move>
-void SystemPart::for_arrays(BlockState& whole, BlockState& part, const Move& move) const {
+void BlockSystem::Part::for_arrays(BlockState& whole, BlockState& part, const Move& move) const {
   // Spans: an indexed view keeps a copy of what it is indexed by.
   using Numbers = std::span<const int>;
   const Numbers blocks = blocks_, points = points_, unknowns = unknowns_;
@@ -139,7 +139,7 @@ void SystemPart::for_arrays(BlockState& whole, BlockState& part, const Move& mov
   move(whole.bolts(Numbers(bolt_numbers_)), part.bolts);
 }
 
-void SystemPart::put_in(BlockSystem& system, BlockState& state) {
+void BlockSystem::Part::put_in(BlockSystem& system, BlockState& state) {
   system_.gravity = system.gravity;
   system_.end_time = system.end_time;
   for_arrays(state, state_, [](const auto& of_whole, auto& of_part) { of_part = of_whole; });
@@ -148,7 +148,7 @@ void SystemPart::put_in(BlockSystem& system, BlockState& state) {
   std::swap(state, state_);
 }
 
-void SystemPart::take_out(BlockSystem& system, BlockState& state) {
+void BlockSystem::Part::take_out(BlockSystem& system, BlockState& state) {
   std::swap(system, system_);
   std::swap(state, state_);
   pass_blocks(system_, in_part_, system, in_whole_);

@@ -12,12 +12,12 @@ namespace ddacontact {
 ///
 /// Blocks have the same order in both; only their numbers and ranges differ. Loads and supports of the part
 /// are those of its blocks, and bolts those with all their nodes in it.
-class SystemPart {
+class BlockSystem::Part {
  public:
   /// \param[in] whole    lends its blocks for as long as this takes
   /// \param[in] blocks   ascending
   /// \param[in] resting  of each block of the whole: left where it is, as if wholly held, without its loads
-  SystemPart(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting);
+  Part(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting);
 
   /// The part takes the place of the whole, with its present state. Costs what the part's size does.
   void put_in(BlockSystem& system, BlockState& state);

@@ -1,6 +1,7 @@
 #include <ddacontact/block/water_pressure.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace ddacontact {
 
@@ -32,6 +33,7 @@ struct Moments {
 
 EdgeForces water_forces(const Points& table, double unit_weight, const Vec2& start, const Vec2& end,
                         double from, double to) {
+  assert(0 <= from && from <= to && to <= 1);
   const Vec2 edge = end - start, inward(-edge.y(), edge.x());  // times the edge's length
   Moments pressure;
   for (Index i = -1; i < table.cols(); ++i) {  // between points i and i + 1 of the table, and beyond its ends

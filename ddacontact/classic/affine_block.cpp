@@ -36,21 +36,18 @@ VectorXd AffineBlock::unknown_lengths() const {
 }
 
 void AffineBlock::prepare_shape(const PointsRef& outline) {
-  basis_.setIdentity();
   const Vec2& centroid = moments().centroid;
+  Mat6 displacements = Mat6::Identity();  // of the control vertices, if there are any, by the unknowns (1)
+  basis_ = displacements;
   if (control_) {
-    Mat6 displacements;  // of the control vertices, by the unknowns (1)
     for (std::size_t k = 0; k < control_->x.size(); ++k) {
       displacements.row(2 * k) = transformation(outline.col(control_->x[k]) - centroid).row(0);
       displacements.row(2 * k + 1) = transformation(outline.col(control_->y[k]) - centroid).row(1);
     }
     basis_ = displacements.inverse();
-    translations_ = displacements.leftCols<2>();
-    new_rotation() = displacements.col(2);
-  } else {
-    translations_ = Mat6::Identity().leftCols<2>();
-    new_rotation() = Mat6::Identity().col(2);
   }
+  translations_ = displacements.leftCols<2>();
+  new_rotation() = displacements.col(2);
   for (int v = 0; v < n_vertices(); ++v) {
     const Transformation map = transformation(outline.col(v) - centroid) * basis_;
     for (int k = 0; k < n_unknowns(); ++k) vertex_maps_[v][k] = {k, map.col(k)};

@@ -1,9 +1,12 @@
 #include <ddacontact/classic/incremental_block.hpp>
 
+#include <cassert>
+
 namespace ddacontact {
 
 void IncrementalBlock::begin_step(const BlockState& state, const StepStart& start) {
   const Range& u = unknowns();
+  assert(start.dt > 0 && start.velocity.size() >= u.end());
   if (start.rule.has_half_steps() || start.rule.mean_forces())
     throw Error("blocks with incremental kinematics need the scheme dda, newmark or backward_euler");
   rule_ = start.rule;

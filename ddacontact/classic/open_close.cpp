@@ -5,6 +5,7 @@
 #include <ddacontact/solver/contact_solver.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -133,30 +134,42 @@ constexpr double residual_tolerance = ContactSolverOptions{}.residual_tolerance;
 /// Friction of a pass counts as found when the residual fell by this, and when it is below tolerance.
 constexpr double sufficient_decrease = 1e-3;
 
-OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& terms,
-                        std::vector<Contact>& contacts, VectorXd& d) {
-  OpenCloseReport report;
-  Residual& r = report.residual;
-  for (Contact& contact : contacts) contact.was_closed = contact.closed();
-  const auto compute_residual = [&] {
-    system.compute_residual(d, contacts, terms, forces_in_states(contacts, terms, d), r);
-  };
-  system.problem().contacts_changed();
-  d = system.prescribed();
-  system.linearize(d);
-  compute_residual();
-  AndersonAcceleration acceleration;
-  Restraint restraint;
-  VectorXd correction;
+/// One trial step.
+struct OpenClose {
+  StepSystem& system;
+  const std::vector<ContactTerm>& terms;
+  std::vector<Contact>& contacts;
+  VectorXd& d;
+  OpenCloseReport report{};
+  AndersonAcceleration acceleration{};
+  Restraint restraint{};
+  VectorXd correction{};
 
-  while (report.iterations < max_iterations) {
+  OpenCloseReport iterate() {
+    for (Contact& contact : contacts) contact.was_closed = contact.closed();
+    system.problem().contacts_changed();
+    d = system.prescribed();
+    system.linearize(d);
+    compute_residual();
+    while (report.iterations < max_iterations && solve_pass() && check_states()) {
+    }
+    return report;
+  }
+
+  void compute_residual() {
+    system.compute_residual(d, contacts, terms, forces_in_states(contacts, terms, d), report.residual);
+  }
+
+  /// The displacements of these states, with the friction that they lead to. False: there are none.
+  bool solve_pass() {
     if (!system.problem().factorize(terms, springs_in_states(contacts))) {
       report.status = SolutionStatus::not_positive_definite;
-      return report;
+      return false;
     }
     const bool friction_to_find = std::ranges::any_of(contacts, [](const Contact& contact) {
       return is_slipping(contact.history.state) && contact.law.has_friction();
     });
+    const Residual& r = report.residual;
     const double before = r.largest;
     const int last = std::min(max_iterations, report.iterations + max_iterations_per_pass);
     do {
@@ -169,15 +182,19 @@ OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& term
       compute_residual();
       if (!std::isfinite(r.largest)) {
         report.status = SolutionStatus::not_finite;
-        return report;
+        return false;
       }
     } while (friction_to_find && !r.balanced(residual_tolerance) &&
              r.largest > sufficient_decrease * before && report.iterations < last);
+    return true;
+  }
 
+  /// Whether to go on, with other states where they disagree with the displacements.
+  bool check_states() {
     std::vector<Disagreement> disagreements = find_disagreements(d, contacts, terms);
-    if (disagreements.empty() && r.balanced(residual_tolerance)) {
+    if (disagreements.empty() && report.residual.balanced(residual_tolerance)) {
       report.status = SolutionStatus::settled;
-      return report;
+      return false;
     }
     const auto opening = std::ranges::find_if(disagreements, [&](const Disagreement& of) {
       return opens_or_closes(contacts[of.contact].history.state, of.state);
@@ -185,23 +202,24 @@ OpenCloseReport iterate(StepSystem& system, const std::vector<ContactTerm>& term
     const bool any = opening != disagreements.end();
     report.status = any ? SolutionStatus::states_unsettled : SolutionStatus::friction_unsettled;
     report.disagreeing = -1;
-    if (disagreements.empty()) continue;
+    if (disagreements.empty()) return true;
     report.disagreeing = static_cast<int>((any ? *opening : disagreements.front()).contact);
     restraint.apply(disagreements);
-    if (restraint.is_hopeless()) return report;
+    if (restraint.is_hopeless()) return false;
     change_states(disagreements, restraint.breaks_bonds(), contacts);
     acceleration.reset();
     compute_residual();
+    return true;
   }
-  return report;
-}
+};
 
 }  // namespace
 
 OpenCloseReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d) {
   const std::vector<ContactTerm> terms = terms_of(contacts);
-  OpenCloseReport report = iterate(system, terms, contacts, d);
+  OpenCloseReport report = OpenClose{system, terms, contacts, d}.iterate();
   const std::vector<ContactForce> forces = forces_in_states(contacts, terms, d);
+  assert(report.status != SolutionStatus::settled || report.residual.balanced(residual_tolerance));
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     contacts[c].normal = forces[c].normal;
     contacts[c].shear = forces[c].shear;

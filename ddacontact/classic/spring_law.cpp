@@ -1,5 +1,6 @@
 #include <ddacontact/classic/spring_law.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -21,6 +22,7 @@ ContactState stick_or_slip(const JointLaw& law, const Trial& trial) {
 }  // namespace
 
 ContactState next_state(ContactState state, const JointLaw& law, const Trial& trial) {
+  assert(law.normal_stiffness > 0 && trial.tolerance >= 0);
   const ContactState sheared = law.frictionless() ? ContactState::slip_forward : stick_or_slip(law, trial);
   if (state == ContactState::open)
     return trial.on_edge && trial.gap < -trial.tolerance ? sheared : ContactState::open;

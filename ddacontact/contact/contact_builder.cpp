@@ -19,14 +19,10 @@
 
 namespace ddacontact {
 
-namespace {
-
 /// Pairs of blocks are looked for so many search margins further than they have to be.
 constexpr double skin_of_reach = 4;
 /// What one thread works on at a time.
 constexpr Index of_range = 256;
-
-}  // namespace
 
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
@@ -111,7 +107,7 @@ std::span<const CoveredPart> ContactBuilder::covered_of(const Pair& pair) const 
 
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                                       std::span<const ContactRecord> previous, bool ties,
-                                      std::vector<VertexEdge>& found, std::vector<Choice>& choices) const {
+                                      FoundContacts& found) const {
   thread_local Points shifted_b, moved_a, moved_b;
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
@@ -152,18 +148,21 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     limits.lip = std::max(limits.lip, -2 * separation(start_a, start_b));
   move(a, start_a, moved_a);
   move(b, start_b, moved_b);
-  const std::size_t first = found.size();
-  const Outline one{a, start_a, moved_a.leftCols(of_a.count)},
-      other{b, start_b, moved_b.leftCols(of_b.count)};
+  const std::size_t first = found.contacts.size();
+  Outline one{a, start_a, moved_a.leftCols(of_a.count)}, other{b, start_b, moved_b.leftCols(of_b.count)};
+  one.sides = outlines_[a];
+  other.sides = sides_b;
   if (!blocks_.has_rounded_corners())
-    find_contacts(one, outlines_[a], other, sides_b, limits, earlier, covered_of(pair), found, choices);
-  else if (const RoundedBlock& round_a = blocks_.rounded(a), &round_b = blocks_.rounded(b);
-           round_b.radius < round_a.radius)  // of two corners at one place the first one stays
-    find_rounded_contacts(other, round_b, one, round_a, limits, earlier, found, choices);
+    find_contacts(one, other, limits, earlier, covered_of(pair), found);
+  else if (const RoundedPolygon round_a{one, blocks_.rounded(a)}, round_b{other, blocks_.rounded(b)};
+           round_b.rounded.radius <
+           round_a.rounded.radius)  // of two corners at one place the first one stays
+    find_rounded_contacts(round_b, round_a, limits, earlier, found);
   else
-    find_rounded_contacts(one, round_a, other, round_b, limits, earlier, found, choices);
-  if (any_compliant || blocks_.has_rounded_corners()) leave_one_a_place(state, previous, found, first);
-  leave_out_idle(pair, state, previous, found, first);
+    find_rounded_contacts(round_a, round_b, limits, earlier, found);
+  if (any_compliant || blocks_.has_rounded_corners())
+    leave_one_a_place(state, previous, found.contacts, first);
+  leave_out_idle(pair, state, previous, found.contacts, first);
 }
 
 void ContactBuilder::leave_out_idle(const Pair& pair, const BlockState& state,
@@ -202,20 +201,20 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
   find_pairs(state);
   const Index n = static_cast<Index>(pairs_.size());
   found_in_.resize((n + of_range - 1) / of_range);
-  choices_in_.resize(found_in_.size());
   const auto check_pairs = [&](Index begin, Index end) {
-    std::vector<VertexEdge>& found = found_in_[begin / of_range];
-    std::vector<Choice>& choices = choices_in_[begin / of_range];
-    found.clear();
-    choices.clear();
+    FoundContacts& found = found_in_[begin / of_range];
+    found.contacts.clear();
+    found.choices.clear();
     for (Index p = begin; p < end; ++p)
-      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, found, choices);
+      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, found);
   };
   polyfem::for_ranges(n, of_range, std::ref(check_pairs));
   choices_.clear();
-  for (const auto& choices : choices_in_) choices_.insert(choices_.end(), choices.begin(), choices.end());
   first_found_.assign(1, 0);
-  for (const auto& found : found_in_) first_found_.push_back(first_found_.back() + found.size());
+  for (const auto& [contacts, choices] : found_in_) {
+    choices_.insert(choices_.end(), choices.begin(), choices.end());
+    first_found_.push_back(first_found_.back() + contacts.size());
+  }
   return first_found_.back();
 }
 
@@ -340,7 +339,7 @@ void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
   contacts.resize(detect(state, motion, search_margin, previous, ties));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
     std::size_t c = first_found_[begin];
-    for (std::span<const VertexEdge> rest = found_in_[begin]; !rest.empty();) {
+    for (std::span<const VertexEdge> rest = found_in_[begin].contacts; !rest.empty();) {
       const Pair pair = block_pair(rest.front());
       const auto others = std::ranges::find_if(rest, [&](const auto& of) { return block_pair(of) != pair; });
       const auto of_blocks = rest.first(others - rest.begin());

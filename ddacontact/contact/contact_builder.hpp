@@ -88,8 +88,7 @@ class ContactBuilder {
   /// Appends the contacts of a pair, and where they were preferred to others.
   /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
-                        std::span<const ContactRecord> previous, bool ties, std::vector<VertexEdge>& found,
-                        std::vector<Choice>& choices) const;
+                        std::span<const ContactRecord> previous, bool ties, FoundContacts& found) const;
   /// Leaves out those whose forces no one can tell, or that stand for nothing yet.
   void leave_out_idle(const Pair& pair, const BlockState& state, std::span<const ContactRecord> previous,
                       std::vector<VertexEdge>& found, std::size_t first) const;
@@ -175,12 +174,11 @@ class ContactBuilder {
   NearbyPairs nearby_;
   std::vector<Box> boxes_;
   std::vector<double> margins_;
-  std::vector<Pair> pairs_;            ///< of blocks that may meet
-  std::vector<double> closure_;        ///< of the joints of each block by their stiffness, largest, m
-  std::vector<double> search_margin_;  ///< that contacts were looked for within, with what dilation lifts
-  std::vector<std::vector<VertexEdge>> found_in_;  ///< by `detect`, in each range of pairs
-  std::vector<std::vector<Choice>> choices_in_;    ///< likewise
-  std::vector<Choice> choices_;                    ///< of all
+  std::vector<Pair> pairs_;              ///< of blocks that may meet
+  std::vector<double> closure_;          ///< of the joints of each block by their stiffness, largest, m
+  std::vector<double> search_margin_;    ///< that contacts were looked for within, with what dilation lifts
+  std::vector<FoundContacts> found_in_;  ///< by `detect`, in each range of pairs
+  std::vector<Choice> choices_;          ///< of all
   std::set<Pair> doubtful_;
   bool ties_ = false;                     ///< earlier contacts won ties when the contacts were built
   std::vector<std::size_t> first_found_;  ///< of each range, among all

@@ -39,11 +39,12 @@ bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& 
                                  std::vector<Contact>& contacts) {
   std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
   bool changed = false;
-  std::vector<VertexEdge> found;
   for (const Pair& pair : pairs) {
-    found.clear();
+    FoundContacts anew;
     const std::span<const ContactRecord> old = of_pair(pair, previous);
-    find_contacts_of(pair, state, motion, old, ties, found, choices_);
+    find_contacts_of(pair, state, motion, old, ties, anew);
+    const std::vector<VertexEdge>& found = anew.contacts;
+    choices_.insert(choices_.end(), anew.choices.begin(), anew.choices.end());
     const std::span<const Contact> before = of_pair(pair, contacts);
     if (std::ranges::equal(before, found, {}, &Contact::pair)) continue;
     changed = true;

@@ -10,13 +10,9 @@
 
 namespace ddacontact {
 
-namespace {
-
 /// Two vertices nearer to each other than this part of the shorter edge that they meet are at one place. What
 /// moves a contact by less of its own motion does not.
 constexpr double same_place = near_corner;
-
-}  // namespace
 
 bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge& a,
                                       const VertexEdge& b) const {

@@ -1,12 +1,14 @@
 #include <ddacontact/contact/dashpots.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
 
 void set_dashpots(const BlockSystem& blocks, const ContactProperties& properties, double dt,
                   std::vector<Contact>& contacts) {
+  assert(dt > 0);
   if (!properties.joints.any(&JointStrength::damps)) return;
   // Of each block against translations: p n n^T of its closed contacts.
   std::vector<Mat2> of_blocks(blocks.n_blocks(), Mat2::Zero());

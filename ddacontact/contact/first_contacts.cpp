@@ -70,7 +70,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
   begins_ = true;
   contacts.reserve(detect(state, motion, search_margin, {}, false));
   begins_ = false;
-  for (const std::vector<VertexEdge>& found : found_in_)
+  for (const auto& [found, choices] : found_in_)
     for (const VertexEdge& pair : found) {
       const std::span of_blocks = std::ranges::equal_range(found, block_pair(pair), {}, block_pair);
       contacts.push_back(make_contact(state, pair, of_blocks));

@@ -44,16 +44,31 @@ struct JointLaw {
   bool has_friction() const { return friction > 0 || friction_law; }
 };
 
+/// Coulomb's bound of the shear force.
+struct CoulombBound {
+  double friction = 0;  ///< tan(phi)
+  double cohesion = 0;  ///< of a bond; infinity where nothing slides
+
+  double under(double normal_force) const { return std::max(0.0, normal_force) * friction + cohesion; }
+};
+
 /// The bound of the shear force: max(0, N) tan(phi), or what the friction law says, plus the cohesion while
 /// bonded.
 inline double shear_bound(const JointLaw& law, double normal_force, bool bonded) {
   assert(law.friction >= 0 && law.cohesion >= 0);
-  const double N = std::max(0.0, normal_force);
+  const CoulombBound coulomb{law.friction, bonded ? law.cohesion : 0.0};
   if (law.friction_law) [[unlikely]]
-    return (*law.friction_law)(N) + (bonded ? law.cohesion : 0.0);
-  return N * law.friction + (bonded ? law.cohesion : 0.0);
+    return (*law.friction_law)(std::max(0.0, normal_force)) + coulomb.cohesion;
+  return coulomb.under(normal_force);
 }
-/// The derivative of the bound by the normal force; where a bond is pulled the bound does not change.
+/// The bound for a solver on its way: where a contact without a bond is pulled it goes on as an odd function,
+/// so that it has a derivative.
+inline double extended_bound(const JointLaw& law, double normal_force, bool bonded) {
+  return normal_force < 0 && !bonded ? -shear_bound(law, -normal_force, false)
+                                     : shear_bound(law, normal_force, bonded);
+}
+/// The derivative of the extended bound by the normal force; where a bond is pulled the bound does not
+/// change.
 double friction_rate(const JointLaw& law, double normal_force, bool bonded);
 
 }  // namespace ddacontact

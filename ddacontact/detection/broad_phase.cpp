@@ -3,6 +3,7 @@
 #include <ddacontact/core/sort_once.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace ddacontact {
@@ -56,6 +57,7 @@ void find_among(const std::vector<Box>& boxes, std::vector<int> items, std::vect
 }  // namespace
 
 Box bounding_box(const PointsRef& polygon, double margin) {
+  assert(polygon.cols() > 0);
   return widened({polygon.rowwise().minCoeff(), polygon.rowwise().maxCoeff()}, margin);
 }
 

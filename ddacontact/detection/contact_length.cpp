@@ -3,6 +3,7 @@
 #include <ddacontact/detection/directed_edge.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -10,6 +11,8 @@ namespace ddacontact {
 ContactLength contact_length(const PointsRef& vertex_polygon, const PointsRef& edge_polygon,
                              const VertexEdge& contact, const PointsRef& unstrained,
                              const std::function<bool(int, int)>& bears, bool at_any_angle) {
+  assert(contact.vertex < vertex_polygon.cols() && contact.edge < edge_polygon.cols());
+  assert(unstrained.cols() == vertex_polygon.cols());
   const Vec2 x = vertex_polygon.col(contact.vertex);
   const DirectedEdge e(edge_polygon, contact.edge);
   // The vertex at the end of a straight face, or before it one that bears: from an edge on, forth or back.

@@ -1,16 +1,13 @@
 #include <ddacontact/detection/corner.hpp>
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
 namespace ddacontact {
 
-namespace {
-
 /// A little more than half a turn: two sides of a plate look away from each other.
 constexpr double largest_turn = std::numbers::pi + 0.1;
-
-}  // namespace
 
 Corner turn_between(const Vec2& before, const Vec2& after) {
   const double sine = cross(before, after), cosine = before.dot(after);
@@ -20,6 +17,7 @@ Corner turn_between(const Vec2& before, const Vec2& after) {
 }
 
 Corner corner_at(const PointsRef& polygon, int vertex) {
+  assert(vertex >= 0 && vertex < polygon.cols());
   return turn_between(along(polygon, previous(vertex, polygon)), along(polygon, vertex));
 }
 

@@ -4,11 +4,13 @@
 #include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
+#include <cassert>
 
 namespace ddacontact {
 
 double half_width(const PointsRef& polygon) {
   const int n = static_cast<int>(polygon.cols());
+  assert(n >= 3);
   double perimeter = 0;
   bool concave = false;
   for (int e = 0; e < n; ++e) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -110,16 +111,14 @@ bool is_within(double distance, const Vec2& x) {
 
 /// The entrance edges of the vertices of one polygon into another.
 struct Entrances {
-  const Outline& a;
-  const OutlineSides& of_a;
-  const Outline& b;
-  const OutlineSides& of_b;
+  const Outline &a, &b;
   const PairLimits& limits;
   std::span<const EarlierContact> earlier;
   std::span<const CoveredPart> covered;
   std::vector<NumberedEdge>& edges;  ///< of b that a may be near
   std::vector<Candidate>& near;      ///< of the vertex at hand
   std::vector<Choice>& choices;
+  const OutlineSides &of_a = a.sides, &of_b = b.sides;
 
   void find(std::vector<Candidate>& found) {
     found.clear();
@@ -357,21 +356,23 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
 
 }  // namespace
 
-void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
-                   const PairLimits& limits, std::span<const EarlierContact> earlier,
-                   std::span<const CoveredPart> covered, std::vector<VertexEdge>& contacts,
-                   std::vector<Choice>& choices) {
+void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
+                   std::span<const EarlierContact> earlier, std::span<const CoveredPart> covered,
+                   FoundContacts& found) {
+  assert(a.moved.cols() == a.vertices.cols() && std::ssize(a.sides.sides) == a.vertices.cols());
+  assert(b.moved.cols() == b.vertices.cols() && std::ssize(b.sides.sides) == b.vertices.cols());
+  assert(limits.search_margin >= 0 && limits.max_depth > 0 && limits.coincidence >= 0);
   thread_local Workspace work;
   auto &in_b = work.in_b, &in_a = work.in_a;
-  Entrances{a, of_a, b, of_b, limits, earlier, covered, work.edges, work.at_vertex, choices}.find(in_b);
-  Entrances{b, of_b, a, of_a, limits, earlier, covered, work.edges, work.at_vertex, choices}.find(in_a);
+  Entrances{a, b, limits, earlier, covered, work.edges, work.at_vertex, found.choices}.find(in_b);
+  Entrances{b, a, limits, earlier, covered, work.edges, work.at_vertex, found.choices}.find(in_a);
   for (Candidate& p : in_b)
     for (Candidate& q : in_a)
       if (!p.dropped && !q.dropped && share_corner(p, a, q, b, limits.search_margin))
-        resolve_corner(p, a, q, b, limits, choices);
+        resolve_corner(p, a, q, b, limits, found.choices);
   for (const auto* candidates : {&in_b, &in_a})
     for (const Candidate& c : *candidates)
-      if (!c.dropped) contacts.push_back(c.contact);
+      if (!c.dropped) found.contacts.push_back(c.contact);
 }
 
 }  // namespace ddacontact

@@ -23,8 +23,9 @@ struct VertexEdge {
 /// One of the two polygons of a pair, at the start of a step and where a predicted motion takes it.
 struct Outline {
   int block;
-  PointsRef vertices;  ///< simple, counter-clockwise
-  PointsRef moved;     ///< the same vertices at the end of the predicted motion
+  PointsRef vertices;       ///< simple, counter-clockwise
+  PointsRef moved;          ///< the same vertices at the end of the predicted motion
+  OutlineSides sides = {};  ///< the box relative to the origin of the vertices
 
   /// At rest.
   Outline(int number, const PointsRef& at) : block(number), vertices(at), moved(at) {}
@@ -70,7 +71,13 @@ struct Choice {
   bool open;  ///< neither an earlier contact nor the predicted motion tells which
 };
 
-/// Appends the contacts of a pair to `contacts`: the vertices of `a` on edges of `b`, then those of `b`.
+/// The contacts of one or several pairs, and where they were preferred to others.
+struct FoundContacts {
+  std::vector<VertexEdge> contacts;
+  std::vector<Choice> choices;
+};
+
+/// Appends the contacts of a pair: the vertices of `a` on edges of `b`, then those of `b`.
 ///
 /// A vertex may enter through an edge on whose outer side its whole corner lies; a reflex one through none.
 /// Of edges that are collinear with their neighbours it meets the one it is over. A convex polygon is entered
@@ -86,12 +93,11 @@ struct Choice {
 /// not change contacts by their last digits. `choices`: the lines that a contact was preferred to, none of
 /// them passed at the start. Where one is open the step's forces have to tell.
 ///
-/// \param[in] of_a, of_b  their sides; the boxes are relative to the origin of the vertices
-/// \param[in] covered     lines that are no entrance where there is another, and none for a corner with both
+/// \param[in] a, b     with their sides
+/// \param[in] covered  lines that are no entrance where there is another, and none for a corner with both
 ///   sides covered
-void find_contacts(const Outline& a, const OutlineSides& of_a, const Outline& b, const OutlineSides& of_b,
-                   const PairLimits& limits, std::span<const EarlierContact> earlier,
-                   std::span<const CoveredPart> covered, std::vector<VertexEdge>& contacts,
-                   std::vector<Choice>& choices);
+void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
+                   std::span<const EarlierContact> earlier, std::span<const CoveredPart> covered,
+                   FoundContacts& found);
 
 }  // namespace ddacontact

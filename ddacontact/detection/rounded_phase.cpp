@@ -3,17 +3,23 @@
 #include <ddacontact/detection/corner.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
 
 namespace {
 
+/// Around what a motion takes a point through.
+Box way(const Vec2& start, const Vec2& end) {
+  return {start.cwiseMin(end), start.cwiseMax(end)};
+}
+
 /// A rounded polygon at a moment of its predicted motion.
 class RoundedOutline {
  public:
-  RoundedOutline(const Outline& outline, const RoundedBlock& rounded)
-      : outline_(outline), rounded_(rounded), n_(static_cast<int>(outline.vertices.cols())) {}
+  explicit RoundedOutline(const RoundedPolygon& of)
+      : outline_(of.outline), rounded_(of.rounded), n_(static_cast<int>(of.outline.vertices.cols())) {}
 
   int block() const { return outline_.block; }
   int size() const { return n_; }
@@ -27,6 +33,10 @@ class RoundedOutline {
   double length(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).norm(); }
   Vec2 centre(int v, double time) const {
     return rounded_.corners[v].centre.at(vertex(v, time), vertex(after(v), time));
+  }
+  /// Around what the motion takes an edge through.
+  Box box_of_edge(int e) const {
+    return joined(way(vertex(e, 0), vertex(e, 1)), way(vertex(after(e), 0), vertex(after(e), 1)));
   }
   bool is_reflex(int v) const { return corner_at(outline_.vertices, v) == Corner::reflex; }
   /// Whether a direction from corner v, or from its centre, is between the normals of its edges.
@@ -62,15 +72,25 @@ struct CirclesOnOutline {
   const RoundedOutline &a, &b;
   const PairLimits& limits;
   std::span<const EarlierContact> earlier;
-  std::vector<VertexEdge>& contacts;
+  std::vector<VertexEdge>& met;
   std::vector<Choice>& choices;
   double radius = a.radius();
+  std::vector<Box> boxes{};  ///< of b's edges, with how near a centre has to come
+  std::vector<int> near{};   ///< edges of b that the circle at hand may come near
 
   void find() {
+    const double reach = 2 * radius + std::max(limits.search_margin, limits.max_depth);
+    for (int e = 0; e < b.size(); ++e) boxes.push_back(widened(b.box_of_edge(e), reach));
+    Box around = boxes.front();
+    for (const Box& box : boxes) around = joined(around, box);
     for (int i = 0; i < a.size(); ++i) {
-      if (a.is_reflex(i)) continue;
+      const Box centre = way(a.centre(i, 0), a.centre(i, 1));
+      if (a.is_reflex(i) || !touch(centre, around)) continue;
+      near.clear();
+      for (int e = 0; e < b.size(); ++e)
+        if (touch(centre, boxes[e])) near.push_back(e);
       const double time = time_of_entry(i);
-      for (int e = 0; e < b.size(); ++e) {
+      for (int e : near) {
         add_edge(i, e, time);
         add_corner(i, e, time);
       }
@@ -81,7 +101,7 @@ struct CirclesOnOutline {
   double time_of_entry(int i) const {
     const double level = -radius / 2;
     double earliest = 1;
-    for (int e = 0; e < b.size(); ++e) {
+    for (int e : near) {
       const OverEdge start(a, i, b, e, 0), end(a, i, b, e, 1);
       if (start.gap < level || end.gap >= level) continue;
       const double time = (start.gap - level) / (start.gap - end.gap);
@@ -107,7 +127,7 @@ struct CirclesOnOutline {
     add({a.block(), i, b.block(), j, true}, 0);
   }
   void add(const VertexEdge& contact, double from_end) {
-    contacts.push_back(contact);
+    met.push_back(contact);
     if (from_end <= limits.search_margin) choices.push_back({contact, false});
   }
 };
@@ -127,21 +147,21 @@ bool are_one_place(const VertexEdge& p, const RoundedOutline& a, const VertexEdg
 
 }  // namespace
 
-void find_rounded_contacts(const Outline& a, const RoundedBlock& rounded_a, const Outline& b,
-                           const RoundedBlock& rounded_b, const PairLimits& limits,
-                           std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                           std::vector<Choice>& choices) {
-  const RoundedOutline of_a(a, rounded_a), of_b(b, rounded_b);
-  std::vector<VertexEdge> found;
-  CirclesOnOutline{of_a, of_b, limits, earlier, found, choices}.find();
-  CirclesOnOutline{of_b, of_a, limits, earlier, found, choices}.find();
-  std::vector<char> dropped(found.size(), 0);
-  for (std::size_t p = 0; p < found.size(); ++p)
-    for (std::size_t q = 0; q < found.size(); ++q)
-      if (!dropped[p] && !dropped[q] && are_one_place(found[p], of_a, found[q], of_b, limits.coincidence))
-        dropped[was_closed(earlier, found[q]) && !was_closed(earlier, found[p]) ? p : q] = 1;
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (!dropped[k]) contacts.push_back(found[k]);
+void find_rounded_contacts(const RoundedPolygon& a, const RoundedPolygon& b, const PairLimits& limits,
+                           std::span<const EarlierContact> earlier, FoundContacts& found) {
+  assert(std::ssize(a.rounded.corners) == a.outline.vertices.cols() && a.rounded.radius > 0);
+  assert(std::ssize(b.rounded.corners) == b.outline.vertices.cols() && b.rounded.radius > 0);
+  const RoundedOutline of_a(a), of_b(b);
+  std::vector<VertexEdge> met;
+  CirclesOnOutline{of_a, of_b, limits, earlier, met, found.choices}.find();
+  CirclesOnOutline{of_b, of_a, limits, earlier, met, found.choices}.find();
+  std::vector<char> dropped(met.size(), 0);
+  for (std::size_t p = 0; p < met.size(); ++p)
+    for (std::size_t q = 0; q < met.size(); ++q)
+      if (!dropped[p] && !dropped[q] && are_one_place(met[p], of_a, met[q], of_b, limits.coincidence))
+        dropped[was_closed(earlier, met[q]) && !was_closed(earlier, met[p]) ? p : q] = 1;
+  for (std::size_t k = 0; k < met.size(); ++k)
+    if (!dropped[k]) found.contacts.push_back(met[k]);
 }
 
 }  // namespace ddacontact

@@ -6,16 +6,20 @@
 
 namespace ddacontact {
 
+/// A polygon with rounded corners; its sides are not used.
+struct RoundedPolygon {
+  const Outline& outline;
+  const RoundedBlock& rounded;
+};
+
 /// Appends the contacts of a pair: arcs of `a` against edges and corners of the sharp outline of `b`, and the
 /// other way round.
 ///
 /// The centre of an arc is over an edge, or between the normals of a corner that the arc faces: that is what
 /// it meets, and the gap has one normal. It is asked where the predicted motion ends, or, if the arc goes in
-/// deeper than half its radius, where it goes in. `choices`: the contacts whose arc may be over another part
+/// deeper than half its radius, where it goes in. Choices: the contacts whose arc may be over another part
 /// of the outline when the step is solved.
-void find_rounded_contacts(const Outline& a, const RoundedBlock& rounded_a, const Outline& b,
-                           const RoundedBlock& rounded_b, const PairLimits& limits,
-                           std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                           std::vector<Choice>& choices);
+void find_rounded_contacts(const RoundedPolygon& a, const RoundedPolygon& b, const PairLimits& limits,
+                           std::span<const EarlierContact> earlier, FoundContacts& found);
 
 }  // namespace ddacontact

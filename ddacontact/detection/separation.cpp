@@ -6,6 +6,7 @@
 #include <polyfem/geometry/triangulation.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <vector>
 
@@ -63,6 +64,7 @@ std::vector<Points> convex_pieces(const PointsRef& polygon) {
 }  // namespace
 
 double separation(const PointsRef& a, const PointsRef& b) {
+  assert(a.cols() >= 3 && b.cols() >= 3);
   if (is_convex(a) && is_convex(b)) return separation_of_convex(a, b);
   const std::vector<Points> of_a = convex_pieces(a), of_b = convex_pieces(b);
   double least = inf;

@@ -8,10 +8,6 @@ namespace ddacontact::scene_format {
 
 namespace {
 
-/// Comparisons of an unknown name with all known ones, in one scene: keeps a large bad scene from taking
-/// minutes.
-constexpr int most_suggestions = 100;
-
 std::optional<std::int64_t> whole_number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -61,8 +57,7 @@ int NameTable::find(const Reference& reference, const SourceLocation& location, 
     return -1;
   }
   std::string cure = range;
-  if (!indices_.empty() && suggestions_ < most_suggestions) {
-    ++suggestions_;
+  if (!indices_.empty() && problems.may_suggest()) {
     std::vector<std::string_view> known;
     for (const std::string& name : names_)
       if (!name.empty()) known.emplace_back(name);

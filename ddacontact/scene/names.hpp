@@ -43,7 +43,6 @@ class NameTable {
   std::vector<std::string> names_, origins_;                  ///< origins as " of feature 7"
   std::vector<std::pair<int, SourceLocation>> number_names_;  ///< members whose name is a number
   std::unordered_map<std::string, int> indices_;
-  mutable int suggestions_ = 0;
   bool incomplete_ = false;
 };
 

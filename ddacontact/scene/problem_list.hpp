@@ -23,6 +23,10 @@ class ProblemList {
   void error(const SourceLocation& location, std::string what, std::string cure);
   void warning(const SourceLocation& location, std::string what, std::string cure);
 
+  /// Whether an unknown name may be compared with all known ones: a hundred times, which keeps a large bad
+  /// scene from taking minutes. Counts each call.
+  bool may_suggest() { return n_suggestions_++ < 100; }
+
   const std::string& file() const { return file_; }
   std::size_t size() const { return problems_.size(); }
   bool has_errors() const { return ddacontact::has_errors(problems_); }
@@ -37,6 +41,7 @@ class ProblemList {
 
   std::string file_;
   std::vector<Problem> problems_;
+  int n_suggestions_ = 0;
 };
 
 }  // namespace ddacontact::scene_format

@@ -204,8 +204,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
     check_corner_rounding(document, scene, blocks, problems);
     warn_of_vertices_in_crushed_faces(document, blocks, problems);
   }
-  scene.stages =
-      resolve_stages(document, joints, blocks, scene.blocks, bolts.names, scene.contact.method, problems);
+  scene.stages = resolve_stages(document, scene, joints, blocks, bolts.names, problems);
   for (int k = 0; k < static_cast<int>(scene.stages.size()); ++k) {
     for (const int b : scene.stages[k].added) blocks.outlines[b].comes = k;
     for (const int b : scene.stages[k].removed) blocks.outlines[b].goes = k;

@@ -125,19 +125,23 @@ void warn_of_sampling(const std::vector<Vec3>& entries, const char* key, const K
                      "use a record with a shorter interval, or filter out what is faster");
 }
 
-/// Takes hold of one vertex along one axis.
-void hold(const Support& support, int index, int vertex, int axis, const SourceLocation& location,
-          BlockTable& blocks, ProblemList& problems) {
-  int& by = blocks.holds.by(support.block, vertex, axis);
-  const std::string where = "vertex '" + std::to_string(vertex) + "' of " + blocks.names.title(support.block);
-  if (by >= 0)
-    problems.error(location,
-                   where + " is held in " + "xy"[axis] + " by support " + std::to_string(by) + " already",
-                   "hold each direction of a vertex once");
-  else if (by == Holds::fixed && moves(support, axis))
-    problems.error(location, where + " is fixed and moved in " + "xy"[axis],
-                   "take it out of 'fixed' or out of this support");
-  if (by == Holds::nobody) by = index;
+/// Takes hold of one vertex along the axes of the support.
+void hold(const Support& support, int index, int vertex, const SourceLocation& location, BlockTable& blocks,
+          ProblemList& problems) {
+  for (const int axis : {0, 1}) {
+    if (!(axis == 0 ? support.fix_x : support.fix_y)) continue;
+    int& by = blocks.holds.by(support.block, vertex, axis);
+    const std::string where =
+        "vertex '" + std::to_string(vertex) + "' of " + blocks.names.title(support.block);
+    if (by >= 0)
+      problems.error(location,
+                     where + " is held in " + "xy"[axis] + " by support " + std::to_string(by) + " already",
+                     "hold each direction of a vertex once");
+    else if (by == Holds::fixed && moves(support, axis))
+      problems.error(location, where + " is fixed and moved in " + "xy"[axis],
+                     "take it out of 'fixed' or out of this support");
+    if (by == Holds::nobody) by = index;
+  }
 }
 
 struct LoadKeys {
@@ -210,10 +214,8 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
                                                 locations.of("vertices"), problems);
     }
     const int index = static_cast<int>(supports.size());
-    for (const int vertex : support.vertices) {
-      if (support.fix_x) hold(support, index, vertex, 0, locations.of("vertices"), blocks, problems);
-      if (support.fix_y) hold(support, index, vertex, 1, locations.of("vertices"), blocks, problems);
-    }
+    for (const int vertex : support.vertices)
+      hold(support, index, vertex, locations.of("vertices"), blocks, problems);
     supports.push_back(std::move(support));
   }
   return supports;

@@ -168,14 +168,12 @@ void check_relaxation(const StageRecord& record, bool has_forces, ProblemList& p
 
 }  // namespace
 
-std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
-                                             const BlockTable& blocks,
-                                             const std::vector<BlockDescription>& descriptions,
-                                             const NameTable& bolts, ContactMethod method,
-                                             ProblemList& problems) {
+std::vector<StageDescription> resolve_stages(const Document& document, const Scene& scene,
+                                             const NamedJoints& joints, const BlockTable& blocks,
+                                             const NameTable& bolts, ProblemList& problems) {
   NameTable names("stage");
   Removals removals(blocks, names, problems);
-  Arrivals arrivals(blocks, descriptions, bolts, document, names, problems);
+  Arrivals arrivals(blocks, scene.blocks, bolts, document, names, problems);
   std::int64_t n_steps = 0;
   std::vector<StageDescription> stages;
   for (const StageRecord& record : document.stages) {
@@ -187,7 +185,7 @@ std::vector<StageDescription> resolve_stages(const Document& document, const Nam
     stage.analysis = resolve_analysis(document.analysis, record, problems);
     stage.analysis.skip = document.solver.skip;
     check_n_steps(record, n_steps, problems);
-    stage.joints = changed_joints(record, joints, document.contact, method, problems);
+    stage.joints = changed_joints(record, joints, document.contact, scene.contact.method, problems);
     stage.reset_displacements = record.reset_displacements;
     stage.until = record.until;
     stage.water = changed_water(record, document, stage.analysis, problems);

@@ -8,12 +8,9 @@
 
 namespace ddacontact::scene_format {
 
-/// \param[in] descriptions  of the blocks
-/// \param[in] method        of the scene, resolved
-std::vector<StageDescription> resolve_stages(const Document& document, const NamedJoints& joints,
-                                             const BlockTable& blocks,
-                                             const std::vector<BlockDescription>& descriptions,
-                                             const NameTable& bolts, ContactMethod method,
-                                             ProblemList& problems);
+/// \param[in] scene  resolved but for its stages and joints
+std::vector<StageDescription> resolve_stages(const Document& document, const Scene& scene,
+                                             const NamedJoints& joints, const BlockTable& blocks,
+                                             const NameTable& bolts, ProblemList& problems);
 
 }  // namespace ddacontact::scene_format

@@ -68,8 +68,8 @@ toml::source_position find_in_file(const std::string& file, const Path& path) {
   return location;
 }
 
-Problem mismatch(const std::string& scene_file, toml::source_position location, const std::string& what,
-                 const char* with_cure = cure) {
+Problem mismatch_at(const std::string& scene_file, toml::source_position location, const std::string& what,
+                    const std::string& with_cure = cure) {
   return {Problem::Severity::error,          scene_file, static_cast<int>(location.line),
           static_cast<int>(location.column), what,       with_cure};
 }
@@ -100,10 +100,10 @@ std::optional<Problem> find_difference(const std::string& here, const std::strin
   const auto [one, other, line] = first_difference(here, in_checkpoint);
   const Path path = path_to_line(toml::parse(here), static_cast<toml::source_index>(line));
   const auto text = [](const std::string& words) { return words.empty() ? "nothing" : "'" + words + "'"; };
-  return mismatch(scene_file, find_in_file(scene_file, path),
-                  "\"" + checkpoint_name + "\" belongs to another scene: it has " + text(other) +
-                      " where this one has " + text(one),
-                  with_cure);
+  return mismatch_at(scene_file, find_in_file(scene_file, path),
+                     "\"" + checkpoint_name + "\" belongs to another scene: it has " + text(other) +
+                         " where this one has " + text(one),
+                     with_cure);
 }
 
 std::string text_of(const Scene& scene) {
@@ -158,6 +158,56 @@ Scene with_models_of(const Scene& before, const Scene& scene) {
   return part;
 }
 
+/// The stages that a run has made, the last one up to its checkpoint.
+std::vector<StageDescription> stages_made(const Checkpoint& checkpoint, const Scene& before) {
+  const StageProgress& progress = checkpoint.record.step.progress;
+  std::vector<StageDescription> made = before.stages;
+  if (made.empty()) made.push_back(before.stage(""));
+  made.resize(static_cast<std::size_t>(progress.stage) + 1);
+  for (std::size_t k = 0; k < checkpoint.stage_steps.size(); ++k)
+    made[k].analysis.steps = checkpoint.stage_steps[k];
+  if (made.back().analysis.steps != progress.steps && !progress.came_to_rest)
+    made.back().reset_displacements = false;  // it did not come to its end
+  made.back().analysis.steps = progress.steps;
+  if (auto& relax = made.back().relax) relax = std::min(*relax, made.back().analysis.steps);
+  return made;
+}
+
+/// Blocks and bolts that come in after the stage of a checkpoint.
+struct Coming {
+  std::set<int> blocks, bolts;
+
+  Coming(const Scene& before, std::size_t n_made) {
+    for (std::size_t k = n_made; k < before.stages.size(); ++k) {
+      blocks.insert(before.stages[k].added.begin(), before.stages[k].added.end());
+      bolts.insert(before.stages[k].bolts.begin(), before.stages[k].bolts.end());
+    }
+  }
+};
+
+/// What the stages of a scene remove or add that the checkpoint has no more, or already.
+/// \param[in,out] coming  its bolts less those that a stage adds
+std::optional<Problem> find_done_already(const Scene& scene, const std::string& scene_file,
+                                         const std::string& checkpoint_name,
+                                         const std::vector<StageDescription>& made, Coming& coming) {
+  const auto done = [&](std::size_t k, const char* key, const std::string& what, const char* where) {
+    return mismatch_at(scene_file, find_in_file(scene_file, {"stage", k, key}),
+                       what + "' is " + where + " in \"" + checkpoint_name + "\"",
+                       "leave it out of '" + std::string(key) + "'");
+  };
+  for (std::size_t k = 0; k < scene.stages.size(); ++k) {
+    const StageDescription& stage = scene.stages[k];
+    for (int block : stage.removed)
+      if (std::ranges::any_of(made, [&](const auto& of) { return std::ranges::count(of.removed, block); }))
+        return done(k, "remove", "block '" + scene.block_name(block), "gone");
+    for (int bolt : stage.bolts)
+      if (!coming.bolts.erase(bolt)) return done(k, "add", "bolt '" + scene.bolts[bolt].name, "there");
+    for (int block : stage.added)
+      if (!coming.blocks.contains(block)) return done(k, "add", "block '" + scene.block_name(block), "there");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string resumable_part(const Scene& scene) {
@@ -191,10 +241,10 @@ std::optional<Problem> find_mismatch(const Checkpoint& checkpoint, const std::st
     const bool fits =
         present && !(over && stage.reset_displacements) ? steps >= progress.steps || last : steps == had;
     if (fits) continue;
-    return mismatch(scene_file, find_in_file(scene_file, {"stage", k, "steps"}),
-                    quoted + " has made " + std::to_string(present ? progress.steps : had) +
-                        " steps of stage " + std::to_string(k) + (over ? ", which is over" : "") + ", not '" +
-                        std::to_string(steps) + "'");
+    return mismatch_at(scene_file, find_in_file(scene_file, {"stage", k, "steps"}),
+                       quoted + " has made " + std::to_string(present ? progress.steps : had) +
+                           " steps of stage " + std::to_string(k) + (over ? ", which is over" : "") +
+                           ", not '" + std::to_string(steps) + "'");
   }
   return std::nullopt;
 }
@@ -203,15 +253,17 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
                                             const Scene& scene, const std::string& scene_file) {
   const SceneReading reading = read_scene_text(checkpoint.scene, checkpoint_name);
   if (!reading.scene)  // written by a version with other keys
-    return mismatch(scene_file, {1, 1},
-                    "the scene in the checkpoint cannot be read: " + reading.problems[0].text(),
-                    cure_as_stage);
+    return mismatch_at(scene_file, {1, 1},
+                       "the scene in the checkpoint cannot be read: " + reading.problems[0].text(),
+                       cure_as_stage);
   const Scene& before = *reading.scene;
   if (auto difference =
           find_difference(text_of(lasting_part(with_models_of(before, scene))), text_of(lasting_part(before)),
                           checkpoint_name, scene_file, cure_as_stage))
     return *difference;
-  const StageProgress& progress = checkpoint.record.step.progress;
+  if (checkpoint.record.step.progress.steps == 0)
+    return mismatch_at(scene_file, {1, 1}, "\"" + checkpoint_name + "\" has made no step of its stage",
+                       cure_as_stage);
   Scene going_on = scene;
   const Scene with_models = with_chosen_models(before);  // which "auto" chose for the first run
   for (std::size_t b = 0; b < going_on.blocks.size(); ++b) {
@@ -220,46 +272,11 @@ std::variant<Scene, Problem> scene_as_stage(const Checkpoint& checkpoint, const 
   }
   std::vector<StageDescription>& stages = going_on.stages;
   if (stages.empty()) stages.push_back(scene.stage(""));
-  std::vector<StageDescription> made = before.stages;
-  if (made.empty()) made.push_back(before.stage(""));
-  made.resize(static_cast<std::size_t>(progress.stage) + 1);
-  for (std::size_t k = 0; k < checkpoint.stage_steps.size(); ++k)
-    made[k].analysis.steps = checkpoint.stage_steps[k];
-  if (made.back().analysis.steps != progress.steps && !progress.came_to_rest)
-    made.back().reset_displacements = false;  // it did not come to its end
-  made.back().analysis.steps = progress.steps;
-  if (auto& relax = made.back().relax) relax = std::min(*relax, made.back().analysis.steps);
-  if (progress.steps == 0)
-    return mismatch(scene_file, {1, 1}, "\"" + checkpoint_name + "\" has made no step of its stage",
-                    cure_as_stage);
-  const auto location_of = [&](std::size_t k, const char* key) {
-    return find_in_file(scene_file, {"stage", k, key});
-  };
-  std::set<int> absent, waiting;  // blocks and bolts that come in after the stage of the checkpoint
-  for (std::size_t k = made.size(); k < before.stages.size(); ++k) {
-    absent.insert(before.stages[k].added.begin(), before.stages[k].added.end());
-    waiting.insert(before.stages[k].bolts.begin(), before.stages[k].bolts.end());
-  }
-  for (std::size_t k = 0; k < stages.size(); ++k) {
-    for (int block : stages[k].removed)
-      if (std::ranges::any_of(made,
-                              [&](const auto& stage) { return std::ranges::count(stage.removed, block); }))
-        return mismatch(scene_file, location_of(k, "remove"),
-                        "block '" + scene.block_name(block) + "' is gone in \"" + checkpoint_name + "\"",
-                        "leave it out of 'remove'");
-    for (int bolt : stages[k].bolts)
-      if (!waiting.erase(bolt))
-        return mismatch(scene_file, location_of(k, "add"),
-                        "bolt '" + scene.bolts[bolt].name + "' is there in \"" + checkpoint_name + "\"",
-                        "leave it out of 'add'");
-    for (int block : stages[k].added)
-      if (!absent.contains(block))
-        return mismatch(scene_file, location_of(k, "add"),
-                        "block '" + scene.block_name(block) + "' is there in \"" + checkpoint_name + "\"",
-                        "leave it out of 'add'");
-  }
+  const std::vector<StageDescription> made = stages_made(checkpoint, before);
+  Coming coming(before, made.size());
+  if (auto problem = find_done_already(going_on, scene_file, checkpoint_name, made, coming)) return *problem;
   // As loads and blocks, bolts that no stage adds are there from its start.
-  stages.front().bolts.insert(stages.front().bolts.end(), waiting.begin(), waiting.end());
+  stages.front().bolts.insert(stages.front().bolts.end(), coming.bolts.begin(), coming.bolts.end());
   stages.insert(stages.begin(), made.begin(), made.end());
   return going_on;
 }

@@ -46,6 +46,7 @@ void AugmentedContacts::begin() {
 }
 
 void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
+  assert(contact.law.normal_stiffness > 0 && contact.law.tangential_stiffness > 0);
   JointLaw& law = contact.law;
   const ContactHistory& history = contact.history;
   multiplier.bonded = contact.has_bond();

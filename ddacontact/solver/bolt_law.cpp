@@ -3,6 +3,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/solver/line_search.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -123,6 +124,7 @@ struct Bar {
     VectorXd of_segments(n_segments);
     for (int k = 0; k < n_segments; ++k) {
       forces.axial[k] = force(k);
+      assert(!(std::abs(forces.axial[k]) > bolt.yield));
       forces.stretch[k] = stretch(k);
       of_segments[k] = stiffness(k);
     }

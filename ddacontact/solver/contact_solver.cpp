@@ -7,6 +7,7 @@
 #include <ddacontact/solver/swept_step.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -28,7 +29,8 @@ constexpr double sufficient_decrease = 1e-2;
 /// A factor is reused while each solution with it reduces the residual to this part: contact normals turned
 /// since then leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
-/// Solutions without a smaller residual after which an accepted one is final, and after which states are left.
+/// Solutions without a smaller residual after which an accepted one is final, and after which states are
+/// left.
 constexpr int patience = 4, most_in_vain = 12;
 /// Residual target, as a fraction of the round-off bound.
 constexpr double round_off_target = 0.05;
@@ -57,6 +59,7 @@ struct ContactSolver {
   VectorXd correction{};
 
   ContactSolverReport solve() {
+    assert(d.size() == system.prescribed().size() && options.residual_aim <= options.residual_tolerance);
     if (!d.allFinite()) return end(SolutionStatus::not_finite);
     system.linearize(d);
     contacts.begin();
@@ -257,7 +260,7 @@ struct ContactSolver {
     ++report.interior_point_solves;
     d = system.prescribed();
     const InteriorReport found = find_interior_point_states(
-        system, contacts.contacts(), contacts.laws(), [this] { contacts.evaluate(d); }, contacts.terms(), d,
+        system, {contacts.contacts(), contacts.laws(), contacts.terms(), [this] { contacts.evaluate(d); }}, d,
         states);
     report.iterations += found.solutions;
     report.interior_solutions += found.solutions;

@@ -304,6 +304,7 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
                                            const std::vector<SweptLaw>& laws, const VectorXd& residual,
                                            const Stop& stop, VectorXd& d,
                                            std::vector<ContactForce>& forces_of_all) {
+  assert(terms.size() == rows_.size() && laws.size() == rows_.size() && forces_of_all.size() == rows_.size());
   Report report;
   if (!begin(terms, laws, residual, d, forces_of_all)) return report;
   const Points at_start = forces();
@@ -324,6 +325,8 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
   report.settled = report.settled && iterate_.allFinite();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const auto force = forces().col(static_cast<Index>(r));
+    assert(!report.settled || !rows_[r].acts ||
+           (force[0] >= -rows_[r].tension && std::abs(force[1]) <= rows_[r].bound_under(force[0])));
     forces_of_all[rows_[r].contact] = {force[0], force[1]};
   }
   for (std::size_t k = 0; k < unknown_.size(); ++k)

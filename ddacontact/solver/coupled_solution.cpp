@@ -2,6 +2,7 @@
 
 #include <ddacontact/solver/krylov.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -36,6 +37,7 @@ void sum_of_rows(const std::vector<Coupling>& couplings, const VectorXd& z, Vect
 
 bool solve_coupled(const LinearSolution& solve, const LinearSolution& rough,
                    const std::vector<Coupling>& couplings, const VectorXd& b, double tolerance, VectorXd& x) {
+  assert(tolerance > 0 && tolerance < 1);
   solve(b, x);
   if (couplings.empty()) return true;
   VectorXd z, force(b.size()), moved;

@@ -103,10 +103,8 @@ void FrictionProblem::order_for_many(const std::vector<ContactTerm>& contacts) {
 bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
                                 const std::vector<unsigned char>& active) {
   assert(active.size() == contacts.size());
-  if (!factored_springs_.empty() &&
-      std::equal(active.begin(), active.end(), factored_springs_.begin(), factored_springs_.end() - 1))
-    return keeps_factor_ || cholesky_.factorize(matrix_.lower());
-  factored_springs_.clear();
+  if (factored_springs_ == active) return keeps_factor_ || cholesky_.factorize(matrix_.lower());
+  factored_springs_.reset();
   if (!has_pattern_) set_pattern(contacts);
   matrix_.set_zero();
   const int n_elements = elements_.n_elements();
@@ -120,14 +118,14 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
       matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
   }
   if (!cholesky_.factorize(matrix_.lower())) return false;
-  factored_springs_.assign(active.begin(), active.end());
-  factored_springs_.push_back(0);  // never empty: a factor without contacts is one too
+  factored_springs_ = active;
   return true;
 }
 
 /// x = method(b) of the equations, as one of all unknowns.
 void FrictionProblem::solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&),
                                const VectorXd& b, VectorXd& x) {
+  assert(b.size() == std::ssize(equation_) && factored_springs_);
   rhs_.resize(n_equations_);
   for (Index k = 0; k < b.size(); ++k)
     if (equation_[k] >= 0) rhs_[equation_[k]] = b[k];
@@ -202,7 +200,12 @@ double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, co
 
 MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contacts, const VectorXd& g0,
                                          const MinimizeOptions& options, VectorXd& d) {
+  assert(g0.size() == d.size() && d.size() == std::ssize(equation_));
   MinimizeReport report;
+  const auto end = [&](MinimizeStatus status) {
+    report.status = status;
+    return report;
+  };
   const auto measure = [&] {
     compute_residual(contacts, g0, d, residual_);
     const VectorXd left = free_part(residual_);
@@ -212,24 +215,16 @@ MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contact
   find_pieces(contacts, d, pieces_);
   bool kept = false;
   for (double before = 0;; before = report.residual) {
-    if (!std::isfinite(report.residual)) {
-      report.status = MinimizeStatus::not_finite;
-      return report;
-    }
+    if (!std::isfinite(report.residual)) return end(MinimizeStatus::not_finite);
     // The minimum of the piece that d is in is exact but for round-off; solving again repairs what it can of
     // that.
     if (report.residual <= options.tolerance || (kept && report.residual > before / 2) ||
-        is_round_off(contacts, g0, d)) {
-      report.status = MinimizeStatus::converged;
-      return report;
-    }
+        is_round_off(contacts, g0, d))
+      return end(MinimizeStatus::converged);
     if (report.iterations == options.max_iterations) return report;
     active_ = pieces_;
     for (unsigned char& springs : active_) springs &= all_act;
-    if (!factorize(contacts, active_)) {
-      report.status = MinimizeStatus::not_positive_definite;
-      return report;
-    }
+    if (!factorize(contacts, active_)) return end(MinimizeStatus::not_positive_definite);
     solve(-residual_, step_);
     ++report.iterations;
     trial_ = d + step_;

@@ -5,6 +5,7 @@
 #include <ddacontact/solver/line_search.hpp>
 #include <polyfem/assembly/pattern_matrix.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,7 +49,7 @@ class FrictionProblem {
   int n_equations() const { return n_equations_; }
   /// Must be called after A, or coefficients or stiffnesses of the contacts have changed: the last factor is
   /// another matrix's then.
-  void matrices_changed() { factored_springs_.clear(); }
+  void matrices_changed() { factored_springs_.reset(); }
 
   /// Tells that these contacts are to be factorized many times: where that pays the equations are ordered so
   /// that factors are small, at more effort, until the contacts change.
@@ -101,9 +102,9 @@ class FrictionProblem {
   polyfem::PatternMatrix matrix_;
   polyfem::Cholesky cholesky_;
   bool keeps_factor_ = true;
-  bool has_pattern_ = false;                     ///< matrix_ is that of the present contacts
-  bool is_dissected_ = false;                    ///< and ordered for many factors
-  std::vector<unsigned char> factored_springs_;  ///< one more than contacts; empty: none
+  bool has_pattern_ = false;                                    ///< matrix_ is that of the present contacts
+  bool is_dissected_ = false;                                   ///< and ordered for many factors
+  std::optional<std::vector<unsigned char>> factored_springs_;  ///< none: nothing is factored
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;
   LineSearch line_search_;

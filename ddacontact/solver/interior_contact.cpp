@@ -1,18 +1,15 @@
 #include <ddacontact/solver/interior_contact.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
-
-namespace {
 
 /// From the bounds of friction at the start, of sqrt(mu).
 constexpr double least_distance = 1e-6;
 /// A solution is followed to this part of the way to the nearest bound.
 constexpr double part_to_bound = 0.99;
-
-}  // namespace
 
 unsigned char InteriorContact::state(const SweptLaw& law) const {
   if (!acts) return none_acts;
@@ -61,6 +58,7 @@ void InteriorContact::begin(const ContactTerm& term, const SweptLaw& law, double
 }
 
 void InteriorContact::find_rates() {
+  assert(acts && p > 0 && rate >= 0);
   const double f = slides() ? upper.s / upper.x : 0, k = slides() ? lower.s / lower.x : 0;
   w = unilateral ? normal.x / (normal.x + normal.s) : 1;
   wt = sheared ? 1 / (1 + f + k) : 0;
@@ -104,6 +102,7 @@ void InteriorContact::advance(double length) {
   for_pairs([&](InteriorPair& pair) {
     pair.x += length * pair.dx;
     pair.s += length * pair.ds;
+    assert(!(pair.x < 0) && !(pair.s < 0));
   });
   if (!acts) return;
   if (!unilateral) normal.x += length * normal.dx;

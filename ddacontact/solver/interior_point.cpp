@@ -39,12 +39,8 @@ constexpr int most_path_starts = 5, most_path_solutions = 600;
 constexpr double path_tolerance = 1e-6;
 
 /// See find_interior_point_states.
-struct InteriorPoint {
+struct InteriorPoint : EvaluatedContacts {
   StepSystem& system;
-  const std::vector<Contact>& contacts;
-  const std::vector<SweptLaw>& laws;
-  const std::function<void()>& look;
-  std::vector<ContactTerm>& terms;
   VectorXd& d;
   std::vector<InteriorContact> inside{terms.size()};
   std::vector<ContactForce> forces{terms.size()};
@@ -66,7 +62,8 @@ struct InteriorPoint {
 
   /// Mehrotra's method. False: mu does not fall far enough.
   bool let_mu_fall() {
-    look();
+    evaluate();
+    assert(laws.size() == contacts.size() && terms.size() == contacts.size() && d.allFinite());
     for (std::size_t c = 0; c < inside.size(); ++c) forces[c] = {terms[c].normal_multiplier, laws[c].shear};
     system.compute_residual(d, contacts, terms, forces, residual);
     scale = residual.scale;
@@ -82,7 +79,7 @@ struct InteriorPoint {
       const double mu = find_direction(mean);
       ++report.solutions;
       advance(longest(trimmed_part));
-      look();
+      evaluate();
       evaluate_interior(mu);
     }
     return false;
@@ -176,7 +173,7 @@ struct InteriorPoint {
       }
       combine(path, part);
       advance(std::min(1.0, longest()));
-      look();
+      evaluate();
       evaluate_interior(mean);
     }
   }
@@ -184,7 +181,7 @@ struct InteriorPoint {
   void return_to(const PathPoint& point) {
     inside = point.inside;
     d = point.d;
-    look();
+    evaluate();
     evaluate_interior(mean_product(0));
   }
 
@@ -199,7 +196,7 @@ struct InteriorPoint {
   /// From the start of the step, with these products.
   void begin_all(double mu) {
     d = system.prescribed();
-    look();
+    evaluate();
     for (InteriorContact& i : inside) i = {};
     evaluate_interior(mu);
   }
@@ -352,13 +349,11 @@ struct InteriorPoint {
 
 }  // namespace
 
-InteriorReport find_interior_point_states(StepSystem& system, const std::vector<Contact>& contacts,
-                                          const std::vector<SweptLaw>& laws,
-                                          const std::function<void()>& look, std::vector<ContactTerm>& terms,
-                                          VectorXd& d, std::vector<unsigned char>& states) {
-  InteriorPoint point{system, contacts, laws, look, terms, d};
+InteriorReport find_interior_point_states(StepSystem& system, const EvaluatedContacts& contacts, VectorXd& d,
+                                          std::vector<unsigned char>& states) {
+  InteriorPoint point{contacts, system, d};
   const InteriorReport report = point.solve();
-  for (std::size_t c = 0; c < terms.size(); ++c) states[c] = point.state(c);
+  for (std::size_t c = 0; c < contacts.terms.size(); ++c) states[c] = point.state(c);
   return report;
 }
 

@@ -16,6 +16,14 @@ struct InteriorReport {
   int fallbacks = 0;   ///< of them with friction that was not found to the tolerance
 };
 
+/// The contacts of a step with their laws and terms, which follow the displacements.
+struct EvaluatedContacts {
+  const std::vector<Contact>& contacts;
+  const std::vector<SweptLaw>& laws;
+  std::vector<ContactTerm>& terms;
+  std::function<void()> evaluate;  ///< makes the terms anew at d, geometry included
+};
+
 /// Finds the states of the contacts of a step where the active-set iteration cycles: a primal-dual
 /// interior-point method (Mehrotra 1992). Each contact keeps, with a = lambda - p g and q = tau - p_t s,
 ///   N, y > 0:           N - y = a,                                        N y = mu,
@@ -26,13 +34,9 @@ struct InteriorReport {
 /// by arc length (Keller 1977), in some hundred solutions or more: it has folds where the problem has several
 /// solutions, and mu rises for a while.
 ///
-/// \param[in] laws    beside their terms
-/// \param[in] look    makes the contacts' forms and `terms` anew at d, geometry included
 /// \param[in,out] d   where to start; then the last displacements. Blocks move as by StepSystem::move
 /// \param[out] states of the springs, see spring_state.hpp
-InteriorReport find_interior_point_states(StepSystem& system, const std::vector<Contact>& contacts,
-                                          const std::vector<SweptLaw>& laws,
-                                          const std::function<void()>& look, std::vector<ContactTerm>& terms,
-                                          VectorXd& d, std::vector<unsigned char>& states);
+InteriorReport find_interior_point_states(StepSystem& system, const EvaluatedContacts& contacts, VectorXd& d,
+                                          std::vector<unsigned char>& states);
 
 }  // namespace ddacontact

@@ -98,7 +98,7 @@ void balance_at_rest(const BlockSystem& blocks, const std::vector<Contact>& cont
 struct IslandsApart::Island {
   std::vector<int> blocks;    ///< and those at rest that they may touch, ascending
   std::vector<int> contacts;  ///< of the step
-  std::optional<SystemPart> part;
+  std::optional<BlockSystem::Part> part;
   std::optional<StepSystem> system;
 
   /// Of the part's unknowns.
@@ -174,9 +174,10 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
   return true;
 }
 
-ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, const StepStart& start,
-                                        const StepSystem& whole, const ContactSolverOptions& options,
-                                        std::vector<Contact>& contacts, VectorXd& d) {
+ContactSolverReport IslandsApart::solve(BlockState& state, const StepStart& start, StepSystem& whole,
+                                        const ContactSolverOptions& options, std::vector<Contact>& contacts,
+                                        VectorXd& d) {
+  BlockSystem& blocks = whole.blocks();
   work_ = {};
   ContactSolverReport report;
   report.status = SolutionStatus::settled;
@@ -185,7 +186,7 @@ ContactSolverReport IslandsApart::solve(BlockSystem& blocks, BlockState& state, 
   residual.force = -residual.external;
   const VectorXd start_d = std::exchange(d, whole.prescribed());
   for (const std::unique_ptr<Island>& island : islands_) {
-    SystemPart& part = *island->part;
+    BlockSystem::Part& part = *island->part;
     StepStart of_part{start.rule, start.dt, island->of_part(start.velocity),
                       island->of_part(start.acceleration)};
     part.put_in(blocks, state);

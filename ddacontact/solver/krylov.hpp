@@ -3,6 +3,7 @@
 
 #include <ddacontact/core/types.hpp>
 
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct KrylovReport {
 template <class Multiply>
 KrylovReport gmres(const Multiply& multiply, const VectorXd& b, double tolerance, int most_iterations,
                    VectorXd& x) {
+  assert(tolerance > 0 && most_iterations > 0);
   KrylovReport report;
   x.setZero(b.size());
   const double scale = b.norm();

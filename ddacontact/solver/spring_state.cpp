@@ -45,8 +45,7 @@ ContactForce force_in_state(const JointLaw& law, bool bonded, unsigned char stat
   const bool follows = (state & normal_acts) || springs.normal.low == -inf;
   force.normal = follows ? springs.normal.force : springs.normal.low;
   if (state & shear_acts) force.shear = springs.tangential.force;
-  const double bound =
-      force.normal < 0 && !bonded ? law.friction * force.normal : shear_bound(law, force.normal, bonded);
+  const double bound = extended_bound(law, force.normal, bonded);
   if (state & at_upper) force.shear = bound;
   if (state & at_lower) force.shear = -bound;
   return force;

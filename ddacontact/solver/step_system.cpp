@@ -1,6 +1,7 @@
 #include <ddacontact/solver/step_system.hpp>
 
 #include <ddacontact/core/for_all.hpp>
+#include <ddacontact/core/symmetric.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -67,11 +68,12 @@ StepSystem::StepSystem(BlockSystem& blocks)
     if (!blocks.is_unchanging(face.block))
       elements.append(quiet_faces_.emplace_back(blocks, face).unknowns());
   for (const Bolt& bolt : blocks.bolts)
-    if (acts(bolt, blocks)) elements.append(bolts_.emplace_back(blocks, bolt).unknowns());
+    if (acts(bolt, blocks)) elements.append(work_.bolts.emplace_back(blocks, bolt).unknowns());
   problem_.set_matrices(std::move(elements));
 }
 
 void StepSystem::set_step(const BlockState& state, const StepStart& start, double fixed_point_stiffness) {
+  assert(start.dt > 0 && start.velocity.size() == blocks_.n_unknowns());
   dt_ = start.dt;
   rule_ = start.rule;
   fixed_point_stiffness_ = fixed_point_stiffness;
@@ -93,10 +95,10 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
     }
   }
   for (StepQuietFace& face : quiet_faces_) face.begin(blocks_, state, start);
-  for (StepBolt& bolt : bolts_) bolt.begin(blocks_, state, rule_.directions());
-  if (rule_.has_half_steps() && !bolts_.empty()) take_stable_directions();
+  for (StepBolt& bolt : work_.bolts) bolt.begin(blocks_, state, rule_.directions());
+  if (rule_.has_half_steps() && !work_.bolts.empty()) take_stable_directions();
   blocks_.begin_step(state, start);
-  own_at_.resize(0);
+  work_.own_at.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(
       start.rule.predicts_shape() && blocks_.has_face_loads() ? predicted(blocks_, state, start) : state,
@@ -106,33 +108,33 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
 
 void StepSystem::take_stable_directions() {
   VectorXd turning = VectorXd::Zero(blocks_.n_blocks());
-  for (const StepBolt& bolt : bolts_) bolt.add_turning(turning);
+  for (const StepBolt& bolt : work_.bolts) bolt.add_turning(turning);
   const auto turns_far = [&](int b) {
     return blocks_.is_movable(b) && turning[b] * dt_ * dt_ > blocks_.block(b).mass_total() / 2;
   };
-  for (StepBolt& bolt : bolts_)
+  for (StepBolt& bolt : work_.bolts)
     if (rule_.starts_at_rest || std::ranges::any_of(bolt.blocks(), turns_far))
       bolt.act_along(Directions::of_end);
 }
 
 void StepSystem::find_own_forces(const VectorXd& d) const {
-  if (own_at_.size() == d.size() && own_at_ == d) return;
-  own_at_ = d;
-  own_forces_.resize(d.size());
-  own_sums_.resize(active_.size());
+  if (work_.own_at.size() == d.size() && work_.own_at == d) return;
+  work_.own_at = d;
+  work_.own_forces.resize(d.size());
+  work_.own_sums.resize(active_.size());
   for_all(active_.size(), [&](int a) {
     thread_local BlockForces of_block;
     const Block& block = blocks_.block(active_[a]);
     const Range& u = block.unknowns();
     const auto lengths = u.of(unknown_lengths_);
     block.forces(u.of(d), of_block);
-    u.of(own_forces_) = of_block.elastic + of_block.inertia + of_block.damping;
+    u.of(work_.own_forces) = of_block.elastic + of_block.inertia + of_block.damping;
     double sum = 0;
     for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping})
       sum += f->cwiseQuotient(lengths).lpNorm<1>();
     for (const VectorXd* f : {&load_forces_, &gravity_forces_})
       sum += u.of(*f).cwiseQuotient(lengths).lpNorm<1>();
-    own_sums_[a] = {sum, u.of(d).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};
+    work_.own_sums[a] = {sum, u.of(d).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};
   });
 }
 
@@ -140,8 +142,8 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
                                   const std::vector<ContactTerm>& terms,
                                   const std::vector<ContactForce>& forces, Residual& residual) const {
   assert(terms.size() == contacts.size() && forces.size() == contacts.size());
-  magnitude_.setZero(blocks_.n_blocks());
-  stiffest_.setZero(blocks_.n_blocks());
+  work_.magnitude.setZero(blocks_.n_blocks());
+  work_.stiffest.setZero(blocks_.n_blocks());
   residual.external = load_forces_ + gravity_forces_;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (forces[c].normal == 0 && forces[c].shear == 0) continue;
@@ -153,14 +155,14 @@ void StepSystem::compute_residual(const VectorXd& d, const std::vector<Contact>&
   add_fixtures(d, residual.external);
   find_own_forces(d);
   residual.force = -residual.external;
-  sums_.assign(blocks_.n_blocks(), {0, 0, inf, 0});
-  for_all(active_.size(), [&](int a) { sums_[active_[a]] = sum_up(a, residual.force); });
+  work_.sums.assign(blocks_.n_blocks(), {0, 0, inf, 0});
+  for_all(active_.size(), [&](int a) { work_.sums[active_[a]] = sum_up(a, residual.force); });
   measure(residual);
 }
 
 void StepSystem::add_force_on(int block, double magnitude, double stiffness) const {
-  magnitude_[block] += magnitude;
-  stiffest_[block] = std::max(stiffest_[block], stiffness);
+  work_.magnitude[block] += magnitude;
+  work_.stiffest[block] = std::max(work_.stiffest[block], stiffness);
 }
 
 void StepSystem::add_fixtures(const VectorXd& d, VectorXd& external) const {
@@ -191,12 +193,12 @@ StepSystem::Sums StepSystem::sum_up(int a, VectorXd& force) const {
   const Range& u = block.unknowns();
   const auto lengths = u.of(unknown_lengths_);
   auto r = u.of(force);
-  r += u.of(own_forces_);
-  const auto& [own, furthest] = own_sums_[a];
+  r += u.of(work_.own_forces);
+  const auto& [own, furthest] = work_.own_sums[a];
   // With half steps forces follow from deformations and from changes of gaps: of places round-off is left
   // by one unit.
   const double length = (rule_.has_half_steps() ? 1 / units : 1) * block.size() + furthest;
-  const double round_off = floor_factor * ((block.material().elasticity(0, 0) + stiffest_[b]) * length +
+  const double round_off = floor_factor * ((block.material().elasticity(0, 0) + work_.stiffest[b]) * length +
                                            rule_.inertia() * block.mass_total() / (dt_ * dt_) * furthest);
   double largest = 0, left = 0;
   for (int k = 0; k < u.count; ++k) {
@@ -205,7 +207,7 @@ StepSystem::Sums StepSystem::sum_up(int a, VectorXd& force) const {
     if (!(size <= largest)) largest = size;  // lets a NaN through
     left += std::max(size - round_off, 0.0);
   }
-  return {largest, left, magnitude_[b] + own, round_off};
+  return {largest, left, work_.magnitude[b] + own, round_off};
 }
 
 void StepSystem::measure(Residual& residual) const {
@@ -213,7 +215,7 @@ void StepSystem::measure(Residual& residual) const {
   residual.largest = residual.scale = residual.round_off = residual.block_relative = residual.over_round_off =
       0;
   for (const int b : active_) {
-    const auto [largest, left, sum, round_off] = sums_[b];
+    const auto [largest, left, sum, round_off] = work_.sums[b];
     residual.scale = std::max(residual.scale, sum);
     residual.round_off = std::max(residual.round_off, round_off);
     if (!(largest <= residual.largest)) residual.largest = largest;
@@ -227,8 +229,7 @@ void StepSystem::measure(Residual& residual) const {
 }
 
 VectorXd StepSystem::displacement(VectorXd& d) const {
-  if (!rule_.has_half_steps()) return d;
-  return blocks_.displacement(prescribed_, d);
+  return rule_.has_half_steps() ? blocks_.displacement(prescribed_, d) : d;
 }
 
 VectorXd StepSystem::quiet_forces(const VectorXd& d) const {
@@ -238,16 +239,16 @@ VectorXd StepSystem::quiet_forces(const VectorXd& d) const {
 }
 
 const std::vector<StepBolt>& StepSystem::bolts_at(const VectorXd& d) const {
-  if (bolts_.empty()) return bolts_;
+  if (work_.bolts.empty()) return work_.bolts;
   VectorXd displaced = d;
-  for (StepBolt& bolt : bolts_) {
+  for (StepBolt& bolt : work_.bolts) {
     for (int b : bolt.blocks()) {
       const Range& u = blocks_.block(b).unknowns();
       if (!blocks_.is_unchanging(b)) blocks_.block(b).displacement(u.of(d), u.of(displaced));
     }
     bolt.look(displaced);
   }
-  return bolts_;
+  return work_.bolts;
 }
 
 VectorXd StepSystem::bolt_forces(const VectorXd& d) const {
@@ -284,9 +285,10 @@ void StepSystem::linearize(const VectorXd& d) {
         fixed_point_stiffness_ * u.of(a) * u.of(a).transpose();
   }
   const polyfem::Connectivity& elements = problem_.unknowns();
-  int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size() + bolts_.size());
+  int of_faces = elements.n_elements() - static_cast<int>(quiet_faces_.size() + work_.bolts.size());
   for (const StepQuietFace& face : quiet_faces_) problem_.elements()[of_faces++] = face.tangent();
   for (const StepBolt& bolt : bolts_at(d)) problem_.elements()[of_faces++] = bolt.tangent();
+  assert(std::ranges::all_of(problem_.elements(), is_symmetric));
   for (int e = 0; e < elements.n_elements(); ++e)
     diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
   for_all(active_.size(), [&](int a) {

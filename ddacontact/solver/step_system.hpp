@@ -60,7 +60,7 @@ class StepSystem {
                         Residual& residual) const;
   /// The sum of the magnitudes of the forces on a block when the residual was computed last, N per m;
   /// infinity where it does not change.
-  double sum_of_forces(int block) const { return sums_[block].sum; }
+  double sum_of_forces(int block) const { return work_.sums[block].sum; }
   /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where
   /// they should be.
   VectorXd displacement(VectorXd& d) const;
@@ -74,6 +74,7 @@ class StepSystem {
   const FrictionProblem& problem() const { return problem_; }
   /// Of every unknown, see Block::unknown_lengths.
   const VectorXd& unknown_lengths() const { return unknown_lengths_; }
+  BlockSystem& blocks() { return blocks_; }
   const BlockSystem& blocks() const { return blocks_; }
   /// How far d moves the block at most, m.
   double largest_motion(int block, const VectorXd& d) const;
@@ -106,6 +107,20 @@ class StepSystem {
   struct Sums {
     double largest, left, sum, round_off;
   };
+  /// Of an active block: the sum of the magnitudes of all forces but those of contacts and holding springs,
+  /// and the furthest that an unknown moves.
+  struct OwnSums {
+    double forces, furthest;
+  };
+  /// What residuals have in common: thousands are computed in a step, many at the same displacements with
+  /// other contact forces, and none allocates.
+  struct Workspace {
+    std::vector<StepBolt> bolts;    ///< those that act, as the displacements evaluated last have them
+    VectorXd own_at, own_forces;    ///< displacements, empty: none; elastic, inertia's and damping there
+    std::vector<OwnSums> own_sums;  ///< there, of the active blocks
+    VectorXd magnitude, stiffest;   ///< of the forces on each block, and of what they come from
+    std::vector<Sums> sums;         ///< of all blocks
+  };
   /// Counts a force on a block, and the stiffness it comes from.
   void add_force_on(int block, double magnitude, double stiffness) const;
   /// Bolts act along their segments at the end of a static step, and of one with half steps in which tension
@@ -130,21 +145,11 @@ class StepSystem {
   VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<FixedPointSpring> fixed_point_springs_;
   std::vector<StepQuietFace> quiet_faces_;
-  mutable std::vector<StepBolt> bolts_;
   double fixed_point_stiffness_ = 0;
   double dt_ = 0;
   StepRule rule_;
   VectorXd prescribed_, load_forces_, gravity_forces_;
-  mutable std::vector<Sums> sums_;  ///< of all blocks
-  /// Of the active blocks: the sum of the magnitudes of all forces but those of contacts and holding springs,
-  /// and the furthest that an unknown moves.
-  struct OwnSums {
-    double forces, furthest;
-  };
-  mutable VectorXd own_at_,
-      own_forces_;  ///< displacements, empty: none; elastic, inertia's and damping there
-  mutable std::vector<OwnSums> own_sums_;
-  mutable VectorXd magnitude_, stiffest_;
+  mutable Workspace work_;
 };
 
 }  // namespace ddacontact

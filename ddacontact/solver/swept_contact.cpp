@@ -14,8 +14,7 @@ void SweptContact::set_law(const ContactTerm& term, const SweptLaw& own, const V
   lets_go = tension < inf && slides && !law.bonded;
   sheared = term.sheared && (term.bound > 0 || law.joint->has_friction());
   has_own_law = law.joint->friction_law;
-  friction = law.joint->friction;
-  cohesion = !slides ? inf : law.bonded ? law.joint->cohesion : 0;
+  bound = {law.joint->friction, !slides ? inf : law.bonded ? law.joint->cohesion : 0};
   normal_compliance = 1 / term.normal_stiffness;
   tangential_compliance = 1 / term.tangential_stiffness;
   gap = term.gap(d) - term.normal_multiplier * normal_compliance;

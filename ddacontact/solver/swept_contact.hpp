@@ -15,9 +15,9 @@ namespace ddacontact {
 struct SweptContact {
   double normal = 0, mixed = 0, shear = 0;                  ///< m per N per m; positive definite
   double normal_compliance = 0, tangential_compliance = 0;  ///< of the law's springs, m per N per m
-  double gap = 0, slip = 0;           ///< m, where sweeps begin, the gap from where nothing presses
-  double tension = 0;                 ///< infinite where it never opens
-  double friction = 0, cohesion = 0;  ///< of the law, the cohesion infinite where nothing slides
+  double gap = 0, slip = 0;  ///< m, where sweeps begin, the gap from where nothing presses
+  double tension = 0;        ///< infinite where it never opens
+  CoulombBound bound = {};
   bool acts = false, slides = false, sheared = false;
   bool lets_go = false;      ///< no force acts where it is open
   bool has_own_law = false;  ///< JointLaw::friction_law
@@ -29,7 +29,7 @@ struct SweptContact {
   double bound_under(double N) const {
     if (has_own_law) [[unlikely]]
       return slides ? shear_bound(*law.joint, N, law.bonded) : inf;
-    return std::max(0.0, N) * friction + cohesion;
+    return bound.under(N);
   }
   /// Whether its springs and blocks answer to forces as they must: stiffnesses beyond all others cancel.
   bool is_positive_definite() const {

@@ -7,15 +7,11 @@
 
 namespace ddacontact {
 
-namespace {
-
 /// Of |b|: Newton's method repairs what is left.
 constexpr double tolerance = 1e-4;
 constexpr int most_stale_iterations = 12;
 /// A factor serves as preconditioner as long as no more than this part of the springs has changed.
 constexpr double most_changed = 0.02;
-
-}  // namespace
 
 void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& contacts,
                       const std::vector<unsigned char>& active, const std::vector<Coupling>& couplings,

@@ -4,6 +4,7 @@
 #include <ddacontact/time/joint_springs.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,8 @@ ContactEnds end_histories(const ContactProperties& properties, bool is_static, b
     if (is_slipping(history.state)) dilate(properties.strength(contact.pair), shear_before, contact, energy);
     const bool slid = is_slipping(history.state) && !contact.law.frictionless() && !contact.law.ductile;
     if (slid || !contact.closed()) history.bonded = false;
+    assert(std::isfinite(history.normal) && std::isfinite(history.shear) &&
+           std::isfinite(history.gap_offset));
     const bool had_strength = contact.law.cohesion > 0 || contact.law.tension > 0;
     if (contact.start_bonded && !history.bonded && had_strength) ++ends.broken_bonds;
     if (!contact.closed()) {

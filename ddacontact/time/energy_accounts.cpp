@@ -4,6 +4,7 @@
 #include <ddacontact/solver/bolt_law.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
+#include <cassert>
 #include <numeric>
 
 namespace ddacontact {
@@ -103,6 +104,7 @@ void account_step(const StepSystem& system, const TrialSolution& solution, const
                   const std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy) {
   const BlockSystem& blocks = system.blocks();
   const VectorXd& d = solution.d;
+  assert(motion.size() == d.size() && solution.residual.force.size() == d.size());
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     energy.external += solution.residual.force[held.unknown] * motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());

@@ -2,11 +2,13 @@
 
 #include <ddacontact/block/motion_shape.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
 
 double first_touch(double g, double v, double a, double dt) {
+  assert(dt >= 0);
   if (g <= 0) return v < 0 ? 0 : inf;
   const double discriminant = v * v - 2 * a * g;
   if (discriminant < 0) return inf;

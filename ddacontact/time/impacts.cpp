@@ -10,6 +10,7 @@
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -20,19 +21,13 @@ namespace {
 constexpr int corrections = 2;
 
 /// Blocks on their way within a step, from one impact to the next.
-class Flight {
+class Flight : ImpactStep {
  public:
-  Flight(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-         const std::vector<Contact>& contacts, const StepRule& rule, double dt,
-         const std::vector<char>& forced)
-      : blocks_(blocks),
-        properties_(properties),
-        contacts_(contacts),
-        rule_(rule),
-        dt_(dt),
-        also_(forced),
+  Flight(const ImpactStep& step, const std::vector<char>& forced)
+      : ImpactStep(step),
+        forced_(forced),
         start_(state),
-        acceleration_(VectorXd::Zero(state.velocity.size())),
+        acceleration_(VectorXd::Zero(start_.velocity.size())),
         bears_(blocks.n_blocks(), 0),
         last_(blocks.n_blocks(), 0),
         meetings_(contacts.size()),
@@ -41,34 +36,34 @@ class Flight {
     for (const Contact& contact : contacts)
       if (bears(contact)) bears_[contact.pair.vertex_block] = bears_[contact.pair.edge_block] = 1;
     forces_.setZero(acceleration_.size());
-    blocks.add_loads(state, rule.load_span(state.time, dt), forces_);
+    blocks.add_loads(start_, rule.load_span(start_.time, dt), forces_);
     for (int b = 0; b < blocks.n_blocks(); ++b)
       if (!bears_[b] && blocks.is_free(b)) blocks.block(b).unknowns().of(acceleration_) = acceleration(b);
   }
 
   StepImpact follow() {
-    look_ahead(std::vector<char>(blocks_.n_blocks(), 1));
-    for (std::size_t round = 0; round < contacts_.size() && collide(); ++round) look_ahead(hit_now_);
+    look_ahead(std::vector<char>(blocks.n_blocks(), 1));
+    for (std::size_t round = 0; round < contacts.size() && collide(); ++round) look_ahead(hit_now_);
     if (result_.n_hits > 0) result_.start = std::move(start_);
     return std::move(result_);
   }
 
   /// Of the free blocks that an impact makes jump, with the blocks prepared for the start of the step.
   void find_acceleration_before(StepImpact& impact) {
-    for (const Contact& contact : contacts_) {
+    for (const Contact& contact : contacts) {
       contact.motion.form(contact.first_gap().gradient).add_gradient(contact.history.normal, forces_);
       contact.motion.form(contact.first_slip().gradient).add_gradient(contact.history.shear, forces_);
     }
-    for (int b = 0; b < blocks_.n_blocks(); ++b)
-      if (blocks_.is_free(b) && !blocks_.block(b).unknowns().of(impact.jump).isZero(0))
+    for (int b = 0; b < blocks.n_blocks(); ++b)
+      if (blocks.is_free(b) && !blocks.block(b).unknowns().of(impact.jump).isZero(0))
         impact.acceleration_before.emplace_back(b, acceleration(b));
   }
 
  private:
   /// Of a free block as a rigid body, by gravity and the forces known so far.
   VectorXd acceleration(int b) const {
-    const Block& block = blocks_.block(b);
-    return block.translations() * blocks_.gravity +
+    const Block& block = blocks.block(b);
+    return block.translations() * blocks.gravity +
            as_velocity(block, rigid_velocity_by(block, block.unknowns().of(forces_)));
   }
 
@@ -77,30 +72,29 @@ class Flight {
     double time = inf, approach = 0;
   };
 
-  bool bears(const Contact& contact) const { return ddacontact::bears(blocks_, contact, dt_); }
-  double duration(const Contact& contact) const { return impact_duration(blocks_, contact); }
+  bool bears(const Contact& contact) const { return ddacontact::bears(blocks, contact, dt); }
 
   /// Finds meetings of these blocks, those after the step included that are part of an impact within it.
   void look_ahead(const std::vector<char>& of_blocks) {
     velocity_ = start_.going_on();
-    if (rule_.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
-    rigid_ = rigid_velocities(blocks_, velocity_);
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const VertexEdge& pair = contacts_[c].pair;
+    if (rule.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
+    rigid_ = rigid_velocities(blocks, velocity_);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const VertexEdge& pair = contacts[c].pair;
       if (of_blocks[pair.vertex_block] || of_blocks[pair.edge_block]) meetings_[c] = next_meeting(c);
     }
   }
 
   Meeting next_meeting(std::size_t c) const {
-    const Contact& contact = contacts_[c];
-    if (!restitution_of(properties_, contact.pair, rule_)) return {};
-    if (bears(contact) && (rule_.has_half_steps() || carries_waves(blocks_, contact, dt_))) return {};
+    const Contact& contact = contacts[c];
+    if (!restitution_of(properties, contact.pair, rule)) return {};
+    if (bears(contact) && (rule.has_half_steps() || carries_waves(blocks, contact, dt))) return {};
     const MovingVertexEdge& motion = contact.motion;
-    const RoundedPositions positions = positions_of(blocks_, start_, contact.pair);
+    const RoundedPositions positions = positions_of(blocks, start_, contact.pair);
     const GapAndSlip at_start = motion.rates_at(positions, contact.history.lock);
     // From the last impact of either on.
     const double since = std::max(last_[contact.pair.vertex_block], last_[contact.pair.edge_block]),
-                 ahead = dt_ + duration(contact) - since, end = since + ahead,
+                 ahead = dt + impact_duration(blocks, contact) - since, end = since + ahead,
                  straight = motion.change_along(at_start.by_gap, acceleration_),
                  rate_at_start = motion.change_along(at_start.by_gap, velocity_);
     // The gap as a parabola that has its value and its rate at the start, and its value at the end.
@@ -120,8 +114,8 @@ class Flight {
     }
     double time = motion.is_at_corner() && !near ? first_touch(apart, passing, motion.rounding->radius, ahead)
                                                  : first_touch(near ? 0 : gap, rate, growth, ahead);
-    if (!std::isfinite(time) && !also_.empty() && also_[c] && !result_.hit[c] && rate < 0)
-      time = std::min(dt_ - since, std::max(gap, 0.0) / -rate);
+    if (!std::isfinite(time) && !forced_.empty() && forced_[c] && !result_.hit[c] && rate < 0)
+      time = std::min(dt - since, std::max(gap, 0.0) / -rate);
     if (!std::isfinite(time)) return {};
     for (int round = 0; by_turning != 0 && time > 0 && !motion.is_at_corner() && round < corrections; ++round)
       if (const double slope = rate + time * growth; slope < 0)
@@ -133,26 +127,26 @@ class Flight {
     if (!contact.closed() && !stays && !contact.is_on_edge(slip)) return {};
     const double approach =
         motion.is_at_corner() ? -(apart + time * passing).normalized().dot(passing) : -(rate + time * growth);
-    if (approach <= least_approach(blocks_, contact, dt_)) return {};
+    if (approach <= least_approach(blocks, contact, dt)) return {};
     return {since + time, approach};
   }
 
   bool turns(const VertexEdge& pair) const {
     return std::ranges::any_of(pair.blocks(),
-                               [&](int b) { return blocks_.is_free(b) && rigid_[b].angular != 0; });
+                               [&](int b) { return blocks.is_free(b) && rigid_[b].angular != 0; });
   }
 
   /// Where the vertex and the edge are when their blocks have gone on for a time since the start of the step.
   RoundedPositions positions_after(const Contact& contact, double time) const {
-    RoundedPositions at = positions_of(blocks_, start_, contact.pair);
+    RoundedPositions at = positions_of(blocks, start_, contact.pair);
     const RoundedPositions velocity = contact.motion.moved(velocity_),
                            acceleration = contact.motion.moved(acceleration_);
     const auto move = [&](int b, Vec2 RoundedPositions::*point) {
       Vec2& x = at.*point;
-      const Vec2 centre = blocks_.block(b).moments().centroid + start_.origin.col(b) -
+      const Vec2 centre = blocks.block(b).moments().centroid + start_.origin.col(b) -
                           start_.origin.col(contact.pair.edge_block),
-                 off = blocks_.is_free(b) ? off_straight_line(x - centre, time * rigid_[b].angular)
-                                          : Vec2::Zero();
+                 off = blocks.is_free(b) ? off_straight_line(x - centre, time * rigid_[b].angular)
+                                         : Vec2::Zero();
       x += time * (velocity.*point + time / 2 * acceleration.*point) + off;
     };
     move(contact.pair.vertex_block, &RoundedPositions::i);
@@ -165,13 +159,13 @@ class Flight {
   /// Whether a contact joins its blocks at an impact at this place: closed since the start of the step, or
   /// since an impact in it.
   bool touches(std::size_t c, const GapAndSlip& then) const {
-    const Contact& contact = contacts_[c];
-    if (bears(contact)) return rule_.has_half_steps() || !carries_waves(blocks_, contact, dt_);
+    const Contact& contact = contacts[c];
+    if (bears(contact)) return rule.has_half_steps() || !carries_waves(blocks, contact, dt);
     return result_.hit[c] && then.gap - contact.history.gap_offset <= contact.end_tolerance();
   }
 
-  GapAndSlip rates_at(const BlockState& state, const Contact& contact) const {
-    return contact.motion.rates_at(positions_of(blocks_, state, contact.pair), contact.history.lock);
+  GapAndSlip rates_at(const BlockState& then, const Contact& contact) const {
+    return contact.motion.rates_at(positions_of(blocks, then, contact.pair), contact.history.lock);
   }
   /// Whether a block of it collides, at one of these times.
   static bool takes_part(const Contact& contact, const std::vector<double>& times) {
@@ -181,36 +175,36 @@ class Flight {
   /// The meetings that come first for all blocks that they concern, those that touch these included. False:
   /// there are none.
   bool find_first(std::vector<double>& times, std::vector<char>& first) const {
-    DisjointSets joined(blocks_.n_blocks());
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      if ((bears(contacts_[c]) || result_.hit[c]) &&
-          std::ranges::all_of(contacts_[c].pair.blocks(), [&](int b) { return blocks_.is_movable(b); }))
-        joined.join(contacts_[c].pair.vertex_block, contacts_[c].pair.edge_block);
-    std::vector<double> earliest(blocks_.n_blocks(), inf);
+    DisjointSets joined(blocks.n_blocks());
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      if ((bears(contacts[c]) || result_.hit[c]) &&
+          std::ranges::all_of(contacts[c].pair.blocks(), [&](int b) { return blocks.is_movable(b); }))
+        joined.join(contacts[c].pair.vertex_block, contacts[c].pair.edge_block);
+    std::vector<double> earliest(blocks.n_blocks(), inf);
     const auto for_movable = [&](const VertexEdge& pair, const auto& visit) {
       for (int b : pair.blocks())
-        if (blocks_.is_movable(b)) visit(joined.root(b));
+        if (blocks.is_movable(b)) visit(joined.root(b));
     };
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      for_movable(contacts_[c].pair,
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      for_movable(contacts[c].pair,
                   [&](int root) { earliest[root] = std::min(earliest[root], meetings_[c].time); });
-    times.assign(blocks_.n_blocks(), inf);
-    first.assign(contacts_.size(), 0);
+    times.assign(blocks.n_blocks(), inf);
+    first.assign(contacts.size(), 0);
     bool any = false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (!std::isfinite(meetings_[c].time)) continue;
-      const double flush = contacts_[c].end_tolerance() / meetings_[c].approach;  // at one time, to round-off
+      const double flush = contacts[c].end_tolerance() / meetings_[c].approach;  // at one time, to round-off
       bool is_first = true;
-      for_movable(contacts_[c].pair, [&](int root) {
-        is_first = is_first && earliest[root] <= dt_ && meetings_[c].time <= earliest[root] + flush;
+      for_movable(contacts[c].pair, [&](int root) {
+        is_first = is_first && earliest[root] <= dt && meetings_[c].time <= earliest[root] + flush;
       });
       if (!is_first) continue;
       first[c] = 1;
       any = true;
-      for_movable(contacts_[c].pair,
+      for_movable(contacts[c].pair,
                   [&](int root) { times[root] = std::min(times[root], meetings_[c].time); });
     }
-    for (int b = 0; b < blocks_.n_blocks(); ++b) times[b] = times[joined.root(b)];
+    for (int b = 0; b < blocks.n_blocks(); ++b) times[b] = times[joined.root(b)];
     return any;
   }
 
@@ -220,23 +214,23 @@ class Flight {
     std::vector<char> first;
     if (!find_first(times, first)) return false;
     deformation_.setZero(velocity_.size());
-    for (int b = 0; b < blocks_.n_blocks(); ++b)
-      if (const Range& u = blocks_.block(b).unknowns(); bears_[b] && blocks_.is_free(b))
-        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks_.block(b), rigid_[b]);
-    const BlockState then = carried(blocks_, start_, velocity_, acceleration_, times);
-    blocks_.prepare(then);
+    for (int b = 0; b < blocks.n_blocks(); ++b)
+      if (const Range& u = blocks.block(b).unknowns(); bears_[b] && blocks.is_free(b))
+        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks.block(b), rigid_[b]);
+    const BlockState then = carried(blocks, start_, velocity_, acceleration_, times);
+    blocks.prepare(then);
     VectorXd before = velocity_;
-    for (int b = 0; b < blocks_.n_blocks(); ++b) {
-      if (!std::isfinite(times[b]) || !blocks_.is_free(b)) continue;
-      const Range& u = blocks_.block(b).unknowns();
-      u.of(before) = as_velocity(blocks_.block(b), rigid_[b]) + times[b] * u.of(acceleration_);
+    for (int b = 0; b < blocks.n_blocks(); ++b) {
+      if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
+      const Range& u = blocks.block(b).unknowns();
+      u.of(before) = as_velocity(blocks.block(b), rigid_[b]) + times[b] * u.of(acceleration_);
     }
     JumpReport report;
     Participants part;
-    bool deform = rule_.has_half_steps(), again;
+    bool deform = rule.has_half_steps(), again;
     do {
       part = find_participants(then, before, deform, times, first);
-      report = impact(blocks_, part.contacts, before, part.least_approach / 2);
+      report = impact(blocks, part.contacts, before, part.least_approach / 2);
       again = !report.settled && !std::exchange(deform, true);
     } while (again || break_bonds(part, report) || add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
@@ -244,7 +238,7 @@ class Flight {
     result_.support_work += report.support_work;
     result_.limited = result_.limited || report.limited;
     result_.settled = result_.settled && report.settled;
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
+    for (std::size_t c = 0; c < contacts.size(); ++c)
       if (first[c]) {
         result_.hit[c] = 1;
         ++result_.n_hits;
@@ -260,13 +254,13 @@ class Flight {
   bool add_soon(const BlockState& then, const VectorXd& velocity, const std::vector<double>& times,
                 std::vector<char>& first) const {
     bool any = false;
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const Contact& contact = contacts_[c];
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const Contact& contact = contacts[c];
       if (first[c] || !std::isfinite(meetings_[c].time) || !takes_part(contact, times)) continue;
       const GapAndSlip rates = rates_at(then, contact);
       const double gap = rates.gap - contact.history.gap_offset,
                    approach = -contact.motion.change_along(rates.by_gap, velocity);
-      if (approach <= 0 || gap > approach * duration(contact)) continue;
+      if (approach <= 0 || gap > approach * impact_duration(blocks, contact)) continue;
       first[c] = 1;
       any = true;
     }
@@ -282,9 +276,9 @@ class Flight {
   bool break_bonds(const Participants& part, const JumpReport& report) {
     bool any = false;
     for (std::size_t k = 0; k < part.contacts.size(); ++k) {
-      const Contact& contact = contacts_[part.indices[k]];
+      const Contact& contact = contacts[part.indices[k]];
       if (!part.contacts[k].bonded ||
-          bond_bears(contact, part.contacts[k], report.impulses[k], duration(contact)))
+          bond_bears(contact, part.contacts[k], report.impulses[k], impact_duration(blocks, contact)))
         continue;
       yields_[part.indices[k]] = 1;
       any = true;
@@ -296,12 +290,12 @@ class Flight {
   Participants find_participants(const BlockState& then, const VectorXd& before, bool deform,
                                  const std::vector<double>& times, const std::vector<char>& first) const {
     Participants found;
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const Contact& contact = contacts_[c];
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const Contact& contact = contacts[c];
       if (!takes_part(contact, times)) continue;
       const GapAndSlip rates = rates_at(then, contact);
       if (!first[c] && !touches(c, rates)) continue;
-      const bool bounces = first[c] && meetings_[c].approach > 2 * blocks_.gravity.norm() * dt_;
+      const bool bounces = first[c] && meetings_[c].approach > 2 * blocks.gravity.norm() * dt;
       found.indices.push_back(c);
       ImpactContact& part = found.contacts.emplace_back(ImpactContact{
           .gap = contact.motion.form(rates.by_gap), .slip = contact.motion.form(rates.by_slip)});
@@ -311,55 +305,50 @@ class Flight {
       }
       part.friction = contact.law.friction;
       if (contact.law.friction_law)
-        part.friction_law = [&law = *contact.law.friction_law, dt = dt_](double impulse) {
+        part.friction_law = [&law = *contact.law.friction_law, dt = dt](double impulse) {
           return dt * law(impulse / dt);
         };
-      part.restitution = bounces ? *restitution_of(properties_, contact.pair, rule_) : 0;
+      part.restitution = bounces ? *restitution_of(properties, contact.pair, rule) : 0;
       part.bonded =
           contact.has_bond() && !yields_[c] && !(contact.law.ductile && is_slipping(contact.history.state));
       if (first[c])
-        found.least_approach = std::min(found.least_approach, least_approach(blocks_, contact, dt_));
+        found.least_approach = std::min(found.least_approach, least_approach(blocks, contact, dt));
     }
     return found;
   }
 
   /// Gives the blocks this jump at these times: they start as if they had moved so from the start.
   void jump(const VectorXd& at_impact, std::vector<double> times) {
-    const std::vector<RigidVelocity> jumps = rigid_velocities(blocks_, at_impact);
-    blocks_.prepare(start_);
+    const std::vector<RigidVelocity> jumps = rigid_velocities(blocks, at_impact);
+    blocks.prepare(start_);
     VectorXd jump = at_impact;
     if (!result_.changes()) result_.jump = result_.shift = VectorXd::Zero(jump.size());
-    hit_now_.assign(blocks_.n_blocks(), 0);
-    for (int b = 0; b < blocks_.n_blocks(); ++b) {
-      const Block& block = blocks_.block(b);
+    hit_now_.assign(blocks.n_blocks(), 0);
+    for (int b = 0; b < blocks.n_blocks(); ++b) {
+      const Block& block = blocks.block(b);
       const Range& u = block.unknowns();
       auto of_block = u.of(jump);
       hit_now_[b] = !of_block.isZero(0);
       if (!std::isfinite(times[b])) times[b] = 0;  // no jump either
       if (hit_now_[b]) last_[b] = times[b];
-      if (blocks_.is_free(b)) of_block = as_velocity(block, jumps[b]);
+      if (blocks.is_free(b)) of_block = as_velocity(block, jumps[b]);
       u.of(result_.shift) -= times[b] * of_block;
       times[b] = -times[b];
     }
-    start_ = carried(blocks_, start_, jump, VectorXd::Zero(jump.size()), times);
+    start_ = carried(blocks, start_, jump, VectorXd::Zero(jump.size()), times);
     VectorXd& going_on = start_.carried_dt > 0 ? start_.carried : start_.velocity;
-    for (int b = 0; b < blocks_.n_blocks(); ++b) {
-      if (!blocks_.is_free(b)) continue;
+    for (int b = 0; b < blocks.n_blocks(); ++b) {
+      if (!blocks.is_free(b)) continue;
       const Mat2 turn = turned_by(times[b] * jumps[b].angular);
       for (VectorXd* velocity : {&going_on, &jump, &result_.jump})
-        turn_about_centre(blocks_.block(b), turn, *velocity);
+        turn_about_centre(blocks.block(b), turn, *velocity);
     }
     going_on += jump;
     result_.jump += jump;
-    blocks_.prepare(start_);
+    blocks.prepare(start_);
   }
 
-  BlockSystem& blocks_;
-  const ContactProperties& properties_;
-  const std::vector<Contact>& contacts_;
-  const StepRule& rule_;
-  double dt_;
-  const std::vector<char>& also_;
+  const std::vector<char>& forced_;
   BlockState start_;  ///< as if the blocks had moved with their present velocities all the time
   VectorXd velocity_, acceleration_;
   VectorXd deformation_;              ///< of `velocity_`, what is not rigid in blocks that bear
@@ -384,13 +373,12 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
   return joint.restitution || rule.has_half_steps() || joint.is_compliant() ? joint.restitution : 0;
 }
 
-StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const StepRule& rule, double dt,
-                          const std::vector<char>& forced) {
-  Flight flight(blocks, state, properties, contacts, rule, dt, forced);
+StepImpact predict_impact(const ImpactStep& step, const std::vector<char>& forced) {
+  assert(step.dt > 0 && (forced.empty() || forced.size() == step.contacts.size()));
+  Flight flight(step, forced);
   StepImpact impact = flight.follow();
   if (!impact.changes()) return impact;
-  blocks.prepare(state);
+  step.blocks.prepare(step.state);
   flight.find_acceleration_before(impact);
   return impact;
 }

@@ -34,6 +34,16 @@ struct StepImpact {
 std::optional<double> restitution_of(const ContactProperties& properties, const VertexEdge& pair,
                                      const StepRule& rule);
 
+/// A step in which blocks may meet.
+struct ImpactStep {
+  BlockSystem& blocks;  ///< prepared for `state`, before and after
+  const BlockState& state;
+  const ContactProperties& properties;  ///< of the contacts of these blocks
+  const std::vector<Contact>& contacts;
+  StepRule rule;
+  double dt;  ///< s
+};
+
 /// Follows the blocks on their way without forces (with gravity and loads those that touch nothing) and lets
 /// those that meet within the step collide as rigid bodies, one impact after another; meetings within the
 /// time that a pressure wave takes through a block are one impact, by Poisson's law: impulses stop the
@@ -45,12 +55,8 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 /// short are not resolved. After as many impacts as there are contacts the step's own contact forces take
 /// what still approaches.
 ///
-/// \param[in,out] blocks   prepared for `state`, before and after
-/// \param[in] properties   of the contacts of these blocks
-/// \param[in] forced       contacts that are known to close within the step; empty: none
-StepImpact predict_impact(BlockSystem& blocks, const BlockState& state, const ContactProperties& properties,
-                          const std::vector<Contact>& contacts, const StepRule& rule, double dt,
-                          const std::vector<char>& forced);
+/// \param[in] forced  contacts that are known to close within the step; empty: none
+StepImpact predict_impact(const ImpactStep& step, const std::vector<char>& forced);
 
 /// The least approach of a contact that counts as a hit, m/s.
 double least_approach(const BlockSystem& blocks, const Contact& contact, double dt);

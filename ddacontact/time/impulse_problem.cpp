@@ -1,6 +1,7 @@
 #include <ddacontact/time/impulse_problem.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -106,6 +107,7 @@ double ImpulseProblem::largest_rate() const {
 }
 
 bool ImpulseProblem::solve(const NormalAndShear& rates, double tolerance) {
+  assert(rates.rows() == std::ssize(terms_) && tolerance > 0);
   const MinimizeOptions options{.tolerance = 0.1 * tolerance / steepest_};
   VectorXd w = change(impulses()), d;
   set_rates(rates, w);

@@ -3,18 +3,15 @@
 #include <ddacontact/core/for_all.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
-
-namespace {
 
 /// Parts of a block's size: contacts are looked for at least and at most this far.
 constexpr double least_reach = 0.01, largest_reach_ratio = 0.25;
 /// A predicted step uses this much of what is allowed: contacts accelerate too.
 constexpr double predicted_part = 0.9;
-
-}  // namespace
 
 void MotionLimits::set_analysis(const AnalysisOptions& analysis) {
   analysis_ = analysis;
@@ -43,6 +40,7 @@ void MotionLimits::find_speeds(const BlockState& state, const std::vector<Contac
 const std::vector<double>& MotionLimits::search_margin(const BlockState& state,
                                                        const std::vector<ContactRecord>& met, double dt,
                                                        double scale) {
+  assert(dt > 0 && scale > 0);
   find_speeds(state, met);
   search_margin_.assign(blocks_.n_blocks(), 0);
   VectorXd prescribed;

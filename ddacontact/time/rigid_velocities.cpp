@@ -7,6 +7,7 @@
 #include <ddacontact/time/impulse_problem.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -164,18 +165,15 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
     if (blocks.is_movable(b) && hit.contains(islands.root(b))) found.blocks.push_back(b);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (first_of[c] >= 0 && hit.contains(islands.root(first_of[c]))) found.contacts.push_back(c);
-  for (std::size_t c : found.contacts) {
-    found.terms.push_back(impact_term(contacts[c]));
-    found.laws.push_back(contacts[c].bonded ? nullptr : &contacts[c]);
-  }
   found.beside.resize(found.contacts.size(), 2);
+  found.restitution.resize(found.beside.rows());
   for (std::size_t k = 0; k < found.contacts.size(); ++k) {
     const ImpactContact& contact = contacts[found.contacts[k]];
+    found.terms.push_back(impact_term(contact));
+    found.laws.push_back(contact.bonded ? nullptr : &contact);
     found.beside.row(k) << contact.gap_rate, contact.slip_rate;
+    found.restitution[k] = contact.bonded ? 0 : contact.restitution;
   }
-  found.restitution = VectorXd::Zero(found.laws.size());
-  for (std::size_t k = 0; k < found.laws.size(); ++k)
-    if (found.laws[k]) found.restitution[k] = found.laws[k]->restitution;
   return found;
 }
 
@@ -205,6 +203,7 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
 // theorem: what would make energy is taken in part.
 JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
                   double least_approach) {
+  assert(v.size() == blocks.n_unknowns() && least_approach >= 0);
   constexpr double vanishing = 1e-10;  // of the largest approach: rates that should vanish
   JumpReport report;
   report.jump = VectorXd::Zero(blocks.n_unknowns());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
+#include <ddacontact/contact/joint_law.hpp>
 
 #include <functional>
 #include <vector>
@@ -17,7 +18,9 @@ struct ImpactContact {
   double restitution = 0;  ///< 0 .. 1, of the normal impulse; 0 where blocks merely touch
   bool bonded = false;     ///< no relative motion at all; takes no restitution
 
-  double bound(double normal) const { return friction_law ? friction_law(normal) : friction * normal; }
+  double bound(double normal) const {
+    return friction_law ? friction_law(normal) : CoulombBound{friction}.under(normal);
+  }
 };
 
 /// What passes through a contact, N s per m of thickness: on the gap and on the slip.

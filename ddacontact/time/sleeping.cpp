@@ -5,19 +5,18 @@
 #include <ddacontact/time/waves.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
-
-namespace {
 
 /// Part of the velocity that gravity makes in a step.
 constexpr double slow = 5e-8;
 /// Of those awake at least this part falls asleep at once: every change costs what all of them cost.
 constexpr double worth_while = 0.125;
-}  // namespace
 
 double rest_speed(const BlockSystem& blocks, int b, double dt, const RayleighDamping& damping) {
+  assert(dt > 0);
   double time = dt;
   if (damping.mass > 0) time = std::min(time, 1 / damping.mass);
   if (damping.stiffness > 0)

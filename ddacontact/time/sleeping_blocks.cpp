@@ -132,13 +132,12 @@ std::vector<char> SleepingBlocks::find_restless(double dt) const {
   const auto force_of_rest = [&](int b) {
     return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt, trial_.analysis().damping) / dt;
   };
-  for (std::size_t c = 0; c < trial_.contacts().size(); ++c) {
-    const auto [vertex_block, vertex, edge_block, edge, corner] = trial_.contacts()[c].pair;
-    const bool has_closed =
-        trial_.contacts()[c].start_state == ContactState::open && trial_.contacts()[c].closed();
-    for (const auto& [b, other] : {Pair{vertex_block, edge_block}, Pair{edge_block, vertex_block}})
-      if ((has_closed && trial_.contacts()[c].normal > force_of_rest(b)) ||
-          (trial_.contacts()[c].closed() && !blocks_.is_movable(other) && !blocks_.is_unchanging(other)))
+  for (const Contact& contact : trial_.contacts()) {
+    const auto [p, q] = contact.pair.blocks();
+    const bool has_closed = contact.start_state == ContactState::open && contact.closed();
+    for (const auto& [b, other] : {Pair{p, q}, Pair{q, p}})
+      if ((has_closed && contact.normal > force_of_rest(b)) ||
+          (contact.closed() && !blocks_.is_movable(other) && !blocks_.is_unchanging(other)))
         restless[b] = 1;  // what is driven takes part in every step, and so do its contacts
   }
   return restless;

@@ -103,7 +103,7 @@ class SleepingBlocks {
 
   /// What the whole has beside the part, while someone sleeps.
   struct Asleep {
-    std::optional<SystemPart> part;
+    std::optional<BlockSystem::Part> part;
     std::vector<ContactRecord> contacts;  ///< without a block that is awake; numbers of the whole
     std::vector<Box> boxes;               ///< of all blocks, valid for those at rest
     std::vector<Box> around;              ///< see SleepRecord

@@ -8,15 +8,11 @@
 
 namespace ddacontact {
 
-namespace {
-
 /// A sliver's critical step is below this part of that below which one block in so many is.
 constexpr double sliver_part = 0.25;
 constexpr std::size_t one_in = 20;
 /// Damping may make a critical step so many times shorter.
 constexpr double most_shortened = 10;
-
-}  // namespace
 
 std::optional<StableStep> find_stable_step(const BlockSystem& blocks, const AnalysisOptions& analysis) {
   if (analysis.scheme != Scheme::central_difference || analysis.mode != Mode::dynamic) return {};

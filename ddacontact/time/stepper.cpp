@@ -8,6 +8,7 @@
 #include <polyfem/core/stopwatch.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
@@ -148,6 +149,7 @@ bool Stepper::refuses(const TrialSolution& solution, double dt) const {
 }
 
 Stepper::Trial Stepper::make_trial(double dt) {
+  assert(dt > 0);
   TrialSolution solution;
   if (ahead_ && ahead_->dt == dt) {
     solution = std::move(ahead_->solution);

@@ -7,11 +7,13 @@
 #include <ddacontact/time/trial_accounts.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <new>
 
 namespace ddacontact {
 
 void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
+  assert(end.state.time > state_.time && dt > 0);
   accepting_ = true;
   BlockState& next = end.state;
   record_reactions(solution.straight, solution.residual);

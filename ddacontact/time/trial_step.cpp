@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -144,7 +145,7 @@ TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm
       const polyfem::Stopwatch watch(times_.solver);
       if (round > 0) solution.forces = forces();
       restart();
-      impact = predict_impact(blocks_, state_, builder_->properties(), contacts_, rule, dt, forced);
+      impact = predict_impact({blocks_, state_, builder_->properties(), contacts_, rule, dt}, forced);
     }
     solution = solve_with(dt, std::move(impact), round > 0 ? &solution : warm_start);
     if (!solution.rejection.empty() || !find_unpredicted(dt, solution, forced)) break;
@@ -173,6 +174,7 @@ bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::
 }
 
 TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSolution* warm_start) {
+  assert(!warm_start || warm_start->forces.size() == contacts_.size());
   BlockState& from = impact.changes() ? impact.start : state_;
   const StepStart start = step_from(analysis_, from, dt);
   {
@@ -246,9 +248,8 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from
   if (warm_start) solution.d += warm_start->straight - warm_start->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks_, contacts_);
-  ContactSolverReport report =
-      apart ? islands_.solve(blocks_, from, start, *system_, options_, contacts_, solution.d)
-            : solve_contacts(*system_, options_, contacts_, solution.d);
+  ContactSolverReport report = apart ? islands_.solve(from, start, *system_, options_, contacts_, solution.d)
+                                     : solve_contacts(*system_, options_, contacts_, solution.d);
   if (apart) add(islands_.last_work());
   counts_.open_close_iterations += report.iterations;
   counts_.interior_point_solves += report.interior_point_solves;

@@ -1,11 +1,13 @@
 #include <ddacontact/time/waves.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace ddacontact {
 
 double transit_time(const Block& block) {
   const double density = block.mass_total() / block.reference_area();
+  assert(density > 0);
   return block.size() / std::sqrt(block.material().elasticity(0, 0) / density);
 }
 

@@ -107,11 +107,17 @@ class VertexSingularities {
   double layer_ = 1;
 };
 
-/// The triangle (apex, apex + p, apex + q) as the image of a square whose side s = 0 is the apex, about which
-/// the singularities are given.
+/// The triangle (apex, apex + p, apex + q).
+struct ApexTriangle {
+  Vec2 apex, p, q;
+};
+
+/// The triangle as the image of a square whose side s = 0 is the apex, about which the singularities are
+/// given.
 template <class Singularities>
-void add_collapsed(const Vec2& apex, const Vec2& p, const Vec2& q, const Singularities& outwards,
-                   const Singularities& along, double digits, std::vector<WeightedPoint>& rule) {
+void add_collapsed(const ApexTriangle& triangle, const Singularities& outwards, const Singularities& along,
+                   double digits, std::vector<WeightedPoint>& rule) {
+  const auto& [apex, p, q] = triangle;
   const Vec2 zero = Vec2::Zero();
   const Reach reach = nearer(outwards.reach(zero, p), outwards.reach(zero, q));
   const GradedMap map(reach);
@@ -162,7 +168,7 @@ void make_adjoint_rule(const PointsRef& polygon, double digits, PolygonRule& rul
   thread_local std::vector<WeightedPoint> entries;
   entries.clear();
   for (Index k = 0; k < n; ++k)
-    add_collapsed(Vec2::Zero(), local.col(k), local.col((k + 1) % n), poles, poles, digits, entries);
+    add_collapsed({Vec2::Zero(), local.col(k), local.col((k + 1) % n)}, poles, poles, digits, entries);
   write(entries, centroid, rule);
 }
 
@@ -179,7 +185,7 @@ void make_vertex_rule(const PointsRef& polygon, double digits, PolygonRule& rule
     const Vec2 vertex = local.col(i), middle = (local.col(j) - vertex) / 2, inwards = centre - vertex;
     elsewhere.collapse_at(i);
     anywhere.set_origin(vertex);
-    add_collapsed(vertex, before ? middle : inwards, before ? inwards : middle, elsewhere, anywhere, digits,
+    add_collapsed({vertex, before ? middle : inwards, before ? inwards : middle}, elsewhere, anywhere, digits,
                   entries);
   };
   const auto add_side = [&](Index i, Index j, const Vec2& centre) {

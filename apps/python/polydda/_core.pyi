@@ -33,10 +33,7 @@ class Frame:
 
 def check_text(text: str, name: str, settings: Sequence[str], directory: str) -> list[tuple[Any, ...]]: ...
 def run_text(
-    text: str,
-    name: str,
-    settings: Sequence[str],
-    directory: str,
+    source: tuple[str, str, Sequence[str], str],
     results: str,
     threads: int,
     force: bool,

@@ -98,7 +98,7 @@ def run(
     if not 1 <= threads <= 1024:
         raise ValueError(f"threads is {threads}: from 1 to 1024")
     call = None if on_step is None else lambda *step: on_step(Step(*step))
-    is_scene, problems, notes, found_warnings = _core.run_text(*_text(scene, settings), os.fspath(out), threads, force, call)
+    is_scene, problems, notes, found_warnings = _core.run_text(_text(scene, settings), os.fspath(out), threads, force, call)
     found = [Problem(*problem) for problem in problems]
     if not is_scene:
         raise SceneError(found)

@@ -17,14 +17,14 @@ Scene four_blocks() {
 
 }  // namespace
 
-TEST(SystemPart, TakesThePlaceOfTheWholeAndGivesItBack) {
+TEST(BlockSystem::Part, TakesThePlaceOfTheWholeAndGivesItBack) {
   BuiltScene built = build(four_blocks());
   BlockSystem& system = blocks_of(built);
   BlockState state = built.stepper->state();
   state.velocity = VectorXd::LinSpaced(32, 0, 31);
   state.rotation = VectorXd::LinSpaced(4, 0, 3);
   const BlockState before = state;
-  SystemPart part(system, {1, 2, 3}, {0, 0, 0, 1});
+  BlockSystem::Part part(system, {1, 2, 3}, {0, 0, 0, 1});
   EXPECT_EQ(part.number_of(2), 1);
   EXPECT_EQ(part.number_of(0), -1);
   EXPECT_EQ(system.n_unknowns(), 32) << "the blocks are the whole's until it is put in";

@@ -184,10 +184,9 @@ TEST(NarrowPhase, AnOpenContactStaysWhereTwoCornersLieAtOnePlace) {
   const PolygonPair squares{box(0, 0, 1, 1), box(1, 1e-9, 1, 1)};
   const VertexEdge over{1, 0, 0, 1}, beside{0, 1, 1, 3};
   const auto lower_corner = [&](const std::vector<EarlierContact>& earlier) {
-    std::vector<VertexEdge> found;
-    std::vector<Choice> choices;
     const PairLimits limits{0.01, 0.5, coincidence, lip};
-    find_contacts(Outline(0, squares.a), Outline(1, squares.b), limits, earlier, found, choices);
+    const std::vector<VertexEdge> found =
+        contacts_between(Outline(0, squares.a), Outline(1, squares.b), limits, earlier);
     EXPECT_EQ(found.size(), 2u) << "one a corner";
     return std::ranges::find(found, over) != found.end() ? over : beside;
   };
@@ -205,10 +204,8 @@ TEST(NarrowPhase, WhatAThirdPolygonCoversIsNoEntrance) {
   const VertexEdge side{1, 0, 0, 1}, face{0, 2, 1, 3}, top{1, 0, 0, 2}, bottom{0, 2, 1, 0};
   const auto met = [&](const std::vector<ddacontact::CoveredPart>& covered) {
     const Points moved = upper.colwise() + Vec2(-1e-3, -2e-3);
-    std::vector<VertexEdge> found;
-    std::vector<Choice> choices;
-    find_contacts(Outline(0, lower), Outline(1, upper, moved), {0.01, 0.5, coincidence, lip}, {}, found,
-                  choices, covered);
+    const std::vector<VertexEdge> found =
+        contacts_between({0, lower}, {1, upper, moved}, {0.01, 0.5, coincidence, lip}, {}, covered);
     EXPECT_EQ(found.size(), 1u);
     return found.front();
   };

@@ -17,13 +17,17 @@
 namespace ddacontact {
 
 /// Of outlines whose sides are computed for this alone.
-inline void find_contacts(const Outline& a, const Outline& b, const PairLimits& limits,
-                          std::span<const EarlierContact> earlier, std::vector<VertexEdge>& contacts,
-                          std::vector<Choice>& choices, std::span<const CoveredPart> covered = {}) {
+inline std::vector<VertexEdge> contacts_between(Outline a, Outline b, const PairLimits& limits,
+                                                std::span<const EarlierContact> earlier,
+                                                std::span<const CoveredPart> covered = {}) {
   OutlineTable table(std::array{static_cast<int>(a.vertices.cols()), static_cast<int>(b.vertices.cols())});
   table.set(0, a.vertices);
   table.set(1, b.vertices);
-  find_contacts(a, table[0], b, table[1], limits, earlier, covered, contacts, choices);
+  a.sides = table[0];
+  b.sides = table[1];
+  FoundContacts found;
+  find_contacts(a, b, limits, earlier, covered, found);
+  return found.contacts;
 }
 
 }  // namespace ddacontact
@@ -68,15 +72,10 @@ struct PolygonPair {
         search_margin, std::min(ddacontact::half_width(a), ddacontact::half_width(b)), coincidence, lip};
     std::vector<ddacontact::EarlierContact> earlier;
     for (const VertexEdge& pair : kept) earlier.push_back({pair});
-    std::vector<VertexEdge> found;
-    std::vector<ddacontact::Choice> choices;
     const Points a_moved = a.colwise() + motion_of_a;
     const ddacontact::Outline of_a{0, a, a_moved}, of_b{1, b};
-    if (swapped)
-      ddacontact::find_contacts(of_b, of_a, limits, earlier, found, choices);
-    else
-      ddacontact::find_contacts(of_a, of_b, limits, earlier, found, choices);
-    return found;
+    return swapped ? ddacontact::contacts_between(of_b, of_a, limits, earlier)
+                   : ddacontact::contacts_between(of_a, of_b, limits, earlier);
   }
   std::set<VertexEdge> contact_set(double search_margin, const std::vector<VertexEdge>& kept = {},
                                    bool swapped = false) const {

@@ -65,10 +65,10 @@ TEST(RoundedPhase, FindsTheNearestArcWhereverPolygonsAre) {
     const auto gap_now = [&] { return std::min(gap_of_arcs(a, of_a, b), gap_of_arcs(b, of_b, a)); };
     for (int k = 0; k < 60 && gap_now() > 0.01; ++k) b.colwise() -= gap_now() / 2 * way;
     const double gap = gap_now();
-    std::vector<VertexEdge> contacts;
-    std::vector<Choice> choices;
+    FoundContacts found;
     const PairLimits limits{.search_margin = 0.5, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4};
-    find_rounded_contacts({0, a}, of_a, {1, b}, of_b, limits, {}, contacts, choices);
+    find_rounded_contacts({{0, a}, of_a}, {{1, b}, of_b}, limits, {}, found);
+    const std::vector<VertexEdge>& contacts = found.contacts;
     double nearest = infinity;
     for (const VertexEdge& contact : contacts) {
       nearest = std::min(nearest, gap_of(contact, a, of_a, b, of_b));
@@ -85,13 +85,12 @@ TEST(RoundedPhase, FacesThatLieOnEachOtherTouchInTwoPlaces) {
   for (const double shift : {0.0, 0.3, -0.3, 1e-9}) {
     b = a.colwise() + Vec2(shift, 1);
     const RoundedBlock rounded = round_corners(a, 0.05);
-    std::vector<VertexEdge> contacts;
-    std::vector<Choice> choices;
-    find_rounded_contacts({0, a}, rounded, {1, b}, rounded,
+    FoundContacts found;
+    find_rounded_contacts({{0, a}, rounded}, {{1, b}, rounded},
                           {.search_margin = 1e-3, .max_depth = 0.1, .coincidence = 1e-6, .lip = 1e-4}, {},
-                          contacts, choices);
-    EXPECT_EQ(contacts.size(), 2u) << shift;
-    for (const VertexEdge& contact : contacts) EXPECT_FALSE(contact.corner);
+                          found);
+    EXPECT_EQ(found.contacts.size(), 2u) << shift;
+    for (const VertexEdge& contact : found.contacts) EXPECT_FALSE(contact.corner);
   }
 }
 

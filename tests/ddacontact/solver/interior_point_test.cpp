@@ -70,9 +70,9 @@ struct Found {
     system.set_step(state, step_start(state, dt), 1e9);
     for (const Contact& contact : contacts) laws.push_back({&contact.law, 0, false});
     d = system.prescribed();
-    const auto look = [&] { evaluate_contacts(); };
-    report = find_interior_point_states(system, contacts, laws, look, terms, d, states);
-    look();
+    report = find_interior_point_states(system, {contacts, laws, terms, [this] { evaluate_contacts(); }}, d,
+                                        states);
+    evaluate_contacts();
   }
   void evaluate_contacts() {
     for (std::size_t c = 0; c < contacts.size(); ++c) {

@@ -32,7 +32,7 @@ struct FallingBlock {
     return scene;
   }
   StepImpact impact() {
-    return predict_impact(step.blocks, step.state, step.properties, step.trial.contacts(), rule, 0.01, {});
+    return predict_impact({step.blocks, step.state, step.properties, step.trial.contacts(), rule, 0.01}, {});
   }
   Vec2 mean(const VectorXd& of_all) const { return step.mean_motion(of_all, 1); }
 };
