@@ -3,6 +3,7 @@
 #include "call_error.hpp"
 
 #include <fmt/format.h>
+#include <ddacontact/output/older_results.hpp>
 
 #include <fstream>
 #include <sstream>
@@ -52,6 +53,16 @@ std::vector<fs::path> files_of_scene(const fs::path& scene, const std::vector<st
   for (const std::string& word : words)
     if (names_a_file(scene.parent_path(), word)) files.push_back(scene.parent_path() / word);
   return files;
+}
+
+void expect_none_overwritten(const fs::path& directory, const std::vector<fs::path>& files) {
+  std::error_code error;
+  for (const fs::path& file : files)
+    if (ddacontact::is_result_file(file.filename().string()) &&
+        fs::equivalent(directory / file.filename(), file, error))
+      throw CallError(fmt::format(
+          "the results in \"{}\" would be written over \"{}\" (name another directory for --output)",
+          directory.string(), file.string()));
 }
 
 void expect_none_in(const fs::path& directory, const std::vector<fs::path>& files) {

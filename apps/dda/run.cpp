@@ -194,6 +194,8 @@ void log_choices(const Labels& labels, spdlog::logger& log) {
 void keep_older(const RunArguments& arguments, const std::filesystem::path& directory,
                 std::string& checkpoint) {
   DirectoryLock::expect_free(directory);
+  const std::vector<std::filesystem::path> files = files_of_scene(arguments.scene, arguments.settings);
+  if (checkpoint.empty() || arguments.as_stage) expect_none_overwritten(directory, files);
   if (arguments.force) return;
   bool is_beside = false;
   if (!checkpoint.empty()) {
@@ -203,8 +205,7 @@ void keep_older(const RunArguments& arguments, const std::filesystem::path& dire
     const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) || is_beside;
     if (goes_on && !arguments.as_stage) return;
   }
-  if (holds_results(directory))
-    expect_none_in(directory, files_of_scene(arguments.scene, arguments.settings));
+  if (holds_results(directory)) expect_none_in(directory, files);
   const auto kept = keep_older_results(directory);
   if (!kept) return;
   if (is_beside) checkpoint = (*kept / std::filesystem::path(checkpoint).filename()).string();

@@ -40,8 +40,7 @@ void IncrementalBlock::end_step(const Eigen::Ref<const VectorXd>& d, const Eigen
   for (int k = 0; k < v.count; ++k) next.position.col(v.first + k) += vertex_map(k)(all);
   add_stress(all, next.stress);
   const VectorXd acceleration = rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
-  const double gamma = rule_.gamma;
-  u.of(next.velocity) = velocity_ + dt_ * ((1 - gamma) * acceleration_ + gamma * acceleration);
+  u.of(next.velocity) = velocity_ + dt_ * ((1 - rule_.gamma) * acceleration_ + rule_.gamma * acceleration);
   u.of(next.carried) = acceleration;
   follow_with_origin(next);
 }

@@ -23,9 +23,9 @@ struct VertexEdge {
 /// One of the two polygons of a pair, at the start of a step and where a predicted motion takes it.
 struct Outline {
   int block;
-  PointsRef vertices;       ///< simple, counter-clockwise
-  PointsRef moved;          ///< the same vertices at the end of the predicted motion
-  OutlineSides sides = {};  ///< the box relative to the origin of the vertices
+  PointsRef vertices;  ///< simple, counter-clockwise
+  PointsRef moved;     ///< the same vertices at the end of the predicted motion
+  OutlineSides sides{{}, {Vec2::Zero(), Vec2::Zero()}, false};  ///< the box from the origin of the vertices
 
   /// At rest.
   Outline(int number, const PointsRef& at) : block(number), vertices(at), moved(at) {}

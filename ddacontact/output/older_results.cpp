@@ -30,6 +30,13 @@ fs::path with_number(const std::string& name, const std::string& ending) {
 
 }  // namespace
 
+bool is_result_file(const std::string& name) {
+  static const std::array<const char*, 12> names{
+      "scene.toml",   "log.txt",   "energy.csv",       "monitors.csv", "blocks.csv",   "vertices.csv",
+      "contacts.csv", "bolts.csv", "bolt_history.csv", "supports.csv", "summary.json", "support_history.csv"};
+  return std::ranges::find(names, name) != names.end();
+}
+
 bool holds_results(const fs::path& directory) {
   const std::array<const char*, 5> files{"summary.json", "energy.csv", "checkpoint.bin", "safety.json",
                                          "sweep.csv"};

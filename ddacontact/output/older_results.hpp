@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace ddacontact {
@@ -25,6 +26,8 @@ class DirectoryLock {
   int descriptor_;
 };
 
+/// Whether a run writes a file of this name into its directory.
+bool is_result_file(const std::string& name);
 /// Whether a run, a search or a sweep has written to it.
 bool holds_results(const std::filesystem::path& directory);
 

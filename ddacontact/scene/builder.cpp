@@ -187,7 +187,7 @@ class Builder {
   void note_snapping() {
     if (scene_.snapped)
       built_.notes.push_back("'snap' moved vertices: " + std::to_string(scene_.snapped->moved) + ", by " +
-                             scene_format::short_number(std::round(1e6 * scene_.snapped->farthest) / 1e6) +
+                             scene_format::rounded(scene_.snapped->farthest) +
                              " m at most; gaps that were meant, of that size, are closed too");
   }
 

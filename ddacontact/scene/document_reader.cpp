@@ -30,9 +30,9 @@ class DocumentReader : public TableReader {
   template <class Record>
   void table(const Key& key, std::optional<Record>& record) {
     if (!table_.get(key.name)) return static_cast<void>(find(key));
-    const std::size_t n_problems = problems_.size();
+    const std::size_t n_faults = problems_.n_faults();
     table(key, record.emplace());
-    locations_.add(key.name, record->locations.table, problems_.size() == n_problems);
+    locations_.add(key.name, record->locations.table, problems_.n_faults() == n_faults);
   }
 
   template <class Record>

@@ -90,13 +90,15 @@ class DomainReader {
 
  private:
   void check_outlines() {
-    check_simple(record_.boundary.outline, record_.locations.of("boundary"), "the boundary of the domain",
-                 problems_);
+    if (record_.locations.good("boundary"))
+      check_simple(record_.boundary.outline, record_.locations.of("boundary"), "the boundary of the domain",
+                   problems_);
     for (const RegionRecord& region : record_.regions)
-      check_simple(region.polygon, region.locations.of("polygon"),
-                   "the region '" + excerpt(region.name) + "'", problems_);
+      if (region.locations.good("polygon"))
+        check_simple(region.polygon, region.locations.of("polygon"),
+                     "the region '" + excerpt(region.name) + "'", problems_);
     for (const OpeningRecord& opening : record_.openings)
-      if (opening.polygon)
+      if (opening.locations.good("polygon"))
         check_simple(*opening.polygon, opening.locations.of("polygon"),
                      "the opening '" + excerpt(opening.name) + "'", problems_);
   }
@@ -105,7 +107,9 @@ class DomainReader {
   void check_spacing(const JointSetRecord& record) {
     constexpr double told_apart = 1e-12;
     const Points& boundary = domain_.boundary;
-    if (boundary.cols() == 0) return;
+    if (boundary.cols() == 0 || !record_.locations.good("boundary") || !record.locations.usable("spacing") ||
+        !record.locations.usable("origin"))
+      return;
     const double distance = (boundary.colwise() - record.set.origin).colwise().norm().maxCoeff(),
                  size = (boundary.rowwise().maxCoeff() - boundary.rowwise().minCoeff()).norm();
     if (told_apart * size > record.set.spacing)
@@ -122,16 +126,18 @@ class DomainReader {
 
   template <class Record>
   int joint_of(const Record& record) {
-    return record.joint ? joints_.find(*record.joint, record.locations.of("joint"), problems_) : -1;
+    const bool is_known = record.joint && record.locations.usable("joint");
+    return is_known ? joints_.find(*record.joint, record.locations.of("joint"), problems_) : -1;
   }
   template <class Record>
   int region_of(const Record& record) {
-    if (!record.inside) return -1;
+    if (!record.inside || !record.locations.usable("inside")) return -1;
     return regions_.find({*record.inside, std::nullopt}, record.locations.of("inside"), problems_);
   }
 
   void add_trace(const TraceRecord& trace) {
     const Points& points = trace.points.points;
+    if (!trace.locations.good("points")) return;
     for (Index k = 0; k + 1 < points.cols(); ++k)
       if (points.col(k) == points.col(k + 1))
         problems_.error(trace.points.locations[k + 1], "the trace has the same point twice", "leave one out");
@@ -150,15 +156,15 @@ class DomainReader {
   }
 
   Points outline_of(const OpeningRecord& opening) {
-    const int n_given =
-        opening.circle.has_value() + opening.horseshoe.has_value() + opening.polygon.has_value();
+    const auto is_given = [&](const char* key) { return opening.locations.written(key); };
+    const int n_given = is_given("circle") + is_given("horseshoe") + is_given("polygon");
     if (n_given != 1)
       problems_.error(opening.locations.table,
                       "the opening has " + std::string(n_given == 0 ? "no outline" : "more than one outline"),
                       "write 'circle', 'horseshoe' or 'polygon'");
-    if (const auto& circle = opening.circle)
+    if (const auto& circle = opening.circle; opening.locations.good("circle"))
       return circle_outline(circle->centre, circle->radius, circle->edges);
-    if (const auto& shoe = opening.horseshoe) {
+    if (const auto& shoe = opening.horseshoe; opening.locations.good("horseshoe")) {
       if (shoe->height < shoe->width / 2)
         problems_.error(shoe->locations.of("height"),
                         "the horseshoe is lower than the half circle of its roof",
@@ -324,18 +330,34 @@ void warn_of_what_is_outside(const Domain& domain, const DomainRecord& record, P
                                (n_traces > 2 ? " others," : " other,") + " lies");
 }
 
+/// Openings that lines were snapped over.
+void warn_of_lost_openings(const CutDomain& cut, const Domain& domain, const DomainRecord& record,
+                           ProblemList& problems) {
+  std::vector<bool> has_block(record.openings.size(), false);
+  for (const CutBlock& block : cut.blocks)
+    for (const int o : block.openings) has_block[o] = true;
+  for (std::size_t o = 0; o < record.openings.size(); ++o)
+    if (!has_block[o] && overlap(domain.boundary, domain.openings[o].outline))
+      problems.warning(record.openings[o].locations.table,
+                       "the opening '" + excerpt(record.openings[o].name) +
+                           "' is smaller than what lines are snapped by and has no effect",
+                       "write a smaller 'snap' in [domain], or a larger opening");
+}
+
 }  // namespace
 
 bool add_domain(const std::filesystem::path& directory, Document& document, ProblemList& problems) {
   if (!document.domain) return true;
   const bool all = document.has_all_blocks;
   document.has_all_blocks = false;
-  if (!document.locations.good("domain")) return true;
+  const bool is_good = document.locations.good("domain");
   bool unreadable = false;
-  if (!read_boundary(directory, document, unreadable, problems)) return !unreadable;
+  if (document.domain->locations.good("boundary") &&
+      !read_boundary(directory, document, unreadable, problems))
+    return !unreadable;
   const std::size_t n_problems = problems.size();
   const DomainReader reader(document, problems);
-  if (problems.size() != n_problems) return true;
+  if (!is_good || problems.size() != n_problems) return true;
   const ExpectedCut expected = expected_cut(reader.domain());
   const SourceLocation& size = place_of_size(expected, *document.domain);
   if (!fits_into_memory(expected, size, problems)) return true;
@@ -344,6 +366,7 @@ bool add_domain(const std::filesystem::path& directory, Document& document, Prob
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
       if (auto block = reader.block(cut.blocks[b], b)) document.blocks.push_back(std::move(*block));
     warn_of_what_is_outside(reader.domain(), *document.domain, problems);
+    warn_of_lost_openings(cut, reader.domain(), *document.domain, problems);
     if (document.blocks.empty())
       problems.error(document.domain->locations.of("boundary"), "nothing of the domain is left",
                      "smaller openings, or a smaller 'snap' and 'sliver'");

@@ -199,7 +199,7 @@ bool read_histories(const std::filesystem::path& directory, Document& document, 
                                        {&support.acceleration_history, "acceleration_history"}})
       if (*history) read(**history, key, 3, support.locations);
   for (LoadRecord& load : document.loads)
-    if (load.history)
+    if (load.history && load.locations.usable("type"))
       read(*load.history, "history", load.type == Load::Kind::pressure ? 2 : 3, load.locations);
   for (QuietRecord& quiet : document.quiet_boundaries)
     if (quiet.incoming) read(*quiet.incoming, "incoming", 3, quiet.locations);

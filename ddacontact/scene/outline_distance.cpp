@@ -23,7 +23,8 @@ bool edges_meet(const PointsRef& a, const PointsRef& b) {
 
 double distance_to_edge(const Vec2& point, const Vec2& start, const Vec2& end) {
   const Vec2 edge = end - start;
-  const double along = std::clamp(edge.dot(point - start) / edge.squaredNorm(), 0.0, 1.0);
+  const double square = edge.squaredNorm(),
+               along = square > 0 ? std::clamp(edge.dot(point - start) / square, 0.0, 1.0) : 0;
   return (start + along * edge - point).norm();
 }
 

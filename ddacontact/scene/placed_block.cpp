@@ -52,7 +52,11 @@ PlacedBlock placed_block(const Scene& scene, int index, const Vec2& origin) {
   std::vector<Vec2> contact;
   if (block.mesh.at_contact > 0) contact = contact_zone(scene, index);
   for (Vec2& x : contact) x -= origin;
-  placed.mesh = divide(placed.outline, block.mesh, contact);
+  try {
+    placed.mesh = divide(placed.outline, block.mesh, contact);
+  } catch (const polyfem::Error& error) {
+    throw Error("block \"" + scene.block_name(index) + "\" cannot be divided into a mesh: " + error.what());
+  }
   return placed;
 }
 

@@ -29,6 +29,10 @@ class ProblemList {
 
   const std::string& file() const { return file_; }
   std::size_t size() const { return problems_.size(); }
+  /// Notes a value that is missing for a reason told before: an unknown parameter.
+  void note_missing_value() { ++n_missing_values_; }
+  /// Grows where something that was read is not to be used.
+  std::size_t n_faults() const { return problems_.size() + n_missing_values_; }
   bool has_errors() const { return ddacontact::has_errors(problems_); }
 
   /// Those of the scene file by line and column, then those of settings as they were given, then those of a
@@ -41,6 +45,7 @@ class ProblemList {
 
   std::string file_;
   std::vector<Problem> problems_;
+  std::size_t n_missing_values_ = 0;
   int n_suggestions_ = 0;
 };
 

@@ -81,8 +81,11 @@ bool holds_are_known(const Document& document, const BlockTable& blocks, const S
         scene.blocks[b].fixed_vertices.size() != record.fixed.some.size())
       return false;
   }
-  return std::none_of(scene.supports.begin(), scene.supports.end(),
-                      [](const Support& support) { return support.block < 0 || support.vertices.empty(); });
+  return std::ranges::none_of(
+             scene.supports,
+             [](const Support& support) { return support.block < 0 || support.vertices.empty(); }) &&
+         std::ranges::all_of(document.supports,
+                             [](const SupportRecord& record) { return record.locations.usable("axes"); });
 }
 
 /// Of gravity that is more likely a wrong sign than meant.
@@ -142,6 +145,26 @@ void warn_of_soft_materials(const Document& document, const Scene& scene, Proble
                          std::to_string(static_cast<long>(std::min(100 * strain, 1e12))) +
                          " %, and elasticity is linear, for small strains",
                      "is 'young' right? Without a unit it is in Pa; write young = \"20 GPa\"");
+  }
+}
+
+/// Of joints that give way so much under the blocks on them that these may pass through others: as a rule
+/// the unit of `normal_stiffness` is missing.
+void warn_of_soft_joints(const Document& document, const Scene& scene, ProblemList& problems) {
+  constexpr double large_closure = 0.1;  // over the height of what rests on it
+  double density = 0;
+  for (const Material& material : scene.materials) density = std::max(density, material.density);
+  for (std::size_t j = 0; j < document.joints.size(); ++j) {
+    const Joint& joint = scene.joints[j];
+    if (!joint.normal_stiffness || !document.joints[j].locations.good("normal_stiffness")) continue;
+    const double closure = density * scene.analysis.gravity.norm() / *joint.normal_stiffness;
+    if (!(closure > large_closure)) continue;
+    problems.warning(
+        document.joints[j].locations.of("normal_stiffness"),
+        "joint \"" + joint.name + "\" closes by " +
+            std::to_string(static_cast<long>(std::min(100 * closure, 1e12))) +
+            " % of the height of each block on it, by its weight: blocks may pass through others",
+        "is 'normal_stiffness' right? Without a unit it is in Pa/m; write \"5 GPa/m\"");
   }
 }
 
@@ -220,6 +243,7 @@ Scene resolve(const Document& document, ProblemList& problems) {
 
   warn_of_gravity_upwards(document, problems);
   warn_of_soft_materials(document, scene, problems);
+  warn_of_soft_joints(document, scene, problems);
   warn_of_unusual_densities(document, scene, problems);
   scene.output = document.output.options;
   scene.domain = document.domain_counts;

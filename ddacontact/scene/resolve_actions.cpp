@@ -214,7 +214,7 @@ std::vector<Support> resolve_supports(const Document& document, BlockTable& bloc
                                                 locations.of("vertices"), problems);
     }
     const int index = static_cast<int>(supports.size());
-    for (const int vertex : support.vertices)
+    for (const int vertex : locations.usable("axes") ? support.vertices : std::vector<int>())
       hold(support, index, vertex, locations.of("vertices"), blocks, problems);
     supports.push_back(std::move(support));
   }

@@ -1,5 +1,8 @@
 #include <ddacontact/scene/mesh_check.hpp>
 #include <ddacontact/scene/resolve_blocks.hpp>
+#include <ddacontact/scene/text.hpp>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -84,6 +87,24 @@ std::vector<int> resolve_edge_joints(const BlockRecord& block, const NameTable& 
   return numbers;
 }
 
+/// Blocks so small beside the scene that places on them are lost in round-off.
+void check_sizes(BlockTable& table, ProblemList& problems) {
+  Eigen::AlignedBox2d scene;
+  for (const PositionedOutline& block : table.outlines)
+    for (const auto& vertex : block.outline.polygon.colwise()) scene.extend(Vec2(vertex));
+  if (scene.isEmpty()) return;
+  const double extent = scene.diagonal().norm();
+  for (int b = 0; b < table.names.size(); ++b) {
+    CheckedOutline& outline = table.outlines[b].outline;
+    if (!outline.valid() || outline.size >= narrowest * extent) continue;
+    problems.error(table.outlines[b].location,
+                   table.names.title(b) + " of " + rounded(outline.size) +
+                       " m is lost in the round-off of a scene of " + rounded(extent) + " m",
+                   "are all coordinates in m? Leave out what is so large, or draw a part of it");
+    outline.polygon.resize(2, 0);
+  }
+}
+
 }  // namespace
 
 BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analysis,
@@ -137,6 +158,7 @@ BlockTable resolve_blocks(const Document& document, const AnalysisOptions& analy
     for (int k = 0; block.fixed && k < n; ++k)
       for (const int axis : {0, 1}) table.holds.by(index, k, axis) = Holds::fixed;
   }
+  check_sizes(table, problems);
   if (!document.has_all_blocks) table.names.set_incomplete();
   table.names.warn_of_ambiguous_names(problems);
   warn_of_clockwise_blocks(document, table, problems);

@@ -78,7 +78,8 @@ void check_dilation(const Joint& joint, const KeyLocations& locations, ContactMe
   if (!joint.dilation_slip)
     problems.error(locations.of("dilation_angle"), "'dilation_angle' without 'dilation_slip'",
                    "add 'dilation_slip', the slip in m up to which the joint dilates");
-  check_lift(joint, locations.of("dilation_angle"), problems);
+  if (locations.usable("friction_angle") && locations.usable("residual_friction_angle"))
+    check_lift(joint, locations.of("dilation_angle"), problems);
 }
 
 /// By the law of Coulomb a bond without cohesion bears no shear where it is pulled.
@@ -147,7 +148,8 @@ NamedJoints resolve_joints(const Document& document, const NameTable& materials,
     check_restitution(joint.restitution, locations, document.contact, method, problems);
     check_springs(joint, locations, method, problems);
     check_rebound(joint, joint.restitution, locations, problems);
-    check_residual(joint, locations.of("residual_friction_angle"), problems);
+    if (locations.usable("friction_angle") && locations.usable("residual_friction_angle"))
+      check_residual(joint, locations.of("residual_friction_angle"), problems);
     check_dilation(joint, locations, method, problems);
     warn_of_bond(joint, locations, method, problems);
     check_crushing(joint, locations, document, method, problems);

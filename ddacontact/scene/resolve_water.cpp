@@ -31,7 +31,7 @@ Water water_of(const WaterRecord& record, const WaterRecord* before, const Vec2&
   const bool joints = chosen(&WaterRecord::joints).value_or(true);
   if (!table && !record.locations.written("table"))
     problems.error(record.locations.table, "water without 'table'", "add 'table' = [[x, y], ...]");
-  if (!joints && record.joint_table)
+  if (!joints && record.joint_table && record.locations.usable("joints"))
     problems.error(record.locations.of("joint_table"), "'joint_table' where 'joints' is false",
                    "leave one of them out");
   if (gravity.y() >= 0)

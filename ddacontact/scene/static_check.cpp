@@ -12,6 +12,11 @@ namespace {
 
 constexpr std::size_t most_loose = 1000;
 
+/// Blocks of a domain or a grid, which stand at one place of the file.
+bool are_of_one_place(const SourceLocation& a, const SourceLocation& b) {
+  return a.source == b.source && a.line == b.line && a.column == b.column;
+}
+
 /// The blocks that each one nearly touches.
 std::vector<std::vector<int>> find_neighbours(const std::vector<PositionedOutline>& blocks) {
   std::vector<Box> boxes;
@@ -132,17 +137,25 @@ void check_statics(const BlockTable& blocks, const std::vector<StaticPart>& part
   std::size_t n_listed = 0;
   for (const StaticPart& part : parts) {
     const auto complain = part.after_motion ? &ProblemList::warning : &ProblemList::error;
-    for (const int block : find_loose(part, blocks, neighbours)) {
+    std::vector<int> loose = find_loose(part, blocks, neighbours);
+    std::erase_if(loose, [&](int block) { return is_listed[block]; });
+    for (const int block : loose) {
       if (is_listed[block]) continue;
-      is_listed[block] = true;
+      const auto n_here = std::ranges::count_if(loose, [&](int other) {
+        const bool here = are_of_one_place(blocks.outlines[block].location, blocks.outlines[other].location);
+        if (here) is_listed[other] = true;
+        return here;
+      });
       if (n_listed++ == most_loose) {
         (problems.*complain)(blocks.outlines[block].location, "more blocks without support follow",
                              "only the first " + std::to_string(most_loose) + " are listed");
         return;
       }
       (problems.*complain)(blocks.outlines[block].location,
-                           blocks.names.title(block) + " is free and nothing can hold it in " + part.title +
-                               (part.after_motion ? ", unless it has moved before" : ""),
+                           blocks.names.title(block) +
+                               (n_here > 1 ? " and " + std::to_string(n_here - 1) + " more are" : " is") +
+                               " free and nothing can hold " + (n_here > 1 ? "them" : "it") + " in " +
+                               part.title + (part.after_motion ? ", unless it has moved before" : ""),
                            "hold a vertex, or let it rest on something held, or use mode = \"dynamic\"");
     }
   }

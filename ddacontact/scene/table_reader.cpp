@@ -12,6 +12,7 @@ void TableReader::operator()(const Key& key, OfTheWholeRun) {
 }
 
 void TableReader::operator()(const Key& key, OfStages) {
+  if (!table_.get(key.name)) return;
   refuse(key, "in " + std::string(title_) + " belongs to a stage",
          "write joints = { NAME = { " + std::string(key.name) + " = true } } in the [[stage]]");
 }

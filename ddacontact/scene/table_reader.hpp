@@ -39,7 +39,7 @@ class TableReader {
   void operator()(const Key& key, std::vector<Record>& records) {
     const toml::node* node = find(key);
     if (!node) return;
-    const std::size_t n_problems = problems_.size();
+    const std::size_t n_faults = problems_.n_faults();
     const std::string title = inner_title(key);
     if (const toml::array* array = node->as_array())
       for (const toml::node& element : *array) read_inner(element, title, records.emplace_back());
@@ -47,16 +47,16 @@ class TableReader {
       problems_.error(location_of(*node, problems_),
                       "'" + std::string(key.name) + "' is " + description_of(*node),
                       "write " + title + " for each");
-    locations_.add(key.name, location_of(*node, problems_), problems_.size() == n_problems);
+    locations_.add(key.name, location_of(*node, problems_), problems_.n_faults() == n_faults);
   }
   /// KEY = { ... }
   template <Inner Record>
   void operator()(const Key& key, std::optional<Record>& record) {
     const toml::node* node = find(key);
     if (!node) return;
-    const std::size_t n_problems = problems_.size();
+    const std::size_t n_faults = problems_.n_faults();
     read_inner(*node, "'" + std::string(key.name) + "'", record.emplace());
-    locations_.add(key.name, location_of(*node, problems_), problems_.size() == n_problems);
+    locations_.add(key.name, location_of(*node, problems_), problems_.n_faults() == n_faults);
   }
 
   void operator()(const Key& key, OfTheWholeRun);
@@ -76,7 +76,9 @@ class TableReader {
   }
   template <class T>
   void read(const Key& key, const toml::node& node, T& value) {
-    const bool good = !is_unknown_parameter(node) && ValueReader(key, problems_)(node, value);
+    const bool missing = is_unknown_parameter(node);
+    if (missing) problems_.note_missing_value();
+    const bool good = !missing && ValueReader(key, problems_)(node, value);
     locations_.add(key.name, location_of(node, problems_), good);
   }
   template <Inner Record>

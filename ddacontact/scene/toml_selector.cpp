@@ -76,6 +76,13 @@ bool ValueReader::operator()(const toml::node& node, GridRecord& value) const {
   if (!table) return wrong_type(node, key_.name, type_text(value));
   const Key count{.name = "grid.count", .what = "", .bounds = number_of_copies},
       step{.name = "grid.step", .what = "", .unit = "m"}, bond{.name = "grid.bond", .what = ""};
+  bool has_all = true;
+  for (const char* required : {"count", "step"})
+    if (!table->contains(required)) {
+      problems_.error(location_of(node, problems_), "missing key '" + std::string(required) + "' in 'grid'",
+                      "write 'grid' = { count = [n, m], step = [x, y] }");
+      has_all = false;
+    }
   return read_parts(*table, {"count", "step", "bond"},
                     [&](std::string_view name, const toml::node& part) -> std::optional<bool> {
                       if (name == "step") return ValueReader(step, problems_)(part, value.step);
@@ -88,7 +95,8 @@ bool ValueReader::operator()(const toml::node& node, GridRecord& value) const {
                       const bool columns = read((*two)[0], value.count[0]),
                                  rows = read((*two)[1], value.count[1]);
                       return columns && rows;
-                    });
+                    }) &&
+         has_all;
 }
 
 std::optional<bool> ValueReader::read_place(std::string_view name, const toml::node& part,

@@ -25,7 +25,9 @@ std::string ValueReader::element_name(int row, int column) const {
 
 bool ValueReader::wrong_type(const toml::node& node, const std::string& name,
                              const std::string& expected) const {
-  if (!is_unknown_parameter(node))
+  if (is_unknown_parameter(node))
+    problems_.note_missing_value();
+  else
     problems_.error(location_of(node, problems_), "'" + name + "' is " + description_of(node),
                     "expected " + expected);
   return false;
@@ -33,7 +35,7 @@ bool ValueReader::wrong_type(const toml::node& node, const std::string& name,
 
 bool ValueReader::unknown_word(const toml::node& node, const std::vector<std::string_view>& known) const {
   const std::string& word = node.as_string()->get();
-  if (is_unknown_parameter(node)) return false;
+  if (is_unknown_parameter(node)) return wrong_type(node, key_.name, "");
   problems_.error(location_of(node, problems_),
                   "'" + std::string(key_.name) + "' = '" + excerpt(word) + "' is not known",
                   suggestion(word, "word", known));
@@ -42,7 +44,7 @@ bool ValueReader::unknown_word(const toml::node& node, const std::vector<std::st
 
 bool ValueReader::read_number(const toml::node& node, const Key& key, double& value, int row,
                               int column) const {
-  if (is_unknown_parameter(node)) return false;
+  if (is_unknown_parameter(node)) return wrong_type(node, key.name, "");
   QuantityReading reading;
   if (const auto* real = node.as_floating_point())
     reading.value = real->get();

@@ -56,8 +56,7 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   const VertexEdgePositions& place = contact.motion.start;
   const Vec2 along = place.along(), normal = place.outwards();
   const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
-  const double n_edges = system_.blocks().block(edge_block).n_vertices();
-  const int next = edge + 1 == n_edges ? 0 : edge + 1;
+  const int next = (edge + 1) % system_.blocks().block(edge_block).n_vertices();
   const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
   const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
                of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +

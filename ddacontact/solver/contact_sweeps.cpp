@@ -309,12 +309,14 @@ ContactSweeps::Report ContactSweeps::sweep(const std::vector<ContactTerm>& terms
   if (!begin(terms, laws, residual, d, forces_of_all)) return report;
   const Points at_start = forces();
   AndersonAcceleration acceleration(anderson_depth);
+  double first = 0;
   while (report.sweeps < stop.most_sweeps) {
     const Points before = forces();
     const Vec2 largest = visit_all();
-    ++report.sweeps;
+    if (report.sweeps++ == 0) first = largest[0];
     const Tolerance& tolerance = report.many_changes ? stop.many_changes : stop.quiet;
-    report.settled = largest[0] <= tolerance.force && largest[1] <= tolerance.gap;
+    report.settled = largest[0] <= tolerance.force && largest[1] <= tolerance.gap &&
+                     (largest[0] <= stop.negligible || largest[0] <= stop.reduction * first);
     if (report.sweeps <= 2 && has_many_changes(stop, at_start)) {
       report.many_changes = true;
       report.settled = report.settled && stop.quiet.force <= stop.many_changes.force;

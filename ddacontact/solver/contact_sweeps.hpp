@@ -36,6 +36,10 @@ class ContactSweeps {
     double many = 1;                ///< as a part of the contacts, in the first two sweeps
     int few = 0;                    ///< up to so many never are many
     int most_sweeps = 1;
+    /// The last change of a force over the first, unless it is negligible: a tolerance alone would leave
+    /// disturbances below it what one sweep in its order makes of them, which may grow from step to step.
+    double reduction = 1;
+    double negligible = 0;
   };
   /// How sweeps ended.
   struct Report {

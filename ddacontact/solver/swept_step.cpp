@@ -62,8 +62,10 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
   };
   const ContactSweeps::Tolerance tight{part_of_last_sweep * options.sweep_tolerance},
       coarse{options.sweep_tolerance, coarse_penetration}, any{inf, inf};
-  ContactSweeps::Stop stop{options.local ? tight : any, coarse, options.coarse ? many_changes : inf,
-                           few_changes, most_sweeps};
+  const double negligible = options.local ? part_of_last_sweep * options.residual_tolerance : inf;
+  ContactSweeps::Stop stop{
+      options.local ? tight : any, coarse,    options.coarse ? many_changes : inf, few_changes, most_sweeps,
+      part_of_last_sweep,          negligible};
   ContactSweeps sweeps;
   bool changes_many = false;
   for (int round = 0; round < most_rounds; ++round) {

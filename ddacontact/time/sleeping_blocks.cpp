@@ -118,10 +118,8 @@ std::vector<char> SleepingBlocks::find_restless(double dt) const {
   blocks_.for_load_functions([&](int b, const TimeFunction& function) {
     if (varies(function, from, to, end_time)) restless[b] = 1;
   });
-  for (int b = 0; blocks_.fading.part_left(from) > 0 && b < blocks_.n_blocks(); ++b) {
-    const Range& u = blocks_.block(b).unknowns();
-    if (!u.of(blocks_.fading.forces).isZero(0)) restless[b] = 1;
-  }
+  for (int b = 0; blocks_.fading.part_left(from) > 0 && b < blocks_.n_blocks(); ++b)
+    if (!blocks_.block(b).unknowns().of(blocks_.fading.forces).isZero(0)) restless[b] = 1;
   if (ground_varies(blocks_, from, to)) restless.assign(restless.size(), 1);
   for (const PrescribedDof& held : blocks_.prescribed_dofs())
     if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_point(held.vertex)] = 1;

@@ -258,6 +258,7 @@ int drop_straight_corners(CutCells& cells, bool keep_shared) {
     }
     cell = std::move(rest);
   }
+  std::erase_if(cells.cells, [](const CutCell& cell) { return cell.corners.size() < 3; });  // round-off
   return n_shared;
 }
 

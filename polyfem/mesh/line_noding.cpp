@@ -136,6 +136,7 @@ double noding_grid(const PointsRef& points) {
 
 NodedLines node_lines(const std::vector<Segment>& segments, double grid) {
   constexpr int most_tries = 4;
+  if (segments.empty()) return {{}, {}, grid};
   for (int tries = 1; tries < most_tries; ++tries, grid *= 16) {
     try {
       return noded(segments, grid);

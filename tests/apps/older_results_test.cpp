@@ -100,6 +100,19 @@ TEST_F(OlderResults, AreNotRenamedWithTheSceneOrAFileThatItNames) {
   refuses("sweep swept/case-1/scene.toml -o swept --vary analysis.steps=1,2", "swept/case-1/scene.toml");
 }
 
+TEST_F(OlderResults, AreNotWrittenOverTheScene) {
+  const std::string scene = read_file(fs::path(POLYDDA_EXAMPLES "/paper/sliding_0.toml"));
+  fs::create_directory(directory_ / "own");
+  write("own/scene.toml", scene);
+  for (const char* force : {"", " --force"}) {
+    EXPECT_EQ(dda(std::string("run own/scene.toml -o own --quiet") + force), 2);
+    EXPECT_NE(err_.find("would be written over \"own/scene.toml\""), std::string::npos) << err_;
+    EXPECT_EQ(read_file(directory_ / "own/scene.toml"), scene);
+  }
+  write("own/slide.toml", scene);
+  EXPECT_EQ(dda("run own/slide.toml -o own --quiet --steps 1"), 0) << "another name is no result's: " << err_;
+}
+
 TEST_F(OlderResults, OfSearchesAndSweepsAreKeptToo) {
   const std::string scene = " '" POLYDDA_EXAMPLES "/paper/sliding_30.toml' --quiet -o result ";
   ASSERT_EQ(dda("safety" + scene + "--set analysis.preset=default --range 0.3:0.9 --tolerance 0.5"), 0)

@@ -322,6 +322,57 @@ TEST(FreeSides, AreNotInScenesThatAreMade) {
     EXPECT_TRUE(free_sides(text).empty());
 }
 
+TEST(Domain, OneErrorHidesNoOther) {
+  const SceneReading reading =
+      read_scene_text(std::string(head) +
+                          "[[domain.region]]\nname = \"low\"\npolygon = [[0, 0], [4, 2], [4, 0], [0, 2]]\n"
+                          "cut = true\njoint = \"nope\"\ngrou = \"low\"\n",
+                      "scene.toml");
+  const std::string text = all_text(reading.problems);
+  for (const char* what :
+       {"unknown key 'grou'", "the region 'low' intersects itself", "unknown joint 'nope'"})
+    EXPECT_NE(text.find(what), std::string::npos) << text;
+}
+
+TEST(Domain, OfAnUnknownParameterNothingIsCut) {
+  std::string text(head);
+  text.replace(text.find("[4, 3]"), 6, "[\"$width\", 3]");
+  const SceneReading reading = read_scene_text(text, "scene.toml");
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_NE(reading.problems[0].what.find("unknown parameter '$width'"), std::string::npos);
+}
+
+/// Lines of the outline and of loops that are snapped to a point, and a wedge thinner than the noding's grid.
+TEST(Domain, WhatIsSmallerThanTheSnapIsLeftOutAndOpeningsSo) {
+  const std::string text(head), coarse = text + "snap = 0.5\n";
+  const auto warnings = [](const std::string& scene) {
+    const SceneReading reading = read_scene_text(scene, "scene.toml");
+    EXPECT_TRUE(reading.scene && reading.scene->blocks.size() == 1) << all_text(reading.problems);
+    return all_text(reading.problems);
+  };
+  const std::string opening = "[[domain.opening]]\nname = \"hole\"\ncircle = { centre = [2, 1.5], radius = ";
+  EXPECT_NE(warnings(coarse + opening + "0.2 }\n").find("the opening 'hole' is smaller than what lines are"),
+            std::string::npos);
+  EXPECT_NE(warnings(text + opening + "1e-7 }\n").find("has no effect"), std::string::npos);
+  EXPECT_EQ(
+      warnings(coarse + "[[domain.trace]]\npoints = [[2, 2], [2.2, 2], [2.1, 2.2], [2, 2]]\n").find("hole"),
+      std::string::npos);
+}
+
+TEST(Domain, CellsOfRoundOffAreNoBlocks) {
+  std::string text(head);
+  text.replace(text.find("[[0, 0], [4, 0], [4, 3], [0, 3]]"), 32, "[[0, 0], [12, 0], [0, 10]]");
+  for (const char* height : {"1e-8", "1e-9", "1e-10", "1e-12"}) {
+    const SceneReading reading = read_scene_text(
+        text +
+            "[[domain.joint_set]]\nangle = -65\nspacing = 3\ninside = \"base\"\n[[domain.region]]\n"
+            "name = \"base\"\npolygon = [[0, " +
+            height + "], [12, 0], [0, 6]]\ncut = true\n",
+        "scene.toml");
+    EXPECT_TRUE(reading.scene) << height << ": " << all_text(reading.problems);
+  }
+}
+
 TEST(Domain, WhatLiesOutsideIsWarnedOf) {
   const auto warnings = [](const std::string& more) {
     std::string text;

@@ -37,7 +37,12 @@ TEST(Problems, OfOneValueBringNoOthersAlong) {
   for (const auto& [from, to] :
        {std::pair{"[[1.0, 0.0], [5.0, 0.0],", "[[1.0, nan], [5.0, 0.0],"},
         std::pair{"gravity = [0.0, -9.8]", "gravity = 0"}, std::pair{"density = 2500.0", "density = -1"},
-        std::pair{"[[block]]\nname = \"slider\"", "[[block]]\nname = 3"}}) {
+        std::pair{"[[block]]\nname = \"slider\"", "[[block]]\nname = 3"},
+        std::pair{"axes = \"x\"", "axes = \"z\""},
+        std::pair{"friction_angle = 30.0", "friction_angle = \"30 m\"\nresidual_friction_angle = 20"},
+        std::pair{"[output]",
+                  "[water]\ntable = [[0, -2], [8, -2]]\njoints = \"yes\"\n"
+                  "joint_table = [[0, -2], [8, -2]]\n[output]"}}) {
     const SceneReading reading = read(replaced(complete, from, to));
     const auto errors = std::count_if(reading.problems.begin(), reading.problems.end(), [](const Problem& p) {
       return p.what.find("unknown block 'slider'") == std::string::npos;
@@ -138,6 +143,29 @@ TEST(Problems, SeveralClockwisePolygonsAreOneWarning) {
   ASSERT_TRUE(reading.scene);
   ASSERT_EQ(reading.problems.size(), 1u);
   EXPECT_NE(reading.problems[0].text().find("block 0 and 2 more run clockwise"), std::string::npos);
+}
+
+/// A joint of k Pa/m closes under blocks of 2500 kg/m3 by rho g / k of their height.
+TEST(Problems, AJointThatBlocksPressShutIsAWarning) {
+  const auto warnings = [](const std::string& stiffness) {
+    const std::string springs = "normal_stiffness = " + stiffness + "\nshear_stiffness = " + stiffness;
+    return all_text(read(replaced(complete, "friction_angle = 30.0", springs)).problems);
+  };
+  EXPECT_EQ(warnings("3e5").find("closes by"), std::string::npos);
+  EXPECT_NE(warnings("5e4").find("joint \"interface\" closes by 49 % of the height"), std::string::npos)
+      << warnings("5e4");
+}
+
+TEST(Problems, ABlockLostInTheRoundOffOfTheSceneIsRefused) {
+  const SceneReading reading =
+      read(std::string(minimal) +
+           "\n[[block]]\nmaterial = \"rock\"\nvertices = [[-1e16, -1e16], [1e16, -1e16], "
+           "[1e16, 0], [-1e16, 0]]\nfixed = true\n");
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_NE(
+      reading.problems[0].what.find("block 0 of 1 m is lost in the round-off of a scene of 2.236e+16 m"),
+      std::string::npos);
+  EXPECT_EQ(reading.problems[0].line, 11);
 }
 
 TEST(Problems, AnUnusedJointIsAWarning) {

@@ -85,6 +85,15 @@ TEST(StaticCheck, OneErrorForEachLooseBlock) {
   EXPECT_EQ(loose_blocks(scene_with({"20, 0", "3, 0", "20, 1", "-5, 0"})), (Blocks{1, 3, 4}));
 }
 
+TEST(StaticCheck, OneErrorForBlocksOfOnePlaceOfTheFile) {
+  const SceneReading reading = read(
+      replaced(scene_with({"20, 0"}), "[[block]]\nmaterial = \"rock\"\nvertices = [[20",
+               "[[block]]\nmaterial = \"rock\"\ngrid = { count = [3, 2], step = [2, 2] }\nvertices = [[20"));
+  ASSERT_EQ(reading.problems.size(), 1u) << all_text(reading.problems);
+  EXPECT_NE(reading.problems[0].what.find("and 5 more are free and nothing can hold them"), std::string::npos)
+      << reading.problems[0].text();
+}
+
 TEST(StaticCheck, FallsAlongGravityWhereverThisPoints) {
   EXPECT_EQ(loose_blocks(scene_with({"3, -9"}, "[1, 9.8]")), Blocks{}) << "upwards";
   EXPECT_EQ(loose_blocks(scene_with({"11, -0.5"}, "[-1, 0]")), Blocks{}) << "sideways";
