@@ -225,7 +225,8 @@ class BlockSystem : public BlockActions {
   /// Ends it: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
   /// See Block::displacement. Prescribed points are led to where they should be: d is changed so that they
-  /// are. \param[in] prescribed  displacements of the prescribed degrees of freedom
+  /// are.
+  /// \param[in] prescribed  displacements of the prescribed degrees of freedom
   VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
 
  private:

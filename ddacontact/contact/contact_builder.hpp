@@ -129,7 +129,8 @@ class ContactBuilder {
                        double normal = 0) const;
   /// A joint with a stiffness bears from the start the stress of its blocks, the mean of those that can move.
   void load_joint(const BlockState& state, Contact& contact) const;
-  /// Closes and bonds a contact that touches. \param[in] comes_in  one of its blocks does
+  /// Closes and bonds a contact that touches.
+  /// \param[in] comes_in  one of its blocks does
   void begin(const BlockState& state, std::span<const VertexEdge> found, bool comes_in,
              Contact& contact) const;
   /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in

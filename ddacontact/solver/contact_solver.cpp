@@ -28,7 +28,8 @@ constexpr double sufficient_decrease = 1e-2;
 /// A factor is reused while each solution with it reduces the residual to this part: contact normals turned
 /// since then leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
-/// Solutions without a smaller residual after which an accepted one is final, and after which states are left.
+/// Solutions without a smaller residual after which an accepted one is final, and after which states are
+/// left.
 constexpr int patience = 4, most_in_vain = 12;
 /// Residual target, as a fraction of the round-off bound.
 constexpr double round_off_target = 0.05;

@@ -11,7 +11,8 @@ namespace ddacontact {
 
 /// The first two blocks without free unknowns of which the supports of one or both have driven one deeper
 /// into the other than they were drawn, by a millionth of the smaller one's size; nothing where there are
-/// none. \param[in] gives_way  whether a joint with a stiffness lets two blocks overlap
+/// none.
+/// \param[in] gives_way  whether a joint with a stiffness lets two blocks overlap
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
                                         const std::function<bool(const Pair&)>& gives_way);
 

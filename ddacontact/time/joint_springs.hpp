@@ -8,7 +8,8 @@
 namespace ddacontact {
 
 /// The forces of the springs of a closed contact, `law.compliant`, at the end of an accepted step, N per m;
-/// without its dashpot. 0 where it has opened. \param[in] means  the step's forces are those of both ends
+/// without its dashpot. 0 where it has opened.
+/// \param[in] means  the step's forces are those of both ends
 ContactForce end_forces_of_joint(const Contact& contact, bool means);
 
 /// What the springs of a contact store, J per m, for which `properties.is_compliant`: by the forces of its
@@ -16,7 +17,8 @@ ContactForce end_forces_of_joint(const Contact& contact, bool means);
 double energy_of_joint(const ContactProperties& properties, const ContactRecord& contact);
 
 /// Adds what friction, damping and the scheme take in a step from the springs of a contact and what moves
-/// them; before its history takes the forces of the end. \param[in] means  see `end_forces_of_joint`
+/// them; before its history takes the forces of the end.
+/// \param[in] means  see `end_forces_of_joint`
 void account_joint_springs(const Contact& contact, bool means, Energy& energy);
 
 /// What the springs of joints stored at the end of the step before, less what those of this one start with:

@@ -12,7 +12,8 @@ namespace ddacontact {
 /// Adds what an accepted step by the blocks' motions did to the energies, but for the change of kinetic
 /// energy. An impulse works on the straight motion of the shape at the start. What turns away from that on
 /// the way, of slips and of prescribed points, is the scheme's. Gap and slip changes of the contacts become
-/// those of the straight motion. \param[in] from      where it starts: shifted and jumped by an impact
+/// those of the straight motion.
+/// \param[in] from      where it starts: shifted and jumped by an impact
 /// \param[in] straight  the straight motion of all unknowns
 /// \param[in] residual  reactions of prescribed degrees of freedom
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,

@@ -22,8 +22,8 @@ class MotionLimits {
 
   /// How far from each block to look for contacts in a step of length dt: twice the motion expected from its
   /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
-  /// `scale`, m. \param[in] met  contacts of the last step: who may meet whom
-  /// Valid until the next call.
+  /// `scale`, m. Valid until the next call.
+  /// \param[in] met  contacts of the last step: who may meet whom
   const std::vector<double>& search_margin(const BlockState& state, const std::vector<ContactRecord>& met,
                                            double dt, double scale);
   /// The longest step that present velocities allow, s; infinity when nothing moves. A block that is hit is

@@ -26,11 +26,10 @@ struct SeenStep {
 };
 
 /// Looks at every accepted substep for what makes results doubtful:
-/// - a block in contact moves by more than a tenth of its size: contacts are linearized
-///   at one position of its path. (Flight is exact whatever the step.)
-/// - an edge of a block in contact is longer or shorter by more than a twentieth
-///   than at the start: elasticity is linear,
-///   for small strains.
+/// - a block in contact moves by more than a tenth of its size: contacts are linearized at one position of
+///   its path. (Flight is exact whatever the step.)
+/// - an edge of a block in contact is longer or shorter by more than a twentieth than at the start:
+///   elasticity is linear, for small strains.
 /// - contacts of most blocks change their state, in more than a tenth of all substeps. (A first loading or a
 ///   pillar taken out does so too, but once or twice.)
 /// - friction-induced vibration: contacts of a sliding block change their state again and again, in substeps

@@ -67,7 +67,8 @@ class TrialStep {
   /// \param[in] margin       how far from each block, m
   /// \param[in] goes_on      the last step was of the same stage
   void detect(double dt, const std::vector<double>& margin, bool goes_on);
-  /// The contacts of blocks that have not made a step. \param[in] coming  see ContactBuilder::build_first
+  /// The contacts of blocks that have not made a step.
+  /// \param[in] coming  see ContactBuilder::build_first
   void detect_first(double dt, const std::vector<double>& margin, const std::vector<int>& coming = {});
   /// Of the step of that length that begins now, with the contacts found.
   TrialSolution solve(double dt);
