@@ -63,7 +63,7 @@ class CorotationalBlock final : public Block {
   double elastic_energy_of_deformation(const BlockState& state) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const BlockState& state, const Points& y, int c) const;
-  /// Empty: none.
+  /// Stress of the reference shape, in the block's frame; empty: none.
   TensorsRef initial_stress(const BlockState& state) const;
   TensorsRef initial_stress(const BlockState& state, int c) const;
   /// The stress in the cell's own frame.
