@@ -6,7 +6,7 @@
 
 namespace ddacontact {
 
-/// From the origin of the edge's block.
+/// Positions of the vertex and the edge of a pair, from the origin of the edge's block.
 RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair);
 
 /// The pair in motion from a state on.

@@ -11,7 +11,7 @@ namespace ddacontact {
 /// part of that too.
 struct ContactLength {
   double on_edge = 0, beyond = 0;
-  int edge_beyond = -1;  ///< that neighbour; -1: nothing lies beyond
+  int edge_beyond = -1;  ///< the neighbour of the edge that `beyond` is on; -1: none
 
   double total() const { return on_edge + beyond; }
 };
