@@ -23,14 +23,14 @@ class IslandsApart {
   /// \param[in,out] blocks, state  as they were, with the step begun
   /// \param[in] whole              with the step begun
   /// \param[in,out] d              of all unknowns; where to start
-  /// \return what any of the islands took at most, the worst of their residuals, and the first failure
+  /// \return the largest counts of any island, the worst of their residuals, and the first failure
   ContactSolverReport solve(BlockSystem& blocks, BlockState& state, const StepStart& start,
                             const StepSystem& whole, const ContactSolverOptions& options,
                             std::vector<Contact>& contacts, VectorXd& d);
   /// Forgets the systems: blocks have other numbers, or others take part.
   void clear();
 
-  /// What the last call of `solve` took on factors, in all islands.
+  /// Work on factors in the last call of `solve`, in all islands.
   const polyfem::CholeskyWork& last_work() const { return work_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace ddacontact {
 
-/// What an iteration found.
+/// Outcome of an iteration.
 struct KrylovReport {
   bool converged = false;
   int iterations = 0;
