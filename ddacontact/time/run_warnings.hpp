@@ -1,4 +1,4 @@
-/// \file What a run met that makes its results doubtful, counted: no step is refused for it.
+/// \file Counts of events that make a run's results doubtful: no step is refused for them.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -58,10 +58,10 @@ struct RunWarnings {
 
   /// How often something was met, and where it was worst.
   struct Sighting {
-    long substeps = 0;      ///< in which it was met
+    long substeps = 0;      ///< in which this was met
     double first_time = 0;  ///< at the end of the first of them, s
     double largest = 0;     ///< of what is measured, in these substeps
-    int block = -1;         ///< whose it was; -1: of no block
+    int block = -1;         ///< the block of that value; -1: of no block
 
     void add(double value, int of_block, double time);
   };
