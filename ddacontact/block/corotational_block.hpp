@@ -5,6 +5,9 @@
 #include <ddacontact/block/corotational_step.hpp>
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace ddacontact {
 

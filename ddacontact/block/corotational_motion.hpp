@@ -3,6 +3,8 @@
 
 #include <ddacontact/block/corotational_shape.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// The nodes of a shape as arrays of a known size (polyfem::Nodal) and their mass.

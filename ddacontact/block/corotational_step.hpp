@@ -5,6 +5,8 @@
 #include <polyfem/element/matrices.hpp>
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace ddacontact {
 

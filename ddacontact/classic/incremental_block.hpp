@@ -3,6 +3,8 @@
 
 #include <ddacontact/block/block.hpp>
 
+#include <span>
+
 namespace ddacontact {
 
 /// All matrices are of the shape last prepared, and stresses sum up (12) without being turned.

@@ -7,6 +7,7 @@
 #include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 

@@ -7,9 +7,11 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ddacontact {

@@ -3,6 +3,8 @@
 
 #include <ddacontact/detection/broad_phase.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// Whether p lies in q.

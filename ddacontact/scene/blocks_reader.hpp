@@ -3,6 +3,8 @@
 
 #include <ddacontact/scene/reader.hpp>
 
+#include <string>
+
 namespace ddacontact {
 
 /// A scene to take blocks from.

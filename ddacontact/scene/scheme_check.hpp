@@ -4,6 +4,8 @@
 #include <ddacontact/scene/names.hpp>
 #include <ddacontact/scene/records.hpp>
 
+#include <vector>
+
 namespace ddacontact::scene_format {
 
 /// Newmark's scheme with gamma < 0.6 does not damp accelerations that alternate from step to step, and

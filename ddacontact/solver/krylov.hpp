@@ -4,6 +4,7 @@
 #include <ddacontact/core/types.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace ddacontact {

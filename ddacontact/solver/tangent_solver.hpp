@@ -4,6 +4,8 @@
 #include <ddacontact/core/skips.hpp>
 #include <ddacontact/solver/friction_problem.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// Counts of a TangentSolver.

@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 
+#include <optional>
 #include <utility>
 #include <vector>
 

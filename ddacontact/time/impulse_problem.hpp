@@ -4,6 +4,8 @@
 #include <ddacontact/solver/friction_problem.hpp>
 #include <ddacontact/time/rigid_motions.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// A number for the normal direction and one for the shear of every contact, in two columns: impulses, or

@@ -5,6 +5,8 @@
 #include <ddacontact/solver/contact_term.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// The forces of the springs of a closed contact, `law.compliant`, at the end of an accepted step, N per m;

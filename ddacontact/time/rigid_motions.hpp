@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 
 #include <span>
+#include <vector>
 
 namespace ddacontact {
 

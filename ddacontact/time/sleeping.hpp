@@ -5,6 +5,7 @@
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
