@@ -1,4 +1,4 @@
-/// \file What congruent corotational blocks share: nodes, matrices and maps of the reference shape.
+/// \file Data that congruent corotational blocks share: nodes, matrices and maps of the reference shape.
 #pragma once
 
 #include <ddacontact/block/block.hpp>

@@ -32,7 +32,7 @@ struct BlockState {
                    ///< reference shape has of it, in the block's own frame (corotational blocks); empty where
                    ///< no block has or ever gets any
   VectorXd rotation;  ///< of each block since the start: best fit, not wrapped, radians
-  VectorXd bolts;     ///< what all bolts carry from step to step, see Bolt::numbers
+  VectorXd bolts;     ///< histories of all bolts, see Bolt::numbers
 };
 
 }  // namespace ddacontact

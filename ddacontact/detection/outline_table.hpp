@@ -23,7 +23,7 @@ struct Side {
 struct OutlineSides {
   std::span<const Side> sides;
   Box box;
-  bool concave;  ///< it turns right at some vertex, however little
+  bool concave;  ///< the outline turns right at some vertex, however little
 };
 
 /// Simple, counter-clockwise polygons, by their numbers.

@@ -30,7 +30,7 @@ class StepBolt {
   void act_along(Directions directions) { directions_ = directions; }
   /// Finds its forces where its unknowns are displaced so, by all unknowns.
   void look(const VectorXd& displaced);
-  /// Its force on a node where it was evaluated last, N per m.
+  /// Force of the bolt on a node where it was evaluated last, N per m.
   Vec2 force_on(int node) const;
   /// F += its forces on all unknowns.
   void add_forces(VectorXd& F) const;

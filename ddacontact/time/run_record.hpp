@@ -31,7 +31,7 @@ struct RunAccounts {
 struct RunRecord : RunAccounts {
   StepRecord step;
   double end_time = 0;                ///< of ramps, s
-  Points zero_position, zero_origin;  ///< what displacements are counted from; empty: from the start
+  Points zero_position, zero_origin;  ///< points from which displacements count; empty: the start's
 };
 
 /// The bits of a record, in the order of bytes of the machine.

@@ -116,7 +116,7 @@ class SleepingBlocks {
       int block;
       const TimeFunction* function;  ///< of a load or a support
     };
-    std::vector<Watched> watched;  ///< what acts on sleepers and may change
+    std::vector<Watched> watched;  ///< loads and supports of sleepers that may change
     int n_closed = 0;              ///< of `contacts`
   };
   std::optional<Asleep> asleep_;

@@ -181,7 +181,7 @@ class Stepper {
   Points reactions_of_step_;
 
   TrialStep trial_;                    ///< of the present substep, after the last trial
-  std::vector<double> search_margin_;  ///< that its contacts were looked for within
+  std::vector<double> search_margin_;  ///< of the last search for its contacts, m
   double reach_scale_ = 1;
   bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;  ///< the trial's contacts are those of state_

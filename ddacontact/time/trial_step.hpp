@@ -26,7 +26,7 @@ struct StepTimes {
 /// The solution of a trial, its residual, and the reason to reject it (empty: none).
 struct TrialSolution {
   VectorXd d;         ///< of all unknowns
-  VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
+  VectorXd straight;  ///< the solution: with half steps the straight motion, see Block::displacement
   Residual residual;
   double tolerance = 0;  ///< to which contact forces were solved
   std::string rejection;
