@@ -1,7 +1,7 @@
 // A plate cools down: the heat equation on Voronoi cells, by Crank-Nicolson steps.
 //
-//        du/dt - div grad u = 0 in the unit square,    u = 0 on its boundary,    u = sin(pi x) sin(pi y) at t
-//        = 0.
+//        du/dt - div grad u = 0 in the unit square,    u = 0 on its boundary,
+//        u = sin(pi x) sin(pi y) at t = 0.
 //
 // With u = sum_j u_j(t) N_j it is M u' + K u = 0, M_ij = integral of N_i N_j, K_ij = integral of
 // grad N_i . grad N_j, and its solution u = exp(-2 pi^2 t) sin(pi x) sin(pi y). Steps and cells of half the

@@ -1,14 +1,14 @@
 // A joint law of one's own: rough joints that are steep under small normal forces and flat under large ones.
 //
-//   T |        ___---   Patton's law: asperities are overridden at the angle phi + i up to the normal force
-//   N0,
-//     |   __---         beyond it they are sheared off and phi alone is left (forces per contact and metre):
-//     |  /                  T(N) = N tan(phi + i)                           for N <= N0,
-//     | /                   T(N) = N0 tan(phi + i) + (N - N0) tan(phi)      beyond.
-//     |/________ N      On a slope between phi and phi + i a light block rests. A heavy one, with both its
-//     contacts
-//        N0             beyond N0, slides with a = g (sin a - cos a tan(phi)) - 2 N0 (tan(phi + i) -
-//        tan(phi)) / m.
+//   T |        ___---     Patton's law: asperities are overridden at the angle phi + i up to the
+//     |   __---           normal force N0, beyond it they are sheared off and phi alone is left
+//     |  /                (forces per contact and metre):
+//     | /                     T(N) = N tan(phi + i)                         for N <= N0,
+//     |/________ N            T(N) = N0 tan(phi + i) + (N - N0) tan(phi)    beyond.
+//        N0
+//
+// On a slope between phi and phi + i a light block rests. A heavy one, with both its contacts beyond N0,
+// slides with a = g (sin a - cos a tan(phi)) - 2 N0 (tan(phi + i) - tan(phi)) / m.
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/classic/vertex_block.hpp>
 #include <ddacontact/time/stepper.hpp>

@@ -1,12 +1,12 @@
 // Elasticity on Voronoi cells of first and of second order.
 //
-//        - div sigma = b in the unit square,    u = 0 on its boundary,    sigma = lambda tr(eps) 1 + 2 mu
-//        eps.
+//        - div sigma = b in the unit square,    u = 0 on its boundary,
+//        sigma = lambda tr(eps) 1 + 2 mu eps.
 //
 // A quadratic cell has an unknown also in the middle of each edge, and shape functions that contain all
 // quadratic polynomials: cells of half the size leave an eighth of the error in the mean (L2), not a quarter.
-// Two lines differ from the element of first order: the mesh gets midpoints, and shape functions are tabulated
-// by `tabulate_quadratic`.
+// Two lines differ from the element of first order: the mesh gets midpoints, and shape functions are
+// tabulated by `tabulate_quadratic`.
 //
 //        u = (sin(pi x) sin(pi y), 0)
 //

@@ -20,7 +20,7 @@ class BlockMotion;
 /// Motions of a block as a rigid body, a row an unknown: unit translations in x and y, and a unit rotation.
 using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, BlockState::n_rigid>;
 
-/// What a block is made of.
+/// Material of a block.
 struct BlockMaterial {
   Mat3 elasticity;     ///< D of (9), Pa
   double density = 0;  ///< at the start, kg/m3
@@ -59,7 +59,7 @@ class Block {
   virtual const CorotationalShape* shape() const { return nullptr; }
   /// Forces on the nodes of the shape by the stress that it has at rest, in the block's frame; empty: none.
   virtual VectorXd initial_force(const BlockState&) const { return {}; }
-  /// How many numbers BlockState::coordinates has of it.
+  /// Number of its entries in BlockState::coordinates.
   virtual int n_coordinates() const { return 0; }
   virtual int n_unknowns() const = 0;
   virtual int n_stress_points() const = 0;
@@ -67,11 +67,11 @@ class Block {
   virtual bool changes_stress() const { return true; }
   int n_vertices() const { return n_vertices_; }
   int n_points() const { return static_cast<int>(reference_.size()); }
-  /// Its number, and where its entries start in the arrays of the state.
+  /// Gives the block its number and the first of its entries in the arrays of the state.
   void number(int index, int first_point, int first_unknown, int first_stress_point, int first_coordinate);
-  /// Of the outline, the first of `points`.
+  /// Range of the outline's vertices, the first of `points`.
   const Range& vertices() const { return vertices_; }
-  /// Their positions in a state, from the origin that the block has there.
+  /// Positions of the outline's vertices in a state, from the origin that the block has there.
   auto outline(const BlockState& state) const { return vertices_.columns_of(state.position); }
   const Range& points() const { return points_; }
   const Range& unknowns() const { return unknowns_; }
@@ -88,18 +88,18 @@ class Block {
   /// The multiple of a power of two nearest to a position: what the block's origin may be.
   Vec2 grid_point(const Vec2& near) const;
 
-  /// Makes ready for the block's outline in `state`.
+  /// Prepares the block for its outline in `state`.
   void prepare(const BlockState& state);
 
-  /// Of the outline; the centroid is relative to the block's origin.
+  /// Area moments of the outline; the centroid is relative to the block's origin.
   const polyfem::AreaMoments& moments() const { return moments_; }
-  /// Relative to the model's origin.
+  /// Centroid of the outline, relative to the model's origin.
   Vec2 centroid() const { return origin_ + moments_.centroid; }
-  /// M times velocities, one a column: momenta by unknown. M is density * integral of T^T T of (26).
+  /// Momenta by unknown: M times velocities, one a column. M is density * integral of T^T T of (26).
   virtual MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const = 0;
-  /// All of M, n_unknowns x n_unknowns.
+  /// Mass matrix M, n_unknowns x n_unknowns.
   MatrixXd mass() const { return times_mass(MatrixXd::Identity(n_unknowns(), n_unknowns())); }
-  /// v M v / 2, J per m.
+  /// Kinetic energy v M v / 2, J per m.
   virtual double kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const {
     return velocity.dot(times_mass(velocity).col(0)) / 2;
   }
@@ -109,7 +109,7 @@ class Block {
   Eigen::Map<const VectorXd> rotation() const {
     return {rotation_.data(), static_cast<Index>(rotation_.size())};
   }
-  /// All three.
+  /// The two translations and the rotation.
   RigidModes rigid_modes() const;
   /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.
   virtual Points integration_points() const = 0;
@@ -122,21 +122,23 @@ class Block {
   /// Moves the origin in `state` back to the block when it has gone far from it.
   void follow_with_origin(BlockState& state) const;
 
-  /// The displacement of a point (0 .. n_points - 1).
+  /// Displacement of a point (0 .. n_points - 1) as a map of the unknowns.
   virtual PointMap vertex_map(int point) const = 0;
-  /// The furthest that d moves a vertex of the outline, or its speed when given velocities; of all unknowns.
+  /// Largest displacement of a vertex of the outline by d, or its speed by velocities; of all unknowns.
   double furthest_vertex(const VectorXd& d) const;
   /// F += integral of T^T b, Eq. (23), of all unknowns; `b` is a force per volume of the undeformed block.
   virtual void add_body_force(const Vec2& b, VectorXd& F) const = 0;
 
+  /// Begins a step from a state. Throws Error when the block cannot be moved by the scheme.
   virtual void begin_step(const BlockState& state, const StepStart& start) = 0;
   /// Writes the displacements of a step without forces: where to look for those with them.
   virtual void free_path(Eigen::Ref<VectorXd> path) const = 0;
   /// The forces that resist displacements d of the block's unknowns.
   virtual void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const = 0;
-  /// Their derivative by d, next to exact, symmetric positive definite, is a sum of matrices of some of the
-  /// unknowns each: of these, 0 .. n_unknowns - 1.
+  /// Number of parts of the tangent: the derivative of the forces by d, next to exact, symmetric positive
+  /// definite, is a sum of matrices, each over some of the unknowns.
   virtual int n_parts() const { return 1; }
+  /// Unknowns of a part, 0 .. n_unknowns - 1.
   virtual std::vector<int> part_unknowns(int part) const;
   /// The matrices of all parts.
   virtual void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const = 0;
@@ -151,26 +153,26 @@ class Block {
   /// middle their angular momentum).
   virtual void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external,
                         bool is_free, BlockState& next) const = 0;
-  /// Where d leads the block's unknowns to. With half steps d is the straight motion of the shape at the
-  /// start, dt times its velocities: forces act on that, and the block turns on the way.
+  /// Displacements that the block's unknowns have after d. With half steps d is the straight motion of the
+  /// shape at the start, dt times its velocities: forces act on that, and the block turns on the way.
   virtual void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const {
     displaced = d;
   }
-  /// The step by the block's motions that was begun; none: steps are made otherwise.
+  /// The step last begun, where blocks are carried on by their motions; none: they are not.
   virtual std::optional<BlockMotion> motion() const;
 
-  /// At the integration points, axes of the model, 3 x n_stress_points.
+  /// Stress at the integration points, axes of the model, tension positive, 3 x n_stress_points, Pa.
   virtual Tensors stress(const BlockState& state) const = 0;
-  /// What the step's displacements d store in the block, J per m.
+  /// Energy that the step's displacements d store in the block, J per m.
   virtual double stored_energy(const Eigen::Ref<const VectorXd>& d) const = 0;
-  /// What the step loses of the work of the block's elastic forces, J per m: by the identity of the scheme
-  /// where there is one, so that a force that is not that of the energy leaves the ledger open; else what the
-  /// work of `elastic` has more than is stored.
+  /// Work of the block's elastic forces that the step loses, J per m: by the identity of the scheme where
+  /// there is one, so that a force that is not that of the energy leaves the ledger open; else the work of
+  /// `elastic` less the energy stored.
   virtual double elastic_loss(const Eigen::Ref<const VectorXd>& d,
                               const Eigen::Ref<const VectorXd>& elastic) const {
     return d.dot(elastic) - stored_energy(d);
   }
-  /// Integral of sigma D^-1 sigma / 2, J per m.
+  /// Elastic energy: integral of sigma D^-1 sigma / 2, J per m.
   virtual double elastic_energy(const BlockState& state) const;
   /// The weights of the points (n_points) whose sum is x, a point of the closed block at the start.
   VectorXd point_weights(const Vec2& x) const;
@@ -186,13 +188,13 @@ class Block {
   virtual CellStress cell_stress(const BlockState& state, int c) const;
 
  protected:
-  /// Places, the first `n_vertices` of which are the outline.
+  /// \param[in] points  the first `n_vertices` are the outline
   Block(const BlockMaterial& material, const PointsRef& points, int n_vertices);
 
   virtual void prepare_shape(const PointsRef& points) = 0;
   Mat3 compliance() const;  ///< D^-1
 
-  /// Of the size of rotation(), to be written by prepare_shape.
+  /// Storage of rotation(), n_unknowns long, for prepare_shape to write.
   Eigen::Map<VectorXd> new_rotation() {
     rotation_.resize(n_unknowns());
     return {rotation_.data(), n_unknowns()};

@@ -28,15 +28,15 @@ class BlockMotion {
                     const Numbers& initial, CorotationalStart& start);
   BlockMotion(const CorotationalShape& shape, const CorotationalStart& start);
 
-  /// What external forces on the unknowns have to be so that the motion is d.
+  /// External forces on the unknowns under which the motion is d, N per m.
   void forces(const Numbers& d, Written resisting) const;
   /// The straight motion without any forces.
   void free_path(Written d) const;
-  /// Where a straight motion leads the unknowns to.
+  /// Displacements of the unknowns after a straight motion.
   void displacement(const Numbers& d, Written displaced) const;
-  /// What it stores in the block, J per m.
+  /// Energy that a straight motion stores in the block, J per m.
   double stored_energy(const Numbers& d) const;
-  /// What Rayleigh damping takes, and what the scheme takes of the work of elastic forces and of inertia
+  /// Energy taken by Rayleigh damping, and by the scheme from the work of elastic forces and of inertia
   /// before the change of kinetic energy is taken off, J per m.
   struct Losses {
     double damping = 0, scheme = 0;
@@ -72,11 +72,11 @@ class BlockMotion {
   template <class Work>
   auto with_motion(const Numbers& d, const Work& work) const;
 
-  /// What is kept of the start, two numbers a place: vc and omega before; Z M Z and X M Z with Z = X + u; the
+  /// Entries of the start, two numbers each: vc before; (omega before, 0); (Z M Z, X M Z) with Z = X + u; the
   /// first column of R.
   enum Number : Index { velocity_before, spin_before, about_centre, axis_now, n_numbers };
-  /// After them arrays of the nodes in the block's frame: X + u; u' before; the right side without f; f0,
-  /// where there is any.
+  /// Arrays of the nodes in the block's frame that follow those entries: X + u; u' before; the right side
+  /// without f; f0, where there is any.
   enum Array : Index { shape_now, deforming, drive, stress_forces };
   template <class Of>
   auto array(Array k) const {

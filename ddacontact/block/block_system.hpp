@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ddacontact {
@@ -71,7 +72,7 @@ struct FixedVertex {
   TimeFunction motion;
 };
 
-/// What acts on blocks by their numbers, beside water and prescribed degrees of freedom.
+/// Actions on blocks, by the blocks' numbers: all but water and prescribed degrees of freedom.
 struct BlockActions {
   std::vector<PointLoad> point_loads;
   std::vector<PressureLoad> pressure_loads;
@@ -182,14 +183,14 @@ class BlockSystem : public BlockActions {
   /// The forces at the ends of edges of pressures, water and the surroundings, N per m, on the shape of
   /// `state`.
   void add_edge_forces(const BlockState& state, const TimeSpan& span, const AddForce& add) const;
-  /// Calls visit(block, function) for those of all loads and quiet faces.
+  /// Calls visit(block, function) for the time functions of all loads and quiet faces.
   void for_load_functions(const auto& visit) const {
     for (const PointLoad& load : point_loads) visit(load.point.block, load.force);
     for (const PressureLoad& load : pressure_loads) visit(load.block, load.pressure);
     for (const BodyLoad& load : body_loads) visit(load.block, load.force);
     for (const QuietFace& face : quiet_faces) visit(face.block, face.incoming);
   }
-  /// Those, and those of the ground and of supports.
+  /// Time functions of loads, quiet faces, the ground and supports.
   std::vector<const TimeFunction*> time_functions() const;
   bool has_face_loads() const { return !pressure_loads.empty() || !water.faces.empty(); }
   /// F += point, pressure and body loads, fading forces, water and shaking on the shape of `state`, their
@@ -203,10 +204,9 @@ class BlockSystem : public BlockActions {
 
   /// All points, relative to the model's origin.
   Points positions(const BlockState& state) const;
-  /// Of all points since displacements are counted: from the start, or from the last call of
-  /// count_displacements_from.
+  /// Displacements of all points, m, since the start or the last call of count_displacements_from.
   Points displacements(const BlockState& state) const;
-  /// Of one point since the start, along an axis.
+  /// Displacement of one point along an axis since the start, m.
   double total_displacement(const BlockState& state, int point, int axis) const;
   void count_displacements_from(const BlockState& zero);
   /// The points as they were drawn, with their blocks' origins.
@@ -222,26 +222,27 @@ class BlockSystem : public BlockActions {
 
   /// Begins a step of every block that has matrices.
   void begin_step(const BlockState& state, const StepStart& start);
-  /// Ends it: see Block::end_step. Vectors of all unknowns.
+  /// Ends the step: see Block::end_step. Vectors of all unknowns.
   void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
-  /// See Block::displacement. Prescribed points are led to where they should be: d is changed so that they
-  /// are. \param[in] prescribed  displacements of the prescribed degrees of freedom
+  /// Displacements of all unknowns after d, see Block::displacement. Prescribed points are led to where they
+  /// should be: d is changed so that they are.
+  /// \param[in] prescribed  displacements of the prescribed degrees of freedom
   VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
 
   class Part;
 
  private:
-  /// What was taken out with a block.
+  /// Actions, supports and bolt nodes that were taken out with a block.
   struct TakenOut : BlockActions {
     int block = 0;
     std::vector<PrescribedDof> prescribed_dofs;
     std::vector<int> supported_vertices;
-    std::vector<std::pair<std::size_t, std::size_t>> bolt_nodes;  ///< of which bolt which
+    std::vector<std::pair<std::size_t, std::size_t>> bolt_nodes;  ///< indices of bolt and node
   };
 
   BlockSystem() = default;
   void number_equations();
-  /// Into the block across an edge, times its length.
+  /// Inward normal of an edge, times its length, m.
   Vec2 inward(int b, int edge, const BlockState& state) const;
 
   std::vector<std::unique_ptr<Block>> blocks_;

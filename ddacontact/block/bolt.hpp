@@ -28,7 +28,7 @@ struct Bolt {
   double bond_stiffness = 0;        ///< force per length of bar and slip, N/m2 per m
   double bond_strength = infinity;  ///< force per length of bar, N/m per m
   bool installed = true;            ///< false: a later stage installs it
-  Range numbers;                    ///< of it in BlockState::bolts
+  Range numbers;                    ///< entries in BlockState::bolts
 
   int n_segments() const { return static_cast<int>(nodes.size()) - 1; }
   bool is_grouted() const { return !bonded.empty(); }
@@ -37,22 +37,22 @@ struct Bolt {
 
   // What BlockState::bolts has of it, by offset from `numbers.first` on, first of its segments, then, where
   // it is grouted, of its nodes.
-  /// Of a segment: its length when it was installed and its elongation without force, m; 1: it has torn.
+  /// Numbers of a segment: its length when installed and its elongation without force, m; 1: it has torn.
   enum OfSegment { length_then, plastic_elongation, has_torn, per_segment };
   int n_numbers() const { return per_segment * n_segments() + (is_grouted() ? 2 * n_segments() + 2 : 0); }
   static int length(int segment) { return per_segment * segment + length_then; }
   static int plastic(int segment) { return per_segment * segment + plastic_elongation; }
   static int torn(int segment) { return per_segment * segment + has_torn; }
-  /// Of a node: the slip of the bar towards its last node, and the part of it without force, m.
+  /// Numbers of a node: the slip of the bar towards its last node, and the part of it without force, m.
   int slip(int node) const { return per_segment * n_segments() + 2 * node; }
   int plastic_slip(int node) const { return slip(node) + 1; }
 };
 
 /// Whether it is installed and a segment of it may move.
 bool acts(const Bolt& bolt, const BlockSystem& blocks);
-/// From the first end of a segment to its second one, m.
+/// Vector from the first end of a segment to its second one, m.
 Vec2 segment_vector(const Bolt& bolt, int segment, const BlockSystem& blocks, const BlockState& state);
-/// Of the rock between the nodes since the bolt was installed, m, a number a segment.
+/// Elongations of the rock between the nodes since the bolt was installed, m, one a segment.
 VectorXd elongations(const Bolt& bolt, const BlockSystem& blocks, const BlockState& state);
 /// Puts the bolt in where its nodes are: free of elongation, with its pretension.
 void install(const Bolt& bolt, const BlockSystem& blocks, BlockState& state);

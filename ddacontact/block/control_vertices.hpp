@@ -1,4 +1,4 @@
-/// \file Vertices by whose displacements an affine field is told.
+/// \file Vertices whose displacements determine an affine displacement field.
 #pragma once
 
 #include <ddacontact/core/types.hpp>
@@ -8,8 +8,8 @@
 
 namespace ddacontact {
 
-/// Three vertices by whose displacements in x, and three (often the same) by whose displacements in y, an
-/// affine field can be told. With fixed vertices among them, fixing is leaving out their unknowns.
+/// Three vertices whose displacements in x, and three (often the same) whose displacements in y determine an
+/// affine displacement field. Fixed ones are preferred, so that fixing eliminates their unknowns.
 struct ControlVertices {
   static constexpr int n = 3;
   std::array<int, n> x, y;

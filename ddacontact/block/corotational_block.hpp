@@ -5,6 +5,9 @@
 #include <ddacontact/block/corotational_step.hpp>
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace ddacontact {
 
@@ -63,7 +66,7 @@ class CorotationalBlock final : public Block {
   double elastic_energy_of_deformation(const BlockState& state) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const BlockState& state, const Points& y, int c) const;
-  /// Empty: none.
+  /// Stress of the reference shape, in the block's frame; empty: none.
   TensorsRef initial_stress(const BlockState& state) const;
   TensorsRef initial_stress(const BlockState& state, int c) const;
   /// The stress in the cell's own frame.

@@ -3,6 +3,8 @@
 
 #include <ddacontact/block/corotational_shape.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// The nodes of a shape as arrays of a known size (polyfem::Nodal) and their mass.
@@ -68,16 +70,16 @@ class NodalKinematics {
   [[gnu::always_inline]] Vec2 mean(const Vectors& v) const {
     return v.lazyProduct(mass_of_translation()) / shape_.mass_total;
   }
-  /// The same for all points of the block.
+  /// Nodal values of a vector that is the same for all points of the block.
   [[gnu::always_inline]] Vectors everywhere(const Vec2& v) const {
     return v * Eigen::Map<const typename Of::Scalars>(shape_.translation.data(), n_nodes()).transpose();
   }
-  /// From the centre of mass.
+  /// Arms of the nodes from the centre of mass.
   [[gnu::always_inline]] Vectors arms(const Vectors& y) const { return y - everywhere(mean(y)); }
   /// Velocities of a unit rotation about the centre of mass.
   [[gnu::always_inline]] Vectors spin(const Vectors& y) const { return left(arms(y)); }
 
-  /// What is rigid in velocities of the nodes at y: momentum over mass, angular momentum over inertia.
+  /// Rigid part of velocities of the nodes at y: momentum over mass, angular momentum over inertia.
   struct Rigid {
     Vec2 linear;
     double angular, inertia;
@@ -92,7 +94,7 @@ class NodalKinematics {
     rigid.angular = momenta.cwiseProduct(velocity).sum() / rigid.inertia;
     return rigid;
   }
-  /// Adds what acts on the nodes of a cell.
+  /// Adds the forces on the nodes of a cell.
   void add_of_cell(const Stacked& f, std::size_t c, Vectors& on_nodes) const {
     const std::vector<int>& nodes = shape_.cells[c].nodes;
     if (nodes.empty()) {
@@ -111,7 +113,7 @@ class NodalKinematics {
       cell.elastic.frame(Vectors(y(Eigen::all, cell.nodes)), frame);
     return frame;
   }
-  /// That of its frame.
+  /// Rotation of the cell's frame.
   Mat2 cell_rotation(const Vectors& y, std::size_t c) const {
     const ShapeCell& cell = shape_.cells[c];
     if (cell.nodes.empty()) return cell.elastic.template rotation<Of>(y);

@@ -1,4 +1,4 @@
-/// \file What congruent corotational blocks share: nodes, matrices and maps of the reference shape.
+/// \file Data that congruent corotational blocks share: nodes, matrices and maps of the reference shape.
 #pragma once
 
 #include <ddacontact/block/block.hpp>
@@ -13,6 +13,8 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 namespace ddacontact {
 
@@ -58,7 +60,7 @@ struct CorotationalShape {
   /// A bound of the angular frequencies at which the free shape vibrates, the highest of its cells by
   /// themselves, 1/s; found when it is first requested. Any thread may ask.
   double highest_frequency() const;
-  /// What is found when it is first requested, and the step matrices that were requested last.
+  /// Results that are found when first requested, and the step matrices that were requested last.
   struct OnDemand {
     std::once_flag found, vibrates;
     std::optional<MotionShape> motions;
@@ -78,10 +80,11 @@ struct CorotationalShape {
 /// velocities half a step before, (2 / w) (sqrt(1 + z^2) - z) with the damping ratio z at the highest
 /// frequency w; s.
 double critical_step(const CorotationalShape& shape, const RayleighDamping& damping);
-/// That with a margin, as blocks turn and lengths of substeps change, s.
+/// Critical step with a margin, as blocks turn and lengths of substeps change, s.
 double longest_explicit_step(const CorotationalShape& shape, const RayleighDamping& damping);
 
-/// Those that were last requested of the shape, or made now. Any thread may ask.
+/// Step matrices by this rule and length: those that were last requested of the shape, or made now. Any
+/// thread may ask.
 std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape, const StepRule& rule,
                                                   double dt);
 

@@ -5,6 +5,8 @@
 #include <polyfem/element/matrices.hpp>
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace ddacontact {
 
@@ -203,7 +205,7 @@ class CorotationalStep {
     return array(at_.initial_forces + cell.first_node, cell.elastic.n_nodes()).reshaped();
   }
 
-  /// Newmark's, after the step.
+  /// Newmark's acceleration after the step.
   Vectors acceleration_after(const Vectors& step) const {
     Vectors after = rule_.inertia() / (dt_ * dt_) * (step - dt_ * velocity());
     if (rule_.history() != 0) after -= rule_.history() * acceleration();

@@ -1,4 +1,4 @@
-/// \file How the integrals over a polygon are taken.
+/// \file Quadrature of a block without a mesh.
 #pragma once
 
 #include <ddacontact/core/types.hpp>
@@ -7,15 +7,16 @@
 
 namespace ddacontact {
 
-/// How the integrals over a block whose vertices are its nodes are taken.
+/// Quadrature of a block whose vertices are its nodes.
 struct Integration {
   const polyfem::TriangleRule* triangle_rule;  ///< of each triangle of the fan; not owned
   polyfem::GradientCorrection correction;
-  bool definite = true;  ///< whether it gives the block a stiffness of full rank and a definite mass
+  bool definite = true;  ///< whether stiffness has full rank and mass is positive definite
 };
 
-/// The paper's integration, or, with the correction on, the cheapest rule from there that gives this
-/// outline and basis a stiffness of full rank and a definite mass.
+/// With the correction off the paper's rule, whatever it gives. With it on the cheapest rule, of at least the
+/// paper's degree, by which outline and basis have a stiffness of full rank and a positive definite mass;
+/// where there is none the finest, `definite` false.
 Integration choose_integration(const PointsRef& outline, polyfem::GradientCorrection correction,
                                const polyfem::Basis& basis = polyfem::wachspress);
 

@@ -33,7 +33,7 @@ class PointMap {
   PointMap() = default;
   /// A point whose displacement are the unknowns `first` and `first` + 1.
   explicit PointMap(int first) : first_(first), size_(2) {}
-  /// Of different unknowns; valid while the terms are.
+  /// A point moved by the terms, their columns times d[first + unknown]; valid while the terms are.
   PointMap(int first, std::span<const Term> terms)
       : terms_(terms.data()), first_(first), size_(static_cast<int>(terms.size())) {
     assert(size_ <= capacity);

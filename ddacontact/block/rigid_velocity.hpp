@@ -7,7 +7,7 @@ namespace ddacontact {
 
 /// A block's momentum over its mass, and its angular momentum about the centroid over its inertia.
 struct RigidVelocity {
-  Vec2 linear;
+  Vec2 linear;         ///< m/s
   double angular = 0;  ///< rad/s
 };
 
@@ -15,7 +15,7 @@ struct RigidVelocity {
 RigidVelocity rigid_velocity(const Block& block, const VectorXd& velocity);
 /// \param[in] momenta  of the block's own unknowns: forces make accelerations so
 RigidVelocity rigid_velocity_by(const Block& block, const Eigen::Ref<const VectorXd>& momenta);
-/// Of the block's own unknowns when it moves so.
+/// Velocities of the block's own unknowns in this rigid motion.
 VectorXd as_velocity(const Block& block, const RigidVelocity& rigid);
 
 }  // namespace ddacontact

@@ -17,14 +17,14 @@ struct BlockState {
   double time = 0;
   Points origin;    ///< of each block, relative to the model's origin
   Points position;  ///< the points of all blocks, relative to their block's origin
-  /// Of blocks that are carried on by their motions, what points follow from: centre of mass from the origin,
-  /// angle, deformation of the nodes (MotionShape). Empty: the points are the state.
+  /// Coordinates of the blocks that are carried on by their motions, from which points follow: centre of mass
+  /// from the origin, angle, deformation of the nodes (MotionShape). Empty: the points are the state.
   VectorXd coordinates;
   VectorXd velocity;  ///< of every unknown
-  /// Of every unknown, what the scheme carries on beside the velocity: Newmark's the acceleration at the end
-  /// of the last step; with half steps the velocity in the middle of that step, on the present shape.
+  /// History that the scheme carries on beside the velocity, of every unknown: Newmark's the acceleration at
+  /// the end of the last step; with half steps the velocity in the middle of that step, on the present shape.
   VectorXd carried;
-  /// The length of that step, s; 0: none, the next step begins with the velocity itself.
+  /// Length of the step that `carried` is of, s; 0: none, the next step begins with the velocity itself.
   double carried_dt = 0;
   /// The velocity that a dynamic step goes on with.
   const VectorXd& going_on() const { return carried_dt > 0 ? carried : velocity; }
@@ -32,7 +32,7 @@ struct BlockState {
                    ///< reference shape has of it, in the block's own frame (corotational blocks); empty where
                    ///< no block has or ever gets any
   VectorXd rotation;  ///< of each block since the start: best fit, not wrapped, radians
-  VectorXd bolts;     ///< what all bolts carry from step to step, see Bolt::numbers
+  VectorXd bolts;     ///< histories of all bolts, see Bolt::numbers
 };
 
 }  // namespace ddacontact

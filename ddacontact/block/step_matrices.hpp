@@ -1,4 +1,4 @@
-/// \file Matrices of a step that all congruent blocks share, and what a block keeps of its start.
+/// \file Matrices of a step that all congruent blocks share, and a block's data at the start of its step.
 #pragma once
 
 #include <ddacontact/block/step_start.hpp>
@@ -18,8 +18,8 @@ struct StepMatrices {
   bool are_for(const StepRule& of_rule, double of_dt) const { return rule == of_rule && dt == of_dt; }
 };
 
-/// What a corotational block keeps of the start of its step: rule and length, and numbers that BlockMotion or
-/// CorotationalStep finds there and lays out here: one array, as every awake block has one.
+/// Data of a corotational block at the start of its step: rule and length, and numbers that BlockMotion or
+/// CorotationalStep lays out. They are one array, as every awake block has one.
 struct CorotationalStart {
   std::shared_ptr<const StepMatrices> matrices;
   std::vector<Vec2> arrays;

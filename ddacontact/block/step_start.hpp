@@ -1,4 +1,4 @@
-/// \file What a block is told of a step before its displacements are known.
+/// \file Time-scheme coefficients and initial motion of a step.
 #pragma once
 
 #include <ddacontact/core/directions.hpp>
@@ -11,7 +11,7 @@
 
 namespace ddacontact {
 
-/// The time scheme in numbers.
+/// Coefficients of the time scheme.
 struct StepRule {
   Scheme scheme = Scheme::dda;
   double beta = 0.5, gamma = 1;  ///< of the Newmark family; midpoint has an inertia of (1/2, 1)
@@ -37,21 +37,21 @@ struct StepRule {
     return scheme == Scheme::backward_euler ? 1 : 1 / beta;
   }
   double history() const { return scheme == Scheme::newmark ? 1 / (2 * beta) - 1 : 0; }
-  /// Over what of a step from `time` on the mean of loads is taken: the time in which their impulses act. A
-  /// static step ends in equilibrium with those of its end.
+  /// Span of a step from `time` on, s, over which loads are averaged: the time in which their impulses act. A
+  /// static step ends in equilibrium with the loads of its end.
   TimeSpan load_span(double time, double dt) const {
     if (has_half_steps() && !starts_at_rest) return {time + (0.5 - impulse_time) * dt, time + dt / 2};
     return {time + (mean_forces() ? 0 : dt), time + dt};
   }
 
-  /// Loads on faces act on the shape that the motion at the start predicts for then: of the schemes
-  /// without numerical damping, where those of the start's shape would drive what they hold.
+  /// Whether loads on faces act on the shape that the motion at the start predicts for that time: in schemes
+  /// without numerical damping, where loads on the start's shape would drive the blocks that they hold.
   bool predicts_shape() const { return !starts_at_rest && (mean_forces() || scheme == Scheme::newmark); }
 
   bool operator==(const StepRule&) const = default;
 };
 
-/// The scheme that the options ask for, with its numbers. Static steps begin at rest and end in equilibrium:
+/// The scheme of the options with its coefficients. Static steps begin at rest and end in equilibrium:
 /// impulses of the decaying scheme, which makes those of the explicit one too, act over their whole length,
 /// and the scheme whose forces act at the middle makes them by backward Euler.
 /// \param[in] dt           of the step, s
@@ -73,13 +73,13 @@ inline StepRule step_rule(const AnalysisOptions& analysis, double dt, double pre
 struct StepStart {
   StepRule rule;
   double dt = 0;
-  /// With half steps that in the middle of the step before.
+  /// Velocity at the start; with half steps that in the middle of the step before.
   VectorXd velocity;
-  VectorXd acceleration;  ///< of Newmark's schemes
+  VectorXd acceleration;  ///< at the start, of Newmark's schemes
 };
 
-/// With what forces a block resists the displacements of a step, of its own unknowns. Their storage serves
-/// blocks of all sizes, one after another.
+/// Forces by which a block resists the displacements of a step, of its own unknowns, N per m. Their storage
+/// serves blocks of all sizes, one after another.
 class BlockForces {
  public:
   BlockForces() = default;

@@ -17,8 +17,8 @@ struct EdgeForces {
   Vec2 start{0, 0}, end{0, 0};
 };
 
-/// Of the pressure `unit_weight` (N/m3) times the depth below a table on the part [from, to] of an edge of a
-/// counter-clockwise outline: exact for shape functions that are linear along it.
+/// Forces of the pressure `unit_weight` (N/m3) times the depth below a table on the part [from, to] of an
+/// edge of a counter-clockwise outline: exact for shape functions that are linear along it.
 EdgeForces water_forces(const Points& table, double unit_weight, const Vec2& start, const Vec2& end,
                         double from, double to);
 

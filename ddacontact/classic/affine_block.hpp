@@ -4,7 +4,9 @@
 #include <ddacontact/block/control_vertices.hpp>
 #include <ddacontact/classic/incremental_block.hpp>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace ddacontact {
 

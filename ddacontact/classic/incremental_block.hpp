@@ -3,11 +3,14 @@
 
 #include <ddacontact/block/block.hpp>
 
+#include <span>
+
 namespace ddacontact {
 
 /// All matrices are of the shape last prepared, and stresses sum up (12) without being turned.
 class IncrementalBlock : public Block {
  public:
+  /// Throws Error for the schemes with half steps and for the midpoint scheme.
   void begin_step(const BlockState& state, const StepStart& start) override;
   void free_path(Eigen::Ref<VectorXd> path) const override { path = path_; }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
@@ -43,7 +46,7 @@ class IncrementalBlock : public Block {
  private:
   StepRule rule_;
   double dt_ = 0;
-  VectorXd velocity_, acceleration_, path_;  ///< path_: what the block would move without forces
+  VectorXd velocity_, acceleration_, path_;  ///< path_: displacements without forces
   VectorXd stress_forces_;                   ///< integral of B^T sigma at the start of the step
 };
 

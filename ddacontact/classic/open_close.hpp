@@ -3,6 +3,8 @@
 
 #include <ddacontact/solver/step_system.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// How the iteration ended.

@@ -37,7 +37,7 @@ class VertexBlock final : public IncrementalBlock {
 
   Integration integration_;
   const polyfem::Basis* basis_;
-  polyfem::Triangles ears_;  ///< that carry the integration points; none: the centroid fan does
+  polyfem::Triangles ears_;  ///< triangles that carry the integration points; none: the centroid fan does
   polyfem::TabulatedElement element_;
   VectorXd shape_integrals_;
 };

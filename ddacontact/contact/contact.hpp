@@ -7,12 +7,13 @@
 #include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/narrow_phase.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
 namespace ddacontact {
 
-/// What a contact carries from step to step.
+/// History of a contact, carried from step to step.
 struct ContactHistory {
   double lock = 0;        ///< the lock point o as a fraction of the edge from j (0) to k (1)
   double gap_offset = 0;  ///< the gap that counts as none, m. < 0: the overlap it started with, taken as
@@ -41,7 +42,7 @@ struct MovingVertexEdge {
   RoundedPositions moved(const VectorXd& d) const {
     return {{i(d), j(d), k(d)}, rounding ? rounding->of_after_i(d) : Vec2::Zero()};
   }
-  /// From a position on, by a motion.
+  /// Gap and slip after the motion `by` from these positions.
   GapAndSlip gap_and_slip_from(const RoundedPositions& positions, const RoundedPositions& by, double lock,
                                Directions directions) const {
     return rounding ? gap_and_slip(positions, by, lock, directions, *rounding)
@@ -96,8 +97,8 @@ struct ContactRecord {
   bool was_closed = false;  ///< at the start, at the end or in between
 
   bool closed() const { return history.state != ContactState::open; }
-  /// Whether the next step has to know of it: an open one has its overlap of the start still, or what
-  /// dilation has lifted.
+  /// Whether the next step has to know the contact: it is closed, or open with an overlap of the start or a
+  /// rise by dilation.
   bool lasts() const { return closed() || history.gap_offset != 0; }
 };
 
@@ -117,13 +118,13 @@ struct Contact : ContactRecord {
 
   /// Whether glue or a bond of some strength holds it.
   bool has_bond() const { return law.glued || (history.bonded && (law.cohesion > 0 || law.tension > 0)); }
-  /// Of the dashpot when the gap is this, N per m. It resists motion from the start of the step on, that of a
-  /// joint with a stiffness from where the contact closes.
+  /// Force of the dashpot at a gap, N per m, > 0 when the gap has closed. It resists motion from the start of
+  /// the step on, that of a joint with a stiffness from where the contact closes.
   double dashpot_force(double at_gap) const {
     const double from = law.compliant ? std::min(motion.start_gap(), history.gap_offset) : motion.start_gap();
     return -damping * (at_gap - from);
   }
-  /// At the start of the step, m.
+  /// Length of the edge at the start of the step, m.
   double edge_length() const { return (motion.start.k - motion.start.j).norm(); }
 
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.

@@ -13,7 +13,6 @@
 #include <polyfem/core/parallel.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 

@@ -7,9 +7,11 @@
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ddacontact {
@@ -38,15 +40,16 @@ class ContactBuilder {
              const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts, bool ties = true);
   /// Whether some corner may meet more than one line: contacts built last depend on the motion.
   bool has_choices() const { return !choices_.empty(); }
-  /// Of the contacts built last, by their numbers, those pressed by more than `least_force` (N per m) in a
-  /// solution of the step although nothing told that their corner could not go the other way. With them the
-  /// others of the same two blocks of which nothing told.
+  /// Numbers of the doubtful contacts among those built last: they bear more than `least_force` (N per m) in
+  /// a solution of the step although nothing told that their corner could not go the other way. With them the
+  /// others of the same two blocks that nothing told of.
   std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force);
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
   bool choose_again(const BlockState& state, const VectorXd& motion,
                     const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
-  /// Chooses those in doubt by the motion without them, for the rest of the step. A corner that was closed on
-  /// a line before stays there as it did when contacts were built. False: they are the same.
+  /// Chooses the lines of doubtful contacts by the motion without them, for the rest of the step. A corner
+  /// that was closed on a line before stays there as it did when contacts were built. False: they are the
+  /// same.
   bool decide_doubtful(const BlockState& state, const VectorXd& without,
                        const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Restores a contact to what it was before a trial step.
@@ -68,15 +71,15 @@ class ContactBuilder {
   /// of these blocks meet are not chosen again until contacts are built anew.
   void add_missed(const BlockState& start, std::vector<Contact>& contacts);
 
-  /// From now on contacts follow these joints, their bonds too.
+  /// Sets the joints that contacts, and their bonds, follow from now on.
   void set_joints(JointTable joints) { properties_.joints = std::move(joints); }
 
   /// The size tolerances are relative to: of the smaller block, held blocks not counted.
   double pair_size(int a, int b) const;
 
  private:
-  /// How far behind an edge's line a corner passes it, m: the lip, and of blocks that do not touch yet what
-  /// other joints of theirs have closed by their stiffness, as this one will.
+  /// Distance behind an edge's line at which a corner passes it, m: the lip, and for blocks that do not touch
+  /// yet the closure of their other joints by their stiffness, as this one will close.
   double lip(int a, int b, bool touch) const;
   /// Finds the vertices and edges that may meet while no vertex of block b moves more than search_margin[b],
   /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
@@ -89,7 +92,7 @@ class ContactBuilder {
   /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, bool ties, FoundContacts& found) const;
-  /// Leaves out those whose forces no one can tell, or that stand for nothing yet.
+  /// Leaves out the contacts whose forces no one can tell, or that stand for no length yet.
   void leave_out_idle(const Pair& pair, const BlockState& state, std::span<const ContactRecord> previous,
                       std::vector<VertexEdge>& found, std::size_t first) const;
   /// Finds where held blocks lie on edges of each other, as near as joints are flush: they are one ground.
@@ -106,9 +109,8 @@ class ContactBuilder {
                   std::span<const ContactRecord> previous) const;
   bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
-  /// What a contact is of one of the step before: the same; of its vertex, with an edge that is collinear
-  /// with its own; where vertex meets vertex, of the other vertex with this one's edge. The first is the
-  /// nearest.
+  /// Relation of a contact to one of the step before, the nearest first: the same; its vertex with an edge
+  /// that is collinear with its own; where vertex meets vertex, the other vertex with this one's edge.
   enum class Kinship { same, straight_on, exchanged, none };
   Kinship kinship(const BlockState& state, const VertexEdge& old, const VertexEdge& pair) const;
   /// The contact of `pair` with the history of its predecessor.
@@ -128,20 +130,21 @@ class ContactBuilder {
                        double normal = 0) const;
   /// A joint with a stiffness bears from the start the stress of its blocks, the mean of those that can move.
   void load_joint(const BlockState& state, Contact& contact) const;
-  /// Closes and bonds a contact that touches. \param[in] comes_in  one of its blocks does
+  /// Closes and bonds a contact that touches.
+  /// \param[in] comes_in  one of its blocks does
   void begin(const BlockState& state, std::span<const VertexEdge> found, bool comes_in,
              Contact& contact) const;
-  /// Over which its stresses act: that of `contact_length`, of joints with a stiffness or a strength in
-  /// compression at any angle.
+  /// Length over which the stresses of a contact act: that of `contact_length`, of joints with a stiffness or
+  /// a strength in compression at any angle.
   /// \param[in] bears  whether a vertex of a block counts as a neighbour along the face
   ContactLength length_of(const BlockState& state, const VertexEdge& pair,
                           const std::function<bool(int block, int vertex)>& bears) const;
-  /// Those that have a contact do.
+  /// Test whether a vertex of a block has one of these contacts.
   static std::function<bool(int, int)> bearing(std::span<const VertexEdge> found);
-  /// Writes it into the history of the contact, what lies on another joint apart.
+  /// Writes the length into the history of the contact, and apart the part of it on another joint.
   void set_length(const BlockState& state, std::span<const VertexEdge> found, ContactRecord& contact) const;
-  /// The part of it on another joint. Where a vertex of the other face is near either may bear the force: the
-  /// joints that a vertex meets are those between its neighbours on its own face.
+  /// Writes the part of the length on another joint. Where a vertex of the other face is near either may bear
+  /// the force: the joints that a vertex meets are those between its neighbours on its own face.
   void set_length_beyond(const BlockState& state, ContactRecord& contact) const;
   /// Whether contacts of one place are not told apart by the search: those of joints with a stiffness, which
   /// strains move apart, and all of rounded blocks.
@@ -158,8 +161,8 @@ class ContactBuilder {
   void glue(Contact& contact) const;
   /// False: no vertex of a is as deep in the box of b, which is in boxes_, as one that went into b.
   bool may_penetrate(int a, int b, const BlockState& end) const;
-  /// What a block's vertices may not enter, and those of it that may not enter others: with rounded corners
-  /// the centres of the circles.
+  /// Outline that the vertices of others may not enter, and whose vertices may not enter others: with rounded
+  /// corners that of the centres of the circles.
   Points contact_outline(const BlockState& state, int block) const;
 
   const BlockSystem& blocks_;
@@ -176,7 +179,7 @@ class ContactBuilder {
   std::vector<double> margins_;
   std::vector<Pair> pairs_;              ///< of blocks that may meet
   std::vector<double> closure_;          ///< of the joints of each block by their stiffness, largest, m
-  std::vector<double> search_margin_;    ///< that contacts were looked for within, with what dilation lifts
+  std::vector<double> search_margin_;    ///< of the last search, with the rise by dilation, m
   std::vector<FoundContacts> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<Choice> choices_;          ///< of all
   std::set<Pair> doubtful_;

@@ -1,4 +1,4 @@
-/// \file What contacts are made of, apart from geometry.
+/// \file Properties of contacts apart from geometry.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -20,12 +20,13 @@ struct ContactProperties {
   JointTable joints;
   std::vector<int> materials;  ///< of each block
   ContactMethod method = standard_defaults.method;
-  /// Of the block size; 0: plain penalty.
+  /// Largest penetration over the block size, >= 0; 0: plain penalty.
   double penetration_tolerance = standard_defaults.penetration_tolerance;
   /// A corner passes an edge's line when it is further behind it than this times the block size: joints are
   /// flush to that. Infinity, the paper's preset: lines are chosen by the geometry at the start of a step.
   double lip = default_lip;
-  std::optional<double> tolerance = {};  ///< of the forces on each block; none: see ContactSolverOptions
+  /// Largest residual over the forces on a block; none: see ContactSolverOptions.
+  std::optional<double> tolerance = {};
   /// The joint of each edge of each block's outline, an entry of `joints`; -1: that of the materials. Empty:
   /// no edge has one.
   std::vector<std::vector<int>> edge_joints = {};
@@ -42,7 +43,7 @@ struct ContactProperties {
   const JointStrength& strength(const VertexEdge& pair) const {
     return joints.entries()[joint_of(pair)].strength;
   }
-  /// Whether a joint's own stiffness makes its forces; where two joints meet, that of both.
+  /// Whether forces follow the joint's own stiffness; where two joints meet, both have to have one.
   bool is_compliant(const ContactRecord& contact) const {
     return strength(contact.pair).is_compliant() && contact.history.length > 0 &&
            (!beyond(contact) || beyond(contact)->is_compliant());
@@ -50,23 +51,23 @@ struct ContactProperties {
   bool is_glued(const ContactRecord& contact) const {
     return strength(contact.pair).glued || (beyond(contact) && beyond(contact)->glued);
   }
-  /// What a stress is over the length of a contact, N/m: that of each joint over its part.
+  /// A stress of the joint times the length of a contact, N/m: of each joint over its part.
   double over_length(const ContactRecord& contact, double JointStrength::*stress) const {
     const double length = contact.history.length, part = part_beyond(contact),
                  here = strength(contact.pair).*stress * length * (1 - part);
     return part > 0 ? here + beyond(contact)->*stress * length * part : here;
   }
-  /// At the start of a step, with the strength that a bond has over the length of the contact. Of a closed
-  /// contact of a glued joint that strength is infinite.
+  /// Law of a contact at the start of a step, with a bond's strength over the length of the contact. Of a
+  /// closed contact of a glued joint that strength is infinite.
   JointLaw law(const ContactRecord& contact) const;
-  /// How far from the vertex the forces of a contact act: what meets there is crushed over twice that length.
+  /// Distance from the vertex at which the forces of a contact act, m: twice that length is crushed.
   double inset(const ContactRecord& contact) const;
-  /// F += what a contact's forces do to the unknowns of its blocks.
+  /// F += a contact's forces on the unknowns of its blocks.
   void add_forces(const BlockSystem& blocks, const BlockState& state, const ContactRecord& contact,
                   VectorXd& F) const;
 
  private:
-  /// Of the part of a contact's length beyond its edge, if there is one.
+  /// Strength of the joint on the part of a contact's length beyond its edge; null: there is no such part.
   const JointStrength* beyond(const ContactRecord& contact) const;
   static double part_beyond(const ContactRecord& contact) {
     const double beyond = std::abs(contact.history.length_beyond);

@@ -19,13 +19,13 @@ inline Pair block_pair(const VertexEdge& contact) {
 /// The pair of a contact's blocks.
 inline constexpr auto pair_of = [](const ContactRecord& of) { return block_pair(of.pair); };
 
-/// Of contacts ordered by their pairs, those of one.
+/// The contacts of one pair, of contacts ordered by their pairs.
 template <class SomeContact>
 std::span<const SomeContact> of_pair(const Pair& pair, const std::vector<SomeContact>& contacts) {
   const auto first = std::ranges::lower_bound(contacts, pair, {}, pair_of);
   return {first, std::find_if(first, contacts.end(), [&](const auto& of) { return pair_of(of) != pair; })};
 }
-/// Those of the pair of a contact.
+/// The contacts of the pair that a contact belongs to.
 inline std::span<const Contact> of_same_pair(const VertexEdge& contact,
                                              const std::vector<Contact>& contacts) {
   return of_pair(block_pair(contact), contacts);

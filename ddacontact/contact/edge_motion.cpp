@@ -1,5 +1,6 @@
 #include <ddacontact/contact/edge_motion.hpp>
 
+#include <cassert>
 #include <utility>
 
 namespace ddacontact {

@@ -59,7 +59,7 @@ struct VertexEdgeForm {
 /// gradient.i . u_i + gradient.j . u_j + gradient.k . u_k
 AffineForm gradient_form(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                          const PointMap& k);
-/// The same of displacements d, to the bit.
+/// Value of `gradient_form` at displacements d, to the bit.
 double change_along(const VertexEdgeGradient& gradient, const PointMap& i, const PointMap& j,
                     const PointMap& k, const VectorXd& d);
 

@@ -6,34 +6,35 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ddacontact {
 
 /// Mohr-Coulomb strengths of a joint, as stresses, or a friction law of one's own.
 struct JointStrength {
-  double friction = 0;          ///< tan(phi)
-  double cohesion = 0;          ///< Pa
-  double tensile_strength = 0;  ///< Pa
+  double friction = 0;          ///< tan(phi), >= 0
+  double cohesion = 0;          ///< Pa, >= 0
+  double tensile_strength = 0;  ///< Pa, >= 0
   FrictionLaw friction_law{};   ///< in place of Coulomb's N tan(phi); none: Coulomb
-  /// 0..1, normal, of blocks that meet: they collide as rigid bodies. None: they part as their elasticity has
-  /// it.
+  /// Normal restitution of blocks that meet, [0, 1]: they collide as rigid bodies. None: they separate by
+  /// their elasticity.
   std::optional<double> restitution{};
-  double dashpot = 0;           ///< contact damping, ratio to critical of the contact spring
+  double dashpot = 0;           ///< contact damping over critical damping of the contact spring, >= 0
   bool glued = false;           ///< contacts neither open nor slide once they are closed
-  double normal_stiffness = 0;  ///< of the joint itself, Pa/m; 0: it is rigid
-  double shear_stiffness = 0;   ///< likewise; 0 where `normal_stiffness` is
-  /// tan(phi) of contacts that have slid or opened or were not closed at the start; none: `friction`.
+  double normal_stiffness = 0;  ///< of the joint itself, Pa/m, >= 0; 0: it is rigid
+  double shear_stiffness = 0;   ///< of the joint itself, Pa/m, >= 0; 0 where `normal_stiffness` is
+  /// tan(phi), >= 0, of contacts that have slid or opened or were not closed at the start; none: `friction`.
   std::optional<double> residual_friction{};
-  double dilation = 0;       ///< tan(i): a contact that slides rises by so much of its slip
-  double dilation_slip = 0;  ///< up to which it does, m
-  bool ductile = false;      ///< cohesion and tensile strength outlast slip, and are lost by opening alone
-  double compressive_strength = 0;  ///< of what meets there, Pa; 0: unlimited
+  double dilation = 0;              ///< tan(i), >= 0: rise of a sliding contact over its slip
+  double dilation_slip = 0;         ///< slip up to which a contact dilates, m, >= 0
+  bool ductile = false;             ///< cohesion and tensile strength outlast slip, lost by opening alone
+  double compressive_strength = 0;  ///< of the blocks at the joint, Pa, >= 0; 0: unlimited
 
   bool is_compliant() const { return normal_stiffness > 0; }
   bool damps() const { return dashpot > 0; }
   bool crushes() const { return compressive_strength > 0; }
-  /// Whether its contacts act elsewhere than at the corner, or close at another gap than none.
+  /// Whether its contacts act away from the corner, or close at a gap other than 0.
   bool shifts() const { return crushes() || dilation > 0; }
   bool operator==(const JointStrength&) const = default;
 };
@@ -41,7 +42,7 @@ struct JointStrength {
 /// The strengths of the joint between any two materials.
 class JointTable {
  public:
-  /// The first joint without `between` is what everything not named elsewhere takes; none: the first joint.
+  /// The first joint without `between` is that of all pairs not named elsewhere; none: the first joint is.
   struct Entry {
     JointStrength strength;
     std::optional<std::array<int, 2>> between;  ///< materials, either order
@@ -56,7 +57,7 @@ class JointTable {
   bool any(bool (JointStrength::*is)() const) const {
     return std::ranges::any_of(entries_, [is](const Entry& e) { return (e.strength.*is)(); });
   }
-  /// What dilation may lift, m: the gap that counts as none may be so wide.
+  /// Largest rise by dilation over all joints, m: the gap that counts as none may be as wide.
   double largest_rise() const {
     double rise = 0;
     for (const Entry& e : entries_) rise = std::max(rise, e.strength.dilation * e.strength.dilation_slip);

@@ -16,25 +16,34 @@ struct RoundedPositions : VertexEdgePositions {
   Vec2 after_i{0, 0};
 };
 
-/// What touches in a contact of a rounded corner.
+/// Circle of a rounded corner in a contact, and the line along which it slips.
 struct Rounding {
-  SegmentPoint centre{}, surface{};  ///< of the vertex's circle, and the point that the slip is of: from i on
-  SegmentPoint start{}, end{1, 0};  ///< of the line that it slips along, from j to k: the edge; of a corner a
-                                    ///< line through it, half way, across the line to the circle's centre
-  double radius = 0;                ///< m
-  bool corner = false;              ///< whether it is against the corner j
-  Vec2 after_i{0, 0};               ///< the vertex after i at the start of the step
-  PointMap of_after_i{};            ///< and how it moves
+  /// Centre of the vertex's circle, tied to the segment from i to the vertex after it.
+  SegmentPoint centre{};
+  /// Point of the circle whose slip is measured, tied to the same segment.
+  SegmentPoint surface{};
+  /// Ends of the line of the slip, tied to the segment from j to k. Against an edge the line is the edge;
+  /// against a corner its middle is the corner, and it is normal to the line from there to the circle's
+  /// centre.
+  SegmentPoint start{}, end{1, 0};
+  /// Radius of the circle, m.
+  double radius = 0;
+  /// Whether the circle touches the corner j, not the edge.
+  bool corner = false;
+  /// The vertex after i, at the start of the step.
+  Vec2 after_i{0, 0};
+  /// Displacement of the vertex after i.
+  PointMap of_after_i{};
 };
 
 /// The line of the slip and the vertex's point on it, as a vertex and an edge.
 VertexEdgePositions slip_positions(const RoundedPositions& positions, const Rounding& rounding);
 
-/// See the same of sharp corners; derivatives by all four positions.
+/// Gap and slip as of sharp corners (contact/edge_motion.hpp), with derivatives by all four positions.
 GapAndSlip gap_and_slip(const RoundedPositions& start, const RoundedPositions& by, double lock,
                         Directions directions, const Rounding& rounding);
 
-/// From the corner to the centre of the circle, or how fast that changes.
+/// Vector from the corner to the centre of the circle, or its rate when given velocities.
 Vec2 from_corner(const RoundedPositions& positions, const Rounding& rounding);
 
 }  // namespace ddacontact

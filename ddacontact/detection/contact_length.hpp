@@ -11,15 +11,15 @@ namespace ddacontact {
 /// part of that too.
 struct ContactLength {
   double on_edge = 0, beyond = 0;
-  int edge_beyond = -1;  ///< that neighbour; -1: nothing lies beyond
+  int edge_beyond = -1;  ///< the neighbour of the edge that `beyond` is on; -1: none
 
   double total() const { return on_edge + beyond; }
 };
 
 /// The length over which a vertex contact stands for two touching faces: half of the way to the next contact
 /// on either side, at a vertex of either polygon, or to where one of the faces ends, so that the lengths of
-/// all contacts of two faces add up to their overlap. 0 for a vertex alone on an edge. A corner stands for the
-/// face of its own that lies along the edge, or is least inclined to it.
+/// all contacts of two faces add up to their overlap. 0 for a vertex alone on an edge. A corner stands for
+/// the face of its own that lies along the edge, or is least inclined to it.
 /// \param[in] unstrained    the polygon of the vertex before it was strained: it has the lengths of its edges
 /// \param[in] bears         whether a vertex of this block has a contact with the other one
 /// \param[in] at_any_angle  a face that does not lie along the edge counts with its projection

@@ -29,9 +29,9 @@ inline Vec2 along(const PointsRef& polygon, int edge) {
   return polygon.col(next(edge, polygon)) - polygon.col(edge);
 }
 
-/// Between the edges before and after a vertex, as vectors.
+/// Turn between the edges before and after a vertex, given as vectors.
 Corner turn_between(const Vec2& before, const Vec2& after);
-/// Of a vertex.
+/// Turn of an outline at a vertex.
 Corner corner_at(const PointsRef& polygon, int vertex);
 
 /// Whether the edges from `from` to `to`, both included, are collinear: straight corners, and

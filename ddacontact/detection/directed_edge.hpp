@@ -8,7 +8,7 @@
 
 namespace ddacontact {
 
-/// From a vertex of a counter-clockwise outline to the next.
+/// Edge from a vertex of a counter-clockwise outline to the next.
 struct DirectedEdge {
   Vec2 start, tangent, normal;  // outward normal of a counter-clockwise polygon
   double length;
@@ -22,7 +22,7 @@ struct DirectedEdge {
   DirectedEdge(const PointsRef& polygon, Index edge)
       : DirectedEdge(Vec2(polygon.col(edge)), Vec2(polygon.col((edge + 1) % polygon.cols()))) {}
   double gap(const Vec2& x) const { return normal.dot(x - start); }
-  /// From its start to the projection of x.
+  /// Distance from its start to the projection of x, m; < 0 before the start.
   double along(const Vec2& x) const { return tangent.dot(x - start); }
   /// How far the projection of x lies beyond the nearer end; <= 0 within the edge.
   double overshoot(const Vec2& x) const { return std::max(-along(x), along(x) - length); }

@@ -6,8 +6,9 @@
 
 namespace ddacontact {
 
-/// Area over perimeter, m: half the thickness of a slab. Of a concave polygon no more than half the thickness
-/// of its thinnest part: the least distance of a vertex behind an edge, the two facing away from each other.
+/// Half the width of a polygon, m: area over perimeter, as of a slab. Of a concave polygon no more than half
+/// the thickness of its thinnest part: the least distance of a vertex behind an edge, the two facing away
+/// from each other.
 double half_width(const polyfem::PointsRef& polygon);
 
 }  // namespace ddacontact

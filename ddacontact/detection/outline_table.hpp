@@ -9,7 +9,7 @@
 
 namespace ddacontact {
 
-/// From a vertex of an outline to the next.
+/// Side from a vertex of an outline to the next.
 struct Side {
   Vec2 tangent;
   double length;
@@ -19,11 +19,11 @@ struct Side {
   Vec2 normal() const { return {tangent.y(), -tangent.x()}; }  ///< outward of a counter-clockwise polygon
 };
 
-/// What is known of an outline besides its vertices.
+/// Sides and box of an outline, and whether it is concave.
 struct OutlineSides {
   std::span<const Side> sides;
   Box box;
-  bool concave;  ///< it turns right at some vertex, however little
+  bool concave;  ///< the outline turns right at some vertex, however little
 };
 
 /// Simple, counter-clockwise polygons, by their numbers.
@@ -36,7 +36,7 @@ class OutlineTable {
   /// at the same time.
   void set(int polygon, const PointsRef& vertices);
 
-  /// Its box is relative to the same origin.
+  /// Sides of a polygon; the box is relative to the origin of its vertices.
   OutlineSides operator[](int polygon) const {
     const int first = first_[polygon];
     return {{sides_.data() + first, static_cast<std::size_t>(first_[polygon + 1] - first)},

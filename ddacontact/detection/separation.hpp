@@ -5,10 +5,11 @@
 
 namespace ddacontact {
 
-/// Of convex polygons the largest gap over all edges of either between the edge's line and the other polygon:
-/// >= 0 when they do not overlap, else minus the depth by which they do. Of others the least of that over the
-/// convex pieces they are cut into. Simple, counter-clockwise polygons; throws Error else, where a polygon
-/// has to be cut. The sign is exact: < 0 if and only if the polygons have more in common than boundary.
+/// Separation of two polygons, m: >= 0 when they do not overlap, else minus the depth by which they do. For
+/// convex polygons it is the largest gap over all edges of either between the edge's line and the other
+/// polygon; for others the least over the convex pieces that they are cut into. The sign is exact: < 0 if and
+/// only if the polygons have more in common than boundary. Polygons are simple and counter-clockwise. Throws
+/// Error when one that is not has to be cut.
 double separation(const polyfem::PointsRef& a, const polyfem::PointsRef& b);
 
 }  // namespace ddacontact

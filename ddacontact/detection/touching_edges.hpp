@@ -17,7 +17,7 @@ struct TouchingEdges {
   double from, to;  ///< in fractions of `edge`
 };
 
-/// All of two polygons whose edges lie within `near` of each other, along more than that.
+/// All parts of edges of two polygons that lie within `near` (m) of each other, along more than that.
 std::vector<TouchingEdges> touching_edges(const polyfem::PointsRef& polygon, const polyfem::PointsRef& other,
                                           double near);
 

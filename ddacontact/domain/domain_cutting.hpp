@@ -5,6 +5,8 @@
 
 #include <polyfem/core/error.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// A block that joints cut out.

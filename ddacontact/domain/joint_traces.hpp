@@ -5,6 +5,9 @@
 
 #include <polyfem/mesh/line_noding.hpp>
 
+#include <cstdint>
+#include <vector>
+
 namespace ddacontact {
 
 /// About how many traces of a set `joint_traces` would make.

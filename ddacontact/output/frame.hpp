@@ -7,6 +7,7 @@
 #include <polyfem/basis/basis.hpp>
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ddacontact {

@@ -4,6 +4,7 @@
 #include <ddacontact/output/frame_values.hpp>
 #include <polyfem/io/vtu_file.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace ddacontact {

@@ -6,7 +6,6 @@
 #include <polyfem/io/vtu_reader.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace ddacontact {
 

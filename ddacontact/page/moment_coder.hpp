@@ -17,7 +17,8 @@ class MomentCoder {
   /// \param[in] groups  of the items: consecutive, differences do not cross their borders
   MomentCoder(const std::vector<Range>& groups, int n_components);
 
-  /// Appends a moment. \param[in] numbers  of item after item
+  /// Appends a moment.
+  /// \param[in] numbers  of item after item
   void append(const std::vector<std::int32_t>& numbers, std::string& bytes);
 
  private:

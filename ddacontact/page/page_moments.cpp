@@ -5,8 +5,6 @@
 #include <ddacontact/page/page_contacts.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace ddacontact {
 

@@ -5,6 +5,7 @@
 #include <ddacontact/picture/colour_scale.hpp>
 
 #include <map>
+#include <vector>
 
 namespace ddacontact {
 

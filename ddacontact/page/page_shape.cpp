@@ -5,7 +5,6 @@
 #include <polyfem/geometry/validity.hpp>
 
 #include <algorithm>
-#include <cstring>
 
 namespace ddacontact {
 

@@ -24,7 +24,8 @@ class ColourScale {
  public:
   /// Covers the range of the data, or `shown` where that is given: then values beyond it take the colour of
   /// the nearest end. Signed fields get colours symmetric about zero. Data that are one value get one
-  /// band. \param[in] note  how `shown` was chosen, for the reader; may be empty
+  /// band.
+  /// \param[in] note  how `shown` was chosen, for the reader; may be empty
   ColourScale(Field field, const ValueRange& data, const ValueRange* shown = nullptr, std::string note = {});
 
   Field field() const { return field_; }

@@ -3,8 +3,6 @@
 
 #include <ddacontact/core/types.hpp>
 
-#include <array>
-
 namespace ddacontact {
 
 /// The centroid fan of a polygon of n corners, each of its triangles divided into rings x rings alike.

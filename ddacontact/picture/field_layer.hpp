@@ -6,6 +6,8 @@
 #include <ddacontact/picture/fan_mesh.hpp>
 #include <ddacontact/picture/view.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// A field of a frame at the nodes of a triangulation of every cell, fine enough for a scale.

@@ -24,10 +24,12 @@ LegendItem scale_bar(double pixels_per_metre, double most_pixels);
 /// A square of a colour.
 LegendItem swatch(const Colour& colour, const std::string& text);
 
-/// A short line. \param[in] style  SVG attributes
+/// A short line.
+/// \param[in] style  SVG attributes
 LegendItem line_sample(const std::string& style, const std::string& text);
 
-/// An arrow of a round length. \param[in] longest  the largest vector in the picture, > 0
+/// An arrow of a round length.
+/// \param[in] longest  the largest vector in the picture, > 0
 LegendItem arrow_sample(VectorKind kind, Arrow::Look look, double longest, double pixels_per_unit,
                         const std::string& text);
 

@@ -1,7 +1,6 @@
 #include <ddacontact/picture/water_layer.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ddacontact {
 

@@ -7,7 +7,9 @@
 #include <ddacontact/scene/holds.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace ddacontact {
 

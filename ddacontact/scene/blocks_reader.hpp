@@ -3,6 +3,8 @@
 
 #include <ddacontact/scene/reader.hpp>
 
+#include <string>
+
 namespace ddacontact {
 
 /// A scene to take blocks from.
@@ -13,8 +15,9 @@ struct BlocksReading {
   int n_unnamed_materials = 0;
 };
 
-/// Reads a scene (.toml), or a geometry file (.geojson, .json, .wkt, .dxf, .geo, .msh, .vtu) as the blocks of a scene
-/// with 50 steps under gravity and materials of the same rock. Blocks of the model wachspress may be concave.
+/// Reads a scene (.toml), or a geometry file (.geojson, .json, .wkt, .dxf, .geo, .msh, .vtu) as the blocks of
+/// a scene with 50 steps under gravity and materials of the same rock. Blocks of the model wachspress may be
+/// concave.
 /// `snap` > 0 counts before that of the scene. Never throws for a bad file.
 BlocksReading read_blocks(const std::string& path, double snap = 0);
 

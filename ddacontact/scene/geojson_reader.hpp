@@ -4,6 +4,7 @@
 #include <ddacontact/scene/geometry_file.hpp>
 
 #include <memory>
+#include <string>
 
 namespace ddacontact::scene_format {
 

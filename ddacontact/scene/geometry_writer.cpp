@@ -6,7 +6,6 @@
 #include <ddacontact/scene/writer.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string_view>

@@ -3,6 +3,10 @@
 
 #include <ddacontact/scene/json_tree.hpp>
 
+#include <memory>
+#include <optional>
+#include <string>
+
 namespace ddacontact::scene_format {
 
 /// Nothing and one problem when `text` is not JSON, repeats a key in an object, or is nested more than 64

@@ -1,7 +1,6 @@
 /// \file Scenes to start from, as text to run and to edit. Lengths in m, angles in degrees.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace ddacontact {

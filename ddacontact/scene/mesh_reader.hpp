@@ -3,6 +3,8 @@
 
 #include <ddacontact/scene/geometry_file.hpp>
 
+#include <string>
+
 namespace ddacontact::scene_format {
 
 /// Whether the ending of the path is .msh or .vtu.

@@ -3,9 +3,10 @@
 
 #include <ddacontact/scene/records.hpp>
 
+#include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ddacontact::scene_format {

@@ -4,6 +4,7 @@
 #include <ddacontact/scene/records.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ddacontact::scene_format {

@@ -4,6 +4,7 @@
 #include <ddacontact/scene/overlap_check.hpp>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace ddacontact::scene_format {

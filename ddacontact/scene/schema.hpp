@@ -10,6 +10,8 @@
 #include <ddacontact/scene/preset_defaults.hpp>
 #include <ddacontact/scene/records.hpp>
 
+#include <string>
+
 namespace ddacontact::scene_format {
 
 /// Keys of [analysis] that a stage may override.

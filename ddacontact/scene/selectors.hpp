@@ -3,6 +3,8 @@
 
 #include <ddacontact/scene/records.hpp>
 
+#include <vector>
+
 namespace ddacontact::scene_format {
 
 /// Vertices lie on a line within this times the size of their block.

@@ -4,8 +4,6 @@
 
 #include <polyfem/mesh/outline_snapping.hpp>
 
-#include <algorithm>
-
 namespace ddacontact::scene_format {
 
 void snap_blocks(Document& document, ProblemList& problems) {

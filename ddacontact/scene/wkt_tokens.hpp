@@ -4,6 +4,7 @@
 #include <ddacontact/scene/problem_list.hpp>
 #include <ddacontact/scene/text_cursor.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -3,6 +3,7 @@
 
 #include <ddacontact/scene/records.hpp>
 
+#include <string>
 #include <type_traits>
 #include <vector>
 

@@ -12,7 +12,7 @@
 
 namespace ddacontact {
 
-/// The multipliers of a contact, N per m, and what of it stays within a solution.
+/// Multipliers of a contact, N per m, and its data that do not change within a solution.
 struct Multiplier {
   double normal = 0, shear = 0;
   double gap = 0;        ///< the constant of the term's gap, the offset not taken off
@@ -48,16 +48,16 @@ class AugmentedContacts {
   /// Bonds that are broken act no more within this step.
   void drop_broken_bonds();
   /// Forces and states become those of the contacts.
-  /// \param[in] negligible  what complementarity may be off by, N per m
+  /// \param[in] negligible  allowed violation of complementarity, N per m
   void settle(double negligible);
   /// Gaps and slips at d become those of the contacts.
   void end(const VectorXd& d);
 
-  /// What sweeps and the interior-point method know of the contacts.
+  /// Laws of the contacts for sweeps and the interior-point method.
   std::vector<SweptLaw> laws() const;
   /// Friction that follows normal forces where contacts have these states.
   std::vector<Coupling> couplings(const std::vector<unsigned char>& states) const;
-  /// N per m, in a state where the springs are evaluated.
+  /// Force in a state where the springs are evaluated, N per m.
   ContactForce force_in(unsigned char state, std::size_t c) const {
     return force_in_state(contacts_[c].law, multipliers_[c].bonded, state, springs_[c]);
   }
@@ -70,9 +70,9 @@ class AugmentedContacts {
   bool is_bonded(std::size_t c) const { return multipliers_[c].bonded; }
   const std::vector<ContactTerm>& terms() const { return terms_; }
   std::vector<ContactTerm>& terms() { return terms_; }
-  /// Of the law where the springs are evaluated.
+  /// States of the law where the springs are evaluated.
   const std::vector<unsigned char>& law_states() const { return law_states_; }
-  /// N per m; any that the solution tries.
+  /// Contact forces, N per m; any that the solution tries.
   const std::vector<ContactForce>& forces() const { return forces_; }
   std::vector<ContactForce>& forces() { return forces_; }
 

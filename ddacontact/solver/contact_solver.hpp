@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace ddacontact {
 
@@ -18,8 +19,8 @@ struct ContactSolverOptions {
       : penetration_tolerance(of_penetration) {
     solve_to(tolerance);
   }
-  /// A coarse tolerance is that of sweeps alone: what rests or hardly changes is told from what fails by
-  /// less.
+  /// Sets the tolerances. A coarse one is that of sweeps alone: failure is told from rest or slow change by a
+  /// finer one.
   void solve_to(const std::optional<double>& tolerance) {
     const ContactSolverOptions defaults;
     sweep_tolerance = tolerance.value_or(defaults.sweep_tolerance);
@@ -55,7 +56,7 @@ struct ContactSolverReport {
   int sweeps = 0;                 ///< over the contacts
   int interior_point_solves = 0;  ///< runs of the interior-point method
   int interior_solutions = 0;     ///< of `iterations`, those of the interior-point method
-  double tolerance = 0;           ///< that contact forces were solved to
+  double tolerance = 0;           ///< to which contact forces were solved
   TangentCounts tangent;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none

@@ -12,7 +12,7 @@ namespace ddacontact {
 /// Nonsmooth Gauss-Seidel iteration in the forces of the contacts (Moreau, Jean): displacements always
 /// balance the forces, d = A^-1 (Q + sum of G_c^T f_c), and each contact in turn is given the forces that its
 /// law demands while the others stay. Anderson acceleration takes the next forces from the last few sweeps.
-/// Where inertia keeps what happens in a step near where it happens a few sweeps do.
+/// A few sweeps suffice where inertia keeps the effect of a force within a step near its contact.
 ///
 /// Threads share groups of blocks with the contacts within each; those between groups come after them. What
 /// is found does not depend on the number of threads.
@@ -25,8 +25,8 @@ class ContactSweeps {
   /// `largest_block`, of an odd number of unknowns, or without an inverse.
   [[nodiscard]] bool set(FrictionProblem& problem, const std::vector<ContactTerm>& terms);
 
-  /// By what a contact's force may change in the last sweep: over the scale of its law, and what that moves
-  /// the contact by over the gap of its law.
+  /// Largest changes of a contact in the last sweep: of its force over the scale of its law, and of its gap
+  /// by that force over the gap of its law.
   struct Tolerance {
     double force, gap = 1;
   };
@@ -59,7 +59,7 @@ class ContactSweeps {
     int matrix, first, n;
     std::size_t inverse;
   };
-  /// How gap and slip of a contact follow two unknowns of a block, one after the other.
+  /// Derivatives of gap and slip of a contact by two unknowns of a block, one after the other.
   struct Entry {
     int slot;
     std::array<Vec2, 2> by;
@@ -81,15 +81,15 @@ class ContactSweeps {
   void take_contacts(const std::vector<ContactTerm>& terms);
   void order_rows();
   void set_entries(const ContactTerm& term, Row& row);
-  /// Where sweeps begin: displacements that balance this residual, and contacts with these forces.
+  /// Sets where sweeps begin: displacements that balance this residual, and contacts with these forces.
   bool begin(const std::vector<ContactTerm>& terms, const std::vector<SweptLaw>& laws,
              const VectorXd& residual, const VectorXd& d, const std::vector<ContactForce>& forces_of_all);
   void visit(int r, Vec2& largest);
   Vec2 visit_all();
   bool has_many_changes(const Stop& stop, const Points& before);
-  /// Of the iterate: d so far less d at the start, packed.
+  /// Displacements of the iterate: d so far less d at the start, packed.
   double* change() { return iterate_.data(); }
-  /// And normal and shear force of each contact, in the order of rows.
+  /// Forces of the iterate: normal and shear force of each contact, in the order of rows.
   Eigen::Map<Points> forces() {
     return {iterate_.data() + unknown_.size(), 2, static_cast<Index>(rows_.size())};
   }
@@ -100,7 +100,7 @@ class ContactSweeps {
   std::vector<Block> blocks_;
   VectorXd inverses_;
   std::vector<Row> rows_;            ///< group by group, then those between groups
-  std::vector<int> first_of_group_;  ///< and of those between groups, and their end
+  std::vector<int> first_of_group_;  ///< rows of each group, of those between groups, and the end
   std::vector<Entry> entries_;
   VectorXd columns_;
   VectorXd iterate_;  ///< displacements, and the forces that they balance

@@ -23,7 +23,7 @@ struct ContactTerm {
 
 /// A force that follows its form, F = force - stiffness * change of the form, clipped to [low, high].
 struct ClippedSpring {
-  double force = 0;  ///< where the form is looked at, not clipped
+  double force = 0;  ///< where the form is evaluated, not clipped
   double stiffness = 0;
   double low = 0, high = 0;
 
@@ -49,7 +49,7 @@ inline ClippedSpring tangential_spring(const ContactTerm& c, const VectorXd& d) 
 struct ContactSprings {
   ClippedSpring normal, tangential;
 };
-/// Both at d.
+/// Both springs of a contact at d.
 inline ContactSprings springs_at(const ContactTerm& c, const VectorXd& d) {
   return {normal_spring(c, d), tangential_spring(c, d)};
 }

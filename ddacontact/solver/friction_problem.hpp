@@ -1,4 +1,4 @@
-/// \file What is left of a step when rotations, contact normals and friction bounds are frozen.
+/// \file The problem of a step with frozen rotations, contact normals and friction bounds.
 #pragma once
 
 #include <ddacontact/solver/coupled_solution.hpp>
@@ -66,7 +66,7 @@ class FrictionProblem {
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on prescribed ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
-  /// The same in single precision where that is quicker.
+  /// Solves as `solve` does, in single precision where that is quicker.
   void solve_roughly(const VectorXd& residual, VectorXd& correction);
   /// b with 0 at prescribed degrees of freedom.
   VectorXd free_part(const VectorXd& b) const;
@@ -103,7 +103,7 @@ class FrictionProblem {
   polyfem::Cholesky cholesky_;
   bool keeps_factor_ = true;
   bool has_pattern_ = false;                                    ///< matrix_ is that of the present contacts
-  bool is_dissected_ = false;                                   ///< and ordered for many factors
+  bool is_dissected_ = false;                                   ///< equations are ordered for many factors
   std::optional<std::vector<unsigned char>> factored_springs_;  ///< none: nothing is factored
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;

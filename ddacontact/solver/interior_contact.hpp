@@ -28,7 +28,7 @@ struct InteriorPair {
   }
 };
 
-/// A contact inside its law. What it does when displacements change follows from its own equations:
+/// A contact inside its law. Changes of its forces by displacements follow from its own equations:
 /// dN = w da + cN and dT = wt dq + mixed rate dN + cT.
 struct InteriorContact {
   bool acts = false;  ///< the vertex is on the edge, or has been
@@ -46,22 +46,22 @@ struct InteriorContact {
 
   double N() const { return normal.x - tension; }
   bool slides() const { return sheared && !holds; }
-  /// What u and v lack.
+  /// Errors of the equations of u and v.
   double upper_error() const { return upper.x - (b - T); }
   double lower_error() const { return lower.x - (b + T); }
 
   /// The state of the springs that is nearest.
   unsigned char state(const SweptLaw& law) const;
 
-  /// What its equations have of d; with products mu where it begins to act.
+  /// Evaluates its equations at d; where it begins to act its products are mu.
   void evaluate(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, double mu);
-  /// How its forces follow displacements.
+  /// Finds the rates at which its forces follow displacements.
   void find_rates();
-  /// Where Newton's method is to lead the pairs.
+  /// Sets the targets of the pairs in Newton's method.
   void aim(double mu, double second_order);
   /// The change of all numbers when displacements change the gap and the slip.
   void follow(double gap_change, double slip_change);
-  /// How far it may follow that, 1: all the way.
+  /// Largest part of that change that keeps its numbers positive; 1: all of it.
   double longest();
   void advance(double length);
 

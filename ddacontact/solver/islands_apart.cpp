@@ -4,7 +4,6 @@
 #include <ddacontact/core/sort_once.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>

@@ -23,13 +23,13 @@ class IslandsApart {
   /// \param[in,out] state  as it was
   /// \param[in,out] whole  with the step begun, and its blocks as they were
   /// \param[in,out] d      of all unknowns; where to start
-  /// \return what any of the islands took at most, the worst of their residuals, and the first failure
+  /// \return the largest counts of any island, the worst of their residuals, and the first failure
   ContactSolverReport solve(BlockState& state, const StepStart& start, StepSystem& whole,
                             const ContactSolverOptions& options, std::vector<Contact>& contacts, VectorXd& d);
   /// Forgets the systems: blocks have other numbers, or others take part.
   void clear();
 
-  /// What the last call of `solve` took on factors, in all islands.
+  /// Work on factors in the last call of `solve`, in all islands.
   const polyfem::CholeskyWork& last_work() const { return work_; }
 
  private:

@@ -5,11 +5,12 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace ddacontact {
 
-/// What an iteration found.
+/// Outcome of an iteration.
 struct KrylovReport {
   bool converged = false;
   int iterations = 0;

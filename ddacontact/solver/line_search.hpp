@@ -17,8 +17,8 @@ class LineSearch {
   /// \param[in] rate  derivative in t of the form that the spring follows
   void add(const ClippedSpring& spring, double rate);
   /// The t > 0 at which the derivative vanishes; it must be negative at 0. Where the potential falls for
-  /// ever, a t beyond all changes of its springs. \param[in] slope, curvature  the derivative of the
-  /// quadratic alone is slope + t curvature
+  /// ever, a t beyond all changes of its springs.
+  /// \param[in] slope, curvature  the derivative of the quadratic alone is slope + t curvature
   double find_minimum(double slope, double curvature);
 
  private:

@@ -13,7 +13,7 @@ class StepQuietFace {
  public:
   StepQuietFace(const BlockSystem& blocks, const QuietFace& face);
 
-  /// That its matrix is over, ascending.
+  /// Unknowns that its matrix is over, ascending.
   const std::vector<int>& unknowns() const { return unknowns_; }
   int block() const { return face_->block; }
 

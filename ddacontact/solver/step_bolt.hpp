@@ -13,24 +13,24 @@ namespace ddacontact {
 /// of the two, whose work over the step is what the bolt stores.
 class StepBolt {
  public:
-  /// \param[in] bolt  that acts
+  /// \param[in] bolt  acts in the step
   StepBolt(const BlockSystem& blocks, const Bolt& bolt);
 
   const Bolt& bolt() const { return *bolt_; }
-  /// That its matrix is over, ascending.
+  /// Unknowns that its matrix is over, ascending.
   const std::vector<int>& unknowns() const { return unknowns_; }
-  /// Of its nodes, each once.
+  /// Blocks of its nodes, each once.
   const std::vector<int>& blocks() const { return blocks_; }
 
   void begin(const BlockSystem& blocks, const BlockState& state, Directions directions);
-  /// By which its tension at the start turns segments between two blocks back, on each of them: adds T / l,
-  /// N/m per m, by the number of the block.
+  /// Adds the stiffness T / l, N/m per m, by which its tension at the start turns segments between two blocks
+  /// back, to the entries of both blocks.
   void add_turning(VectorXd& of_blocks) const;
-  /// From `begin` on: the segments that its forces act along.
+  /// Sets the segments that its forces act along, from `begin` on.
   void act_along(Directions directions) { directions_ = directions; }
   /// Finds its forces where its unknowns are displaced so, by all unknowns.
   void look(const VectorXd& displaced);
-  /// Its force on a node where it was looked at last, N per m.
+  /// Force of the bolt on a node where it was evaluated last, N per m.
   Vec2 force_on(int node) const;
   /// F += its forces on all unknowns.
   void add_forces(VectorXd& F) const;
@@ -39,19 +39,19 @@ class StepBolt {
   MatrixXd tangent() const;
   /// Force by elongation of its stiffest segment, N/m per m.
   double largest_stiffness() const;
-  /// Lets the numbers of all bolts follow where it was looked at last.
+  /// Ends the step: its entries in the numbers of all bolts follow where it was evaluated last.
   BoltLosses end(VectorXd& numbers) const;
 
  private:
   struct Term {
-    int unknown, slot;  ///< in all, in unknowns_
+    int unknown, slot;  ///< its number, and its index in unknowns_
     Vec2 column;
   };
   struct Segment {
     bool is_there = false;
     Vec2 start{0, 0};      ///< from its first end to its second one
-    Vec2 direction{0, 0};  ///< that its force acts along; with means not of unit length
-    double length = 0;     ///< where it was looked at, m
+    Vec2 direction{0, 0};  ///< of its force; with means not of unit length
+    double length = 0;     ///< where it was evaluated, m
     double turning = 0;    ///< force by displacement across it, N/m per m
   };
   Vec2 displacement(int node, const VectorXd& displaced) const;
@@ -63,7 +63,7 @@ class StepBolt {
   Directions directions_ = Directions::of_end;
   VectorXd numbers_, start_axial_, elongation_;
   BoltForces forces_;
-  VectorXd axial_;  ///< that the step has of them
+  VectorXd axial_;  ///< axial forces that act in the step, N per m
 };
 
 }  // namespace ddacontact

@@ -1,18 +1,18 @@
-/// \file What sweeps and the interior-point method know of a contact beside its term.
+/// \file Data of a contact beside its term, for sweeps and the interior-point method.
 #pragma once
 
 #include <ddacontact/contact/joint_law.hpp>
 
 namespace ddacontact {
 
-/// The law of one contact, and where the step found it.
+/// The law of one contact, with its state at the start of the step.
 struct SweptLaw {
   const JointLaw* joint = nullptr;
-  double shear = 0;      ///< the shear multiplier as the step began
-  bool sliding = false;  ///< it is at the bound, whatever that is
+  double shear = 0;      ///< shear multiplier at the start of the step, N per m
+  bool sliding = false;  ///< that multiplier is at the friction bound, whatever the bound is
   bool bonded = false;
-  double scale = 1;  ///< what changes of the contact's force are relative to, N per m
-  double gap = 0;    ///< and what the way is that they move it by, m; 0: any way
+  double scale = 1;  ///< reference force of the convergence test, N per m
+  double gap = 0;    ///< largest gap change counted as converged, m; 0: no test
 };
 
 }  // namespace ddacontact

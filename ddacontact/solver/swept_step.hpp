@@ -1,5 +1,4 @@
-/// \file A step of which contact forces are found by sweeps: rounds of sweeps on one linearized geometry
-/// each.
+/// \file A step whose contact forces are found by sweeps, in rounds on one linearized geometry each.
 #pragma once
 
 #include <ddacontact/solver/augmented_contacts.hpp>

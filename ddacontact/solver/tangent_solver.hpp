@@ -4,14 +4,16 @@
 #include <ddacontact/core/skips.hpp>
 #include <ddacontact/solver/friction_problem.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
-/// What a TangentSolver has done.
+/// Counts of a TangentSolver.
 struct TangentCounts {
   int with_stale_factor = 0;  ///< solutions by Krylov iteration on an older factor
   int iterations = 0;         ///< of Krylov in those
-  /// Solutions of that kind that did not get there, and were made by a factor; and by factors, with friction
-  /// that was not found to the tolerance.
+  /// Solutions on an older factor that did not converge and were made by a new one; and solutions by factors
+  /// with friction that was not found to the tolerance.
   int fallbacks = 0;
 
   TangentCounts& operator+=(const TangentCounts& more) {

@@ -29,8 +29,8 @@ FactorDistribution distribution_of(const std::vector<std::string>& low, const st
 /// In sentences, with a histogram, for a terminal.
 std::string describe(const FactorDistribution& distribution);
 
-/// Cases with a factor below F, as a part of all, over F, but for the largest 2.5 % of the factors: SVG. Throws Error
-/// when there is no factor.
+/// Cases with a factor below F, as a part of all, over F, but for the largest 2.5 % of the factors: SVG.
+/// Throws Error when there is no factor.
 std::string draw(const FactorDistribution& distribution);
 
 }  // namespace ddacontact

@@ -5,6 +5,7 @@
 #include <ddacontact/time/stepper.hpp>
 
 #include <string>
+#include <vector>
 
 namespace ddacontact {
 

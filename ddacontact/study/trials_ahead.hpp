@@ -27,8 +27,9 @@ FactorBracket bracket_factor_ahead(const CancellableTrial& trial, int at_once,
                                    const std::function<void(const StrengthTrial&)>& take);
 
 /// Factors that bracket_factor tries next: the one that it needs, then those that it needs when unknown
-/// trials rest or move, the fewest unknown ones first. \param[in] known  verdicts so far \param[in] n factors
-/// wanted; there are fewer near the end of the search
+/// trials rest or move, the fewest unknown ones first.
+/// \param[in] known  verdicts so far
+/// \param[in] n      factors wanted; there are fewer near the end of the search
 std::vector<double> next_factors(const std::map<double, Verdict>& known,
                                  const std::optional<FactorRange>& range, double tolerance, std::size_t n);
 

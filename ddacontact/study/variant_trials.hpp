@@ -4,6 +4,7 @@
 #include <ddacontact/study/strength_reduction.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace ddacontact {
 

@@ -1,4 +1,4 @@
-/// \file What contacts hand on from a step to the next.
+/// \file Histories that contacts hand on from a step to the next.
 #pragma once
 
 #include <ddacontact/contact/contact_builder.hpp>
@@ -17,7 +17,7 @@ struct ContactEnds {
 /// Writes the histories of the contacts at the end of an accepted step: forces, dilation, bonds and gaps that
 /// count as none.
 /// \param[in] means           the step's forces are those of both ends
-/// \param[in,out] energy      what dilation lifts is paid for by what friction takes
+/// \param[in,out] energy      the work of dilation is taken from that of friction
 ContactEnds end_histories(const ContactProperties& properties, bool is_static, bool means,
                           std::vector<Contact>& contacts, Energy& energy);
 

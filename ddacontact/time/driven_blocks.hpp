@@ -6,17 +6,19 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace ddacontact {
 
-/// The first two blocks without free unknowns of which the supports of one or both have driven one deeper
-/// into the other than they were drawn, by a millionth of the smaller one's size; nothing where there are
-/// none. \param[in] gives_way  whether a joint with a stiffness lets two blocks overlap
+/// The first two blocks without free unknowns that overlap since supports move one or both: by more than a
+/// millionth of the smaller one's size, and by as much more than they were drawn. Nothing where there are
+/// none.
+/// \param[in] gives_way  whether a joint with a stiffness lets two blocks overlap
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
                                         const std::function<bool(const Pair&)>& gives_way);
 
-/// The first of these blocks, which come in, with one that is there and not among `leaving` that it overlaps
-/// by more than `deepest_overlap`; nothing where there is none.
+/// The first of the blocks `coming` that overlaps a present one which is not among `leaving`, by more than
+/// `deepest_overlap` of the smaller one's size, with that one; nothing where there is none.
 std::optional<Pair> find_overlap(const BlockSystem& blocks, const BlockState& state,
                                  const std::vector<int>& coming, const std::vector<int>& leaving);
 

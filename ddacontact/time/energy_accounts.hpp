@@ -10,13 +10,13 @@
 
 namespace ddacontact {
 
-/// v M v / 2 over all blocks, J per m.
+/// Kinetic energy: v M v / 2 over all blocks, J per m.
 double kinetic_energy(const BlockSystem& blocks, const VectorXd& velocity);
 
-/// What the springs of contacts store at the end of their step, J per m.
+/// Energy in the springs of contacts at the end of their step, J per m.
 double spring_energy(const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
 
-/// Of the blocks, of their contacts' springs, of the springs of held vertices, and of bolts, J per m.
+/// Elastic energy of the blocks, their contacts' springs, the springs of fixed vertices, and bolts, J per m.
 double elastic_energy(const BlockSystem& blocks, const BlockState& state,
                       const std::vector<ContactRecord>& contacts, const ContactProperties& properties);
 

@@ -29,9 +29,8 @@ class EnergyLedger {
   /// Takes the present energies as those of the start.
   void start() { start_ = now; }
   /// Notes the present energies as exchanged; call after every step.
-  /// \param[in] tolerated  what contacts may do as work while they close the penetration that their tolerance
-  /// leaves,
-  ///                       J per m: it counts as no rise
+  /// \param[in] tolerated  work that contacts may do while they close the penetration that their tolerance
+  ///                       leaves, J per m: it counts as no rise
   void close_step(double tolerated = 0);
   /// (total - total at the start) / the largest energy exchanged so far; 0 while there was none but what the
   /// residuals of steps make of the largest energy.

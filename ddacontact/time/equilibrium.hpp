@@ -14,18 +14,18 @@ namespace ddacontact {
 /// limit load leaves 5e-4 or more of them.
 inline constexpr double largest_unbalanced = 1e-4;
 
-/// What the forces and velocities at the end of a substep say. The resultant on a block is its mass times its
+/// Balance of forces and velocities at the end of a substep. The resultant on a block is its mass times its
 /// acceleration: a static step, which starts at rest, leaves the same resultant on a block that falls
 /// whatever its length is, and none on one that has settled. Blocks that sleep are at rest.
 struct Equilibrium {
   /// Largest over the blocks of |weight + loads + contact forces + reactions|, or of their moment about the
   /// centroid over the block's size where that is larger, over the largest of these forces on the same block.
   double unbalanced = 0;
-  int unbalanced_block = -1;     ///< whose it is; -1: no block is out of balance
+  int unbalanced_block = -1;     ///< the block of that value; -1: no block is out of balance
   int n_unbalanced = 0;          ///< blocks out of balance
   double unbalanced_before = 0;  ///< `unbalanced` at the end of the substep before
   double fastest = 0;         ///< m/s, of any vertex; in static steps displacement over length of the substep
-  int fastest_block = -1;     ///< whose it is; -1: nothing moves
+  int fastest_block = -1;     ///< the block of that vertex; -1: nothing moves
   double relative_speed = 0;  ///< of any vertex, sizes of its block a second
   double kinetic = 0;         ///< of these velocities, J per m
 

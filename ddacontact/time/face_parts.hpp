@@ -16,7 +16,7 @@ struct FacePart {
 /// All edges, divided where blocks that touch them begin and end, at their reference positions.
 std::vector<FacePart> divide_faces(const BlockSystem& blocks);
 
-/// Those of the blocks that are there, in a joint where the neighbour is there too.
+/// Faces of the blocks that are present; they are in a joint where the neighbour is present too.
 std::vector<WetFace> present_faces(const BlockSystem& blocks, const std::vector<FacePart>& parts);
 
 }  // namespace ddacontact

@@ -1,4 +1,4 @@
-/// \file Blocks that go on as rigid bodies, and when what approaches touches.
+/// \file Blocks that move on as rigid bodies, and the times at which approaching points touch.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -10,10 +10,12 @@ namespace ddacontact {
 
 /// The first t in [0, dt] with g + v t + a t^2 / 2 <= 0; infinity: none.
 double first_touch(double g, double v, double a, double dt);
-/// The same of a circle that passes a corner in a straight line: it turns away from it.
+/// The first t in [0, dt] at which a circle in straight motion touches a corner; infinity: none, also where
+/// it passes by or moves away.
 double first_touch(const Vec2& apart, const Vec2& velocity, double radius, double dt);
 
-/// By what a point leaves the straight line of its velocity as its block turns: R(angle) r - r - angle J r.
+/// Deviation of a point from the straight line of its velocity as its block turns: R(angle) r - r - angle J
+/// r.
 ///
 /// \param[in] arm  r, from the centre of the block
 Vec2 off_straight_line(const Vec2& arm, double angle);
@@ -22,7 +24,7 @@ Vec2 off_straight_line(const Vec2& arm, double angle);
 BlockState carried(const BlockSystem& blocks, const BlockState& state, const VectorXd& velocity,
                    const VectorXd& acceleration, const std::vector<double>& times);
 
-/// Of every block.
+/// Rigid velocity of every block.
 std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const VectorXd& velocity);
 
 /// Turns the velocities of a free block's nodes about its centre; that of the centre stays.

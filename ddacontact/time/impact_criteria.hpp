@@ -1,4 +1,4 @@
-/// \file What a contact is to an impact: bearing before it, and holding in it.
+/// \file Criteria of impacts: which contacts bear a load before one, and which bonds hold in it.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -17,7 +17,8 @@ inline double round_off_speed(const Contact& contact, double dt) {
   return negligible_gap * coincidence * contact.size / dt;
 }
 
-/// Whether it is bonded, or pressed by more than round-off: one that only touches passes on what it gets.
+/// Whether a contact bears a load: it is closed and bonded, or its force exceeds round-off and a thousandth
+/// of the lighter block's weight. One that only touches passes on the impulse that it gets.
 inline bool bears(const BlockSystem& blocks, const Contact& contact, double dt) {
   constexpr double least_of_weight = 1e-3;
   if (!contact.closed() || contact.has_bond()) return contact.closed();
@@ -27,7 +28,8 @@ inline bool bears(const BlockSystem& blocks, const Contact& contact, double dt) 
              std::max(least_of_weight * blocks.gravity.norm() * dt, round_off_speed(contact, dt));
 }
 
-/// How long the impact of a contact takes, s: blocks pass on what they got when waves have crossed them.
+/// Duration of an impact at a contact, s: the shorter time in which a pressure wave crosses one of its
+/// movable blocks, which then passes on the impulse.
 inline double impact_duration(const BlockSystem& blocks, const Contact& contact) {
   double least = inf;
   for (int b : contact.pair.blocks())
@@ -35,7 +37,7 @@ inline double impact_duration(const BlockSystem& blocks, const Contact& contact)
   return least;
 }
 
-/// Whether the bond of a contact has the strength to bear an impulse in that time.
+/// Whether the bond of a contact has the strength to bear an impulse within `duration`, s.
 inline bool bond_bears(const Contact& contact, const ImpactContact& part, const ContactImpulse& impulse,
                        double duration) {
   return -impulse.normal <= contact.law.tension * duration &&

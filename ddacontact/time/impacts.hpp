@@ -1,9 +1,10 @@
-/// \file Blocks that meet within a step: when, and what it does to their velocities.
+/// \file Impacts within a step: their times, and the jumps of velocities.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,11 +14,11 @@ namespace ddacontact {
 struct StepImpact {
   VectorXd jump;   ///< of the velocities of all unknowns; empty: none
   VectorXd shift;  ///< minus the sum of the jumps times their times within the step
-  /// From where and with what velocities the step ends as if the blocks had moved with their velocities after
-  /// the impact all the time: shifted, and jumped.
+  /// Start, shifted and with velocities that have jumped, from which the step ends as if the blocks had moved
+  /// with their velocities after the impact all the time.
   BlockState start;
-  /// Of the free blocks that jump: their numbers, and by what the forces of the step before and the loads
-  /// accelerate their unknowns until then.
+  /// Numbers of the free blocks that jump, and the accelerations of their unknowns until then by the forces
+  /// of the step before and the loads.
   std::vector<std::pair<int, VectorXd>> acceleration_before;
   std::vector<char> hit;  ///< the contacts that met with a speed that counts
   int n_hits = 0;

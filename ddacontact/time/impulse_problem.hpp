@@ -4,15 +4,17 @@
 #include <ddacontact/solver/friction_problem.hpp>
 #include <ddacontact/time/rigid_motions.hpp>
 
+#include <vector>
+
 namespace ddacontact {
 
 /// A number for the normal direction and one for the shear of every contact, in two columns: impulses, or
 /// rates of gap and slip.
 using NormalAndShear = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-/// Its columns.
+/// Columns of NormalAndShear.
 enum Column { of_gap, of_slip };
 
-/// Of the gaps and slips under velocities.
+/// Rates of gaps and slips under velocities.
 NormalAndShear rates_of(const std::vector<ContactTerm>& terms, const VectorXd& velocities);
 
 /// The change w of the coefficients of rigid motions of least |w|^2 / 2 that contacts allow: their impulses
@@ -28,7 +30,7 @@ class ImpulseProblem {
   void set_bounds(const VectorXd& bounds);
   NormalAndShear impulses() const;
   void forget_impulses();
-  /// The change w that impulses make, and those of the rates that a change w makes.
+  /// The change w by impulses, and the changes of the rates by w.
   VectorXd change(const NormalAndShear& impulses) const;
   NormalAndShear change_of_rates(const VectorXd& w) const { return rates_of(terms_, w); }
 
@@ -36,7 +38,8 @@ class ImpulseProblem {
   /// should vanish remain larger than the tolerance.
   bool solve(const NormalAndShear& rates, double tolerance);
 
-  /// After the last `solve`, that should vanish: approach, separation under an impulse, slip while sticking.
+  /// Largest rate after the last `solve` that should vanish: approach, separation under an impulse, slip
+  /// while sticking.
   double largest_rate() const;
   /// Problems of penalties and Newton iterations so far.
   int n_rounds() const { return n_rounds_; }

@@ -1,4 +1,4 @@
-/// \file What a step by the blocks' motions does to the energies.
+/// \file Energies of a step by the blocks' motions.
 #pragma once
 
 #include <ddacontact/contact/contact.hpp>
@@ -9,10 +9,11 @@
 
 namespace ddacontact {
 
-/// Adds what an accepted step by the blocks' motions did to the energies, but for the change of kinetic
+/// Adds the energy changes of an accepted step by the blocks' motions, but for the change of kinetic
 /// energy. An impulse works on the straight motion of the shape at the start. What turns away from that on
 /// the way, of slips and of prescribed points, is the scheme's. Gap and slip changes of the contacts become
-/// those of the straight motion. \param[in] from      where it starts: shifted and jumped by an impact
+/// those of the straight motion.
+/// \param[in] from      where it starts: shifted and jumped by an impact
 /// \param[in] straight  the straight motion of all unknowns
 /// \param[in] residual  reactions of prescribed degrees of freedom
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,

@@ -17,6 +17,7 @@ void MotionLimits::set_analysis(const AnalysisOptions& analysis) {
   analysis_ = analysis;
   const Points x = blocks_.reference();
   const double larger_side = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+  // Shi's ratio is relative to half the larger side of the model.
   largest_displacement_ = analysis.max_displacement_ratio * larger_side / 2;
 }
 

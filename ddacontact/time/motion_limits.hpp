@@ -17,13 +17,13 @@ class MotionLimits {
   MotionLimits(const BlockSystem& blocks, const AnalysisOptions& analysis) : blocks_(blocks) {
     set_analysis(analysis);
   }
-  /// From now on steps are made like this.
+  /// Sets the options of the steps from now on.
   void set_analysis(const AnalysisOptions& analysis);
 
-  /// How far from each block to look for contacts in a step of length dt: twice the motion expected from its
-  /// velocity, or that of the fastest of the blocks that it may meet, and gravity and a little, times
-  /// `scale`, m. \param[in] met  contacts of the last step: who may meet whom
-  /// Valid until the next call.
+  /// Distance from each block to look for contacts within in a step of length dt: twice the motion expected
+  /// from its velocity, or that of the fastest of the blocks that it may meet, and gravity and a little,
+  /// times `scale`, m. Valid until the next call.
+  /// \param[in] met  contacts of the last step: who may meet whom
   const std::vector<double>& search_margin(const BlockState& state, const std::vector<ContactRecord>& met,
                                            double dt, double scale);
   /// The longest step that present velocities allow, s; infinity when nothing moves. A block that is hit is
@@ -36,7 +36,7 @@ class MotionLimits {
   double largest_search_margin(int block) const;
 
  private:
-  /// Of each block or, where that is faster, of those that it may meet: in speed_.
+  /// Writes into speed_ the speed of each block or, where larger, of the fastest one that it may meet, m/s.
   void find_speeds(const BlockState& state, const std::vector<ContactRecord>& met);
 
   const BlockSystem& blocks_;

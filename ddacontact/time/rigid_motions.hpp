@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 
 #include <span>
+#include <vector>
 
 namespace ddacontact {
 
@@ -15,9 +16,10 @@ class RigidMotions {
   RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks);
 
   int n_coefficients() const { return n_coefficients_; }
-  /// Of the blocks that move, kg per m; 0: none does.
+  /// Largest mass of the blocks that move, kg per m; 0: none does.
   double largest_mass() const;
-  /// The rigid part of velocities of all unknowns: what is left over is orthogonal to it in kinetic energy.
+  /// Coefficients of the rigid part of velocities of all unknowns: the rest is orthogonal to it in kinetic
+  /// energy.
   VectorXd coefficients(const VectorXd& velocity) const;
   /// velocity += the motion q, on all unknowns; 0 on held ones.
   void add_motion(const VectorXd& q, VectorXd& velocity) const;

@@ -14,7 +14,7 @@ struct ImpactContact {
   AffineForm gap, slip;                                  ///< over the same unknowns in the same order
   double gap_rate = 0, slip_rate = 0;                    ///< beside those of the velocities given, m/s
   double friction = 0;                                   ///< |P_T| <= friction P_N
-  std::function<double(double)> friction_law = nullptr;  ///< in its place: the bound of |P_T| under P_N >= 0
+  std::function<double(double)> friction_law = nullptr;  ///< instead: the bound of |P_T| under P_N >= 0
   double restitution = 0;  ///< 0 .. 1, of the normal impulse; 0 where blocks merely touch
   bool bonded = false;     ///< no relative motion at all; takes no restitution
 
@@ -23,7 +23,7 @@ struct ImpactContact {
   }
 };
 
-/// What passes through a contact, N s per m of thickness: on the gap and on the slip.
+/// Impulse of a contact on the gap and on the slip, N s per m of thickness.
 struct ContactImpulse {
   double normal = 0, shear = 0;
 };
@@ -36,12 +36,12 @@ struct JumpReport {
   VectorXd jump;                         ///< of the velocities of all unknowns
   std::vector<ContactImpulse> impulses;  ///< of every contact
   double friction_loss = 0;  ///< - sum of P_T and the mean of the slip rates before and after, J per m
-  /// The same of normal impulses. Rates are those of rigid motions here; the two are what the kinetic energy
-  /// and the work of moving supports lose.
+  /// Loss by normal impulses, likewise, J per m. Rates are those of rigid motions here; the sum of both
+  /// losses is lost by the kinetic energy and the work of moving supports.
   double normal_loss = 0;
-  /// Of the supports' impulses on what they move, J per m: the kinetic energy changes by it less the losses.
+  /// Work of the supports' impulses, J per m: the kinetic energy changes by it less the losses.
   double support_work = 0;
-  int n_contacts = 0;  ///< that took part
+  int n_contacts = 0;  ///< contacts that took part
   int solves = 0;      ///< problems with frozen friction bounds
   int rounds = 0;      ///< of multipliers in all of them
 };

@@ -1,4 +1,4 @@
-/// \file All that a run has done and where it stands: what it takes to go on as if it had never stopped.
+/// \file State and accounts of a run, from which it goes on as if it had never stopped.
 #pragma once
 
 #include <ddacontact/time/energy_ledger.hpp>
@@ -13,7 +13,7 @@
 
 namespace ddacontact {
 
-/// What a run has done so far.
+/// Accounts of a run so far.
 struct RunAccounts {
   StepCounts counts;
   EnergyLedger energy;
@@ -31,12 +31,12 @@ struct RunAccounts {
 struct RunRecord : RunAccounts {
   StepRecord step;
   double end_time = 0;                ///< of ramps, s
-  Points zero_position, zero_origin;  ///< what displacements are counted from; empty: from the start
+  Points zero_position, zero_origin;  ///< points from which displacements count; empty: the start's
 };
 
 /// The bits of a record, in the order of bytes of the machine.
 std::string to_bytes(const RunRecord& record);
-/// Throws Error for what to_bytes has not made.
+/// The record of these bytes. Throws Error for bytes that to_bytes has not made.
 RunRecord run_record_from(std::string_view bytes);
 
 }  // namespace ddacontact

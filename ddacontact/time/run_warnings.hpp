@@ -1,4 +1,4 @@
-/// \file What a run met that makes its results doubtful, counted: no step is refused for it.
+/// \file Counts of events that make a run's results doubtful: no step is refused for them.
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
@@ -26,11 +26,10 @@ struct SeenStep {
 };
 
 /// Looks at every accepted substep for what makes results doubtful:
-/// - a block in contact moves by more than a tenth of its size: contacts are linearized
-///   at one position of its path. (Flight is exact whatever the step.)
-/// - an edge of a block in contact is longer or shorter by more than a twentieth
-///   than at the start: elasticity is linear,
-///   for small strains.
+/// - a block in contact moves by more than a tenth of its size: contacts are linearized at one position of
+///   its path. (Flight is exact whatever the step.)
+/// - an edge of a block in contact is longer or shorter by more than a twentieth than at the start:
+///   elasticity is linear, for small strains.
 /// - contacts of most blocks change their state, in more than a tenth of all substeps. (A first loading or a
 ///   pillar taken out does so too, but once or twice.)
 /// - friction-induced vibration: contacts of a sliding block change their state again and again, in substeps
@@ -59,10 +58,10 @@ struct RunWarnings {
 
   /// How often something was met, and where it was worst.
   struct Sighting {
-    long substeps = 0;      ///< in which it was met
+    long substeps = 0;      ///< in which this was met
     double first_time = 0;  ///< at the end of the first of them, s
     double largest = 0;     ///< of what is measured, in these substeps
-    int block = -1;         ///< whose it was; -1: of no block
+    int block = -1;         ///< the block of that value; -1: of no block
 
     void add(double value, int of_block, double time);
   };

@@ -5,17 +5,18 @@
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 namespace ddacontact {
 
-/// What of it the next step depends on.
+/// State of the sleeping mechanism that a checkpoint stores.
 struct SleepRecord {
   std::vector<int> island;  ///< of each block that sleeps, > 0; 0: it is awake
   std::vector<int> rested;  ///< of each block: substeps in a row that it was at rest in
-  /// Of each block that is awake and can move, ascending: the box it may move in until its neighbours are
-  /// looked for again. Empty while nobody sleeps.
+  /// Boxes of the blocks that are awake and can move, ascending: a block may move within its own until its
+  /// neighbours are looked for again. Empty while nobody sleeps.
   std::vector<Box> around;
 };
 
@@ -38,7 +39,7 @@ class Sleeping {
   bool is_asleep(int b) const { return island_[b] != 0; }
   int n_asleep() const { return n_asleep_; }
 
-  /// Of a block that is awake: whether it was at rest in the substep just made.
+  /// Notes whether a block that is awake was at rest in the substep just made.
   void note(int b, bool at_rest) { rested_[b] = at_rest ? std::min(rested_[b] + 1, enough) : 0; }
   /// Puts the islands to sleep that have rested enough, if they are a part of those awake that is worth the
   /// change: then returns their blocks.

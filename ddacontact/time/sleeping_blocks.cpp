@@ -4,7 +4,6 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 
 namespace ddacontact {

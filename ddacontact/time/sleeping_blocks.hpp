@@ -16,7 +16,7 @@ namespace ddacontact {
 /// those of a part of the whole, with what rests near it.
 class SleepingBlocks {
  public:
-  /// All are those of the run, of the part while that is in place.
+  /// Arguments are those of the run; while the part is in place they are those of the part.
   /// \param[in] properties  of the contacts of the whole
   /// \param[in] trial       made anew for the blocks that take part when these change
   SleepingBlocks(BlockSystem& blocks, BlockState& state, std::vector<ContactRecord>& contacts,
@@ -36,12 +36,12 @@ class SleepingBlocks {
 
   bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
   int n_asleep() const { return sleeping_.n_asleep(); }
-  /// What the next step depends on.
+  /// State of the sleeping mechanism, and its restoration.
   SleepRecord record() const;
   void restore(const SleepRecord& record);
-  /// From now on `discard` comes back to here.
+  /// Makes the present state the one that `discard` returns to.
   void accept() { before_.reset(); }
-  /// Those sleep again that did after the last accepted substep.
+  /// Puts the blocks to sleep again that slept after the last accepted substep.
   void discard();
 
   /// Puts the islands to sleep, velocities 0, that have rested enough by the end of the substep just made;
@@ -57,24 +57,24 @@ class SleepingBlocks {
   /// Valid until the next call.
   /// \param[in] reach  see MotionLimits::search_margin
   const std::vector<double>& look_around(double dt, double reach);
-  /// Wakes what blocks hit in a trial; false: nothing sleeping.
+  /// Wakes the sleepers that are hit in a trial; false: none.
   bool wake_hit(const TrialSolution& solution);
   void wake_all();
 
-  /// Of the whole; those of sleeping blocks are as they were.
+  /// Contacts of the whole; those of sleeping blocks are as they were.
   const std::vector<ContactRecord>& contacts() const;
   /// The contacts of the part have changed.
   void contacts_changed() { all_contacts_known_ = false; }
   /// The number in the whole of a block of a step.
   int in_whole(int b) const { return part_in_place_ ? asleep_->part->blocks()[b] : b; }
-  /// Of all blocks of a step; empty: the whole takes part.
+  /// Numbers in the whole of all blocks of a step; empty: the whole takes part.
   std::span<const int> in_whole() const {
     return asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{};
   }
-  /// Of what takes no part: elastic energy, J per m, and closed contacts.
+  /// Elastic energy, J per m, and number of closed contacts outside the part.
   double elastic_energy() const { return asleep_ ? asleep_->elastic_outside : 0; }
   int n_closed() const { return asleep_ ? asleep_->n_closed : 0; }
-  /// Writes the forces that supports exert in a step to those of the whole, with what sleepers lean on them.
+  /// Writes the forces of supports in a step to those of the whole, with those from sleepers, N per m.
   void spread_reactions(const Points& of_step, Points& of_whole) const;
 
  private:
@@ -101,22 +101,22 @@ class SleepingBlocks {
   Sleeping sleeping_;
   std::optional<SleepRecord> before_;  ///< after the last accepted substep, if it is another now
 
-  /// What the whole has beside the part, while someone sleeps.
+  /// Data of the whole beside the part, while someone sleeps.
   struct Asleep {
     std::optional<BlockSystem::Part> part;
     std::vector<ContactRecord> contacts;  ///< without a block that is awake; numbers of the whole
     std::vector<Box> boxes;               ///< of all blocks, valid for those at rest
     std::vector<Box> around;              ///< see SleepRecord
     std::vector<double> elastic;          ///< energy of each block at rest, J per m
-    double elastic_of_contacts = 0;       ///< in the springs of `contacts`
-    double elastic_outside = 0;           ///< of all that is not in the part
+    double elastic_of_contacts = 0;       ///< energy in the springs of `contacts`, J per m
+    double elastic_outside = 0;           ///< energy of all outside the part, J per m
     Points reactions;  ///< of supports to those who sleep, 2 x all points; only of wholly held blocks
     /// A function of time on a block.
     struct Watched {
       int block;
       const TimeFunction* function;  ///< of a load or a support
     };
-    std::vector<Watched> watched;  ///< what acts on sleepers and may change
+    std::vector<Watched> watched;  ///< loads and supports of sleepers that may change
     int n_closed = 0;              ///< of `contacts`
   };
   std::optional<Asleep> asleep_;

@@ -12,7 +12,7 @@ namespace ddacontact {
 struct StableStep {
   double dt;        ///< s; time_step where that is shorter
   double critical;  ///< the critical step that limits it otherwise, s
-  int block;        ///< whose that is
+  int block;        ///< the block of that step
   int n_decaying;   ///< slivers: blocks of a shorter critical step, that decay as in Scheme::decaying
 };
 

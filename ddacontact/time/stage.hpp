@@ -14,8 +14,8 @@
 
 namespace ddacontact {
 
-/// What holds while a part of a run lasts. Of the analysis plane, kinematics and preset are those of the
-/// whole run.
+/// Options, laws and changes of a part of a run. Plane, kinematics and preset of the analysis are those of
+/// the whole run.
 struct Stage {
   AnalysisOptions analysis;            ///< `steps` are those of this part
   JointTable joints;                   ///< of its contacts
@@ -27,7 +27,7 @@ struct Stage {
   std::vector<int> bolts{};            ///< installed at its start
   std::vector<int> added{};            ///< blocks that come in at its start, absent before
   int relax = 0;                       ///< steps in which the forces of `removed` decrease to nothing
-  /// That come in at its start.
+  /// Loads that come in at its start.
   std::vector<PointLoad> point_loads{};
   std::vector<PressureLoad> pressure_loads{};
   std::vector<BodyLoad> body_loads{};
@@ -37,9 +37,9 @@ struct Stage {
   }
 };
 
-/// Takes out what later stages bring in.
+/// Takes out blocks and bolts that later stages bring in.
 void remove_later(const std::vector<Stage>& stages, BlockSystem& blocks);
-/// What a stage changes of the blocks at its start: which are there, their bolts, and what acts on them.
+/// Changes the blocks as a stage does at its start: which are present, their bolts, and their loads.
 /// \param[in] start_time  of the stage, s
 /// \param[in] faces       of all blocks, if the stage has water
 void change_blocks(const Stage& stage, double start_time, const std::vector<FacePart>& faces,

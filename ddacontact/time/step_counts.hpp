@@ -20,7 +20,7 @@ struct StepCounts {
   long solutions_with_stale_factor = 0, krylov_iterations = 0;  ///< see TangentSolver
   long interior_solutions = 0;   ///< of open_close_iterations, those of the interior-point method
   long solver_fallbacks = 0;     ///< sweeps, stale factors and friction by factors that did not converge
-  double largest_tolerance = 0;  ///< that contacts were solved to in any accepted substep
+  double largest_tolerance = 0;  ///< to which contacts were solved in any accepted substep
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts
   long limited_impacts = 0;  ///< impacts whose restitution was reduced so that no energy arose

@@ -9,7 +9,7 @@
 
 namespace ddacontact {
 
-/// Where a run is among its stages.
+/// Position of a run in its stages.
 struct StageProgress {
   int stage = 0;
   long steps = 0;                      ///< made in this stage
@@ -19,7 +19,7 @@ struct StageProgress {
   double start_time() const { return start_times.back(); }
 };
 
-/// Where a run stands. Of the contacts only what one step hands to the next is kept: which they are, their
+/// State of a run. Of the contacts it keeps the data that one step hands to the next: which they are, their
 /// history and their slip at the end.
 struct StepRecord {
   long steps = 0;      ///< whole steps made

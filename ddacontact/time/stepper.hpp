@@ -14,12 +14,16 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ddacontact {
 
 /// Owns the blocks, their state and their contacts, and integrates them in time.
 class Stepper {
  public:
+  /// Throws Error when a block has no motions (Block::shape) and the scheme carries blocks on by them, and as
+  /// find_stable_step does; `step` and `restore` throw so for later stages.
   /// \param[in] initial   the state at the start, with velocities and stresses
   /// \param[in] contacts  their joints are those of the stages
   /// \param[in] stages    at least one; the last one goes on when all its steps are made
@@ -43,10 +47,11 @@ class Stepper {
   void interrupt_when(std::function<bool()> asked) { interrupted_ = std::move(asked); }
 
   /// The state of the run, and its restoration: a stepper of the same scene makes the same steps from there.
-  /// Energy accounts begin anew. Throws Error for a record of an earlier stage than the present one.
+  /// Energy accounts begin anew. Throws Error for a record of an earlier stage than the present one, or of
+  /// other blocks or stages.
   StepRecord record() const;
   void restore(StepRecord record);
-  /// The same with all accounts.
+  /// State of the run with all accounts, and its restoration, which throws alike.
   RunRecord run_record() const;
   void restore(RunRecord record);
 
@@ -60,9 +65,9 @@ class Stepper {
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   /// Those of sleeping blocks are as they were.
   const std::vector<ContactRecord>& contacts() const { return sleepers_.contacts(); }
-  /// Those that a step from here begins with; where blocks sleep, by the numbers of those that take part.
+  /// Contacts that a step from here begins with; where blocks sleep, by the numbers of those that take part.
   std::vector<Contact> contacts_to_begin_with();
-  /// With the joints of the present stage.
+  /// Properties of the contacts, with the joints of the present stage.
   const ContactProperties& contact_properties() const { return properties_; }
   const EnergyLedger& energy() const { return run_.energy; }
   /// Forces that the supports exert at the end of the last accepted substep, N per
@@ -88,18 +93,18 @@ class Stepper {
   const std::vector<Stage>& stages() const { return stages_; }
   /// How the stages before the present one ended, in their order.
   const std::vector<StageEnd>& stage_ends() const { return run_.stage_ends; }
-  /// Where the present stage stands.
+  /// State of the present stage.
   StageEnd stage_end() const;
-  /// What was seen that makes results doubtful.
+  /// Events that make results doubtful.
   const RunWarnings& warnings() const { return run_.warnings; }
   const std::string& stop_reason() const { return stop_reason_; }
   /// Where and when stick and slip had not settled in the last of the substeps counted as unconverged.
   const std::string& last_unsettled() const { return run_.last_unsettled; }
-  /// What happened that a user should know, in the order of time: convex blocks that turned concave.
+  /// Notes for the user in the order of time: such as blocks no longer convex, bolts torn.
   const std::vector<std::string>& notes() const { return run_.notes; }
   /// The length of the last accepted substep, s.
   double last_dt() const { return run_.last_dt; }
-  /// How long substeps may be, where the present stage is dynamic by central differences.
+  /// Limit of the substeps, where the present stage is dynamic by central differences.
   const std::optional<StableStep>& stable_step() const { return stable_; }
 
  private:
@@ -118,11 +123,11 @@ class Stepper {
   bool enter_stage(int stage);
   /// Adds the contacts that blocks which come in begin with.
   void begin_contacts_of(const std::vector<int>& coming);
-  /// Of the contacts with these blocks, on the blocks that they touch.
+  /// Forces of the contacts with these blocks on the blocks that they touch, of all unknowns.
   VectorXd forces_of(const std::vector<int>& blocks) const;
   /// The longest substep of the present stage, s.
   double longest_substep() const;
-  /// What changes of the blocks and of the way of stepping, but not the state.
+  /// Applies a stage: changes the blocks and the way of stepping, but not the state.
   /// \param[in] start_time  of the stage, s
   void apply(const Stage& stage, double start_time);
   void leave_stage();
@@ -130,21 +135,22 @@ class Stepper {
   Trial make_trial(double dt);
   /// Whether a substep cannot be accepted with this solution.
   bool refuses(const TrialSolution& solution, double dt) const;
-  /// With half steps: solves the next substep, cut until it is solvable, for the velocity at the present time
-  /// lies between that in the middle of the last one and of this. Closes the accounts of the last one.
+  /// Solves the next substep in schemes with half steps, cut until it is solvable, for the velocity at the
+  /// present time lies between that in the middle of the last one and of this. Closes the accounts of the
+  /// last one.
   void look_ahead(long steps_made);
   void forget_ahead();
   bool is_interrupted();
   /// Discards all trials since the last accepted substep.
   void discard_trials();
   void detect(double dt);
-  /// Of a substep that begins now, with blocks woken and contacts looked for.
+  /// Solution of a substep that begins now, with blocks woken and contacts looked for.
   TrialSolution find_solution(double dt);
   /// Whether blocks are carried on by their motions (BlockMotion).
   bool has_motions() const {
     return analysis_.scheme == Scheme::decaying || analysis_.scheme == Scheme::central_difference;
   }
-  /// Of the blocks in the present state, where they are carried on by them.
+  /// Finds the motions of the blocks in the present state, where they are carried on by them.
   void find_motions();
   void accept(double dt, const TrialSolution& solution, TrialEnd end);
   void count(const TrialSolution& solution, const ContactEnds& ends);
@@ -175,7 +181,7 @@ class Stepper {
   Points reactions_of_step_;
 
   TrialStep trial_;                    ///< of the present substep, after the last trial
-  std::vector<double> search_margin_;  ///< that its contacts were looked for within
+  std::vector<double> search_margin_;  ///< of the last search for its contacts, m
   double reach_scale_ = 1;
   bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;  ///< the trial's contacts are those of state_

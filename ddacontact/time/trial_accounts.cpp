@@ -19,7 +19,8 @@ void book_shift(const StepSystem& system, const VectorXd& shift, Energy& energy)
 }
 
 /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
-/// forces. \param[in] from  where the step was computed from
+/// forces.
+/// \param[in] from  where the step was computed from
 void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion, TrialStep& trial) {
   for (Contact& contact : trial.contacts()) {
     if (contact.normal == 0 && contact.shear == 0) continue;

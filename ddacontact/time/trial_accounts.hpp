@@ -1,4 +1,4 @@
-/// \file What an accepted trial did to the energies.
+/// \file Energies of an accepted trial.
 #pragma once
 
 #include <ddacontact/time/energy_ledger.hpp>
@@ -16,7 +16,7 @@ struct AcceptedTrial {
   TrialStep& trial;
   const TrialSolution& solution;
 
-  /// Of all unknowns: what its forces work on.
+  /// Motion of all unknowns that its forces work on.
   VectorXd motion() const {
     return trial.system().rule().has_half_steps() ? solution.straight : solution.motion();
   }
@@ -31,7 +31,7 @@ void account(const AcceptedTrial& accepted, Energy& energy);
 std::vector<std::string> end_bolts(const AcceptedTrial& accepted, BlockState& next, Energy& energy);
 /// Adds what an impact took. How much of it is friction's is told by its impulses, which need not be unique.
 void account_impact(const StepImpact& impact, Energy& energy);
-/// Takes this as the kinetic energy; what it changes by the work of inertia has to have made.
+/// Books a kinetic energy, J per m; its change is taken off the work of inertia.
 void book_kinetic(double kinetic, Energy& energy);
 
 }  // namespace ddacontact

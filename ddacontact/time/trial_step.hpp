@@ -26,20 +26,20 @@ struct StepTimes {
 /// The solution of a trial, its residual, and the reason to reject it (empty: none).
 struct TrialSolution {
   VectorXd d;         ///< of all unknowns
-  VectorXd straight;  ///< what was solved for: with half steps the straight motion, see Block::displacement
+  VectorXd straight;  ///< the solution: with half steps the straight motion, see Block::displacement
   Residual residual;
-  double tolerance = 0;  ///< that contact forces were solved to
+  double tolerance = 0;  ///< to which contact forces were solved
   std::string rejection;
-  bool friction_unsettled = false;  ///< and nothing else
+  bool friction_unsettled = false;  ///< the only reason to reject it
   StepImpact impact;
   VectorXd start;                    ///< where d was looked for from, without an earlier solution
   std::vector<ContactForce> forces;  ///< of the contacts that it is solved again with
 
-  /// From where the blocks are at the start of the step.
+  /// Displacements from where the blocks are at the start of the step.
   VectorXd motion() const { return impact.changes() ? VectorXd(d + impact.shift) : d; }
 };
 
-/// Where a solution leads the blocks.
+/// State of the blocks after a solution.
 struct TrialEnd {
   BlockState state;
   std::string rejection;     ///< why a block does not survive the step; empty: all do
@@ -50,7 +50,7 @@ struct TrialEnd {
 /// motion by the contact method, again where corners meet other edges than those chosen.
 class TrialStep {
  public:
-  /// All are seen as they are when a trial is made.
+  /// Keeps references: a trial uses the arguments as they are when it is made.
   /// \param[in] last  contacts of the last accepted substep
   /// \param[in,out] counts  what solutions take is added
   TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<ContactRecord>& last,
@@ -60,35 +60,36 @@ class TrialStep {
   void forget_pairs(const ContactProperties& properties) { builder_.emplace(blocks_, properties); }
   /// Forgets the systems of islands: their loads, water and supports are those of the last stage.
   void forget_islands() { islands_.clear(); }
-  /// (13) anew, for the blocks that take part now.
+  /// Makes the system (13) anew, for the blocks that take part now.
   void make_system();
 
   /// Looks for the contacts of the next step, of blocks that have made one.
   /// \param[in] margin       how far from each block, m
   /// \param[in] goes_on      the last step was of the same stage
   void detect(double dt, const std::vector<double>& margin, bool goes_on);
-  /// The contacts of blocks that have not made a step. \param[in] coming  see ContactBuilder::build_first
+  /// Looks for the contacts of blocks that have not made a step.
+  /// \param[in] coming  see ContactBuilder::build_first
   void detect_first(double dt, const std::vector<double>& margin, const std::vector<int>& coming = {});
-  /// Of the step of that length that begins now, with the contacts found.
+  /// Solves the step of length dt, s, that begins now, with the contacts found.
   TrialSolution solve(double dt);
-  /// Where the blocks are at its end.
+  /// State of the blocks at the end of that step.
   TrialEnd advance(double dt, const TrialSolution& solution) const;
   /// Takes in the contacts that let a vertex into a block on its way to `next`. False: there are none.
   bool take_missed(const BlockState& next);
 
   const AnalysisOptions& analysis() const { return analysis_; }
-  /// Of the trial, with what the last solution made of them.
+  /// Contacts of the trial, as the last solution left them.
   std::vector<Contact>& contacts() { return contacts_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
   ContactBuilder& builder() { return *builder_; }
   const ContactBuilder& builder() const { return *builder_; }
-  /// As the last solution left it begun.
+  /// System of the step, begun as the last solution left it.
   const StepSystem& system() const { return *system_; }
   bool has_system() const { return system_.has_value(); }
   ContactSolverOptions& options() { return options_; }
   const ContactSolverOptions& options() const { return options_; }
 
-  /// Of the run: what solutions take is added.
+  /// Times of the run: those of solutions are added.
   StepTimes& times() { return times_; }
   const StepTimes& times() const { return times_; }
 
@@ -105,15 +106,15 @@ class TrialStep {
   /// Restores the contacts to before the last solution, if there was one.
   void restart();
   std::vector<ContactForce> forces() const;
-  /// Of all unknowns in a step from this state, as velocities and supports have it.
+  /// Displacements of all unknowns in a step from this state that velocities and supports predict.
   VectorXd predicted_motion(const BlockState& from, double dt) const;
-  /// With the impacts of the step.
+  /// Solves with the impacts of the step.
   /// \param[in] warm_start  the solution with contacts that differ little; may be null
   TrialSolution solve_with_impacts(double dt, const TrialSolution* warm_start = nullptr);
-  /// With a predicted impact.
+  /// Solves with a predicted impact.
   TrialSolution solve_with(double dt, StepImpact impact, const TrialSolution* warm_start);
-  /// Without the contacts at corners that are in doubt.
-  /// \param[in,out] with  what was found with them; its forces are used up
+  /// Solves without the contacts at corners that are in doubt.
+  /// \param[in,out] with  the solution with them; its forces are used up
   TrialSolution solve_without(const std::vector<int>& doubtful, double dt, TrialSolution& with);
   /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
   bool find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const;

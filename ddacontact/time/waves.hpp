@@ -6,7 +6,7 @@
 
 namespace ddacontact {
 
-/// How long a pressure wave takes through a block: its size over the square root of (lambda + 2 mu) /
+/// Travel time of a pressure wave through a block: its size over the square root of (lambda + 2 mu) /
 /// density, s.
 double transit_time(const Block& block);
 

@@ -3,7 +3,6 @@
 #include <polyfem/quadrature/gauss_rule.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace polyfem {

@@ -6,7 +6,6 @@
 #include <polyfem/assembly/refined_solution.hpp>
 #include <polyfem/core/error.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>

@@ -4,6 +4,7 @@
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/mesh/polygon_mesh.hpp>
 
+#include <span>
 #include <vector>
 
 namespace polyfem {

@@ -3,6 +3,8 @@
 
 #include <polyfem/assembly/time_matrices.hpp>
 
+#include <vector>
+
 namespace polyfem {
 
 /// With the predictor p = u_n + dt v_n + dt^2 (1/2 - beta) a_n,

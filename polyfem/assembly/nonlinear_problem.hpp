@@ -3,6 +3,8 @@
 
 #include <polyfem/assembly/field_problem.hpp>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,8 @@
 
 #include <polyfem/assembly/time_matrices.hpp>
 
+#include <vector>
+
 namespace polyfem {
 
 /// (M + theta dt K) u_n+1 = M u_n - (1 - theta) dt K u_n + dt f (Hughes, section 8.1). theta = 1/2

@@ -5,6 +5,8 @@
 #include <polyfem/assembly/prescribed_dofs.hpp>
 
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace polyfem {
 

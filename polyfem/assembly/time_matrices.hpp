@@ -3,6 +3,8 @@
 
 #include <polyfem/assembly/field_problem.hpp>
 
+#include <functional>
+
 namespace polyfem {
 
 /// Fills the symmetric K and M, and the load f that does not change, of a cell. All come with what the last

@@ -3,6 +3,9 @@
 
 #include <polyfem/basis/basis.hpp>
 
+#include <optional>
+#include <string_view>
+
 namespace polyfem {
 
 /// Floater's mean value functions, for concave polygons and vertices on edges too; on a triangle the linear

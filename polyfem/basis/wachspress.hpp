@@ -3,6 +3,9 @@
 
 #include <polyfem/basis/basis.hpp>
 
+#include <optional>
+#include <string_view>
+
 namespace polyfem {
 
 /// The rational functions of a strictly convex polygon; on a triangle the linear ones.

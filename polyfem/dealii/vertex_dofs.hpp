@@ -15,13 +15,13 @@ namespace polyfem {
 /// Brings values at vertices to deal.II: for dealii::DataOut, dealii::VectorTools, or as a start vector.
 ///
 /// Hanging nodes get their own values too. deal.II's functions on the larger cell do not see them: it is
-/// drawn and integrated from its corners alone. \param[in] mesh         what `polygon_mesh` made of the
-/// handler's triangulation, unchanged since \param[in] values       n_components x n_vertices, as d = (u1 v1
-/// u2 v2 ...) \param[in] dof_handler  with one unknown per vertex and component: FE_Q(1), FE_SimplexP(1), or
-/// an FESystem
+/// drawn and integrated from its corners alone. Throws Error when the element is another one, or the
+/// triangulation is not the mesh's.
+/// \param[in] mesh         what `polygon_mesh` made of the handler's triangulation, unchanged since
+/// \param[in] values       n_components x n_vertices, as d = (u1 v1 u2 v2 ...)
+/// \param[in] dof_handler  with one unknown per vertex and component: FE_Q(1), FE_SimplexP(1), or an FESystem
 ///                         of such; on meshes of both kinds of cells, a collection of them
 /// \param[out] dofs        resized
-/// Throws Error when the element is another one, or the triangulation is not the mesh's.
 void to_dofs(const TriangulationMesh& mesh, const VectorXd& values,
              const dealii::DoFHandler<2, 2>& dof_handler, dealii::Vector<double>& dofs);
 

@@ -4,7 +4,6 @@
 #include <polyfem/core/types.hpp>
 
 #include <optional>
-#include <string>
 
 namespace polyfem {
 

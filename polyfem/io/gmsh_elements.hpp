@@ -5,6 +5,7 @@
 #include <polyfem/io/line_reader.hpp>
 
 #include <map>
+#include <string>
 #include <unordered_map>
 #include <vector>
 

@@ -4,6 +4,9 @@
 #include <polyfem/io/vtu_file.hpp>
 #include <polyfem/mesh/named_mesh.hpp>
 
+#include <filesystem>
+#include <string_view>
+
 namespace polyfem {
 
 /// A mesh and fields on its vertices and cells, to be written for ParaView and its like.

@@ -10,7 +10,6 @@
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <type_traits>
 
 namespace polyfem {
 namespace {

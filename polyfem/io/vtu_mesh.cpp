@@ -5,7 +5,6 @@
 #include <polyfem/io/vtu_arrays.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace polyfem {

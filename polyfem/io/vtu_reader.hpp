@@ -3,7 +3,10 @@
 
 #include <polyfem/io/vtu_file.hpp>
 
+#include <filesystem>
 #include <map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace polyfem {

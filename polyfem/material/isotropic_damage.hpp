@@ -29,8 +29,7 @@ struct DamageStep {
 
 /// The step to a strain (xx, yy, gamma_xy). With the equivalent strain e = sqrt(strain.D strain / E) (energy
 /// norm: Simo and Ju 1987, Eq. (2.5)) and its largest value k so far,
-///     stress = (1 - damage) D strain,    1 - damage = onset / k exp(-(k - onset) / softening)  for k >
-///     onset,
+///     stress = (1 - damage) D strain,    1 - damage = onset / k exp(-(k - onset) / softening) for k > onset,
 /// in closed form. Where e grows beyond k the tangent is
 ///     (1 - damage) (D - (1 / k + 1 / softening) (D strain)(D strain)^T / (E k)),
 /// elsewhere (1 - damage) D.

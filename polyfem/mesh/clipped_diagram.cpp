@@ -3,8 +3,6 @@
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/mesh/geos_context.hpp>
 
-#include <algorithm>
-
 namespace polyfem {
 
 namespace {

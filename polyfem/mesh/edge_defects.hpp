@@ -3,6 +3,7 @@
 
 #include <polyfem/mesh/polygon_mesh.hpp>
 
+#include <string>
 #include <vector>
 
 namespace polyfem {

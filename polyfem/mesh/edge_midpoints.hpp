@@ -3,6 +3,10 @@
 
 #include <polyfem/mesh/mesh_boundary.hpp>
 
+#include <array>
+#include <span>
+#include <vector>
+
 namespace polyfem {
 
 /// The mesh with the middle of each edge as a vertex, after the vertices it has, in the order in which cells

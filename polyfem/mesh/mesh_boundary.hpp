@@ -3,7 +3,9 @@
 
 #include <polyfem/mesh/polygon_mesh.hpp>
 
+#include <array>
 #include <functional>
+#include <vector>
 
 namespace polyfem {
 

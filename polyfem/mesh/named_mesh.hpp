@@ -3,7 +3,10 @@
 
 #include <polyfem/mesh/polygon_mesh.hpp>
 
+#include <array>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace polyfem {
 

@@ -4,7 +4,6 @@
 #include <polyfem/mesh/mesh_boundary.hpp>
 
 #include <algorithm>
-#include <string>
 
 namespace polyfem {
 namespace {

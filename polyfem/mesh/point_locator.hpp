@@ -3,6 +3,9 @@
 
 #include <polyfem/mesh/polygon_mesh.hpp>
 
+#include <span>
+#include <vector>
+
 namespace polyfem {
 
 /// A point of a mesh.

@@ -3,6 +3,9 @@
 
 #include <polyfem/mesh/polygon_mesh.hpp>
 
+#include <span>
+#include <vector>
+
 namespace polyfem {
 
 /// The cells at each vertex of a mesh whose indices are in range; made in time proportional to its size.

@@ -1,7 +1,6 @@
 #include <polyfem/mesh/weld.hpp>
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 namespace polyfem {

@@ -15,6 +15,13 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/testing/basis_trial.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
 namespace polyfem {
 
 /// \cond

@@ -4,7 +4,10 @@
 #include <polyfem/basis/basis.hpp>
 #include <polyfem/testing/worst_error.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <string>
 
 namespace polyfem {
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace polyfem {
 
 /// Collects errors relative to what is allowed, with the place of the worst, and fails the running test at

@@ -2,8 +2,8 @@
 #include "chapters.hpp"
 #include "slope_factors.hpp"
 
-#include <ddacontact/study/safety_files.hpp>
 #include <fmt/format.h>
+#include <ddacontact/study/safety_files.hpp>
 
 #include <algorithm>
 

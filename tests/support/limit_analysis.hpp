@@ -48,7 +48,8 @@ RigidBlocks rigid_blocks(const ddacontact::Scene& scene);
 /// steps. Their least friction is the least with which admissible forces exist at all.
 RigidBlocks interlocked(RigidBlocks blocks);
 
-/// Admissible forces under the dead load alone. \param[in] friction  mu = tan(phi), the same everywhere
+/// Admissible forces under the dead load alone.
+/// \param[in] friction  mu = tan(phi), the same everywhere
 bool can_be_held(const RigidBlocks& blocks, double friction);
 
 /// The least mu at which the dead load can be held, to 1e-6 of it; 0: without friction; none: not at an angle

@@ -31,8 +31,8 @@ struct Touching {
 };
 
 /// Faces that lie on each other touch at the two ends of their common part, a lone corner on a face at the
-/// corner. \param[in] outlines  simple polygons, counter-clockwise
-/// Distances below 1e-7 of the smaller block's size count as zero.
+/// corner. Distances below 1e-7 of the smaller block's size count as zero.
+/// \param[in] outlines  simple polygons, counter-clockwise
 Touching touching_faces(const std::vector<Points>& outlines);
 
 }  // namespace support

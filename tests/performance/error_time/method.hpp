@@ -14,7 +14,7 @@ struct Method {
   std::string name, description;
   ddacontact::BlockModel model = ddacontact::BlockModel::automatic;
   ddacontact::Scheme scheme = ddacontact::Scheme::decaying;
-  double penetration_tolerance = 1e-6;  ///< of the block size
+  double penetration_tolerance = 1e-6;           ///< of the block size
   std::optional<double> contact_tolerance = {};  ///< see ContactOptions::tolerance
   bool paper = false;                            ///< the preset of that name
 };

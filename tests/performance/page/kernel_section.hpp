@@ -23,7 +23,8 @@ Table quadrilateral_table(const KernelTimes& times);
 Table element_table(const KernelTimes& times);
 
 /// Functions of a basis, ns a point in batches of 16, beside CGAL's, compiled alike: with the project's flags
-/// and for the processor at hand. \param[in] basis  its name in the benchmarks
+/// and for the processor at hand.
+/// \param[in] basis  its name in the benchmarks
 Table basis_table(const std::string& basis, const KernelTimes& generic, const KernelTimes& native);
 
 }  // namespace benchmark_page

@@ -6,8 +6,8 @@
 
 namespace benchmark_page {
 
-/// Each method on its finest mesh: errors, rates, and where the time goes. \param[in] first_error  what the
-/// error is called that stands in `Measurement::l2`
+/// Each method on its finest mesh: errors, rates, and where the time goes.
+/// \param[in] first_error  what the error is called that stands in `Measurement::l2`
 Table finest_meshes(const std::vector<Series>& all, const std::string& first_error);
 
 /// Milliseconds to an error that all methods of first order reach, to multiples of it, and to further errors.

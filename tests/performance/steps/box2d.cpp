@@ -1,7 +1,7 @@
 // Rigid walls by Box2D 2.4: what a step takes, and how far the wall sinks and leans.
 //
-//     box2d_performance FILE.csv [SIZE ...]      203 1040 10050 if none are given (sizes as of the scene
-//     "wall")
+//     box2d_performance FILE.csv [SIZE ...]      203 1040 10050 if none are given (sizes as of the
+//                                                scene "wall")
 //
 // The bricks of the scene "wall" without rounding their corners, friction as there, no restitution, steps of
 // 0.01 s with 8 and 3 iterations as Box2D recommends, sleeping switched off. Settling: the first steps;

@@ -3,8 +3,8 @@
 // Prints a table in Markdown.
 //
 //     feature_costs          measures
-//     feature_costs --check  counts instead: a feature that acts on nothing changes no byte and no count of
-//     work
+//     feature_costs --check  counts instead: a feature that acts on nothing changes no byte and no count
+//                            of work
 #include <tests/performance/scenes.hpp>
 #include <tests/performance/steps/clock.hpp>
 
