@@ -14,6 +14,7 @@
 #include "run.hpp"
 #include "safety.hpp"
 #include "sweep.hpp"
+#include "thread_waiting.hpp"
 #include "view.hpp"
 
 #include <fmt/format.h>
@@ -137,6 +138,7 @@ int parse_and_execute(int argc, char** argv) {
     dda::print_error(dda::call_problem(app, error));
     return dda::wrong_input;
   }
+  if (call.run.threads > 1) dda::spin_briefly(argv);
   return execute(app, call);
 }
 

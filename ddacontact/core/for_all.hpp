@@ -6,10 +6,11 @@
 
 namespace ddacontact {
 
-/// Calls work(k) for k = 0 .. n - 1: what it writes must belong to k alone.
+/// Calls work(k) for k = 0 .. n - 1: what it writes must belong to k alone. Short loops take less time than
+/// threads to meet.
 void for_all(Index n, const auto& work) {
-  constexpr Index grain = 64;
-  polyfem::for_ranges(n, grain, [&](Index begin, Index end) {
+  constexpr Index grain = 64, shortest_shared = 1024;
+  polyfem::for_ranges(n, n < shortest_shared ? shortest_shared : grain, [&](Index begin, Index end) {
     for (Index k = begin; k < end; ++k) work(k);
   });
 }

@@ -42,9 +42,15 @@ bool may_meet(const RockBolt& bolt, const Points& polygon) {
 
 std::vector<int> blocks_at(const Vec2& point, const std::vector<BlockDescription>& blocks) {
   std::vector<int> found;
+  const auto may_hold = [&](const Points& polygon) {
+    const Vec2 low = polygon.rowwise().minCoeff(), high = polygon.rowwise().maxCoeff();
+    const double near = bolt_tolerance * (high - low).norm();
+    return (point.array() >= low.array() - near).all() && (point.array() <= high.array() + near).all();
+  };
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (polyfem::contains(blocks[b].vertices, point) ||
-        scene_format::distance_to_outline(point, blocks[b].vertices) <= bolt_tolerance * size_of(blocks[b]))
+    if (may_hold(blocks[b].vertices) &&
+        (polyfem::contains(blocks[b].vertices, point) ||
+         scene_format::distance_to_outline(point, blocks[b].vertices) <= bolt_tolerance * size_of(blocks[b])))
       found.push_back(static_cast<int>(b));
   return found;
 }

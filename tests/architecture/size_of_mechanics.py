@@ -1,4 +1,4 @@
-"""Counts the mechanics: lines of statements, assertions left out, and numbers other than 0, 1, 2 and 1/2 in them, each of which somebody
+"""Counts the mechanics: lines of statements, assertions and includes left out, and numbers other than 0, 1, 2 and 1/2 in them, each of which somebody
 chose. Fails when either has grown; what made it smaller lowers the limit.
 
     size_of_mechanics.py ROOT          prints both
@@ -10,7 +10,7 @@ import re
 import sys
 
 FOLDERS = ("block", "classic", "contact", "detection", "solver", "time")
-MOST_LINES = 13550
+MOST_LINES = 12738
 MOST_NUMBERS = 123
 
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)(?![\w.])")
@@ -25,15 +25,15 @@ def without_text(source):
     return re.sub(r"//.*", "", source)
 
 
-def without_assertions(source):
-    return re.sub(r"\bassert\([^;]*\);|#include <cassert>", lambda found: "\n" * found.group(0).count("\n"), source)
+def without_assertions_and_includes(source):
+    return re.sub(r"\bassert\([^;]*\);|#include <.*>", lambda found: "\n" * found.group(0).count("\n"), source)
 
 
 def statements(root):
     mechanics = root / "ddacontact"
     paths = [path for folder in FOLDERS for path in sorted((mechanics / folder).glob("*.?pp"))]
     for path in [*paths, mechanics / "core" / "tolerances.hpp"]:
-        source = without_assertions(without_text(path.read_text()))
+        source = without_assertions_and_includes(without_text(path.read_text()))
         for number, line in enumerate(source.split("\n"), 1):
             if line.strip():
                 yield path.relative_to(root), number, line.strip()
