@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Measures what steps cost and makes doc/benchmarks/dda.md anew:
 #   bash doc/benchmarks/make_dda.sh BUILD_DIRECTORY [--long | --million]
+# of a build with tests, without assertions (cmake --preset release -B BUILD_DIRECTORY -DPOLYDDA_ASSERTIONS=OFF).
 # About ten minutes on a quiet machine; --long goes to 100 000 blocks and takes an hour and a half, --million on to a million, which takes
 # 20 GB of memory. Measurements stay in the folder "benchmarks/dda" of the build directory; a set that is named (SETS="walls field") is
 # measured alone, the others are taken from there.

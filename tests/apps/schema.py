@@ -13,8 +13,7 @@ import tomllib
 try:
     import jsonschema
 except ImportError:
-    print("python3-jsonschema is not installed")
-    sys.exit(77)
+    sys.exit("skipped: python3-jsonschema is not installed")
 
 BLOCK = {"material": "rock", "vertices": [[0, 0], [1, 0], [0, 1]]}
 SCENE = {

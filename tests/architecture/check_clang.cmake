@@ -1,11 +1,6 @@
 # Fails when clang does not take what the build takes, with its flags and warnings; looks at the syntax alone:
-#   cmake -DCOMMANDS=<compile_commands.json> -DROOT=<source directory> -DSCRATCH=<directory> -DOF=<what> -P check_clang.cmake
+#   cmake -DCLANG=<clang++> -DCOMMANDS=<compile_commands.json> -DROOT=<source directory> -DSCRATCH=<directory> -DOF=<what> -P check_clang.cmake
 # OF=headers: all headers of the libraries, in one file; OF=sources: every source of the libraries and the program.
-find_program(CLANG clang++)
-if(NOT CLANG)
-  message("skipped: clang++ is not installed")
-  return()
-endif()
 
 # Runs clang on `source` with the flags of a line of compile_commands.json.
 function(check line source)

@@ -10,7 +10,10 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
-import vtk
+try:
+    import vtk
+except ImportError:
+    sys.exit("skipped: python3-vtk9 is not installed")
 
 STATES = {"open": 0, "stick": 1, "slip": 2}
 

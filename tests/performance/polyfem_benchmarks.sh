@@ -2,11 +2,11 @@
 # Measures polyfem beside deal.II and CGAL and makes doc/benchmarks/polyfem.md anew, in some minutes on a quiet machine:
 #   bash tests/performance/polyfem_benchmarks.sh [--quick]
 # With --quick it is a rehearsal on coarse meshes, and the page goes to the build directory.
-# BUILD=directory takes another build directory than build/release; measurements stay in its folder "benchmarks".
+# BUILD=directory takes another build directory than build/benchmarks, one without assertions; measurements stay in its folder "benchmarks".
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 quick=${1:-}
-build=${BUILD:-build/release}
+build=${BUILD:-build/benchmarks}
 options=(-DPOLYDDA_DEALII=ON)
 [ -f "$build/CMakeCache.txt" ] || options+=(-G Ninja -DCMAKE_BUILD_TYPE=Release)
 cmake -S . -B "$build" "${options[@]}"

@@ -9,7 +9,7 @@ using namespace support;
 
 namespace {
 
-constexpr double stiffness = 1e10;  // of joints, Pa/m
+constexpr double joint_stiffness = 1e10;  // Pa/m
 
 /// Blocks in joints of that stiffness, within fixed ones.
 Scene stressed_scene(const Vec3& stress) {
@@ -17,8 +17,8 @@ Scene stressed_scene(const Vec3& stress) {
   scene.analysis.mode = Mode::statics;
   scene.analysis.steps = 10;
   scene.analysis.gravity.setZero();
-  scene.joints[0].normal_stiffness = stiffness;
-  scene.joints[0].shear_stiffness = stiffness / 2;
+  scene.joints[0].normal_stiffness = joint_stiffness;
+  scene.joints[0].shear_stiffness = joint_stiffness / 2;
   scene.blocks = {block(rectangle(-1, -1, 8, 1), true), block(rectangle(-1, 2, 8, 1), true),
                   block(rectangle(-1, 0, 1, 2), true), block(rectangle(6, 0, 1, 2), true)};
   for (const std::initializer_list<double> corners :
@@ -81,7 +81,7 @@ TEST(FirstContacts, JointsBearTheStressOfABlockThatSupportsLead) {
     const BuiltScene built = run(scene);
     double normal = 0;
     for (const ddacontact::ContactRecord& contact : built.stepper->contacts()) normal += contact.normal;
-    EXPECT_NEAR(normal, pressure + stiffness * closure, 0.01 * pressure) << static_cast<int>(model);
+    EXPECT_NEAR(normal, pressure + joint_stiffness * closure, 0.01 * pressure) << static_cast<int>(model);
   }
 }
 
@@ -93,8 +93,8 @@ TEST(FirstContacts, AJointThatIsRelievedOpensByItsStressOverItsStiffness) {
   scene.analysis.steps = 30;
   scene.analysis.gravity.setZero();
   scene.materials[0].poisson = 0;
-  scene.joints[0].normal_stiffness = stiffness;
-  scene.joints[0].shear_stiffness = stiffness;
+  scene.joints[0].normal_stiffness = joint_stiffness;
+  scene.joints[0].shear_stiffness = joint_stiffness;
   scene.blocks = {block(rectangle(-1, 0, 1, 1), true), block(rectangle(length, 0, 1, 1), true),
                   block(rectangle(0, 0, length, 1))};
   for (BlockDescription& of : scene.blocks) of.stress = {-sigma, 0, 0};
@@ -104,7 +104,7 @@ TEST(FirstContacts, AJointThatIsRelievedOpensByItsStressOverItsStiffness) {
   BuiltScene built = build(scene);
   run(*built.stepper, 32);
   const Points moved = built.stepper->blocks().displacements(built.stepper->state()).rightCols(4);
-  const double by_joint = sigma / stiffness, by_bar = sigma / 35e9 * length;
+  const double by_joint = sigma / joint_stiffness, by_bar = sigma / 35e9 * length;
   EXPECT_NEAR(moved(0, 0), by_joint, 1e-3 * by_joint);
   EXPECT_NEAR(moved(0, 1), by_joint + by_bar, 1e-3 * by_joint);
 }

@@ -1,4 +1,3 @@
-#include <ddacontact/time/free_flight.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <tests/ddacontact/time/trial_of.hpp>
 
@@ -38,21 +37,6 @@ struct FallingBlock {
 };
 
 }  // namespace
-
-TEST(FreeFlight, AGapIsClosedWhereItsParabolaFirstIsZero) {
-  EXPECT_EQ(first_touch(1, -2, 0, 1), 0.5);
-  EXPECT_NEAR(first_touch(1, 0, -2, 2), 1, 1e-15);
-  EXPECT_EQ(first_touch(1, -0.5, 0, 1), inf) << "later";
-  EXPECT_EQ(first_touch(1, -1, 1, 9), inf) << "turns round before";
-  EXPECT_EQ(first_touch(0, -1, 0, 1), 0);
-  EXPECT_EQ(first_touch(0, 1, 0, 1), inf);
-}
-
-TEST(FreeFlight, PointsLeaveTheirStraightLinesAsTheirBlockTurns) {
-  const Vec2 off = off_straight_line({2, 0}, 0.3);
-  EXPECT_NEAR(off.x(), 2 * (std::cos(0.3) - 1), 1e-15);
-  EXPECT_NEAR(off.y(), 2 * (std::sin(0.3) - 0.3), 1e-15);
-}
 
 TEST(Impacts, RestitutionIsTheJointsOrThatOfTheScheme) {
   JointStrength joint;

@@ -1,5 +1,0 @@
-if(NOT TYPESCRIPT)
-  message("skipped: tsc is not installed")
-  return()
-endif()
-execute_process(COMMAND ${TYPESCRIPT} --project ${SOURCE}/tsconfig.json COMMAND_ERROR_IS_FATAL ANY)
